@@ -1,0 +1,138 @@
+package simbad.sonar.format;
+
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.DoublePredicate;
+
+/** A value of a JSON file that knows where it stands, so that a fault can be named to the line. */
+final class JsonInput {
+  private static final ObjectMapper MAPPER =
+      JsonMapper.builder().enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).build();
+
+  private final Path file;
+  private final Map<String, Integer> lines;
+  private final String pointer;
+  private final JsonNode node;
+
+  private JsonInput(Path file, Map<String, Integer> lines, String pointer, JsonNode node) {
+    this.file = file;
+    this.lines = lines;
+    this.pointer = pointer;
+    this.node = node;
+  }
+
+  static JsonInput read(Path file) throws DataFormatException {
+    String text = TextFile.read(file);
+    try {
+      JsonNode root = MAPPER.readTree(text);
+      return new JsonInput(file, lines(text), "", root);
+    } catch (JsonProcessingException e) {
+      throw DataFormatException.inField(
+          file, e.getLocation().getLineNr(), "JSON", e.getOriginalMessage());
+    } catch (IOException e) {
+      throw DataFormatException.inFile(file, "cannot be read: " + e.getMessage());
+    }
+  }
+
+  private static Map<String, Integer> lines(String text) throws IOException {
+    Map<String, Integer> lines = new HashMap<>();
+    try (JsonParser parser = MAPPER.createParser(text)) {
+      while (parser.nextToken() != null) {
+        if (parser.currentToken() != JsonToken.FIELD_NAME) {
+          lines.putIfAbsent(
+              parser.getParsingContext().pathAsPointer().toString(),
+              parser.currentTokenLocation().getLineNr());
+        }
+      }
+    }
+    return lines;
+  }
+
+  boolean has(String field) {
+    return node.has(field);
+  }
+
+  JsonInput field(String name) throws DataFormatException {
+    if (!node.has(name)) {
+      throw fault(name, "is missing");
+    }
+    return new JsonInput(file, lines, pointer + "/" + name, node.get(name));
+  }
+
+  /** The items of a field that is a list. */
+  List<JsonInput> items(String field) throws DataFormatException {
+    return field(field).items();
+  }
+
+  List<JsonInput> items() throws DataFormatException {
+    if (!node.isArray()) {
+      throw fault("is no list");
+    }
+    List<JsonInput> items = new ArrayList<>();
+    for (int i = 0; i < node.size(); i++) {
+      items.add(new JsonInput(file, lines, pointer + "/" + i, node.get(i)));
+    }
+    return items;
+  }
+
+  String text(String field) throws DataFormatException {
+    JsonInput value = field(field);
+    if (!value.node.isTextual()) {
+      throw value.fault(value.node + " is no text");
+    }
+    return value.node.textValue();
+  }
+
+  double number(String field, DoublePredicate valid, String expected) throws DataFormatException {
+    return field(field).number(valid, expected);
+  }
+
+  double number(DoublePredicate valid, String expected) throws DataFormatException {
+    if (!node.isNumber() || !valid.test(node.doubleValue())) {
+      throw fault(node + " is not " + expected);
+    }
+    return node.doubleValue();
+  }
+
+  double finite(String field) throws DataFormatException {
+    return number(field, value -> Math.abs(value) < Double.POSITIVE_INFINITY, "a finite number");
+  }
+
+  double notNegative(String field) throws DataFormatException {
+    return number(
+        field, value -> value >= 0 && value < Double.POSITIVE_INFINITY, "a number of at least 0");
+  }
+
+  double positive(String field) throws DataFormatException {
+    return number(
+        field, value -> value > 0 && value < Double.POSITIVE_INFINITY, "a number above 0");
+  }
+
+  DataFormatException fault(String problem) {
+    return DataFormatException.inField(file, line(pointer), name(pointer), problem);
+  }
+
+  private DataFormatException fault(String field, String problem) {
+    return DataFormatException.inField(file, line(pointer), name(pointer + "/" + field), problem);
+  }
+
+  private int line(String at) {
+    return lines.getOrDefault(at, 1);
+  }
+
+  /** As one would write it in code: sensor.name, obstacles.0.outline_m. */
+  private static String name(String at) {
+    return at.isEmpty() ? "JSON" : at.substring(1).replace('/', '.');
+  }
+}

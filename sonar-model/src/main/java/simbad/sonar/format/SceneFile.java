@@ -1,0 +1,95 @@
+package simbad.sonar.format;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import simbad.sonar.frame.Placement;
+import simbad.sonar.frame.Point;
+import simbad.sonar.scene.Detection;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.TableDetection;
+import simbad.sonar.scene.UniformDetection;
+import simbad.sonar.shape.Outline;
+import simbad.sonar.shape.ThresholdTable;
+
+/** Scene files: what a simulator believes, {@code format} "sonar-gap/1". */
+public final class SceneFile {
+  private static final String FORMAT = "sonar-gap/1";
+
+  private SceneFile() {}
+
+  /**
+   * Reads a scene.
+   *
+   * @param file JSON
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public static SensingSetup read(Path file) throws DataFormatException {
+    JsonInput root = JsonInput.read(file);
+    if (!root.text("format").equals(FORMAT)) {
+      throw root.field("format").fault("is not \"" + FORMAT + "\"");
+    }
+    List<Obstacle> obstacles = new ArrayList<>();
+    for (JsonInput item : root.items("obstacles")) {
+      obstacles.add(obstacle(item));
+    }
+    return new SensingSetup(
+        SensorFile.spec(root.field("sensor")), new Scene(obstacles), root.positive("no_echo_m"));
+  }
+
+  private static Obstacle obstacle(JsonInput item) throws DataFormatException {
+    Placement placement =
+        new Placement(
+            item.finite("x_m"), item.finite("z_m"), Math.toRadians(item.finite("turn_deg")));
+    return new Obstacle(item.text("name"), placement, outline(item), detection(item));
+  }
+
+  private static Outline outline(JsonInput item) throws DataFormatException {
+    List<Point> corners = new ArrayList<>();
+    for (JsonInput corner : item.items("outline_m")) {
+      List<JsonInput> coordinates = corner.items();
+      if (coordinates.size() != 2) {
+        throw corner.fault(coordinates.size() + " numbers, expected [x, z]");
+      }
+      corners.add(new Point(coordinate(coordinates.get(0)), coordinate(coordinates.get(1))));
+    }
+    try {
+      return Outline.of(corners);
+    } catch (IllegalArgumentException e) {
+      throw item.field("outline_m").fault(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private static double coordinate(JsonInput number) throws DataFormatException {
+    return number.number(value -> Math.abs(value) < Double.POSITIVE_INFINITY, "a finite number");
+  }
+
+  private static Detection detection(JsonInput item) throws DataFormatException {
+    return switch (item.text("detection")) {
+      case "table" -> new TableDetection(table(item));
+      case "uniform" -> new UniformDetection(threshold(item.field("uniform_range_m")));
+      default -> throw item.field("detection").fault("is neither \"table\" nor \"uniform\"");
+    };
+  }
+
+  private static ThresholdTable table(JsonInput item) throws DataFormatException {
+    List<JsonInput> values = item.items("thresholds_m");
+    if (values.size() < ThresholdTable.LEAST_SIZE) {
+      throw item.field("thresholds_m")
+          .fault(values.size() + " values, expected at least " + ThresholdTable.LEAST_SIZE);
+    }
+    double[] thresholds = new double[values.size()];
+    for (int i = 0; i < thresholds.length; i++) {
+      thresholds[i] = threshold(values.get(i));
+    }
+    return ThresholdTable.of(thresholds);
+  }
+
+  private static double threshold(JsonInput value) throws DataFormatException {
+    return value.number(
+        ThresholdTable::isThreshold,
+        "a distance in [0, " + ThresholdTable.GREATEST_THRESHOLD_M + "] m");
+  }
+}

@@ -1,0 +1,45 @@
+package simbad.sonar.format;
+
+import java.nio.file.Path;
+import simbad.sonar.scene.SonarSpec;
+
+/** Sensors as JSON files, with the fields of {@code sensor} in a scene file. */
+public final class SensorFile {
+  private static final double LARGEST_HALF_ANGLE_DEG = 180;
+
+  private SensorFile() {}
+
+  /**
+   * Reads a sensor.
+   *
+   * @param file JSON
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public static SonarSpec read(Path file) throws DataFormatException {
+    return spec(JsonInput.read(file));
+  }
+
+  static SonarSpec spec(JsonInput sensor) throws DataFormatException {
+    double halfAngleDeg =
+        sensor.number(
+            "cone_half_angle_deg",
+            angle -> angle > 0 && angle <= LARGEST_HALF_ANGLE_DEG,
+            "an angle in (0, 180] degrees");
+    double minRangeM = sensor.notNegative("min_range_m");
+    return new SonarSpec(
+        sensor.text("name"),
+        Math.toRadians(halfAngleDeg),
+        minRangeM,
+        sensor.number(
+            "max_range_m",
+            range -> range > minRangeM && range < Double.POSITIVE_INFINITY,
+            "a range above min_range_m = " + minRangeM),
+        sensor.notNegative("mount_height_m"),
+        sensor.positive("assumed_sound_speed_m_s"),
+        sensor.notNegative("resolution_m"),
+        sensor.notNegative("range_noise_m"),
+        sensor.number("miss_rate", rate -> rate >= 0 && rate <= 1, "a share in [0, 1]"),
+        sensor.notNegative("edge_width_m"),
+        sensor.positive("update_period_s"));
+  }
+}

@@ -1,0 +1,144 @@
+package simbad.sonar.format;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import simbad.sonar.shape.ThresholdTable;
+
+/**
+ * Threshold tables as csv files: columns {@code bearing_deg,threshold_m}, any even spacing from
+ * bearing 0, {@code # key: value} lines above.
+ */
+public final class TableFile {
+  private static final String BEARING = "bearing_deg";
+  private static final String THRESHOLD = "threshold_m";
+  private static final double TURN_DEG = 360;
+  private static final double SAME_BEARING_DEG = 1e-6;
+
+  private TableFile() {}
+
+  /**
+   * Reads a table.
+   *
+   * @param file csv; a byte order mark and CRLF line ends are accepted
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public static TableDocument read(Path file) throws DataFormatException {
+    CsvTable csv = CsvTable.read(file);
+    csv.requireColumns(BEARING, THRESHOLD);
+    double[] thresholds = new double[csv.size()];
+    for (int row = 0; row < thresholds.length; row++) {
+      thresholds[row] =
+          csv.number(
+              row,
+              THRESHOLD,
+              ThresholdTable::isThreshold,
+              "a distance in [0, " + ThresholdTable.GREATEST_THRESHOLD_M + "] m");
+    }
+    checkBearings(csv);
+    Map<String, String> header = header(csv);
+    checkProvenance(csv, header);
+    return new TableDocument(ThresholdTable.of(thresholds), header);
+  }
+
+  private static void checkBearings(CsvTable csv) throws DataFormatException {
+    if (csv.size() < ThresholdTable.LEAST_SIZE) {
+      throw DataFormatException.inFile(
+          csv.file(),
+          csv.size() + " rows, expected at least " + ThresholdTable.LEAST_SIZE + " bearings");
+    }
+    double spacing = bearing(csv, 1) - bearing(csv, 0);
+    for (int row = 0; row < csv.size(); row++) {
+      double expected = row * spacing;
+      double found = bearing(csv, row);
+      if (row > 0 && Math.abs(found - bearing(csv, row - 1)) < SAME_BEARING_DEG) {
+        throw csv.fault(row, BEARING, "bearing " + degrees(found) + " stands twice");
+      }
+      if (!(Math.abs(found - expected) < SAME_BEARING_DEG)) {
+        throw csv.fault(
+            row,
+            BEARING,
+            "found "
+                + degrees(found)
+                + ", expected "
+                + degrees(expected)
+                + " (even steps of "
+                + degrees(spacing)
+                + " from 0)");
+      }
+    }
+    checkFullTurn(csv, spacing);
+  }
+
+  private static void checkFullTurn(CsvTable csv, double spacing) throws DataFormatException {
+    double turn = csv.size() * spacing;
+    if (!(Math.abs(turn - TURN_DEG) < csv.size() * SAME_BEARING_DEG)) {
+      int last = csv.size() - 1;
+      throw csv.fault(
+          last,
+          BEARING,
+          csv.size()
+              + " rows in steps of "
+              + degrees(spacing)
+              + " degrees end at "
+              + degrees(bearing(csv, last))
+              + ", expected a full turn of "
+              + degrees(Math.rint(TURN_DEG / spacing))
+              + " rows");
+    }
+  }
+
+  private static double bearing(CsvTable csv, int row) throws DataFormatException {
+    return csv.number(
+        row,
+        BEARING,
+        degrees -> degrees >= 0 && degrees < TURN_DEG,
+        "a bearing in [0, 360) degrees");
+  }
+
+  private static String degrees(double value) {
+    return value == Math.rint(value) ? Long.toString((long) value) : Double.toString(value);
+  }
+
+  private static Map<String, String> header(CsvTable csv) {
+    Map<String, String> header = new LinkedHashMap<>();
+    for (String comment : csv.comments()) {
+      int colon = comment.indexOf(':');
+      if (colon > 0) {
+        header.put(comment.substring(0, colon).strip(), comment.substring(colon + 1).strip());
+      }
+    }
+    return header;
+  }
+
+  private static void checkProvenance(CsvTable csv, Map<String, String> header)
+      throws DataFormatException {
+    Optional<String> word = Optional.ofNullable(header.get("provenance"));
+    if (word.isPresent() && Provenance.find(word.get()).isEmpty()) {
+      throw DataFormatException.inFile(
+          csv.file(),
+          "header line provenance: '" + word.get() + "' is not one of " + Provenance.words());
+    }
+  }
+
+  /**
+   * Writes a table so that {@link #read} gives it back.
+   *
+   * @param file target; its directory must exist
+   * @param document table and header lines
+   * @throws IOException if it cannot be written
+   */
+  public static void write(Path file, TableDocument document) throws IOException {
+    StringBuilder text = new StringBuilder();
+    document.header().forEach((key, value) -> text.append("# " + key + ": " + value + "\n"));
+    text.append(BEARING + "," + THRESHOLD + "\n");
+    ThresholdTable table = document.table();
+    for (int i = 0; i < table.size(); i++) {
+      // Multiplied before it is divided: 72 rows then stand at whole degrees to the last digit.
+      text.append(degrees(i * TURN_DEG / table.size()) + "," + table.valueM(i) + "\n");
+    }
+    TextFile.write(file, text.toString());
+  }
+}

@@ -1,0 +1,93 @@
+package simbad.sonar.model;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.OptionalDouble;
+import simbad.sonar.frame.Pose;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.shape.Cone;
+
+/**
+ * The nominal model: what a simulator expects of a ping.
+ *
+ * <p>An obstacle in the cone echoes with probability (1 - missRate) / (1 + exp((r - T(b)) /
+ * edgeWidthM)), r being the distance to its centre and T(b) its threshold, provided that the
+ * nearest point of its outline in the cone is between the minimum and maximum range. Obstacles echo
+ * independently; the nearest echo is read. Immutable, safe for use by several threads.
+ */
+public final class NominalModel {
+  private final SonarSpec sensor;
+  private final Cone cone;
+  private final PlacedObstacle[] obstacles;
+
+  /**
+   * Binds a sensor to a scene.
+   *
+   * @param sensor the sensor's figures
+   * @param scene the obstacles
+   */
+  public NominalModel(SonarSpec sensor, Scene scene) {
+    this.sensor = sensor;
+    cone = new Cone(sensor.coneHalfAngleRad());
+    obstacles = PlacedObstacle.all(scene);
+  }
+
+  /** Returns the number of obstacles. */
+  public int size() {
+    return obstacles.length;
+  }
+
+  /**
+   * Returns what the model makes of one obstacle.
+   *
+   * @param obstacle index in the scene, from 0
+   * @param pose of the sensor
+   */
+  public Sight sight(int obstacle, Pose pose) {
+    PlacedObstacle placed = obstacles[obstacle];
+    double xM = pose.position().xM();
+    double zM = pose.position().zM();
+    TransducerPose from = new TransducerPose().aim(xM, zM, pose.heading().radians());
+    double nearest = placed.nearestM(cone, from, Double.POSITIVE_INFINITY);
+    double distance = placed.centreDistanceM(xM, zM);
+    double bearing = placed.bearingRad(xM, zM);
+    double threshold = placed.detection().thresholdM(bearing);
+    return new Sight(
+        distance,
+        bearing,
+        threshold,
+        nearest < Double.POSITIVE_INFINITY ? OptionalDouble.of(nearest) : OptionalDouble.empty(),
+        echoProbability(nearest, distance, threshold));
+  }
+
+  /**
+   * Returns the distribution of the reading at a pose.
+   *
+   * @param pose of the sensor
+   */
+  public ReadingDistribution distribution(Pose pose) {
+    List<Sight> heard = new ArrayList<>();
+    for (int i = 0; i < obstacles.length; i++) {
+      Sight sight = sight(i, pose);
+      if (sight.echoProbability() > 0) {
+        heard.add(sight);
+      }
+    }
+    heard.sort(Comparator.comparingDouble(sight -> sight.nearestM().orElseThrow()));
+    return ReadingDistribution.nearestFirst(heard, sensor.rangeNoiseM(), sensor.resolutionM());
+  }
+
+  double echoProbability(double nearestM, double centreDistanceM, double thresholdM) {
+    if (!(nearestM >= sensor.minRangeM() && nearestM <= sensor.maxRangeM()) || thresholdM <= 0) {
+      return 0;
+    }
+    double beyondM = centreDistanceM - thresholdM;
+    double edge =
+        sensor.edgeWidthM() > 0
+            ? 1 / (1 + Math.exp(beyondM / sensor.edgeWidthM()))
+            : beyondM <= 0 ? 1 : 0;
+    return (1 - sensor.missRate()) * edge;
+  }
+}

@@ -1,0 +1,90 @@
+package simbad.sonar.model;
+
+import java.util.Optional;
+import simbad.sonar.scene.Detection;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.TableDetection;
+import simbad.sonar.shape.Cone;
+import simbad.sonar.shape.DetectionShadow;
+import simbad.sonar.shape.Outline;
+import simbad.sonar.shape.ThresholdTable;
+
+/** An obstacle with its outline laid out in the world, so that a ping computes nothing twice. */
+final class PlacedObstacle {
+  /** A uniform threshold's circle as a polygon: 0.1 mm inside it at 3 m. */
+  private static final int CIRCLE_CORNERS = 360;
+
+  private final Obstacle obstacle;
+  private final Outline worldOutline;
+  private final double reachM;
+  private final double greatestThresholdM;
+  private final Optional<Outline> shadowEdge;
+
+  PlacedObstacle(Obstacle obstacle) {
+    this.obstacle = obstacle;
+    worldOutline = obstacle.worldOutline();
+    reachM = obstacle.outline().reachM(0, 0);
+    greatestThresholdM = obstacle.detection().greatestM();
+    shadowEdge = worldEdge(obstacle);
+  }
+
+  private static Optional<Outline> worldEdge(Obstacle obstacle) {
+    ThresholdTable table =
+        obstacle.detection() instanceof TableDetection detection
+            ? detection.table()
+            : ThresholdTable.uniform(CIRCLE_CORNERS, obstacle.detection().greatestM());
+    return new DetectionShadow(table).edge().map(edge -> edge.placed(obstacle.worldFromObstacle()));
+  }
+
+  static PlacedObstacle[] all(Scene scene) {
+    return scene.obstacles().stream().map(PlacedObstacle::new).toArray(PlacedObstacle[]::new);
+  }
+
+  Detection detection() {
+    return obstacle.detection();
+  }
+
+  double centreDistanceM(double xM, double zM) {
+    return obstacle.worldFromObstacle().centreDistanceM(xM, zM);
+  }
+
+  double bearingRad(double xM, double zM) {
+    return obstacle.worldFromObstacle().bearingRad(xM, zM);
+  }
+
+  double outlineDistanceM(double xM, double zM) {
+    return worldOutline.distanceM(xM, zM);
+  }
+
+  /** The nearest point of the outline in the cone, infinity when there is none within a limit. */
+  double nearestM(Cone cone, TransducerPose from, double limitM) {
+    if (centreDistanceM(from.xM, from.zM) - reachM > limitM) {
+      return Double.POSITIVE_INFINITY;
+    }
+    double nearest =
+        cone.nearestM(worldOutline, from.xM, from.zM, from.directionX, from.directionZ);
+    return nearest <= limitM ? nearest : Double.POSITIVE_INFINITY;
+  }
+
+  /**
+   * The nearest point of the shadow's edge in the cone; infinity when there is none, or no shadow.
+   */
+  double shadowEdgeM(Cone cone, TransducerPose from) {
+    return shadowEdge
+        .map(edge -> cone.nearestM(edge, from.xM, from.zM, from.directionX, from.directionZ))
+        .orElse(Double.POSITIVE_INFINITY);
+  }
+
+  /** Whether a place is near enough to hear the obstacle; where the threshold is 0 none is. */
+  boolean inShadow(double xM, double zM) {
+    double distance = centreDistanceM(xM, zM);
+    return distance <= greatestThresholdM && distance <= positiveThresholdM(bearingRad(xM, zM));
+  }
+
+  /** The threshold, or less than any distance where it is 0. */
+  private double positiveThresholdM(double bearingRad) {
+    double threshold = detection().thresholdM(bearingRad);
+    return threshold > 0 ? threshold : Double.NEGATIVE_INFINITY;
+  }
+}

@@ -1,0 +1,17 @@
+package simbad.sonar.scene;
+
+/**
+ * A sensor before a scene, as a scene file states it.
+ *
+ * @param sensor the sensor's figures
+ * @param scene the obstacles
+ * @param noEchoM the range that a no-echo counts as where ranges are averaged; positive, finite
+ */
+public record SensingSetup(SonarSpec sensor, Scene scene, double noEchoM) {
+  /** Checks the no-echo range. */
+  public SensingSetup {
+    if (!(noEchoM > 0 && noEchoM < Double.POSITIVE_INFINITY)) {
+      throw new IllegalArgumentException("noEchoM = " + noEchoM + " is not in (0, infinity)");
+    }
+  }
+}

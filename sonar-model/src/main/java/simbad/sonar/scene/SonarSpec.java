@@ -1,0 +1,67 @@
+package simbad.sonar.scene;
+
+/**
+ * The figures of a sonar, as the simulator believes them.
+ *
+ * @param name of the sensor, free text
+ * @param coneHalfAngleRad how far off its heading it hears; in (0, pi]
+ * @param minRangeM nearer echoes are not heard; at least 0
+ * @param maxRangeM further echoes are not heard; above minRangeM, finite
+ * @param mountHeightM of the transducer over the floor; at least 0
+ * @param assumedSoundSpeedMPerS that turns its times into ranges; positive
+ * @param resolutionM step of the ranges reported; 0 for none
+ * @param rangeNoiseM standard deviation of a range; at least 0
+ * @param missRate share of echoes that are lost whatever the geometry; in [0, 1]
+ * @param edgeWidthM softness of the threshold: the distance over which the chance of an echo falls
+ *     from 1/2 to 1/(1+e); 0 for a step
+ * @param updatePeriodS time from ping to ping; positive
+ */
+public record SonarSpec(
+    String name,
+    double coneHalfAngleRad,
+    double minRangeM,
+    double maxRangeM,
+    double mountHeightM,
+    double assumedSoundSpeedMPerS,
+    double resolutionM,
+    double rangeNoiseM,
+    double missRate,
+    double edgeWidthM,
+    double updatePeriodS) {
+
+  /** Checks every figure; the message names the field, the value and what is permitted. */
+  public SonarSpec {
+    require(
+        coneHalfAngleRad > 0 && coneHalfAngleRad <= Math.PI,
+        "coneHalfAngleRad",
+        coneHalfAngleRad,
+        "(0, pi]");
+    requireNotNegative("minRangeM", minRangeM);
+    require(
+        maxRangeM > minRangeM && maxRangeM < Double.POSITIVE_INFINITY,
+        "maxRangeM",
+        maxRangeM,
+        "(minRangeM = " + minRangeM + ", infinity)");
+    requireNotNegative("mountHeightM", mountHeightM);
+    requirePositive("assumedSoundSpeedMPerS", assumedSoundSpeedMPerS);
+    requireNotNegative("resolutionM", resolutionM);
+    requireNotNegative("rangeNoiseM", rangeNoiseM);
+    require(missRate >= 0 && missRate <= 1, "missRate", missRate, "[0, 1]");
+    requireNotNegative("edgeWidthM", edgeWidthM);
+    requirePositive("updatePeriodS", updatePeriodS);
+  }
+
+  private static void requireNotNegative(String field, double value) {
+    require(value >= 0 && value < Double.POSITIVE_INFINITY, field, value, "[0, infinity)");
+  }
+
+  private static void requirePositive(String field, double value) {
+    require(value > 0 && value < Double.POSITIVE_INFINITY, field, value, "(0, infinity)");
+  }
+
+  private static void require(boolean holds, String field, double value, String permitted) {
+    if (!holds) {
+      throw new IllegalArgumentException(field + " = " + value + " is not in " + permitted);
+    }
+  }
+}

@@ -1,0 +1,101 @@
+package simbad.sonar.shape;
+
+/**
+ * The part of the plane that a sensor hears, whatever the distance: all directions within a half
+ * angle of its heading.
+ */
+public final class Cone {
+  private final double halfAngleRad;
+  private final double cos;
+  private final double sin;
+
+  /**
+   * Creates a cone.
+   *
+   * @param halfAngleRad in (0, pi]; at pi it is the whole plane
+   */
+  public Cone(double halfAngleRad) {
+    if (!(halfAngleRad > 0 && halfAngleRad <= Math.PI)) {
+      throw new IllegalArgumentException("halfAngleRad = " + halfAngleRad + " is not in (0, pi]");
+    }
+    this.halfAngleRad = halfAngleRad;
+    cos = Math.cos(halfAngleRad);
+    sin = Math.sin(halfAngleRad);
+  }
+
+  /** Returns the half angle in radians. */
+  public double halfAngleRad() {
+    return halfAngleRad;
+  }
+
+  /**
+   * Returns the distance from the cone's tip to the nearest point of an outline that lies in the
+   * cone, its border included.
+   *
+   * <p>Exact: on each edge the nearest point of the part in the cone is the foot of the
+   * perpendicular, an end, or where the edge meets the cone's border.
+   *
+   * @param outline in the frame of the tip
+   * @param tipXM metres
+   * @param tipZM metres
+   * @param directionX x component of the heading, length 1 with the next
+   * @param directionZ z component of the heading
+   * @return metres; positive infinity, the least distance to nothing, when no point is in the cone
+   */
+  public double nearestM(
+      Outline outline, double tipXM, double tipZM, double directionX, double directionZ) {
+    double best = Double.POSITIVE_INFINITY;
+    int last = outline.size() - 1;
+    double fromX = outline.xM(last) - tipXM;
+    double fromZ = outline.zM(last) - tipZM;
+    double fromAlong = fromX * directionX + fromZ * directionZ;
+    double fromAcross = fromX * directionZ - fromZ * directionX;
+    for (int i = 0; i <= last; i++) {
+      double toX = outline.xM(i) - tipXM;
+      double toZ = outline.zM(i) - tipZM;
+      double along = toX * directionX + toZ * directionZ;
+      double across = toX * directionZ - toZ * directionX;
+      best = Math.min(best, nearestOfEdgeM(fromAlong, fromAcross, along, across));
+      fromAlong = along;
+      fromAcross = across;
+    }
+    return best;
+  }
+
+  /** Coordinates along and across the heading; the tip is the origin. */
+  private double nearestOfEdgeM(double a, double b, double toA, double toB) {
+    double ea = toA - a;
+    double eb = toB - b;
+    double length2 = ea * ea + eb * eb;
+    double t = length2 == 0 ? 0 : Math.max(0, Math.min(1, -(a * ea + b * eb) / length2));
+    double footA = a + t * ea;
+    double footB = b + t * eb;
+    if (contains(footA, footB)) {
+      return Math.sqrt(footA * footA + footB * footB);
+    }
+    double best = Math.min(endM(a, b), endM(toA, toB));
+    best = Math.min(best, crossingM(a, b, ea, eb, sin));
+    return Math.min(best, crossingM(a, b, ea, eb, -sin));
+  }
+
+  private double endM(double along, double across) {
+    return contains(along, across)
+        ? Math.sqrt(along * along + across * across)
+        : Double.POSITIVE_INFINITY;
+  }
+
+  /** Where the edge (a, b) + t (ea, eb) meets the border ray (cos, side); t in [0, 1]. */
+  private double crossingM(double a, double b, double ea, double eb, double side) {
+    double parallel = ea * side - eb * cos;
+    if (parallel == 0) {
+      return Double.POSITIVE_INFINITY;
+    }
+    double t = -(a * side - b * cos) / parallel;
+    double distance = (a + t * ea) * cos + (b + t * eb) * side;
+    return t >= 0 && t <= 1 && distance >= 0 ? distance : Double.POSITIVE_INFINITY;
+  }
+
+  private boolean contains(double along, double across) {
+    return along >= cos * Math.sqrt(along * along + across * across);
+  }
+}

@@ -1,0 +1,145 @@
+package simbad.sonar.shape;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import simbad.sonar.frame.Placement;
+import simbad.sonar.frame.Point;
+
+/**
+ * The boundary of a cross-section: a closed polygon, the last corner joined to the first.
+ *
+ * <p>Either sense of going round is accepted. What answers a ping is this line, not the area in it.
+ * Immutable.
+ */
+public final class Outline {
+  private final double[] xM;
+  private final double[] zM;
+
+  private Outline(double[] xM, double[] zM) {
+    this.xM = xM;
+    this.zM = zM;
+  }
+
+  /**
+   * Creates an outline.
+   *
+   * @param corners at least 3, not all at one place
+   * @throws IllegalArgumentException if there are fewer, or all coincide
+   */
+  public static Outline of(List<Point> corners) {
+    if (corners.size() < 3) {
+      throw new IllegalArgumentException(
+          "corners = " + corners.size() + " points; an outline has at least 3");
+    }
+    Point first = corners.get(0);
+    if (corners.stream().allMatch(first::equals)) {
+      throw new IllegalArgumentException("corners all lie at " + first);
+    }
+    return new Outline(
+        corners.stream().mapToDouble(Point::xM).toArray(),
+        corners.stream().mapToDouble(Point::zM).toArray());
+  }
+
+  /** Returns the number of corners, which is the number of edges too. */
+  public int size() {
+    return xM.length;
+  }
+
+  /**
+   * Returns the x coordinate of a corner in metres.
+   *
+   * @param corner index, from 0
+   */
+  public double xM(int corner) {
+    return xM[corner];
+  }
+
+  /**
+   * Returns the z coordinate of a corner in metres.
+   *
+   * @param corner index, from 0
+   */
+  public double zM(int corner) {
+    return zM[corner];
+  }
+
+  /** Returns the corners as points. */
+  public List<Point> corners() {
+    List<Point> corners = new ArrayList<>(size());
+    for (int i = 0; i < size(); i++) {
+      corners.add(new Point(xM[i], zM[i]));
+    }
+    return List.copyOf(corners);
+  }
+
+  /** Returns the same outline in the world, given one in an obstacle's own frame. */
+  public Outline placed(Placement worldFromObstacle) {
+    return of(corners().stream().map(worldFromObstacle::worldFromObstacle).toList());
+  }
+
+  /**
+   * Returns the greatest distance of the outline from a point in metres.
+   *
+   * @param fromXM metres
+   * @param fromZM metres
+   */
+  public double reachM(double fromXM, double fromZM) {
+    double reach = 0;
+    for (int i = 0; i < size(); i++) {
+      reach = Math.max(reach, Math.hypot(xM[i] - fromXM, zM[i] - fromZM));
+    }
+    return reach;
+  }
+
+  /**
+   * Returns the distance from a place to the nearest point of the outline in metres; inside the
+   * cross-section too.
+   *
+   * @param fromXM metres
+   * @param fromZM metres
+   */
+  public double distanceM(double fromXM, double fromZM) {
+    double best = Double.POSITIVE_INFINITY;
+    for (int i = 0, j = size() - 1; i < size(); j = i++) {
+      best = Math.min(best, edgeDistanceM(j, i, fromXM, fromZM));
+    }
+    return best;
+  }
+
+  private double edgeDistanceM(int from, int to, double px, double pz) {
+    double ex = xM[to] - xM[from];
+    double ez = zM[to] - zM[from];
+    double ax = px - xM[from];
+    double az = pz - zM[from];
+    double length2 = ex * ex + ez * ez;
+    double t = length2 == 0 ? 0 : Math.max(0, Math.min(1, (ax * ex + az * ez) / length2));
+    return Math.hypot(ax - t * ex, az - t * ez);
+  }
+
+  /** Returns the length of the closed line in metres. */
+  public double perimeterM() {
+    double length = 0;
+    for (int i = 0, j = size() - 1; i < size(); j = i++) {
+      length += Math.hypot(xM[i] - xM[j], zM[i] - zM[j]);
+    }
+    return length;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Outline that
+        && Arrays.equals(xM, that.xM)
+        && Arrays.equals(zM, that.zM);
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * Arrays.hashCode(xM) + Arrays.hashCode(zM);
+  }
+
+  @Override
+  public String toString() {
+    return "Outline" + corners();
+  }
+}
