@@ -1,0 +1,144 @@
+package simbad.experiments.control;
+
+import simbad.sonar.sensing.Readings;
+
+/**
+ * Follows the line at which the belt just loses what it hears, keeping it on the left.
+ *
+ * <p>Nothing heard since the start: drive ahead. Something heard: drive away from what is heard
+ * until it is lost; there is the edge. From then on only whether anything is heard matters, so that
+ * the same controller serves every sensor model: smooth steering along the edge, and a march on a
+ * lattice where the smooth steering goes round on one spot.
+ */
+public final class EdgeFollower implements Controller {
+  private enum Stage {
+    SEARCH,
+    LEAVE,
+    FOLLOW
+  }
+
+  /** Steps without an echo until it counts as lost: noise alone misses one now and then. */
+  private static final int LOST_AFTER = 3;
+
+  private static final int WATCH_STEPS = 400;
+
+  /** A robot that stays in a square of so many steps for a whole watch goes round on one spot. */
+  private static final double CAUGHT_STEPS = 30;
+
+  private static final int MARCH_STEPS = 4000;
+
+  private final Tuning tuning;
+  private final Odometry odometry;
+  private final Whereabouts whereabouts = new Whereabouts();
+  private Stage stage = Stage.SEARCH;
+  private Steering steering;
+  private int silent;
+  private int marching;
+
+  /**
+   * Creates a controller at rest that has heard nothing.
+   *
+   * @param tuning its parameters
+   */
+  public EdgeFollower(Tuning tuning) {
+    this.tuning = tuning;
+    odometry = new Odometry(tuning.stepS());
+    steering = new SmoothSteering(tuning, 0);
+  }
+
+  @Override
+  public void decide(Readings readings, Command command) {
+    boolean heard = isAnyEcho(readings);
+    silent = heard ? 0 : silent + 1;
+    switch (stage(heard)) {
+      case SEARCH -> command.set(tuning.speedMPerS(), 0);
+      case LEAVE -> leave(awayFromEchoes(readings), command);
+      case FOLLOW -> follow(heard, command);
+    }
+    odometry.advance(command);
+  }
+
+  private Stage stage(boolean heard) {
+    if (stage == Stage.SEARCH && heard) {
+      stage = Stage.LEAVE;
+    } else if (stage == Stage.LEAVE && silent >= LOST_AFTER) {
+      // The robot came straight from the obstacle: the edge lies across its way.
+      stage = Stage.FOLLOW;
+      steering = new SmoothSteering(tuning, odometry.headingRad() + Math.PI / 2);
+    }
+    return stage;
+  }
+
+  private void leave(double turnRad, Command command) {
+    double most = tuning.mostRadPerStep();
+    double turnNowRad = Math.max(-most, Math.min(most, turnRad));
+    // What takes more than one step is turned on the spot: ahead lies the obstacle.
+    boolean onTheSpot = Math.abs(turnRad) > most;
+    command.set(onTheSpot ? 0 : tuning.speedMPerS(), turnNowRad / tuning.stepS());
+  }
+
+  private void follow(boolean heard, Command command) {
+    if (marching > 0 && --marching == 0) {
+      steering = new SmoothSteering(tuning, odometry.headingRad());
+      whereabouts.restart();
+    } else if (marching == 0 && whereabouts.isCaught(odometry)) {
+      steering = new TriangleMarch(tuning, heard);
+      marching = MARCH_STEPS;
+    }
+    steering.steer(heard, odometry, command);
+  }
+
+  /** The turn that puts what is heard behind: the mean direction of the transducers that hear. */
+  private static double awayFromEchoes(Readings readings) {
+    double ahead = 0;
+    double left = 0;
+    for (int i = 0; i < readings.size(); i++) {
+      if (readings.isEcho(i)) {
+        double directionRad = 2 * Math.PI * i / readings.size();
+        ahead += Math.cos(directionRad);
+        left += Math.sin(directionRad);
+      }
+    }
+    // Heard all round, or not at all: there is no way that leads away, so go on.
+    return Math.hypot(ahead, left) < 1e-6 ? 0 : Math.atan2(-left, -ahead);
+  }
+
+  private static boolean isAnyEcho(Readings readings) {
+    for (int i = 0; i < readings.size(); i++) {
+      if (readings.isEcho(i)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** How far the robot got about during the current watch. */
+  private final class Whereabouts {
+    private int steps;
+    private double leastXM;
+    private double mostXM;
+    private double leastZM;
+    private double mostZM;
+
+    void restart() {
+      steps = 0;
+    }
+
+    boolean isCaught(Odometry at) {
+      if (steps++ == 0) {
+        leastXM = mostXM = at.xM();
+        leastZM = mostZM = at.zM();
+      }
+      leastXM = Math.min(leastXM, at.xM());
+      mostXM = Math.max(mostXM, at.xM());
+      leastZM = Math.min(leastZM, at.zM());
+      mostZM = Math.max(mostZM, at.zM());
+      if (steps < WATCH_STEPS) {
+        return false;
+      }
+      steps = 0;
+      double widthM = Math.max(mostXM - leastXM, mostZM - leastZM);
+      return widthM < CAUGHT_STEPS * tuning.stepM();
+    }
+  }
+}
