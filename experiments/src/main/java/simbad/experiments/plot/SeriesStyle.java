@@ -1,0 +1,11 @@
+package simbad.experiments.plot;
+
+/** How the points of a series are joined. */
+public enum SeriesStyle {
+  /** Straight edges from point to point. */
+  LINE,
+  /** Straight edges, and one from the last point back to the first. */
+  CLOSED_LINE,
+  /** Dots that are not joined. */
+  POINTS
+}
