@@ -1,6 +1,7 @@
 package simbad.kernel.belt;
 
 import simbad.kernel.geometry.Placement;
+import simbad.kernel.scene.Ball;
 import simbad.sonar.sensing.TransducerPoses;
 
 /**
@@ -11,9 +12,13 @@ import simbad.sonar.sensing.TransducerPoses;
 public final class BeltLayout {
   private static final int STRIDE = 6;
 
+  /** Room for rounding in the reach of a belt. */
+  private static final double MARGIN_M = 1e-6;
+
   private final double[] rays;
   private final double[] lengthM;
   private final double[] angleRad;
+  private double reachM;
 
   private BeltLayout(int size) {
     rays = new double[size * STRIDE];
@@ -43,6 +48,7 @@ public final class BeltLayout {
       layout.lengthM[i] = endM - radiusM;
       layout.angleRad[i] = angle;
     }
+    layout.measureReach();
     return layout;
   }
 
@@ -69,6 +75,7 @@ public final class BeltLayout {
       layout.setRay(i, positions[i], unit(directions[i]));
       layout.angleRad[i] = angleToX(positions[i]);
     }
+    layout.measureReach();
     return layout;
   }
 
@@ -115,6 +122,44 @@ public final class BeltLayout {
   /** Returns the angle by which a ray is sorted into sectors, radians in [0, 2 pi). */
   public double angleRad(int ray) {
     return angleRad[ray];
+  }
+
+  /** Finds how far the ends of the rays are from the middle of their starts. */
+  private void measureReach() {
+    TransducerPoses poses = new TransducerPoses(size());
+    place(new Placement(), poses);
+    Ball middle = new Ball();
+    enclose(poses, middle);
+    for (int i = 0; i < size(); i++) {
+      double x = poses.xM(i) - middle.xM();
+      double y = poses.yM(i) - middle.yM();
+      double z = poses.zM(i) - middle.zM();
+      double endX = x + lengthM[i] * poses.directionX(i);
+      double endY = y + lengthM[i] * poses.directionY(i);
+      double endZ = z + lengthM[i] * poses.directionZ(i);
+      reachM = Math.max(reachM, norm(new double[] {x, y, z}));
+      reachM = Math.max(reachM, norm(new double[] {endX, endY, endZ}));
+    }
+    reachM += MARGIN_M;
+  }
+
+  /**
+   * Sets a ball so that it holds every ray.
+   *
+   * @param poses where {@link #place} has put the rays
+   * @param ball is set
+   */
+  public void enclose(TransducerPoses poses, Ball ball) {
+    double x = 0;
+    double y = 0;
+    double z = 0;
+    for (int i = 0; i < size(); i++) {
+      x += poses.xM(i);
+      y += poses.yM(i);
+      z += poses.zM(i);
+    }
+    double share = 1.0 / Math.max(1, size());
+    ball.set(x * share, y * share, z * share, reachM);
   }
 
   /** Places every ray of a belt in the world. */

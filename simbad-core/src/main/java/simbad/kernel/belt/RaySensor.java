@@ -1,6 +1,8 @@
 package simbad.kernel.belt;
 
 import simbad.kernel.geometry.Ray;
+import simbad.kernel.scene.Ball;
+import simbad.kernel.scene.Neighbourhood;
 import simbad.kernel.scene.Scene;
 import simbad.kernel.scene.Solid;
 import simbad.sonar.sensing.Readings;
@@ -12,10 +14,15 @@ import simbad.sonar.sensing.TransducerPoses;
  * the distance to the nearest surface along the ray; the carrier's own body is passed through.
  */
 public final class RaySensor implements Sensor {
+  /** Up to this many parts it is faster to look at each than to descend a tree. */
+  private static final int FEW = 24;
+
   private final Scene scene;
   private final Solid carrier;
   private final BeltLayout layout;
   private final Ray ray = new Ray();
+  private final Ball reach = new Ball();
+  private final Neighbourhood near = new Neighbourhood();
 
   /**
    * Creates a sensor.
@@ -32,6 +39,8 @@ public final class RaySensor implements Sensor {
 
   @Override
   public void ping(TransducerPoses poses, double timeS, Readings readings) {
+    layout.enclose(poses, reach);
+    scene.gather(reach, carrier, near);
     for (int i = 0; i < layout.size(); i++) {
       if (cast(poses, i)) {
         readings.setEcho(i, ray.lengthM());
@@ -45,6 +54,6 @@ public final class RaySensor implements Sensor {
     ray.setOrigin(poses.xM(i), poses.yM(i), poses.zM(i));
     ray.setDirection(poses.directionX(i), poses.directionY(i), poses.directionZ(i));
     ray.setLength(layout.lengthM(i));
-    return scene.strike(ray, carrier);
+    return near.size() <= FEW ? near.strike(ray) : scene.strike(ray, carrier);
   }
 }

@@ -15,6 +15,7 @@ public final class Part {
   private final Placement solidFromPart;
   private final Placement worldFromPart;
   private final Extent extent = new Extent();
+  private final Extent cover = new Extent();
 
   Part(Solid solid, Shape shape, Placement solidFromPart) {
     this.solid = solid;
@@ -48,6 +49,9 @@ public final class Part {
     worldFromPart.compose(worldFromSolid, solidFromPart);
     extent.clear();
     shape.addTo(extent, worldFromPart);
+    cover.clear();
+    cover.include(extent);
+    cover.grow(MARGIN_M);
   }
 
   /** Casts a world ray; {@code local} is scratch space. */
@@ -56,10 +60,8 @@ public final class Part {
     return shape.strike(local) && world.shortenTo(local.lengthM());
   }
 
-  /** Sets an extent to this part's, a little larger. */
-  void coverIn(Extent cover) {
-    cover.clear();
-    cover.include(extent());
-    cover.grow(MARGIN_M);
+  /** Returns the extent, a little larger, as it was when the solid was last refreshed. */
+  Extent cover() {
+    return cover;
   }
 }

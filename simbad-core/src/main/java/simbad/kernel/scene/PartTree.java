@@ -27,7 +27,6 @@ final class PartTree {
     covers = new Extent[most];
     skip = new int[most];
     leafPart = new int[most];
-    Arrays.setAll(covers, node -> new Extent());
     if (parts.length > 0) {
       build(0, parts.length);
       refit();
@@ -38,8 +37,10 @@ final class PartTree {
     int node = nodes++;
     if (to - from == 1) {
       leafPart[node] = from;
+      covers[node] = parts[from].cover();
     } else {
       leafPart[node] = INNER;
+      covers[node] = new Extent();
       sortAlongLongestAxis(from, to);
       int middle = (from + to) >>> 1;
       build(from, middle);
@@ -74,7 +75,7 @@ final class PartTree {
         covers[node].include(covers[node + 1]);
         covers[node].include(covers[skip[node + 1]]);
       } else {
-        parts[leafPart[node]].coverIn(covers[node]);
+        parts[leafPart[node]].solid().refresh();
       }
     }
   }
@@ -104,6 +105,21 @@ final class PartTree {
 
   private boolean strike(Ray ray, Part part, @Nullable Solid except) {
     return part.solid() != except && part.strike(ray, local);
+  }
+
+  /** Adds the parts that a ball may touch, but for those of a solid. */
+  void gather(Ball ball, Solid except, Neighbourhood near) {
+    int node = 0;
+    while (node < nodes) {
+      if (!covers[node].touchesBall(ball.xM(), ball.yM(), ball.zM(), ball.radiusM())) {
+        node = skip[node];
+      } else {
+        if (leafPart[node] != INNER && parts[leafPart[node]].solid() != except) {
+          near.add(parts[leafPart[node]]);
+        }
+        node++;
+      }
+    }
   }
 
   boolean stopsBall(double xM, double yM, double zM, double radiusM) {

@@ -36,6 +36,19 @@ public final class Scene {
   }
 
   /**
+   * Finds what rays that stay inside a ball can meet.
+   *
+   * @param ball the ball
+   * @param except a solid that the rays pass through
+   * @param near is emptied and filled
+   */
+  public void gather(Ball ball, Solid except, Neighbourhood near) {
+    near.clear();
+    fixed.gather(ball, except, near);
+    moving.gather(ball, except, near);
+  }
+
+  /**
    * Returns true if a ball is stopped by a present, non-traversable solid that was added as fixed.
    *
    * @param xM x of the ball's centre, metres

@@ -43,6 +43,10 @@ final class SolidIndex {
     return current().strike(ray, except);
   }
 
+  void gather(Ball ball, Solid except, Neighbourhood near) {
+    current().gather(ball, except, near);
+  }
+
   boolean stopsBall(double xM, double yM, double zM, double radiusM) {
     return current().stopsBall(xM, yM, zM, radiusM);
   }
