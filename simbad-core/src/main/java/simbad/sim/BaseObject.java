@@ -54,7 +54,7 @@ public abstract class BaseObject {
    * Returns the body that rays and collisions meet, as shapes with their place in the world. It
    * follows the object.
    */
-  public Solid getBody() {
+  public Solid getSolid() {
     if (solid == null) {
       Solid made = new Solid(placement);
       addShapesTo(made, new Placement());
@@ -151,22 +151,19 @@ public abstract class BaseObject {
 
   /** Takes the object out of the world; allowed at any time, also within a step. */
   public void detach() {
-    if (world != null) {
-      world.detach(this);
-    }
+    setDetached(true);
   }
 
   /** Puts a detached object back. */
   public void attach() {
-    if (world != null) {
-      world.attach(this);
-    }
+    setDetached(false);
   }
 
-  /** Notes whether the object is out of the world. */
-  void setDetached(boolean detached) {
+  private void setDetached(boolean detached) {
     detachedFromSceneGraph = detached;
-    getBody().setPresent(!detached);
+    if (solid != null) {
+      solid.setPresent(!detached);
+    }
     placementChanged();
   }
 

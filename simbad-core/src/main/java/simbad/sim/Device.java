@@ -39,12 +39,12 @@ public abstract class Device extends BaseObject {
     return owner;
   }
 
-  /** Computes where the device is in the world. */
-  void placeIn(Placement worldFromDevice) {
+  /** Computes where the device is in the world; for sensors of one's own. */
+  protected void placeInWorld(Placement worldFromDevice) {
     worldFromDevice.compose(getOwner().placement(), placement());
   }
 
-  /** Sets how often per simulated second the device is updated; above 0. */
+  /** Sets how often per simulated second the device is updated; 0 leaves it at the first step. */
   public void setUpdatePerSecond(double rate) {
     clock.setRate(rate);
   }

@@ -86,7 +86,7 @@ public class EnvironmentDescription {
   /** How boxes are shaded. */
   public int normalsStyle = NORMALS_SIMPLE;
 
-  /** Whether bodies fall and bounce. */
+  /** Whether bodies shall fall and bounce; kept, but without effect so far. */
   public boolean usePhysics;
 
   /** Side of the drawn floor, metres. Nothing stops at its edge. */

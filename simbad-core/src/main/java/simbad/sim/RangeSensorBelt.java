@@ -104,7 +104,7 @@ public class RangeSensorBelt extends PickSensor {
    * @param world what there is to sense
    */
   protected Sensor createSensor(World world) {
-    return new RaySensor(world.getScene(), getOwner().getBody(), layout);
+    return new RaySensor(world.getScene(), getOwner().getSolid(), layout);
   }
 
   @Override
@@ -120,7 +120,7 @@ public class RangeSensorBelt extends PickSensor {
       sensor = findWorld().map(this::createSensor).orElse(null);
     }
     if (sensor != null) {
-      placeIn(worldFromBelt);
+      placeInWorld(worldFromBelt);
       layout.place(worldFromBelt, poses);
       sensor.ping(poses, getOwner().getLifeTime(), readings);
     }

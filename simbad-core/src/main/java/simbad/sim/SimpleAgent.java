@@ -23,16 +23,11 @@ public class SimpleAgent extends BaseObject {
   /** The agent's name. */
   protected String name;
 
-  /** Scratch space. */
+  /** Scratch space, as are the transforms that follow. */
   protected Vector3d v1 = new Vector3d();
 
-  /** Scratch space. */
   protected Transform3D t3d1 = new Transform3D();
-
-  /** Scratch space. */
   protected Transform3D t3d2 = new Transform3D();
-
-  /** Scratch space. */
   protected Transform3D t3d3 = new Transform3D();
 
   /** Metres travelled since the last reset. */
@@ -77,15 +72,13 @@ public class SimpleAgent extends BaseObject {
   /** Turn that this step would bring, radians; only y counts. */
   protected Vector3d instantRotation = new Vector3d();
 
-  /** Kept for programs that use it. */
+  /** Kept for programs that use it, like the next one. */
   protected double[] collisionDistance = {};
 
-  /** Kept for programs that use it. */
   protected double collisionRadius;
 
   private final Vector3d startPosition;
-  private final ArrayList<SensorDevice> sensors = new ArrayList<>();
-  private final ArrayList<ActuatorDevice> actuators = new ArrayList<>();
+  private final DeviceRack devices = new DeviceRack();
   private @Nullable Simulator simulator;
   private @Nullable SimpleAgent veryNearAgent;
   private boolean collided;
@@ -147,26 +140,17 @@ public class SimpleAgent extends BaseObject {
 
   /** Resets every device. */
   protected void resetDevices() {
-    sensors.forEach(SensorDevice::reset);
-    actuators.forEach(ActuatorDevice::reset);
+    devices.reset();
   }
 
   /** Lets every sensor sense that is due. */
   protected void updateSensors(double elapsedSecond, @Nullable BranchGroup pickableSceneBranch) {
-    for (int i = 0; i < sensors.size(); i++) {
-      SensorDevice sensor = sensors.get(i);
-      if (pickableSceneBranch != null && sensor instanceof PickSensor pickSensor) {
-        pickSensor.setPickableSceneBranch(pickableSceneBranch);
-      }
-      sensor.update(elapsedSecond);
-    }
+    devices.updateSensors(elapsedSecond, pickableSceneBranch);
   }
 
   /** Lets every actuator act that is due. */
   protected void updateActuators(double elapsedSecond) {
-    for (int i = 0; i < actuators.size(); i++) {
-      actuators.get(i).update(elapsedSecond);
-    }
+    devices.updateActuators(elapsedSecond);
   }
 
   /** Sets the velocities that the motors give; a simple agent has none. */
@@ -193,17 +177,14 @@ public class SimpleAgent extends BaseObject {
 
   /** Moves by this step's displacement and turn, unless the agent has collided. */
   protected void updatePosition() {
-    positionChanged = !collided && movesInThisStep();
+    boolean moves = instantTranslation.lengthSquared() != 0 || instantRotation.y != 0;
+    positionChanged = moves && !collided;
     if (positionChanged) {
       placement().moveBy(instantTranslation.x, instantTranslation.y, instantTranslation.z);
       placement().turnAboutY(instantRotation.y);
       odometer += instantTranslation.length();
       placementChanged();
     }
-  }
-
-  private boolean movesInThisStep() {
-    return instantTranslation.lengthSquared() != 0 || instantRotation.y != 0;
   }
 
   /**
@@ -217,17 +198,15 @@ public class SimpleAgent extends BaseObject {
     collided = !detachedFromSceneGraph && isStoppedAt(nextX(), nextY(), nextZ(), radius);
   }
 
-  /** Returns the x of the agent's middle after this step, if nothing stops it. */
+  /** Returns where the agent's middle is after this step, if nothing stops it: x, then y and z. */
   double nextX() {
     return placement().xM() + instantTranslation.x;
   }
 
-  /** Returns the height of the agent's middle after this step, if nothing stops it. */
   double nextY() {
     return placement().yM() + instantTranslation.y;
   }
 
-  /** Returns the z of the agent's middle after this step, if nothing stops it. */
   double nextZ() {
     return placement().zM() + instantTranslation.z;
   }
@@ -287,29 +266,25 @@ public class SimpleAgent extends BaseObject {
   /**
    * Adds a sensor.
    *
-   * @param sensor the sensor
    * @param position where it sits, metres from the agent's middle
    * @param angle its turn about the vertical axis, radians
    * @return its number, for {@link #getSensorDevice(int)}
    */
   protected int addSensorDevice(SensorDevice sensor, Vector3d position, double angle) {
-    sensors.add(sensor);
     addDevice(sensor, position, angle);
-    return sensors.size() - 1;
+    return devices.add(sensor);
   }
 
   /**
    * Adds an actuator.
    *
-   * @param actuator the actuator
    * @param position where it sits, metres from the agent's middle
    * @param angle its turn about the vertical axis, radians
    * @return its number, for {@link #getActuatorDevice(int)}
    */
   protected int addActuatorDevice(ActuatorDevice actuator, Vector3d position, double angle) {
-    actuators.add(actuator);
     addDevice(actuator, position, angle);
-    return actuators.size() - 1;
+    return devices.add(actuator);
   }
 
   private void addDevice(Device device, Vector3d position, double angle) {
@@ -327,17 +302,12 @@ public class SimpleAgent extends BaseObject {
 
   /** Describes the agent's state in several lines. */
   public synchronized String asString() {
-    return getClass().getSimpleName()
-        + "\nname: "
-        + name
-        + "\ncounter: "
-        + counter
-        + "\nlifetime: "
-        + lifeTime
-        + "\ncollision: "
-        + collided
-        + "\nplacement: "
-        + placement();
+    return String.join(
+        "\n",
+        getClass().getSimpleName() + " " + name,
+        "counter: " + counter + ", lifetime: " + lifeTime + " s",
+        "collision: " + collided,
+        "placement: " + placement());
   }
 
   /** Says which simulator steps the agent. */
@@ -348,13 +318,13 @@ public class SimpleAgent extends BaseObject {
   /** Returns the sensors. */
   @SuppressWarnings("NonApiType") // The type is Simbad's.
   public ArrayList<SensorDevice> getSensorList() {
-    return sensors;
+    return devices.sensors;
   }
 
   /** Returns the actuators. */
   @SuppressWarnings("NonApiType") // The type is Simbad's.
   public ArrayList<ActuatorDevice> getActuatorList() {
-    return actuators;
+    return devices.actuators;
   }
 
   /** Returns the simulated seconds since the last reset. */
@@ -399,12 +369,12 @@ public class SimpleAgent extends BaseObject {
 
   /** Returns a sensor by the number that adding it gave. */
   public SensorDevice getSensorDevice(int num) {
-    return sensors.get(num);
+    return devices.sensors.get(num);
   }
 
   /** Returns an actuator by the number that adding it gave. */
   public ActuatorDevice getActuatorDevice(int num) {
-    return actuators.get(num);
+    return devices.actuators.get(num);
   }
 
   /** Forgets that another agent was near. */

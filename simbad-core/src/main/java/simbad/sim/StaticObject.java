@@ -50,13 +50,13 @@ public class StaticObject extends BaseObject {
    */
   protected boolean intersect(BoundingSphere bounds) {
     bounds.getCenter(centre);
-    return getBody().extentTouchesBall(centre.x, centre.y, centre.z, bounds.getRadius());
+    return getSolid().extentTouchesBall(centre.x, centre.y, centre.z, bounds.getRadius());
   }
 
   /** Computes {@link #transformedBounds} for where the object is now. */
   protected void createTransformedBounds() {
     Extent extent = new Extent();
-    for (Part part : getBody().parts()) {
+    for (Part part : getSolid().parts()) {
       extent.include(part.extent());
     }
     transformedBounds =

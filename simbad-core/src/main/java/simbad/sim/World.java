@@ -41,11 +41,11 @@ public class World {
   private void enter(BaseObject object) {
     object.setWorld(this);
     if (object instanceof StaticObject fixed) {
-      scene.addFixed(fixed.getBody());
+      scene.addFixed(fixed.getSolid());
       standing.add(fixed);
       staticRevision++;
     } else {
-      scene.addMoving(object.getBody());
+      scene.addMoving(object.getSolid());
     }
   }
 
@@ -56,17 +56,17 @@ public class World {
 
   /** Takes an object out of the world: it is neither seen nor touched any more. */
   public void detach(BaseObject object) {
-    object.setDetached(true);
+    object.detach();
   }
 
   /** Puts a detached object back. */
   public void attach(BaseObject object) {
-    object.setDetached(false);
+    object.attach();
   }
 
   /**
-   * Returns the static objects of this world, detached ones included, in the order in which they
-   * were added.
+   * Returns the static objects of this world in the order in which they were added. Detached ones
+   * are included; {@code getSolid().isPresent()} tells.
    *
    * @return an unmodifiable view
    */

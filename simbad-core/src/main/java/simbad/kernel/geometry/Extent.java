@@ -77,16 +77,6 @@ public final class Extent {
     return Math.max(enter, Math.min(a, b)) <= Math.min(exit, Math.max(a, b));
   }
 
-  /** Returns true if the two boxes share a point. */
-  public boolean overlaps(Extent other) {
-    return minX <= other.maxX
-        && other.minX <= maxX
-        && minZ <= other.maxZ
-        && other.minZ <= maxZ
-        && minY <= other.maxY
-        && other.minY <= maxY;
-  }
-
   /** Returns true if a ball, its rim included, shares a point with this box. */
   public boolean touchesBall(double xM, double yM, double zM, double radiusM) {
     double dx = gap(xM, minX, maxX);

@@ -20,12 +20,12 @@ public final class UpdateClock {
   /**
    * Sets the rate of updates.
    *
-   * @param updatesPerS per second; above 0
+   * @param updatesPerS per second; 0 updates in the first step only
    */
   public void setRate(double updatesPerS) {
-    if (!(updatesPerS > 0)) {
+    if (!(updatesPerS >= 0)) {
       throw new IllegalArgumentException(
-          "updatesPerS = " + updatesPerS + " is not in (0, infinity)");
+          "updatesPerS = " + updatesPerS + " is not in [0, infinity)");
     }
     ratePerS = updatesPerS;
     periodS = 1 / updatesPerS;

@@ -2,7 +2,6 @@ package simbad.kernel.scene;
 
 import java.util.Arrays;
 import java.util.Comparator;
-import org.jspecify.annotations.Nullable;
 import simbad.kernel.geometry.Extent;
 import simbad.kernel.geometry.Ray;
 
@@ -89,7 +88,7 @@ final class PartTree {
     return sum;
   }
 
-  boolean strike(Ray ray, @Nullable Solid except) {
+  boolean strike(Ray ray, Solid except) {
     boolean struck = false;
     int node = 0;
     while (node < nodes) {
@@ -103,7 +102,7 @@ final class PartTree {
     return struck;
   }
 
-  private boolean strike(Ray ray, Part part, @Nullable Solid except) {
+  private boolean strike(Ray ray, Part part, Solid except) {
     return part.solid() != except && part.strike(ray, local);
   }
 

@@ -1,5 +1,6 @@
 package simbad.kernel.scene;
 
+import simbad.kernel.geometry.Placement;
 import simbad.kernel.geometry.Ray;
 
 /**
@@ -7,6 +8,8 @@ import simbad.kernel.geometry.Ray;
  * change of membership, queries allocate nothing.
  */
 public final class Scene {
+  private static final Solid NOBODY = new Solid(new Placement());
+
   private final SolidIndex fixed = new SolidIndex();
   private final SolidIndex moving = new SolidIndex();
 
@@ -21,6 +24,16 @@ public final class Scene {
   /** Adds a solid that moves often. If it was in another scene, it leaves that one. */
   public void addMoving(Solid solid) {
     moving.add(solid);
+  }
+
+  /**
+   * Shortens a ray to the nearest surface within its length.
+   *
+   * @param ray in the world frame
+   * @return true if the ray met something
+   */
+  public boolean strike(Ray ray) {
+    return strike(ray, NOBODY);
   }
 
   /**

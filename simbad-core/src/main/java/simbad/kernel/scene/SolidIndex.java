@@ -2,7 +2,6 @@ package simbad.kernel.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import simbad.kernel.geometry.Ray;
 
 /**
@@ -39,7 +38,7 @@ final class SolidIndex {
     changed = true;
   }
 
-  boolean strike(Ray ray, @Nullable Solid except) {
+  boolean strike(Ray ray, Solid except) {
     return current().strike(ray, except);
   }
 
