@@ -1,0 +1,40 @@
+package simbad.kernel.scene;
+
+/** A region round a point of the world. A mutable buffer; not safe for use by several threads. */
+public final class Ball {
+  private double xM;
+  private double yM;
+  private double zM;
+  private double radiusM;
+
+  /** Creates a ball without extent at the origin. */
+  public Ball() {}
+
+  /** Sets the centre and the radius, metres. */
+  public void set(double newXM, double newYM, double newZM, double newRadiusM) {
+    xM = newXM;
+    yM = newYM;
+    zM = newZM;
+    radiusM = newRadiusM;
+  }
+
+  /** Returns the x of the centre in metres. */
+  public double xM() {
+    return xM;
+  }
+
+  /** Returns the height of the centre in metres. */
+  public double yM() {
+    return yM;
+  }
+
+  /** Returns the z of the centre in metres. */
+  public double zM() {
+    return zM;
+  }
+
+  /** Returns the radius in metres. */
+  public double radiusM() {
+    return radiusM;
+  }
+}

@@ -1,0 +1,6 @@
+package simbad.sim;
+
+/** A device that acts. */
+public abstract class ActuatorDevice extends Device {
+  ActuatorDevice() {}
+}

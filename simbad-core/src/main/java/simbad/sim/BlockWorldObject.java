@@ -1,0 +1,25 @@
+package simbad.sim;
+
+import javax.vecmath.Color3f;
+
+/** A static object of the block world, turned by quarter turns. */
+public class BlockWorldObject extends StaticObject {
+  private static final float BRIGHTEST = 0.8f;
+
+  /** Creates an object at the origin. */
+  public BlockWorldObject() {}
+
+  /** Sets the colour, each component at most 0.8; the argument is copied. */
+  @Override
+  public void setColor(Color3f color) {
+    Color3f dimmed = new Color3f(color);
+    dimmed.clampMax(BRIGHTEST);
+    super.setColor(dimmed);
+  }
+
+  /** Turns the object counter-clockwise by quarter turns about its own vertical axis. */
+  public void rotate90(int quarters) {
+    placement().turnQuarters(quarters);
+    placementChanged();
+  }
+}

@@ -1,0 +1,54 @@
+package simbad.sim;
+
+/** A lamp that is on or off and may blink. */
+public class LampActuator extends ActuatorDevice {
+  private final float size;
+  private boolean on;
+  private boolean blinking;
+  private boolean dark;
+
+  /**
+   * Creates a lamp that is off.
+   *
+   * @param size diameter as drawn, metres
+   */
+  public LampActuator(float size) {
+    this.size = size;
+  }
+
+  /** Lets a blinking lamp change between lit and dark. */
+  @Override
+  protected void update() {
+    dark = blinking && !dark;
+  }
+
+  /** Switches the lamp. */
+  public void setOn(boolean newOn) {
+    on = newOn;
+  }
+
+  /** Returns true if the lamp is switched on, also in the dark phase of blinking. */
+  public boolean getOn() {
+    return on;
+  }
+
+  /** Starts or stops blinking. */
+  public void setBlink(boolean newBlink) {
+    blinking = newBlink;
+  }
+
+  /** Returns true if the lamp blinks. */
+  public boolean getBlink() {
+    return blinking;
+  }
+
+  /** Returns true if the lamp gives light at this moment, for the window. */
+  boolean isLit() {
+    return on && !dark;
+  }
+
+  /** Returns the diameter in metres, for the window. */
+  float size() {
+    return size;
+  }
+}

@@ -1,0 +1,71 @@
+package simbad.sim;
+
+import javax.vecmath.Vector3d;
+
+/** Equips agents with the usual devices. */
+public class RobotFactory extends Factory {
+  private static final int SENSORS = 9;
+  private static final float SONAR_RANGE_M = 1.5f;
+  private static final float BUMPER_RANGE_M = 0.2f;
+  private static final float BUMPER_INSET_M = 0.1f;
+  private static final float LAMP_SIZE_M = 0.15f;
+
+  /** Creates a factory; its methods are static. */
+  public RobotFactory() {}
+
+  /** Adds 9 sonars round the top of an agent, with a range of 1.5 m, 3 updates per second. */
+  public static RangeSensorBelt addSonarBeltSensor(Agent agent) {
+    return addSonarBeltSensor(agent, SENSORS);
+  }
+
+  /** Adds a number of sonars round the top of an agent; otherwise as with 9. */
+  public static RangeSensorBelt addSonarBeltSensor(Agent agent, int nbSonars) {
+    RangeSensorBelt belt =
+        new RangeSensorBelt(
+            agent.getRadius(), 0, SONAR_RANGE_M, nbSonars, RangeSensorBelt.TYPE_SONAR, 0);
+    belt.setUpdatePerSecond(3);
+    belt.setName("sonars");
+    agent.addSensorDevice(belt, new Vector3d(0, agent.getHeight() / 2, 0), 0);
+    return belt;
+  }
+
+  /** Adds 9 bumpers that reach 0.1 m beyond an agent's rim, 6 updates per second. */
+  public static RangeSensorBelt addBumperBeltSensor(Agent agent) {
+    return addBumperBeltSensor(agent, SENSORS);
+  }
+
+  /** Adds a number of bumpers; otherwise as with 9. */
+  public static RangeSensorBelt addBumperBeltSensor(Agent agent, int nbBumpers) {
+    RangeSensorBelt belt =
+        new RangeSensorBelt(
+            agent.getRadius() - BUMPER_INSET_M,
+            0,
+            BUMPER_RANGE_M,
+            nbBumpers,
+            RangeSensorBelt.TYPE_BUMPER,
+            0);
+    belt.setUpdatePerSecond(6);
+    belt.setName("bumpers");
+    agent.addSensorDevice(belt, new Vector3d(), 0);
+    return belt;
+  }
+
+  /** Adds a lamp on top of an agent, 5 updates per second. */
+  public static LampActuator addLamp(Agent agent) {
+    LampActuator lamp = new LampActuator(LAMP_SIZE_M);
+    lamp.setUpdatePerSecond(5);
+    lamp.setName("lamp");
+    agent.addActuatorDevice(lamp, new Vector3d(0, agent.getHeight(), 0), 0);
+    return lamp;
+  }
+
+  /**
+   * Lets an agent move on two wheels. Their distance is the agent's radius, not its width: programs
+   * are tuned to it.
+   */
+  public static DifferentialKinematic setDifferentialDriveKinematicModel(Agent agent) {
+    DifferentialKinematic kinematic = new DifferentialKinematic(agent.getRadius());
+    agent.setKinematicModel(kinematic);
+    return kinematic;
+  }
+}

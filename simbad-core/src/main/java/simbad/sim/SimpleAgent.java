@@ -1,0 +1,399 @@
+package simbad.sim;
+
+import java.util.ArrayList;
+import java.util.List;
+import javax.media.j3d.BranchGroup;
+import javax.media.j3d.Node;
+import javax.media.j3d.Transform3D;
+import javax.vecmath.Point3d;
+import javax.vecmath.Vector3d;
+import org.jspecify.annotations.Nullable;
+import simbad.kernel.geometry.CylinderShape;
+import simbad.kernel.geometry.Shape;
+
+/**
+ * Something that moves: it has a start, a position, devices and a share in every step.
+ *
+ * <p>A step asks every agent to sense, then every agent to act, then moves all of them. The
+ * protected methods are the stations of a step; programs may override them.
+ */
+public class SimpleAgent extends BaseObject {
+  private static final int DEFAULT_FRAMES_PER_SECOND = 20;
+
+  /** The agent's name. */
+  protected String name;
+
+  /** Scratch space, as are the transforms that follow. */
+  protected Vector3d v1 = new Vector3d();
+
+  protected Transform3D t3d1 = new Transform3D();
+  protected Transform3D t3d2 = new Transform3D();
+  protected Transform3D t3d3 = new Transform3D();
+
+  /** Metres travelled since the last reset. */
+  protected double odometer;
+
+  /** Whether the last step moved the agent. */
+  protected boolean positionChanged;
+
+  /** The drawn body, if a window draws one. */
+  protected @Nullable Node body;
+
+  /** Height, metres. */
+  protected float height = 0.5f;
+
+  /** Radius, metres. */
+  protected float radius = 0.3f;
+
+  /** Mass, kilograms. */
+  protected float mass = 50;
+
+  /** Friction at rest, for physics. */
+  protected float staticFrictionCoefficient;
+
+  /** Friction in motion, for physics. */
+  protected float dynamicFrictionCoefficient;
+
+  /** Acceleration, metres per second squared, for physics. */
+  protected Vector3d linearAcceleration = new Vector3d();
+
+  /** Angular acceleration, radians per second squared, for physics. */
+  protected Vector3d angularAcceleration = new Vector3d();
+
+  /** Velocity, metres per second. */
+  protected Vector3d linearVelocity = new Vector3d();
+
+  /** Angular velocity, radians per second. */
+  protected Vector3d angularVelocity = new Vector3d();
+
+  /** Displacement that this step would bring, metres. */
+  protected Vector3d instantTranslation = new Vector3d();
+
+  /** Turn that this step would bring, radians; only y counts. */
+  protected Vector3d instantRotation = new Vector3d();
+
+  /** Kept for programs that use it, like the next one. */
+  protected double[] collisionDistance = {};
+
+  protected double collisionRadius;
+
+  private final Vector3d startPosition;
+  private final DeviceRack devices = new DeviceRack();
+  private @Nullable Simulator simulator;
+  private @Nullable SimpleAgent veryNearAgent;
+  private boolean collided;
+  private boolean interacted;
+  private double lifeTime;
+  private int counter;
+
+  /**
+   * Creates an agent.
+   *
+   * @param pos where its base stands at the start, metres; copied
+   * @param name its name
+   */
+  public SimpleAgent(Vector3d pos, String name) {
+    startPosition = new Vector3d(pos);
+    this.name = name;
+  }
+
+  @Override
+  protected List<Shape> bodyShapes() {
+    return List.of(new CylinderShape(radius, height));
+  }
+
+  /** Gives the agent its looks; the window builds what is drawn. */
+  protected void create3D() {
+    // Nothing is drawn without a window.
+  }
+
+  /** Prepares the agent for its world; called once, by the simulator. */
+  protected void create() {
+    create3D();
+  }
+
+  /** Returns to the start: position, counters, devices. */
+  protected void reset() {
+    odometer = 0;
+    lifeTime = 0;
+    counter = 0;
+    interacted = false;
+    clearVeryNear();
+    resetPosition();
+    resetDevices();
+  }
+
+  /** Returns to the start position, heading along +x. */
+  protected void resetPosition() {
+    v1.set(startPosition);
+    v1.y += height / 2;
+    resetPositionAt(v1);
+  }
+
+  /** Puts the agent's middle at a point in metres, heading along +x, free of collision. */
+  protected void resetPositionAt(Vector3d position) {
+    placement().moveTo(position.x, position.y, position.z);
+    placement().resetTurn();
+    collided = false;
+    placementChanged();
+  }
+
+  /** Resets every device. */
+  protected void resetDevices() {
+    devices.reset();
+  }
+
+  /** Lets every sensor sense that is due. */
+  protected void updateSensors(double elapsedSecond, @Nullable BranchGroup pickableSceneBranch) {
+    devices.updateSensors(elapsedSecond, pickableSceneBranch);
+  }
+
+  /** Lets every actuator act that is due. */
+  protected void updateActuators(double elapsedSecond) {
+    devices.updateActuators(elapsedSecond);
+  }
+
+  /** Sets the velocities that the motors give; a simple agent has none. */
+  protected void setMotorsAcceleration(double elapsedSecond) {
+    // No motors.
+  }
+
+  /** Adds what the accelerations give in a step to the velocities. */
+  protected void integratesVelocities(double elapsedSecond) {
+    linearVelocity.scaleAdd(elapsedSecond, linearAcceleration, linearVelocity);
+    angularVelocity.scaleAdd(elapsedSecond, angularAcceleration, angularVelocity);
+  }
+
+  /** Computes the displacement and turn that the velocities give in a step. */
+  protected void integratesPositionChange(double elapsedSecond) {
+    instantTranslation.scale(elapsedSecond, linearVelocity);
+    instantRotation.scale(elapsedSecond, angularVelocity);
+  }
+
+  /** Returns how far the base is above the floor, metres. */
+  protected double distanceToGround() {
+    return placement().yM() - height / 2;
+  }
+
+  /** Moves by this step's displacement and turn, unless the agent has collided. */
+  protected void updatePosition() {
+    boolean moves = instantTranslation.lengthSquared() != 0 || instantRotation.y != 0;
+    positionChanged = moves && !collided;
+    if (positionChanged) {
+      placement().moveBy(instantTranslation.x, instantTranslation.y, instantTranslation.z);
+      placement().turnAboutY(instantRotation.y);
+      odometer += instantTranslation.length();
+      placementChanged();
+    }
+  }
+
+  /**
+   * Sets the collision flag: whether the agent's bounding sphere, moved by this step's
+   * displacement, touches a static object that cannot be traversed.
+   *
+   * @param pickableSceneBranch the drawn scene, if there is one; not needed
+   * @param checkGeometry accepted for old programs
+   */
+  protected void checkCollision(@Nullable BranchGroup pickableSceneBranch, boolean checkGeometry) {
+    collided = !detachedFromSceneGraph && isStoppedAt(nextX(), nextY(), nextZ(), radius);
+  }
+
+  /** Returns where the agent's middle is after this step, if nothing stops it: x, then y and z. */
+  double nextX() {
+    return placement().xM() + instantTranslation.x;
+  }
+
+  double nextY() {
+    return placement().yM() + instantTranslation.y;
+  }
+
+  double nextZ() {
+    return placement().zM() + instantTranslation.z;
+  }
+
+  /** Counts a step. */
+  protected void updateCounters(double elapsedSecond) {
+    counter++;
+    lifeTime += elapsedSecond;
+  }
+
+  /** Called before {@link #initBehavior()}. */
+  protected void initPreBehavior() {
+    // For subclasses.
+  }
+
+  /** Called once when the simulation starts. */
+  protected void initBehavior() {
+    // For subclasses.
+  }
+
+  /** Called in every step before {@link #performBehavior()}. */
+  protected void performPreBehavior() {
+    // For subclasses.
+  }
+
+  /** Called in every step, after all sensors have sensed and before anything moves. */
+  protected void performBehavior() {
+    // For subclasses.
+  }
+
+  /** Returns true if a static object stopped the agent in the last step. */
+  public boolean collisionDetected() {
+    return collided;
+  }
+
+  /** Returns true if physics let the agent push another one in the last step. */
+  public boolean interactionDetected() {
+    return interacted;
+  }
+
+  /** Goes back to the start position. Counters stay. */
+  public void moveToStartPosition() {
+    resetPosition();
+  }
+
+  /** Puts the agent's middle at a point in metres, heading along +x; velocities stay. */
+  public void moveToPosition(Vector3d position) {
+    resetPositionAt(position);
+  }
+
+  /** Puts the agent's middle above a point of the floor in metres; height and velocities stay. */
+  public void moveToPosition(double x, double z) {
+    v1.set(x, placement().yM(), z);
+    resetPositionAt(v1);
+  }
+
+  /**
+   * Adds a sensor.
+   *
+   * @param position where it sits, metres from the agent's middle
+   * @param angle its turn about the vertical axis, radians
+   * @return its number, for {@link #getSensorDevice(int)}
+   */
+  protected int addSensorDevice(SensorDevice sensor, Vector3d position, double angle) {
+    addDevice(sensor, position, angle);
+    return devices.add(sensor);
+  }
+
+  /**
+   * Adds an actuator.
+   *
+   * @param position where it sits, metres from the agent's middle
+   * @param angle its turn about the vertical axis, radians
+   * @return its number, for {@link #getActuatorDevice(int)}
+   */
+  protected int addActuatorDevice(ActuatorDevice actuator, Vector3d position, double angle) {
+    addDevice(actuator, position, angle);
+    return devices.add(actuator);
+  }
+
+  private void addDevice(Device device, Vector3d position, double angle) {
+    device.setOwner(this);
+    device.translateTo(position);
+    device.rotateY(angle);
+    addChild(device);
+    findWorld().ifPresent(device::setWorld);
+  }
+
+  /** Frees what the agent holds. */
+  protected void dispose() {
+    // For subclasses.
+  }
+
+  /** Describes the agent's state in several lines. */
+  public synchronized String asString() {
+    return String.join(
+        "\n",
+        getClass().getSimpleName() + " " + name,
+        "counter: " + counter + ", lifetime: " + lifeTime + " s",
+        "collision: " + collided,
+        "placement: " + placement());
+  }
+
+  /** Says which simulator steps the agent. */
+  protected void setSimulator(Simulator newSimulator) {
+    simulator = newSimulator;
+  }
+
+  /** Returns the sensors. */
+  @SuppressWarnings("NonApiType") // The type is Simbad's.
+  public ArrayList<SensorDevice> getSensorList() {
+    return devices.sensors;
+  }
+
+  /** Returns the actuators. */
+  @SuppressWarnings("NonApiType") // The type is Simbad's.
+  public ArrayList<ActuatorDevice> getActuatorList() {
+    return devices.actuators;
+  }
+
+  /** Returns the simulated seconds since the last reset. */
+  public double getLifeTime() {
+    return lifeTime;
+  }
+
+  /** Returns the steps per simulated second. */
+  public int getFramesPerSecond() {
+    return simulator == null ? DEFAULT_FRAMES_PER_SECOND : simulator.getFramesPerSecond();
+  }
+
+  /** Writes where the agent's middle is, metres, to a point. */
+  public void getCoords(Point3d coords) {
+    coords.set(placement().xM(), placement().yM(), placement().zM());
+  }
+
+  /** Returns the steps since the last reset. */
+  public int getCounter() {
+    return counter;
+  }
+
+  /** Returns the name. */
+  public String getName() {
+    return name;
+  }
+
+  /** Returns the mass in kilograms. */
+  public float getMass() {
+    return mass;
+  }
+
+  /** Returns the radius in metres. */
+  public float getRadius() {
+    return radius;
+  }
+
+  /** Returns the height in metres. */
+  public float getHeight() {
+    return height;
+  }
+
+  /** Returns a sensor by the number that adding it gave. */
+  public SensorDevice getSensorDevice(int num) {
+    return devices.sensors.get(num);
+  }
+
+  /** Returns an actuator by the number that adding it gave. */
+  public ActuatorDevice getActuatorDevice(int num) {
+    return devices.actuators.get(num);
+  }
+
+  /** Forgets that another agent was near. */
+  protected void clearVeryNear() {
+    veryNearAgent = null;
+  }
+
+  /** Notes that another agent's sphere touches this one's; of several, the last counts. */
+  protected void veryNear(SimpleAgent other) {
+    veryNearAgent = other;
+  }
+
+  /** Returns true if another agent touched this one at the end of the last step. */
+  public boolean anOtherAgentIsVeryNear() {
+    return veryNearAgent != null;
+  }
+
+  /** Returns the agent that touches this one, or null if none does. */
+  public @Nullable SimpleAgent getVeryNearAgent() {
+    return veryNearAgent;
+  }
+}

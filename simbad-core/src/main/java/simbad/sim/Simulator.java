@@ -1,0 +1,197 @@
+package simbad.sim;
+
+import java.util.ArrayList;
+import javax.swing.JComponent;
+import org.jspecify.annotations.Nullable;
+import simbad.kernel.run.Pacer;
+
+/**
+ * Steps the agents of an environment.
+ *
+ * <p>A step lets all agents sense and their actuators act, then all behaviours run, then all
+ * displacements are computed, then collisions are found, and only then everything moves: what an
+ * agent senses does not depend on its place in the list.
+ */
+public class Simulator {
+  private static final int DEFAULT_FRAMES_PER_SECOND = 20;
+
+  private final ArrayList<SimpleAgent> agents;
+  private final PhysicalEngine engine;
+  private final Lock lock = new Lock();
+  private final Pacer pacer = new Pacer("simulation");
+  private boolean usePhysics;
+  private int framesPerSecond = DEFAULT_FRAMES_PER_SECOND;
+  private float virtualTimeFactor = 1;
+  private @Nullable JComponent applicationComponent;
+
+  /**
+   * Creates a simulator, creates and resets the environment's agents and puts them into the world.
+   *
+   * @param application component that shows the application, null without a window
+   * @param world made from the same environment
+   * @param environment gives the agents
+   */
+  public Simulator(
+      @Nullable JComponent application, World world, EnvironmentDescription environment) {
+    applicationComponent = application;
+    usePhysics = environment.usePhysics;
+    agents = new ArrayList<>(environment.list(SimpleAgent.class));
+    engine = new PhysicalEngine(agents);
+    agents.forEach(agent -> admit(agent, world));
+  }
+
+  private void admit(SimpleAgent agent, World world) {
+    agent.setSimulator(this);
+    agent.create();
+    agent.reset();
+    world.addObjectToPickableSceneBranch(agent);
+  }
+
+  /** Stops and frees what the agents hold. */
+  public synchronized void dispose() {
+    pacer.stop();
+    agents.forEach(SimpleAgent::dispose);
+  }
+
+  /** Does one step. */
+  public synchronized void simulateOneStep() {
+    lock();
+    try {
+      step(1.0 / framesPerSecond);
+    } finally {
+      unlock();
+    }
+  }
+
+  private void step(double elapsedSecond) {
+    for (int i = 0; i < agents.size(); i++) {
+      agents.get(i).updateSensors(elapsedSecond, null);
+      agents.get(i).updateActuators(elapsedSecond);
+    }
+    for (int i = 0; i < agents.size(); i++) {
+      agents.get(i).performPreBehavior();
+      agents.get(i).performBehavior();
+    }
+    for (int i = 0; i < agents.size(); i++) {
+      agents.get(i).setMotorsAcceleration(elapsedSecond);
+      agents.get(i).integratesVelocities(elapsedSecond);
+      agents.get(i).integratesPositionChange(elapsedSecond);
+    }
+    engine.checkAgentAgentPairs();
+    engine.checkAgentObjectPairs();
+    for (int i = 0; i < agents.size(); i++) {
+      agents.get(i).updatePosition();
+      agents.get(i).updateCounters(elapsedSecond);
+    }
+  }
+
+  /** Lets every agent prepare its behaviour. */
+  public synchronized void initBehaviors() {
+    for (SimpleAgent agent : agents) {
+      agent.initPreBehavior();
+      agent.initBehavior();
+    }
+  }
+
+  /** Prepares the behaviours and steps on a thread of its own, in time with the wall clock. */
+  public synchronized void startSimulation() {
+    initBehaviors();
+    pacer.start(1 / ((double) framesPerSecond * virtualTimeFactor), this::simulateOneStep);
+  }
+
+  /** Stops stepping. */
+  public synchronized void stopSimulation() {
+    pacer.stop();
+  }
+
+  /** Resets and starts. */
+  public synchronized void restartSimulation() {
+    resetSimulation();
+    startSimulation();
+  }
+
+  /** Stops and puts every agent back to its start. */
+  public synchronized void resetSimulation() {
+    pacer.stop();
+    agents.forEach(SimpleAgent::reset);
+  }
+
+  /** Stops and does one step. */
+  public synchronized void performSimulationStep() {
+    pacer.stop();
+    simulateOneStep();
+  }
+
+  /** Returns the agents, in the order of the environment. */
+  @SuppressWarnings("NonApiType") // The type is Simbad's.
+  public ArrayList<SimpleAgent> getAgentList() {
+    return agents;
+  }
+
+  /** Switches physics on or off. */
+  protected void setUsePhysics(boolean newUsePhysics) {
+    usePhysics = newUsePhysics;
+  }
+
+  /** Returns whether physics is on. */
+  protected boolean getUsePhysics() {
+    return usePhysics;
+  }
+
+  /** Sets the steps per simulated second; at least 1. */
+  protected void setFramesPerSecond(int fps) {
+    if (fps < 1) {
+      throw new IllegalArgumentException("fps = " + fps + " is not in [1, infinity)");
+    }
+    framesPerSecond = fps;
+  }
+
+  /** Returns the steps per simulated second. */
+  protected int getFramesPerSecond() {
+    return framesPerSecond;
+  }
+
+  /** Sets how much faster than the wall clock to step, from the next start on; above 0. */
+  public void setVirtualTimeFactor(float factor) {
+    if (!(factor > 0)) {
+      throw new IllegalArgumentException("factor = " + factor + " is not in (0, infinity)");
+    }
+    virtualTimeFactor = factor;
+  }
+
+  /** Returns how much faster than the wall clock the simulation steps. */
+  public float getVirtualTimeFactor() {
+    return virtualTimeFactor;
+  }
+
+  /** Says which component shows the application. */
+  public void setApplicationComponent(@Nullable JComponent component) {
+    applicationComponent = component;
+  }
+
+  /** Returns the component that shows the application, null without a window. */
+  @Nullable JComponent applicationComponent() {
+    return applicationComponent;
+  }
+
+  /** Waits until no step is under way and holds further ones. */
+  public void lock() {
+    lock.lock();
+  }
+
+  /** Lets steps go on. */
+  public void unlock() {
+    lock.unlock();
+  }
+
+  /** Prepares the behaviours and steps on a thread of its own, as fast as it can. */
+  public synchronized void startBackgroundMode() {
+    initBehaviors();
+    pacer.start(0, this::simulateOneStep);
+  }
+
+  /** Stops stepping. */
+  public synchronized void stopBackgroundMode() {
+    pacer.stop();
+  }
+}

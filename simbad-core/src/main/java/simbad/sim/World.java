@@ -1,0 +1,100 @@
+package simbad.sim;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import simbad.kernel.scene.Scene;
+
+/** The static objects and agents of an environment, and the scene in which sensors see them. */
+public class World {
+  /** The window looks down from above. */
+  public static final int VIEW_FROM_TOP = 1;
+
+  /** The window looks from the east. */
+  public static final int VIEW_FROM_EAST = 2;
+
+  /** The window follows an agent from behind. */
+  public static final int VIEW_BEHIND_AGENT = 3;
+
+  /** The window follows an agent from far above. */
+  public static final int VIEW_ABOVE_AGENT = 4;
+
+  /** The window follows an agent from near above. */
+  public static final int VIEW_ABOVE_AGENT_NEAR = 5;
+
+  /** The window follows an agent from its side. */
+  public static final int VIEW_AGENT_SIDE = 6;
+
+  /** Side of the drawn floor, metres. */
+  protected float worldSize;
+
+  private final Scene scene = new Scene();
+  private final List<StaticObject> standing = new ArrayList<>();
+  private long staticRevision;
+
+  /** Creates a world with the environment's static objects; the simulator adds the agents. */
+  public World(EnvironmentDescription environment) {
+    worldSize = environment.worldSize;
+    environment.list(StaticObject.class).forEach(this::enter);
+  }
+
+  private void enter(BaseObject object) {
+    object.setWorld(this);
+    if (object instanceof StaticObject fixed) {
+      scene.addFixed(fixed.getSolid());
+      standing.add(fixed);
+      staticRevision++;
+    } else {
+      scene.addMoving(object.getSolid());
+    }
+  }
+
+  /** Puts an object into the world, where sensors see it. */
+  public void addObjectToPickableSceneBranch(BaseObject object) {
+    enter(object);
+  }
+
+  /** Takes an object out of the world: it is neither seen nor touched any more. */
+  public void detach(BaseObject object) {
+    object.detach();
+  }
+
+  /** Puts a detached object back. */
+  public void attach(BaseObject object) {
+    object.attach();
+  }
+
+  /**
+   * Returns the static objects of this world in the order in which they were added. Detached ones
+   * are included; {@code getSolid().isPresent()} tells.
+   *
+   * @return an unmodifiable view
+   */
+  public List<StaticObject> getStaticObjects() {
+    return Collections.unmodifiableList(standing);
+  }
+
+  /**
+   * Returns a number that grows whenever a static object enters the world, moves, or is attached or
+   * detached. Who keeps something computed from the static objects compares it.
+   */
+  public long getStaticRevision() {
+    return staticRevision;
+  }
+
+  void noteChange(BaseObject object) {
+    if (object instanceof StaticObject) {
+      staticRevision++;
+    }
+  }
+
+  /** Returns the bodies that rays and collisions meet; for sensors of one's own. */
+  public Scene getScene() {
+    return scene;
+  }
+
+  /** Frees what the window holds; without one, nothing. */
+  public void dispose() {
+    // Only the window holds resources.
+  }
+}
