@@ -16,7 +16,7 @@ public final class Angles {
   public static double signed(double radians) {
     requireFinite(radians);
     double within = Math.IEEEremainder(radians, TURN_RAD);
-    return within <= -Math.PI ? Math.PI : within;
+    return within <= -Math.PI ? Math.PI : unsignedZero(within);
   }
 
   /**
@@ -30,7 +30,12 @@ public final class Angles {
     double within = radians % TURN_RAD;
     double positive = within < 0 ? within + TURN_RAD : within;
     // A tiny negative angle rounds up to a full turn, which is the direction 0.
-    return positive >= TURN_RAD ? 0 : positive;
+    return positive >= TURN_RAD ? 0 : unsignedZero(positive);
+  }
+
+  /** Records compare -0.0 and 0.0 as different; as directions they are one. */
+  private static double unsignedZero(double radians) {
+    return radians + 0.0;
   }
 
   private static void requireFinite(double radians) {

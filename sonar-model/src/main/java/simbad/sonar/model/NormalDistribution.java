@@ -17,7 +17,7 @@ final class NormalDistribution {
   /**
    * Probability of a value up to x.
    *
-   * @param x any number, infinities included
+   * @param x any number, infinities included; of NaN it is NaN
    */
   static double cumulative(double x) {
     if (x < -TAIL) {
@@ -34,7 +34,7 @@ final class NormalDistribution {
     double sum = x;
     double term = x;
     double previous = 0;
-    for (int i = 3; sum != previous; i += 2) {
+    for (int i = 3; Math.abs(sum - previous) > 0; i += 2) {
       previous = sum;
       term *= x * x / i;
       sum += term;

@@ -54,20 +54,29 @@ public final class ReadingDistribution {
   /**
    * Returns the probability of an echo that reads at most a range.
    *
-   * @param rangeM metres
+   * @param rangeM metres, any number, infinity included
    * @return in [0, 1 - noEchoProbability]
    */
   public double echoUpTo(double rangeM) {
+    requireNumber("rangeM", rangeM);
     if (rangeM < 0) {
       return 0;
     }
-    // All that is rounded down to this range lies below the next step.
-    double below = resolutionM > 0 ? (stepOf(rangeM) + 1) * resolutionM : rangeM;
     double sum = 0;
     for (int i = 0; i < distanceM.length; i++) {
-      sum += probability[i] * noiseBelow(below - distanceM[i]);
+      sum += probability[i] * readsUpTo(rangeM, distanceM[i]);
     }
     return sum;
+  }
+
+  /** The probability that what answers from a distance reads at most a range. */
+  private double readsUpTo(double rangeM, double fromM) {
+    if (!(noiseM > 0)) {
+      return roundedDown(fromM) <= roundedDown(rangeM) ? 1 : 0;
+    }
+    // All that is rounded down to this range lies below the next step.
+    double below = resolutionM > 0 ? (stepOf(rangeM) + 1) * resolutionM : rangeM;
+    return NormalDistribution.cumulative((below - fromM) / noiseM);
   }
 
   /**
@@ -81,6 +90,7 @@ public final class ReadingDistribution {
     if (!(resolutionM > 0)) {
       throw new IllegalStateException("resolutionM = 0: a single range has probability 0");
     }
+    requireNumber("rangeM", rangeM);
     double step = stepOf(rangeM);
     return echoUpTo((step + 0.5) * resolutionM) - echoUpTo((step - 0.5) * resolutionM);
   }
@@ -97,6 +107,7 @@ public final class ReadingDistribution {
     if (!(level > 0 && level < 1)) {
       throw new IllegalArgumentException("level = " + level + " is not in (0, 1)");
     }
+    requireNumber("noEchoM", noEchoM);
     double upToNoEcho = echoUpTo(noEchoM);
     if (upToNoEcho >= level && noEchoM > 0) {
       return Math.min(echoQuantileM(level), noEchoM);
@@ -138,12 +149,10 @@ public final class ReadingDistribution {
     return NoEcho.NO_ECHO;
   }
 
-  private double noiseBelow(double metres) {
-    if (noiseM > 0) {
-      return NormalDistribution.cumulative(metres / noiseM);
+  private static void requireNumber(String name, double value) {
+    if (Double.isNaN(value)) {
+      throw new IllegalArgumentException(name + " = NaN is not a number");
     }
-    boolean open = resolutionM > 0;
-    return metres > 0 || (metres == 0 && !open) ? 1 : 0;
   }
 
   private double stepOf(double rangeM) {

@@ -14,8 +14,13 @@ final class TransducerPose {
   void take(TransducerPoses poses, int transducer) {
     xM = poses.xM(transducer);
     zM = poses.zM(transducer);
-    directionX = poses.directionX(transducer);
-    directionZ = poses.directionZ(transducer);
+    // Seen from above a tilted direction is shorter than 1. A vertical one becomes no direction at
+    // all (NaN), which no cone holds anything in.
+    double x = poses.directionX(transducer);
+    double z = poses.directionZ(transducer);
+    double length = Math.sqrt(x * x + z * z);
+    directionX = x / length;
+    directionZ = z / length;
   }
 
   TransducerPose aim(double atXM, double atZM, double headingRad) {

@@ -5,6 +5,9 @@ package simbad.sonar.shape;
  * angle of its heading.
  */
 public final class Cone {
+  /** As a share of a point's distance: a point so near the border lies on it. */
+  private static final double ROUNDING = 1e-12;
+
   private final double halfAngleRad;
   private final double cos;
   private final double sin;
@@ -96,6 +99,12 @@ public final class Cone {
   }
 
   private boolean contains(double along, double across) {
-    return along >= cos * Math.sqrt(along * along + across * across);
+    double distance = Math.sqrt(along * along + across * across);
+    return along >= cos * distance || onBorder(along, Math.abs(across), distance);
+  }
+
+  private boolean onBorder(double along, double aside, double distance) {
+    return Math.abs(aside * cos - along * sin) <= ROUNDING * distance
+        && along * cos + aside * sin > 0;
   }
 }

@@ -20,6 +20,9 @@ public final class ThresholdTable {
   /** No ultrasonic sensor in air hears further, in metres; a larger number is a slip of units. */
   public static final double GREATEST_THRESHOLD_M = 100;
 
+  /** As a share of the spacing: a bearing so near a table's bearing is that bearing, rounded. */
+  private static final double ROUNDING = 1e-9;
+
   private final double[] thresholdM;
   private final double spacingRad;
   private final double sinSpacing;
@@ -112,20 +115,30 @@ public final class ThresholdTable {
    *
    * @param bearingRad in [0, 2 pi)
    * @return metres, at least 0
+   * @throws IllegalArgumentException if the bearing is not in its interval
    */
   public double thresholdM(double bearingRad) {
-    int cell = Math.min((int) (bearingRad / spacingRad), thresholdM.length - 1);
-    double here = thresholdM[cell];
-    double next = thresholdM[cell + 1 == thresholdM.length ? 0 : cell + 1];
-    double past = bearingRad - cell * spacingRad;
-    if (past <= 0) {
-      return here;
+    if (!(bearingRad >= 0 && bearingRad < Angles.TURN_RAD)) {
+      throw new IllegalArgumentException("bearingRad = " + bearingRad + " is not in [0, 2 pi)");
     }
+    double cells = bearingRad / spacingRad;
+    double nearest = Math.rint(cells);
+    if (Math.abs(cells - nearest) < ROUNDING) {
+      return thresholdM[wrapped((int) nearest)];
+    }
+    int cell = (int) cells;
+    double here = thresholdM[cell];
+    double next = thresholdM[wrapped(cell + 1)];
+    double past = (cells - cell) * spacingRad;
     if (here == 0 || next == 0) {
       return 0;
     }
     double chord = here * Math.sin(past) + next * Math.sin(spacingRad - past);
     return here * next * sinSpacing / chord;
+  }
+
+  private int wrapped(int index) {
+    return index == thresholdM.length ? 0 : index;
   }
 
   /**
