@@ -4,17 +4,21 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.util.Objects;
 import java.util.Properties;
+import java.util.regex.Pattern;
 import picocli.CommandLine.IVersionProvider;
 
 /** The version and commit of this program, as the build wrote them down. */
 final class BuildVersion implements IVersionProvider {
+  // Where there is no git, the build leaves a placeholder or nothing.
+  private static final Pattern COMMIT = Pattern.compile("[0-9a-f]{40,64}(\\+changes)?");
+
   @Override
   public String[] getVersion() throws IOException {
     return new String[] {"simbad " + text()};
   }
 
   /**
-   * Version and commit in one line; a build of files that differ from the commit says so.
+   * Version and commit in one line; {@code +changes} follows when files differed from the commit.
    *
    * @throws IOException when the program's jar cannot be read
    */
@@ -25,11 +29,7 @@ final class BuildVersion implements IVersionProvider {
       build.load(in);
     }
     String commit = build.getProperty("commit");
-    boolean changed = Boolean.parseBoolean(build.getProperty("changed"));
-    return build.getProperty("version")
-        + " (commit "
-        + commit
-        + (changed ? ", with changes" : "")
-        + ")";
+    String known = COMMIT.matcher(commit).matches() ? commit : "unknown";
+    return build.getProperty("version") + " (commit " + known + ")";
   }
 }
