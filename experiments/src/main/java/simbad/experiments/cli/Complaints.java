@@ -76,9 +76,8 @@ final class Complaints {
   private static String unmatched(UnmatchedArgumentException fault) {
     String argument = fault.getUnmatched().get(0);
     String kind = argument.startsWith("-") ? "option" : "command or argument";
-    List<String> suggestions = fault.getSuggestions();
-    String instead =
-        suggestions.isEmpty() ? "" : "; did you mean " + String.join(" or ", suggestions) + "?";
+    List<String> suggestions = fault.getSuggestions(); // The most similar first.
+    String instead = suggestions.isEmpty() ? "" : "; did you mean " + suggestions.get(0) + "?";
     return "unknown " + kind + " '" + argument + "'" + instead;
   }
 

@@ -13,7 +13,6 @@ import picocli.CommandLine.ScopeType;
     subcommands = HelpCommand.class,
     commandListHeading = "%nCommands:%n",
     footer = {
-      "  test  Build everything and run all checks and tests.",
       "",
       "Exit status: 0 done, 1 the work failed, 2 wrong usage or bad input.",
       "",

@@ -1,9 +1,11 @@
 package simbad.experiments.cli;
 
 import java.io.IOException;
-import java.nio.file.DirectoryNotEmptyException;
+import java.io.UncheckedIOException;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Comparator;
@@ -37,7 +39,7 @@ final class StagedDirectory implements AutoCloseable {
    */
   static StagedDirectory beside(Path target) throws IOException {
     Path absolute = target.toAbsolutePath().normalize();
-    if (Files.exists(absolute) && !isEmptyDirectory(absolute)) {
+    if (!isFree(absolute)) {
       throw new FileAlreadyExistsException(target.toString());
     }
     Path parent = absolute.getParent();
@@ -52,9 +54,10 @@ final class StagedDirectory implements AutoCloseable {
     return staged;
   }
 
-  private static boolean isEmptyDirectory(Path path) throws IOException {
+  /** True when nothing is there or an empty directory. */
+  private static boolean isFree(Path path) throws IOException {
     if (!Files.isDirectory(path)) {
-      return false;
+      return Files.notExists(path, LinkOption.NOFOLLOW_LINKS);
     }
     try (Stream<Path> entries = Files.list(path)) {
       return entries.findAny().isEmpty();
@@ -78,8 +81,9 @@ final class StagedDirectory implements AutoCloseable {
     try {
       // Replaces an empty directory and nothing else.
       Files.move(staging, target, StandardCopyOption.ATOMIC_MOVE);
-    } catch (DirectoryNotEmptyException e) {
-      throw new FileAlreadyExistsException(target.toString());
+    } catch (FileSystemException e) {
+      // The system's reason for this one differs from one file system to the next.
+      throw isFree(target) ? e : new FileAlreadyExistsException(target.toString());
     }
     open = false;
   }
@@ -110,7 +114,7 @@ final class StagedDirectory implements AutoCloseable {
         Files.deleteIfExists(path);
       }
       return true;
-    } catch (IOException | java.io.UncheckedIOException e) {
+    } catch (IOException | UncheckedIOException e) {
       return false;
     }
   }

@@ -17,7 +17,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class StagedDirectoryTest {
-  @TempDir private Path parent;
+  @TempDir
+  @SuppressWarnings("NullAway.Init")
+  private Path parent;
 
   private List<String> names() throws IOException {
     try (Stream<Path> entries = Files.list(parent)) {

@@ -3,6 +3,8 @@ package simbad.experiments.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
@@ -36,5 +38,18 @@ class SubcommandsTest {
   void namesAreUnique() {
     var names = Subcommands.all().stream().map(c -> new CommandLine(c).getCommandName()).toList();
     assertEquals(names.stream().distinct().toList(), names);
+  }
+
+  @Test
+  void testsAreTheLaunchers_theProgramSaysSo() {
+    StringWriter err = new StringWriter();
+    int status =
+        Main.run(
+            Subcommands.all(),
+            new PrintWriter(new StringWriter()),
+            new PrintWriter(err, true),
+            "test");
+    assertEquals(2, status);
+    assertTrue(err.toString().contains("call ./simbad test"), err.toString());
   }
 }
