@@ -1,0 +1,295 @@
+#!/usr/bin/env bash
+# Tests ./simbad against fakes of Java, Maven, git, apt-get and sudo: what it calls, prints and returns.
+# Prints a line "ok NAME" or "not ok NAME: why" for each check; exit status 1 when one is not ok.
+set -u
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+# ---------------------------------------------------------------- fakes
+
+# A program $2 in the directory $1 with the body on standard input; each call is a line of calls.log.
+fake() {
+  mkdir -p "$1"
+  {
+    # shellcheck disable=SC2016 # for the fake to expand
+    printf '#!/bin/bash\nprintf "%%s\\n" "%s $*" >>"%s/calls.log"\n' "$2" "$work"
+    cat
+  } >"$1/$2"
+  chmod +x "$1/$2"
+}
+
+# The programs of the system that the launcher uses, and no others.
+fake_system() {
+  local program
+  mkdir -p "$work/bin"
+  for program in awk bash cat chmod cp env find flock grep mkdir mktemp mv readlink rm sed sort tail touch tr true; do
+    ln -s "$(type -P "$program")" "$work/bin/$program"
+  done
+  fake "$work/bin" id <<'END'
+echo "$FAKE_UID"
+END
+  fake "$work/bin" git <<'END'
+echo "$FAKE_COMMIT"
+END
+}
+
+# A JDK of major version $2 at $1. Its java prints its arguments and returns FAKE_STATUS; it makes the archive
+# when it is asked to.
+fake_jdk() {
+  mkdir -p "$1/bin" "$1/lib"
+  echo "JAVA_VERSION=\"$2.0.1\"" >"$1/release"
+  fake "$1/bin" javac </dev/null
+  fake "$1/bin" java <<'END'
+for argument; do
+  case $argument in
+    -XX:DumpLoadedClassList=*) touch "${argument#*=}"; exit ;;
+    -XX:SharedArchiveFile=*) [[ $* == *-Xshare:dump* ]] && { touch "${argument#*=}"; exit; } ;;
+  esac
+done
+printf 'argument <%s>\n' "$@"
+echo "directory $PWD"
+exit "${FAKE_STATUS:-0}"
+END
+}
+
+# A Maven that packages; FAKE_MAVEN=fail lets it fail like a compiler error, =slow lets it take its time.
+fake_maven() {
+  fake "$1" mvn <<'END'
+if [[ ${FAKE_MAVEN:-} == fail ]]; then
+  echo '[INFO] noise'
+  echo '[ERROR] Foo.java:[3,4] cannot find symbol'
+  echo '[ERROR] -> [Help 1]'
+  exit 1
+fi
+[[ ${FAKE_MAVEN:-} == slow ]] && sleep 1
+root=$PWD
+while (($# > 0)); do
+  [[ $1 == -f ]] && root=${2%/pom.xml}
+  shift
+done
+mkdir -p "$root/experiments/target/lib"
+touch "$root/experiments/target/experiments.jar" "$root/experiments/target/lib/a.jar"
+if [[ -n ${FAKE_SKIPPED:-} ]]; then
+  mkdir -p "$root/experiments/target/surefire-reports"
+  printf '<testcase name="%s" classname="x.YTest" time="0">\n<skipped message="no tool"/>\n</testcase>\n' \
+    "$FAKE_SKIPPED" >"$root/experiments/target/surefire-reports/TEST-x.xml"
+fi
+exit "${FAKE_STATUS:-0}"
+END
+}
+
+# A new project in "$work/my project" with the launcher in it, sources of an hour ago, all tools there.
+new_project() {
+  rm -rf "${work:?}"/{bin,jvm,tools,"my project"}
+  project="$work/my project"
+  mkdir -p "$project/.mvn" "$project/experiments/src/main/java/deep"
+  cp "$here/../simbad" "$project/simbad"
+  touch "$project/pom.xml" "$project/experiments/pom.xml" "$project/experiments/src/main/java/deep/"{A,B}.java
+  fake_system
+  fake_jdk "$work/jvm/jdk-17" 17
+  fake_maven "$work/tools"
+  ln -s "$(type -P sleep)" "$work/tools/sleep"
+  unset FAKE_UID FAKE_COMMIT FAKE_STATUS FAKE_MAVEN FAKE_SKIPPED
+}
+
+# Calls the launcher with a clean environment; sets status, and output with both streams.
+simbad() {
+  : >"$work/calls.log"
+  output=$(cd "${from:-$work}" && env -i HOME="$work" PATH="$work/tools:$work/bin" SIMBAD_JVM_DIRECTORY="$work/jvm" \
+    FAKE_UID="${FAKE_UID:-1000}" FAKE_COMMIT="${FAKE_COMMIT:-1234}" FAKE_STATUS="${FAKE_STATUS:-0}" \
+    FAKE_MAVEN="${FAKE_MAVEN:-}" FAKE_SKIPPED="${FAKE_SKIPPED:-}" FAKE_WORK="$work" CI="${ci:-}" DISPLAY=:7 \
+    SIMBAD_TESTING="${testing:-}" bash "${launcher:-$project/simbad}" "$@" </dev/null 2>&1)
+  status=$?
+}
+
+# ---------------------------------------------------------------- checks
+
+check() {
+  local name=$1
+  shift
+  if "$@"; then
+    echo "ok $name"
+  else
+    echo "not ok $name: $* (status $status, calls: $(tr '\n' ';' <"$work/calls.log"), output: ${output//$'\n'/ / })"
+    failures=$((failures + 1))
+  fi
+}
+
+status_is() { [[ $status == "$1" ]]; }
+prints() { [[ $output == *"$1"* ]]; }
+prints_not() { [[ $output != *"$1"* ]]; }
+calls() { grep -q -- "^$1" "$work/calls.log"; }
+calls_not() { ! calls "$1"; }
+builds() { [[ -e $project/experiments/target/launcher/stamp ]]; }
+
+builds_what_is_out_of_date() {
+  new_project
+  simbad run one 'two words' ''
+  check "the first call builds" calls 'mvn -B'
+  check "it says so" prints 'simbad: building'
+  check "arguments arrive as they were given" prints $'argument <run>\nargument <one>\nargument <two words>\nargument <>'
+  simbad run
+  check "no Maven when nothing changed" calls_not mvn
+  check "the archive of classes is used" prints 'classes.jsa>'
+  touch "$project/experiments/src/main/java/deep/A.java"
+  simbad run
+  check "Maven after a change of a source" calls mvn
+  simbad run
+  check "and only once" calls_not mvn
+  rm "$project/experiments/src/main/java/deep/B.java"
+  simbad run
+  check "Maven after a deleted source" calls mvn
+  touch -d '2 days ago' "$project/experiments/src/main/java/deep/A.java"
+  simbad run
+  check "Maven after a source was put back with an old date" calls mvn
+  touch "$project/experiments/pom.xml"
+  simbad run
+  check "Maven after a change of a module's pom.xml" calls mvn
+  FAKE_COMMIT=5678 simbad run
+  check "Maven after a commit, which the version names" calls mvn
+}
+
+keeps_builds_apart() {
+  new_project
+  simbad run
+  local first=("$project"/experiments/target/launcher/build-*)
+  exec 7<"${first[0]}"
+  flock -s 7
+  touch "$project/pom.xml"
+  simbad run
+  check "a build that a command still uses is kept" test -d "${first[0]}"
+  exec 7<&-
+  touch "$project/pom.xml"
+  simbad run
+  check "and is deleted when it is free" test ! -e "${first[0]}"
+  touch "$project/pom.xml"
+  : >"$work/calls.log"
+  (FAKE_MAVEN=slow simbad run) & (FAKE_MAVEN=slow simbad run) & wait
+  check "two launchers at once leave one build" builds_once
+}
+
+builds_once() {
+  local found=("$project"/experiments/target/launcher/build-??????)
+  ((${#found[@]} == 1)) && simbad run && calls_not mvn
+}
+
+reports_a_failed_build() {
+  new_project
+  FAKE_MAVEN=fail simbad run
+  check "a failed build: status 1" status_is 1
+  check "a failed build: Maven's line" prints '[ERROR] Foo.java:[3,4] cannot find symbol'
+  check "a failed build: nothing else of Maven's" prints_not 'Help 1'
+  check "a failed build leaves no stamp" test ! -e "$project/experiments/target/launcher/stamp"
+  simbad run
+  check "the next call builds again" calls mvn
+  touch "$project/pom.xml"
+  testing=1 simbad run
+  check "no build inside the tests" prints 'cannot build while the tests run'
+}
+
+runs_from_anywhere() {
+  new_project
+  ln -s "$project/simbad" "$work/tools/link"
+  from=/ launcher="$work/tools/link" simbad --help
+  check "through a symlink: builds its own project" builds
+  check "keeps the current directory" prints 'directory /'
+  check "says where the data are" prints "argument <-Dsimbad.home=$project>"
+  FAKE_STATUS=42 simbad run
+  check "the exit status passes through" status_is 42
+  simbad run
+  check "without a window: headless" prints 'headless=true'
+  simbad demo one --headless
+  check "a demo without a window: headless" prints 'headless=true'
+  simbad view
+  check "with a window: not headless" prints_not 'headless=true'
+}
+
+chooses_a_new_enough_java() {
+  new_project
+  fake_jdk "$work/jvm/a-jdk-11" 11
+  simbad run
+  check "an old JDK is passed over" status_is 0
+  check "an old JDK is not asked" calls 'java '
+  rm -r "$work/jvm/jdk-17"
+  simbad run
+  check "only an old JDK: says what to install" prints 'jdk-headless'
+}
+
+# An apt-get that installs, and package lists that have Java 21 only.
+fake_apt() {
+  fake "$work/tools" apt-cache <<'END'
+[[ $2 == openjdk-21-* ]]
+END
+  fake "$work/tools" apt-get <<'END'
+[[ " $* " == *" install "* ]] || exit 0
+cp -r "$FAKE_WORK/store/." "$FAKE_WORK"
+END
+}
+
+installs_with_apt() {
+  new_project
+  rm -rf "$work/store"
+  mkdir -p "$work/store/tools"
+  mv "$work/jvm" "$work/store/jvm"
+  mv "$work/tools/mvn" "$work/store/tools/mvn"
+  fake_apt
+  simbad run
+  check "no root, no sudo: status 1" status_is 1
+  check "no root, no sudo: the line to type" prints 'sudo apt-get update && sudo apt-get install -y --no-install-recommends maven openjdk-21-jdk-headless'
+  check "no root, no sudo: nothing installed" calls_not apt-get
+  fake "$work/tools" sudo <<<'exit 1'
+  simbad run
+  check "sudo that would ask for a password: the line to type" prints 'please type: sudo apt-get'
+  check "sudo is not left waiting" calls 'sudo -n true'
+  fake "$work/tools" sudo <<'END'
+shift
+exec "$@"
+END
+  simbad run
+  check "sudo: installs" calls 'apt-get .*install -y --no-install-recommends maven openjdk-21-jdk-headless'
+  check "sudo: then runs" status_is 0
+  rm -r "$work/jvm" "$work/tools/mvn" "$work/tools/sudo"
+  FAKE_UID=0 simbad run
+  check "root: installs without sudo" calls 'apt-get .*install'
+  check "root: then runs" status_is 0
+  simbad run
+  check "all there: no apt-get" calls_not apt-get
+}
+
+tests_like_ci() {
+  new_project
+  for tool in Xvfb xauth shellcheck; do fake "$work/tools" "$tool" </dev/null; done
+  touch "$work/jvm/jdk-17/lib/libawt_xawt.so"
+  simbad test -- -pl sonar-model
+  check "test: verify, with what follows --" calls 'mvn -B -ntp verify .*-pl sonar-model'
+  simbad test --full
+  check "test --full: the long campaigns" calls 'mvn -B -ntp verify .*-Dsimbad.full=true'
+  simbad test --ful
+  check "test: an unknown option is wrong usage" status_is 2
+  FAKE_STATUS=1 simbad test
+  check "test: Maven's status passes through" status_is 1
+  FAKE_SKIPPED=hears simbad test
+  check "test: a skipped test passes elsewhere" status_is 0
+  ci=true FAKE_SKIPPED=hears simbad test
+  check "test: a skipped test fails in CI" status_is 1
+  check "test: and is named" prints 'x.YTest.hears'
+}
+
+check_style() {
+  output=$(shellcheck "$here/../simbad" "$here/../.ci/run" "${BASH_SOURCE[0]}")
+  status=$?
+  check "shellcheck finds nothing" status_is 0
+}
+
+builds_what_is_out_of_date
+keeps_builds_apart
+reports_a_failed_build
+runs_from_anywhere
+chooses_a_new_enough_java
+installs_with_apt
+tests_like_ci
+check_style
+((failures == 0))

@@ -1,0 +1,75 @@
+package simbad.experiments.cli;
+
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Locale;
+import picocli.CommandLine;
+
+/** The program: parses the command line, runs one command, ends with its exit status. */
+public final class Main {
+  private Main() {}
+
+  /**
+   * Runs one command and exits.
+   *
+   * @param arguments the command line
+   */
+  public static void main(String... arguments) {
+    // Numbers and results look the same wherever the user lives.
+    Locale.setDefault(Locale.ROOT);
+    PrintWriter out = utf8(FileDescriptor.out);
+    PrintWriter err = utf8(FileDescriptor.err);
+    Interruption interruption = Interruption.announcedOn(err);
+    int status = run(Subcommands.all(), out, err, arguments);
+    interruption.noLongerPossible();
+    System.exit(status);
+  }
+
+  /** Not {@code System.out}, which swallows errors such as a full disk. */
+  private static PrintWriter utf8(FileDescriptor stream) {
+    return new PrintWriter(
+        new PipeOutput(new FileOutputStream(stream)), true, StandardCharsets.UTF_8);
+  }
+
+  /**
+   * Runs one command.
+   *
+   * @param subcommands what there is
+   * @param out for results
+   * @param err for complaints
+   * @param arguments the command line
+   * @return the exit status
+   */
+  static int run(
+      List<? extends Subcommand> subcommands,
+      PrintWriter out,
+      PrintWriter err,
+      String... arguments) {
+    CommandLine simbad = commandLine(subcommands).setOut(out).setErr(err);
+    int status;
+    try {
+      status = simbad.execute(arguments);
+    } catch (Throwable unforeseen) { // Errors: picocli passes on exceptions only.
+      status = Complaints.of(simbad).about(unforeseen);
+    }
+    if (out.checkError() && status == ExitStatus.DONE) {
+      return Complaints.of(simbad).about(new IOException("cannot write to standard output"));
+    }
+    return status;
+  }
+
+  private static CommandLine commandLine(List<? extends Subcommand> subcommands) {
+    CommandLine simbad = new CommandLine(new RootCommand());
+    subcommands.forEach(simbad::addSubcommand);
+    return simbad
+        .setAbbreviatedOptionsAllowed(false)
+        .setParameterExceptionHandler(
+            (fault, arguments) -> Complaints.of(fault.getCommandLine()).about(fault))
+        .setExecutionExceptionHandler(
+            (fault, command, parsed) -> Complaints.of(command).about(fault));
+  }
+}

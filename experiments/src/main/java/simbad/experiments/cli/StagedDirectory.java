@@ -1,0 +1,121 @@
+package simbad.experiments.cli;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * A directory of results that appears under its name only when all of it is written.
+ *
+ * <p>Until then the files stand in a directory beside it. That directory is deleted when the
+ * command fails, and when the process is told to end (Ctrl-C). Thread-safe.
+ */
+final class StagedDirectory implements AutoCloseable {
+  private final Path target;
+  private final Path staging;
+  private final Thread discardAtExit;
+  private boolean open = true;
+
+  private StagedDirectory(Path target, Path staging) {
+    this.target = target;
+    this.staging = staging;
+    this.discardAtExit = new Thread(this::discard);
+  }
+
+  /**
+   * Makes the directory to write to.
+   *
+   * @param target where the results shall be; its parents are made
+   * @throws FileAlreadyExistsException when something is there already, except an empty directory
+   * @throws IOException when no directory can be made there
+   */
+  static StagedDirectory beside(Path target) throws IOException {
+    Path absolute = target.toAbsolutePath().normalize();
+    if (!isFree(absolute)) {
+      throw new FileAlreadyExistsException(target.toString());
+    }
+    Path parent = absolute.getParent();
+    Path name = absolute.getFileName();
+    if (parent == null || name == null) {
+      throw new FileAlreadyExistsException(target.toString());
+    }
+    Files.createDirectories(parent);
+    Path staging = parent.resolve("." + name + ".unfinished-" + ProcessHandle.current().pid());
+    StagedDirectory staged = new StagedDirectory(absolute, Files.createDirectory(staging));
+    Runtime.getRuntime().addShutdownHook(staged.discardAtExit);
+    return staged;
+  }
+
+  /** True when nothing is there or an empty directory. */
+  private static boolean isFree(Path path) throws IOException {
+    if (!Files.isDirectory(path)) {
+      return Files.notExists(path, LinkOption.NOFOLLOW_LINKS);
+    }
+    try (Stream<Path> entries = Files.list(path)) {
+      return entries.findAny().isEmpty();
+    }
+  }
+
+  /** Where to write. */
+  Path path() {
+    return staging;
+  }
+
+  /**
+   * Gives the directory its name; nothing may be written to it afterwards.
+   *
+   * @throws IOException when meanwhile something else has that name
+   */
+  synchronized void publish() throws IOException {
+    if (!open) {
+      throw new IllegalStateException("published or closed already: " + target);
+    }
+    try {
+      // Replaces an empty directory and nothing else.
+      Files.move(staging, target, StandardCopyOption.ATOMIC_MOVE);
+    } catch (FileSystemException e) {
+      // The system's reason for this one differs from one file system to the next.
+      throw isFree(target) ? e : new FileAlreadyExistsException(target.toString());
+    }
+    open = false;
+  }
+
+  /** Deletes what was not published. */
+  @Override
+  public void close() {
+    discard();
+    try {
+      Runtime.getRuntime().removeShutdownHook(discardAtExit);
+    } catch (IllegalStateException exiting) {
+      // The hook runs already, and finds nothing left to do.
+    }
+  }
+
+  private synchronized void discard() {
+    // A command that is being interrupted may still write a file while the others go.
+    for (int attempt = 0; open && attempt < 3; attempt++) {
+      open = !deletedStaging();
+    }
+    open = false;
+  }
+
+  private boolean deletedStaging() {
+    try (Stream<Path> entries = Files.walk(staging)) {
+      List<Path> deepestFirst = entries.sorted(Comparator.reverseOrder()).toList();
+      for (Path path : deepestFirst) {
+        Files.deleteIfExists(path);
+      }
+      return true;
+    } catch (IOException | UncheckedIOException e) {
+      return false;
+    }
+  }
+}

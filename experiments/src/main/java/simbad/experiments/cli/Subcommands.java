@@ -1,0 +1,13 @@
+package simbad.experiments.cli;
+
+import java.util.List;
+
+/** The one list of what {@code simbad} can do. */
+final class Subcommands {
+  private Subcommands() {}
+
+  /** New instances, in the order in which the help lists them. */
+  static List<Subcommand> all() {
+    return List.of(new TestCommand());
+  }
+}

@@ -1,0 +1,55 @@
+package simbad.experiments.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
+import picocli.CommandLine;
+
+/** What every registered subcommand owes its user, groups and their commands included. */
+class SubcommandsTest {
+  @TestFactory
+  Stream<DynamicTest> helpHasDescriptionAndExample() {
+    return Subcommands.all().stream()
+        .map(CommandLine::new)
+        .flatMap(SubcommandsTest::withNested)
+        .map(
+            command -> DynamicTest.dynamicTest(command.getCommandName(), () -> checkHelp(command)));
+  }
+
+  private static Stream<CommandLine> withNested(CommandLine command) {
+    Stream<CommandLine> nested = command.getSubcommands().values().stream();
+    return Stream.concat(Stream.of(command), nested.flatMap(SubcommandsTest::withNested));
+  }
+
+  private static void checkHelp(CommandLine command) {
+    var usage = command.getCommandSpec().usageMessage();
+    assertTrue(usage.description().length > 0, "description");
+    assertTrue(String.join("\n", usage.footer()).contains("Example: simbad "), "footer's example");
+    assertTrue(command.getCommandSpec().findOption("-h").usageHelp(), "-h");
+  }
+
+  @Test
+  void namesAreUnique() {
+    var names = Subcommands.all().stream().map(c -> new CommandLine(c).getCommandName()).toList();
+    assertEquals(names.stream().distinct().toList(), names);
+  }
+
+  @Test
+  void testsAreTheLaunchers_theProgramSaysSo() {
+    StringWriter err = new StringWriter();
+    int status =
+        Main.run(
+            Subcommands.all(),
+            new PrintWriter(new StringWriter()),
+            new PrintWriter(err, true),
+            "test");
+    assertEquals(2, status);
+    assertTrue(err.toString().contains("call ./simbad test"), err.toString());
+  }
+}
