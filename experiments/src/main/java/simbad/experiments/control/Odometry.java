@@ -1,6 +1,9 @@
 package simbad.experiments.control;
 
-/** Where a controller believes its robot to be, from its own commands alone; the start is the origin. */
+/**
+ * Where a controller believes its robot to be, from its own commands alone; the start is the
+ * origin.
+ */
 final class Odometry {
   private final double stepS;
   private double xM;

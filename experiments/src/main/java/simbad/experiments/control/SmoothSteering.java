@@ -6,9 +6,9 @@ import simbad.sonar.frame.Angles;
  * Weaves along the edge with a small angle, without ever stopping.
  *
  * <p>It keeps an estimate of the edge's direction and steers a fixed angle to the right of it while
- * something is heard, to the left of it while nothing is. The estimate turns to the same side, faster
- * the longer that side lasts: it curls round corners. After most of a half turn the curl ends,
- * for one that only grows tighter could close on itself without meeting the edge again: where
+ * something is heard, to the left of it while nothing is. The estimate turns to the same side,
+ * faster the longer that side lasts: it curls round corners. After most of a half turn the curl
+ * ends, for one that only grows tighter could close on itself without meeting the edge again: where
  * something is heard the robot drives straight on, else it circles the last place that heard.
  */
 final class SmoothSteering implements Steering {
@@ -49,14 +49,13 @@ final class SmoothSteering implements Steering {
             ? curled(side) - odometry.headingRad()
             : lost(heard, odometry);
     double most = tuning.mostRadPerStep();
-    command.set(
-        tuning.speedMPerS(), Math.max(-most, Math.min(most, turnRad)) / tuning.stepS());
+    command.set(tuning.speedMPerS(), Math.max(-most, Math.min(most, turnRad)) / tuning.stepS());
   }
 
   /**
-   * A straight edge is crossed one way as steeply as the other, so that half of what was turned since
-   * the last crossing is the angle to the edge now. Never more than a right angle: the robot has just
-   * passed to this side, so it cannot be on its way back.
+   * A straight edge is crossed one way as steeply as the other, so that half of what was turned
+   * since the last crossing is the angle to the edge now. Never more than a right angle: the robot
+   * has just passed to this side, so it cannot be on its way back.
    */
   private void cross(double side, double headingRad) {
     double steepRad = Math.min(tuning.crossingAngleRad() + turnedRad / 2, Math.PI / 2);

@@ -7,8 +7,8 @@ package simbad.experiments.control;
  * @param stepS the simulator's time step, positive
  * @param greatestTurnRateRadPerS of the robot, positive
  * @param crossingAngleRad by which it steers towards the edge, in (0, pi/2)
- * @param curlRadPerStepM by how much its estimate of the edge's direction turns more in each step, per
- *     metre that one side has lasted; positive
+ * @param curlRadPerStepM by how much its estimate of the edge's direction turns more in each step,
+ *     per metre that one side has lasted; positive
  */
 public record Tuning(
     double speedMPerS,
@@ -35,7 +35,8 @@ public record Tuning(
    * @param stepS the simulator's time step, positive
    */
   public static Tuning standard(double speedMPerS, double stepS) {
-    // The curl is per length of way, so that a faster robot drives a larger picture of the same line.
+    // The curl is per length of way, so that a faster robot drives a larger picture of the same
+    // line.
     double stepM = speedMPerS * stepS;
     return new Tuning(speedMPerS, stepS, 2 * Math.PI, Math.toRadians(30), 0.01 / stepM);
   }

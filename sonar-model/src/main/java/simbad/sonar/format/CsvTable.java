@@ -26,9 +26,8 @@ final class CsvTable {
     this.file = file;
   }
 
-  static CsvTable read(Path file) throws DataFormatException {
+  static CsvTable parse(Path file, String text) throws DataFormatException {
     CsvTable csv = new CsvTable(file);
-    String text = TextFile.read(file);
     try (CsvReader<CsvRecord> reader =
         CsvReader.builder()
             .commentStrategy(CommentStrategy.READ)

@@ -33,7 +33,10 @@ final class JsonInput {
   }
 
   static JsonInput read(Path file) throws DataFormatException {
-    String text = TextFile.read(file);
+    return parse(file, TextFile.read(file));
+  }
+
+  static JsonInput parse(Path file, String text) throws DataFormatException {
     try {
       JsonNode root = MAPPER.readTree(text);
       return new JsonInput(file, lines(text), "", root);

@@ -28,7 +28,7 @@ public final class ReadingsFile {
    * @throws DataFormatException naming file, line and field of the first fault
    */
   public static List<ReadingRow> read(Path file) throws DataFormatException {
-    CsvTable csv = CsvTable.read(file);
+    CsvTable csv = CsvTable.parse(file, TextFile.read(file));
     csv.requireColumns(POSE_COLUMNS);
     csv.requireColumns(RANGE);
     return rows(csv);
@@ -42,7 +42,7 @@ public final class ReadingsFile {
    * @throws DataFormatException naming file, line and field of the first fault
    */
   public static List<ReadingRow> readPoses(Path file) throws DataFormatException {
-    CsvTable csv = CsvTable.read(file);
+    CsvTable csv = CsvTable.parse(file, TextFile.read(file));
     csv.requireColumns(POSE_COLUMNS);
     return rows(csv);
   }

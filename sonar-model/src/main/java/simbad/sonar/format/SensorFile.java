@@ -19,6 +19,17 @@ public final class SensorFile {
     return spec(JsonInput.read(file));
   }
 
+  /**
+   * Reads a sensor from a text that was read already.
+   *
+   * @param name how messages name the text
+   * @param text JSON
+   * @throws DataFormatException naming name, line and field of the first fault
+   */
+  public static SonarSpec parse(Path name, String text) throws DataFormatException {
+    return spec(JsonInput.parse(name, text));
+  }
+
   static SonarSpec spec(JsonInput sensor) throws DataFormatException {
     double halfAngleDeg =
         sensor.number(

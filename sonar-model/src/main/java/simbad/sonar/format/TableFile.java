@@ -26,7 +26,18 @@ public final class TableFile {
    * @throws DataFormatException naming file, line and field of the first fault
    */
   public static TableDocument read(Path file) throws DataFormatException {
-    CsvTable csv = CsvTable.read(file);
+    return parse(file, TextFile.read(file));
+  }
+
+  /**
+   * Reads a table from a text that was read already.
+   *
+   * @param name how messages name the text
+   * @param text csv
+   * @throws DataFormatException naming name, line and field of the first fault
+   */
+  public static TableDocument parse(Path name, String text) throws DataFormatException {
+    CsvTable csv = CsvTable.parse(name, text);
     csv.requireColumns(BEARING, THRESHOLD);
     double[] thresholds = new double[csv.size()];
     for (int row = 0; row < thresholds.length; row++) {

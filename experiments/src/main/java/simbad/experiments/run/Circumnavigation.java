@@ -1,0 +1,122 @@
+package simbad.experiments.run;
+
+import java.util.SplittableRandom;
+import javax.vecmath.Point3d;
+import javax.vecmath.Vector3d;
+import simbad.experiments.control.EdgeFollower;
+import simbad.experiments.control.Tuning;
+import simbad.gui.Simbatch;
+import simbad.obstacles.ObstacleType;
+import simbad.obstacles.SonarObstacle;
+import simbad.sim.EnvironmentDescription;
+import simbad.sim.RangeSensorBelt;
+import simbad.sonar.frame.Angles;
+import simbad.sonar.frame.Point;
+import simbad.sonar.frame.Pose;
+import simbad.sonar.model.DetectionRule;
+import simbad.sonar.shape.Outline;
+import simbad.sonar.shape.ThresholdTable;
+
+/** One robot round one obstacle with one sensor. */
+final class Circumnavigation {
+  /** The simulator's step. */
+  static final double STEP_S = 0.05;
+
+  /** The robot is given up after so many times the steps that the edge itself takes. */
+  private static final int PATIENCE = 30;
+
+  /** Silent steps after which the edge counts as found. */
+  private static final int LOST_AFTER = 3;
+
+  private final ObstacleType type;
+  private final RunSettings settings;
+  private final FollowerRobot robot;
+  private final Simbatch simulation;
+  private final Trace trace = new Trace(STEP_S);
+  private final Point3d place = new Point3d();
+  private boolean everHeard;
+  private int silent;
+  private double woundRad;
+  private double bearingRad;
+
+  Circumnavigation(ObstacleType type, SensorKind sensor, RunSettings settings) {
+    this.type = type;
+    this.settings = settings;
+    SplittableRandom random = new SplittableRandom(seed(type, sensor, settings.seed()));
+    RangeSensorBelt belt = sensor.belt(settings.sonar(), random);
+    EdgeFollower controller = new EdgeFollower(Tuning.standard(settings.speedMPerS(), STEP_S));
+    robot =
+        new FollowerRobot(start(type, settings), belt, settings.sonar().mountHeightM(), controller);
+    EnvironmentDescription environment = new EnvironmentDescription();
+    environment.add(new SonarObstacle(new Vector3d(), 0, type));
+    environment.add(robot);
+    simulation = new Simbatch(environment, false);
+  }
+
+  /** Every run has chance of its own, so that none depends on which others are made. */
+  static long seed(ObstacleType type, SensorKind sensor, long seed) {
+    return seed * 1_000_003L + 31L * type.name().hashCode() + sensor.word().hashCode();
+  }
+
+  /** Looks at the obstacle, so that a robot that hears nothing yet comes nearer. */
+  private static Pose start(ObstacleType type, RunSettings settings) {
+    Point point = settings.start().orElseGet(() -> standardStart(type.thresholds().table()));
+    return Pose.of(point.xM(), point.zM(), Math.atan2(point.zM(), -point.xM()));
+  }
+
+  private static Point standardStart(ThresholdTable table) {
+    int farthest = 0;
+    for (int i = 1; i < table.size(); i++) {
+      farthest = table.valueM(i) > table.valueM(farthest) ? i : farthest;
+    }
+    double radiusM = Math.min(table.greatestM(), DetectionRule.ORIGINAL_RANGE_M) / 2;
+    double bearing = table.bearingRad(farthest);
+    return new Point(radiusM * Math.sin(bearing), radiusM * Math.cos(bearing));
+  }
+
+  Trace drive() {
+    simulation.reset();
+    long most = mostSteps();
+    double farthestM = farthestM();
+    while (!trace.isClosed() && trace.size() < most) {
+      simulation.step();
+      robot.getCoords(place);
+      trace.add(place.x, place.z, robot.getHeadingRad(), robot.hears());
+      observe();
+      if (Math.hypot(place.x, place.z) > farthestM) {
+        break;
+      }
+    }
+    simulation.dispose();
+    return trace;
+  }
+
+  private long mostSteps() {
+    ThresholdTable table = type.thresholds().table();
+    double edgeM = table.greatestM() > 0 ? Outline.of(table.points()).perimeterM() : 0;
+    double wayM = Math.max(edgeM, Angles.TURN_RAD * DetectionRule.ORIGINAL_RANGE_M);
+    return (long) (PATIENCE * wayM / (settings.speedMPerS() * STEP_S));
+  }
+
+  /** Further out nothing can be heard: the robot is lost. */
+  private double farthestM() {
+    double heardM = Math.max(type.thresholds().table().greatestM(), DetectionRule.ORIGINAL_RANGE_M);
+    double startM = settings.start().map(p -> Math.hypot(p.xM(), p.zM())).orElse(0.0);
+    return Math.max(2 * heardM, startM) + 1;
+  }
+
+  private void observe() {
+    everHeard |= robot.hears();
+    silent = robot.hears() ? 0 : silent + 1;
+    double bearing = Math.atan2(place.x, place.z);
+    if (trace.firstOnEdge() < trace.size()) {
+      woundRad += Angles.signed(bearing - bearingRad);
+      if (Math.abs(woundRad) >= Angles.TURN_RAD) {
+        trace.close();
+      }
+    } else if (everHeard && silent == LOST_AFTER) {
+      trace.edgeFound();
+    }
+    bearingRad = bearing;
+  }
+}

@@ -1,0 +1,87 @@
+package simbad.experiments.run;
+
+import java.util.SplittableRandom;
+import javax.vecmath.Vector3d;
+import simbad.experiments.plot.ShareGrid;
+import simbad.gui.Simbatch;
+import simbad.obstacles.ObstacleType;
+import simbad.obstacles.SonarObstacle;
+import simbad.sim.EnvironmentDescription;
+import simbad.sim.RangeSensorBelt;
+import simbad.sonar.frame.Angles;
+import simbad.sonar.frame.Point;
+import simbad.sonar.frame.Pose;
+import simbad.sonar.model.DetectionRule;
+import simbad.sonar.shape.DetectionShadow;
+
+/**
+ * How often a belt disagrees with the table, over a square of places round the obstacle.
+ *
+ * <p>The table says of a place whether the obstacle is heard there by a sensor that looks at it; a
+ * belt that looks all round should hear it there and nowhere else, whatever its heading.
+ *
+ * @param disagreement per place, share of the belt's headings
+ * @param agreement over all places and headings, in [0, 1]
+ */
+public record DetectionMap(ShareGrid disagreement, double agreement) {
+  /** Places along each side of the square. */
+  public static final int CELLS = 81;
+
+  /** Headings of the belt at each place, uniform by chance. */
+  public static final int HEADINGS = 6;
+
+  private static final double MARGIN = 1.15;
+
+  /** Measures one belt. */
+  static DetectionMap of(ObstacleType type, SensorKind sensor, RunSettings settings) {
+    SplittableRandom random =
+        new SplittableRandom(~Circumnavigation.seed(type, sensor, settings.seed()));
+    RangeSensorBelt belt = sensor.belt(settings.sonar(), random);
+    Probe probe = new Probe(type, belt, settings.sonar().mountHeightM());
+    DetectionShadow shadow = new DetectionShadow(type.thresholds().table());
+    double reachM = Math.max(type.thresholds().table().greatestM(), DetectionRule.ORIGINAL_RANGE_M);
+    ShareGrid grid =
+        ShareGrid.of(
+            CELLS,
+            MARGIN * reachM,
+            (xM, zM) -> {
+              boolean expected = shadow.contains(new Point(xM, zM));
+              int wrong = 0;
+              for (int i = 0; i < HEADINGS; i++) {
+                wrong += probe.hears(xM, zM, random) == expected ? 0 : 1;
+              }
+              return wrong / (double) HEADINGS;
+            });
+    probe.dispose();
+    double mean = grid.shares().stream().mapToDouble(Double::doubleValue).average().orElse(0);
+    return new DetectionMap(grid, 1 - mean);
+  }
+
+  /** A robot that stands where it is put and pings once. */
+  private static final class Probe {
+    private final FollowerRobot robot;
+    private final Simbatch simulation;
+
+    Probe(ObstacleType type, RangeSensorBelt belt, double mountHeightM) {
+      robot =
+          new FollowerRobot(
+              Pose.of(0, 0, 0), belt, mountHeightM, (readings, command) -> command.set(0, 0));
+      EnvironmentDescription environment = new EnvironmentDescription();
+      environment.add(new SonarObstacle(new Vector3d(), 0, type));
+      environment.add(robot);
+      simulation = new Simbatch(environment, false);
+      simulation.reset();
+    }
+
+    boolean hears(double xM, double zM, SplittableRandom random) {
+      robot.moveToPosition(xM, zM);
+      robot.rotateY(random.nextDouble() * Angles.TURN_RAD);
+      simulation.step();
+      return robot.hears();
+    }
+
+    void dispose() {
+      simulation.dispose();
+    }
+  }
+}

@@ -1,0 +1,50 @@
+package simbad.experiments.run;
+
+import javax.vecmath.Vector3d;
+import simbad.experiments.control.Command;
+import simbad.experiments.control.Controller;
+import simbad.sim.Agent;
+import simbad.sim.RangeSensorBelt;
+import simbad.sonar.frame.Pose;
+
+/**
+ * A robot of 2 cm radius with a belt at its centre; the controller sees the belt and nothing else.
+ */
+final class FollowerRobot extends Agent {
+  /** Small enough to go where the tables go. */
+  static final float RADIUS_M = 0.02f;
+
+  private static final float HEIGHT_M = 0.3f;
+
+  private final RangeSensorBelt belt;
+  private final Controller controller;
+  private final double startHeadingRad;
+  private final Command command = new Command();
+
+  FollowerRobot(Pose start, RangeSensorBelt belt, double mountHeightM, Controller controller) {
+    super(new Vector3d(start.position().xM(), 0, start.position().zM()), "robot");
+    radius = RADIUS_M;
+    height = HEIGHT_M;
+    this.belt = belt;
+    this.controller = controller;
+    startHeadingRad = start.heading().radians();
+    belt.setUpdateOnEachFrame(true);
+    addSensorDevice(belt, new Vector3d(0, mountHeightM - HEIGHT_M / 2.0, 0), 0);
+  }
+
+  @Override
+  protected void initBehavior() {
+    rotateY(startHeadingRad);
+  }
+
+  @Override
+  protected void performBehavior() {
+    controller.decide(belt.getReadings(), command);
+    setTranslationalVelocity(command.speedMPerS());
+    setRotationalVelocity(command.turnRateRadPerS());
+  }
+
+  boolean hears() {
+    return belt.oneHasHit();
+  }
+}

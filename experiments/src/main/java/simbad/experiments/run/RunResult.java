@@ -1,0 +1,35 @@
+package simbad.experiments.run;
+
+import java.util.OptionalDouble;
+import simbad.obstacles.ObstacleType;
+
+/**
+ * What one robot made of one obstacle with one sensor.
+ *
+ * @param type the obstacle
+ * @param sensor the sensor
+ * @param trace where the robot was
+ * @param errors of the trace against the table
+ * @param map where the sensor disagrees with the table
+ * @param reductionVsOriginal share by which the mean radial error is smaller than the original
+ *     sensor's on the same obstacle; empty when that was not run or reached nothing
+ */
+public record RunResult(
+    ObstacleType type,
+    SensorKind sensor,
+    Trace trace,
+    TraceErrors errors,
+    DetectionMap map,
+    OptionalDouble reductionVsOriginal) {
+
+  /** The same with the reduction against a run of the original sensor. */
+  RunResult against(TraceErrors original) {
+    OptionalDouble mine = errors.meanM();
+    OptionalDouble theirs = original.meanM();
+    OptionalDouble reduction =
+        mine.isPresent() && theirs.isPresent() && theirs.getAsDouble() > 0
+            ? OptionalDouble.of(1 - mine.getAsDouble() / theirs.getAsDouble())
+            : OptionalDouble.empty();
+    return new RunResult(type, sensor, trace, errors, map, reduction);
+  }
+}

@@ -1,0 +1,42 @@
+package simbad.experiments.run;
+
+import java.util.List;
+import java.util.Optional;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.frame.Point;
+import simbad.sonar.scene.SonarSpec;
+
+/**
+ * What a run shall do.
+ *
+ * @param obstacles one circumnavigation of each per sensor; names distinct
+ * @param sensors which sensors, distinct
+ * @param sonar figures of the sensor
+ * @param speedMPerS of the robot, positive
+ * @param start where the robot starts, the obstacle at the origin; by default on the bearing of the
+ *     greatest threshold, half-way out
+ * @param seed of all chance
+ */
+public record RunSettings(
+    List<ObstacleType> obstacles,
+    List<SensorKind> sensors,
+    SonarSpec sonar,
+    double speedMPerS,
+    Optional<Point> start,
+    long seed) {
+  /** Thesis, section 4.3. */
+  public static final double THESIS_SPEED_M_PER_S = 0.01;
+
+  /** Copies the lists. */
+  public RunSettings {
+    obstacles = List.copyOf(obstacles);
+    sensors = List.copyOf(sensors);
+    if (!(speedMPerS > 0 && speedMPerS <= GREATEST_SPEED_M_PER_S)) {
+      throw new IllegalArgumentException(
+          "speedMPerS = " + speedMPerS + " is not in (0, " + GREATEST_SPEED_M_PER_S + "]");
+    }
+  }
+
+  /** A faster robot would pass by the obstacle between two steps. */
+  public static final double GREATEST_SPEED_M_PER_S = 1;
+}

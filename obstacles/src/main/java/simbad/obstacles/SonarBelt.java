@@ -1,0 +1,55 @@
+package simbad.obstacles;
+
+import java.util.random.RandomGenerator;
+import simbad.sim.RangeSensorBelt;
+import simbad.sim.World;
+import simbad.sonar.model.SensorModel;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.sensing.Sensor;
+
+/**
+ * A ring of sonars at one point that hear obstacles as a sensor model says, by default the
+ * shadows'.
+ *
+ * <p>It hears every {@link SonarObstacle} that is in the world when it pings, moved ones where they
+ * are by then. Objects without a threshold table, such as boxes and other robots, it does not hear:
+ * nothing was measured of them.
+ */
+public class SonarBelt extends RangeSensorBelt {
+  private final SonarSpec spec;
+  private final SensorModel model;
+  private final RandomGenerator random;
+
+  /**
+   * Creates a belt.
+   *
+   * @param sonars number of sonars, evenly spaced counter-clockwise from straight ahead
+   * @param spec figures of each sonar
+   * @param model what a sonar hears of a scene
+   * @param random source of chance for models with noise
+   */
+  public SonarBelt(int sonars, SonarSpec spec, SensorModel model, RandomGenerator random) {
+    super(0, (float) spec.minRangeM(), (float) spec.maxRangeM(), sonars, TYPE_SONAR, 0);
+    this.spec = spec;
+    this.model = model;
+    this.random = random;
+  }
+
+  @Override
+  protected Sensor createSensor(World world) {
+    return new WorldSensor(world, this::bind);
+  }
+
+  private Sensor bind(World world) {
+    Scene scene =
+        new Scene(
+            world.getStaticObjects().stream()
+                .filter(SonarObstacle.class::isInstance)
+                .map(SonarObstacle.class::cast)
+                .filter(obstacle -> obstacle.getSolid().isPresent())
+                .map(SonarObstacle::asSensed)
+                .toList());
+    return model.bind(spec, scene, random);
+  }
+}

@@ -1,0 +1,77 @@
+package simbad.obstacles;
+
+import java.util.List;
+import javax.media.j3d.Transform3D;
+import javax.vecmath.Vector3d;
+import simbad.kernel.geometry.PrismShape;
+import simbad.kernel.geometry.Shape;
+import simbad.sim.BlockWorldObject;
+import simbad.sonar.frame.Placement;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.TableDetection;
+import simbad.sonar.shape.DetectionShadow;
+import simbad.sonar.shape.Outline;
+
+/**
+ * An upright extrusion in the world that carries its detection shadow. Agents run against its body,
+ * thin rays meet its body, and a {@link SonarBelt} hears it where its shadow says so.
+ */
+public class SonarObstacle extends BlockWorldObject {
+  /** Height of the body in metres, well over any belt. */
+  public static final double BODY_HEIGHT_M = 1.0;
+
+  private final ObstacleType type;
+
+  /**
+   * Places an obstacle.
+   *
+   * @param position middle of the bottom face, metres; copied
+   * @param turnRad counter-clockwise as seen from above
+   * @param type what it is
+   */
+  public SonarObstacle(Vector3d position, double turnRad, ObstacleType type) {
+    this.type = type;
+    translateTo(new Vector3d(position));
+    rotateY(turnRad);
+  }
+
+  /** Returns what it is. */
+  public ObstacleType type() {
+    return type;
+  }
+
+  /** Returns its shadow, in its own frame. */
+  public DetectionShadow shadow() {
+    return new DetectionShadow(type.thresholds().table());
+  }
+
+  /** Returns how its own frame lies in the world now. */
+  public Placement worldFromObstacle() {
+    Transform3D transform = new Transform3D();
+    Vector3d translation = new Vector3d();
+    getTranslationTransform(transform);
+    transform.get(translation);
+    return new Placement(translation.x, translation.z, getHeadingRad());
+  }
+
+  /** Returns it as a sonar model sees it, where it is now. */
+  public Obstacle asSensed() {
+    return new Obstacle(
+        type.name(),
+        worldFromObstacle(),
+        type.outline(),
+        new TableDetection(type.thresholds().table()));
+  }
+
+  @Override
+  protected List<Shape> bodyShapes() {
+    Outline outline = type.outline();
+    double[] x = new double[outline.size()];
+    double[] z = new double[outline.size()];
+    for (int i = 0; i < x.length; i++) {
+      x[i] = outline.xM(i);
+      z[i] = outline.zM(i);
+    }
+    return List.of(new PrismShape(x, z, 0, BODY_HEIGHT_M));
+  }
+}
