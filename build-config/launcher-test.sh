@@ -264,9 +264,9 @@ tests_like_ci() {
   for tool in Xvfb xauth shellcheck; do fake "$work/tools" "$tool" </dev/null; done
   touch "$work/jvm/jdk-17/lib/libawt_xawt.so"
   simbad test -- -pl sonar-model
-  check "test: verify, with what follows --" calls 'mvn -B verify .*-pl sonar-model'
+  check "test: verify, with what follows --" calls 'mvn -B -ntp verify .*-pl sonar-model'
   simbad test --full
-  check "test --full: the long campaigns" calls 'mvn -B verify .*-Dsimbad.full=true'
+  check "test --full: the long campaigns" calls 'mvn -B -ntp verify .*-Dsimbad.full=true'
   simbad test --ful
   check "test: an unknown option is wrong usage" status_is 2
   FAKE_STATUS=1 simbad test

@@ -31,7 +31,8 @@ public final class Main {
 
   /** Not {@code System.out}, which swallows errors such as a full disk. */
   private static PrintWriter utf8(FileDescriptor stream) {
-    return new PrintWriter(new FileOutputStream(stream), true, StandardCharsets.UTF_8);
+    return new PrintWriter(
+        new PipeOutput(new FileOutputStream(stream)), true, StandardCharsets.UTF_8);
   }
 
   /**

@@ -5,10 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
-import java.io.Writer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.NoSuchFileException;
@@ -227,25 +228,30 @@ class MainTest {
         () -> assertEquals("done", outcome.out().strip()));
   }
 
-  @Test
-  void standardOutputIsFull_statusOne() {
+  /** What {@code --help} ends with when standard output fails. */
+  private static Outcome withFailingOutput(String reason) {
     StringWriter err = new StringWriter();
-    int status =
-        Main.run(List.of(), new PrintWriter(new FullDisk()), new PrintWriter(err, true), "--help");
-    assertEquals("simbad: cannot write to standard output", err.toString().strip());
-    assertEquals(1, status);
+    OutputStream failing =
+        new PipeOutput(
+            new OutputStream() {
+              @Override
+              public void write(int b) throws IOException {
+                throw new IOException(reason);
+              }
+            });
+    PrintWriter out = new PrintWriter(failing, true, StandardCharsets.UTF_8);
+    int status = Main.run(List.of(), out, new PrintWriter(err, true), "--help");
+    return new Outcome(status, "", err.toString());
   }
 
-  private static final class FullDisk extends Writer {
-    @Override
-    public void write(char[] characters, int offset, int length) throws IOException {
-      throw new IOException("No space left on device");
-    }
+  @Test
+  void standardOutputIsFull_statusOne() {
+    checkComplaint(
+        withFailingOutput("No space left on device"), 1, "simbad: cannot write to standard output");
+  }
 
-    @Override
-    public void flush() {}
-
-    @Override
-    public void close() {}
+  @Test
+  void readerHasReadEnough_isNoFailure() {
+    assertEquals(new Outcome(0, "", ""), withFailingOutput("Broken pipe"));
   }
 }
