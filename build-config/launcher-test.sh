@@ -55,7 +55,8 @@ exit "${FAKE_STATUS:-0}"
 END
 }
 
-# A Maven that packages; FAKE_MAVEN=fail lets it fail like a compiler error, =slow lets it take its time.
+# A Maven that packages; FAKE_MAVEN=fail lets it fail like a compiler error, =crash like a
+# crash, =slow lets it take its time.
 fake_maven() {
   fake "$1" mvn <<'END'
 if [[ ${FAKE_MAVEN:-} == fail ]]; then
@@ -64,6 +65,7 @@ if [[ ${FAKE_MAVEN:-} == fail ]]; then
   echo '[ERROR] -> [Help 1]'
   exit 1
 fi
+[[ ${FAKE_MAVEN:-} == crash ]] && echo 'out of memory' && exit 1
 [[ ${FAKE_MAVEN:-} == slow ]] && sleep 1
 root=$PWD
 while (($# > 0)); do
@@ -183,6 +185,8 @@ reports_a_failed_build() {
   check "a failed build: Maven's line" prints '[ERROR] Foo.java:[3,4] cannot find symbol'
   check "a failed build: nothing else of Maven's" prints_not 'Help 1'
   check "a failed build leaves no stamp" test ! -e "$project/experiments/target/launcher/stamp"
+  FAKE_MAVEN=crash simbad run
+  check "a build that ends without an error line: all of its output" prints 'out of memory'
   simbad run
   check "the next call builds again" calls mvn
   touch "$project/pom.xml"
