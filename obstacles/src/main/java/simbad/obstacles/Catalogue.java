@@ -25,7 +25,12 @@ public final class Catalogue {
     return List.of(
         type("square", CrossSections.square(), "square-25mm.csv"),
         type("round", CrossSections.round(), "round-25mm.csv"),
-        type("angle", CrossSections.angle(), "angle-25mm.csv"));
+        new ObstacleType("angle", CrossSections.angle(), angleTable()));
+  }
+
+  /** Returns the measured table of the angle, from which others are reconstructed. */
+  public static TableDocument angleTable() {
+    return table("angle-25mm.csv");
   }
 
   /**

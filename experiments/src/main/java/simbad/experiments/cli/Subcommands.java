@@ -8,6 +8,6 @@ final class Subcommands {
 
   /** New instances, in the order in which the help lists them. */
   static List<Subcommand> all() {
-    return List.of(new TestCommand());
+    return List.of(new RunCommand(), new TableCommand(), new TestCommand());
   }
 }

@@ -43,6 +43,15 @@ public record ShareGrid(int cells, double halfWidthM, List<Double> shares) {
     return halfWidthM * ((2 * index + 1.0) / cells - 1);
   }
 
+  /**
+   * Returns the offset of the middle of a column or row from the obstacle's centre, metres.
+   *
+   * @param index of the column or row, from 0
+   */
+  public double centreM(int index) {
+    return middleM(index, cells, halfWidthM);
+  }
+
   double share(int column, int row) {
     return shares.get(row * cells + column);
   }

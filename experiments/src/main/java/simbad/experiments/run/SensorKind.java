@@ -45,7 +45,8 @@ public enum SensorKind {
     return meaning;
   }
 
-  SeriesRole role() {
+  /** Returns how this sensor's curves are drawn. */
+  public SeriesRole role() {
     return role;
   }
 

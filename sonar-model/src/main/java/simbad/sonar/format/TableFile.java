@@ -142,6 +142,15 @@ public final class TableFile {
    * @throws IOException if it cannot be written
    */
   public static void write(Path file, TableDocument document) throws IOException {
+    TextFile.write(file, text(document));
+  }
+
+  /**
+   * Returns a table as the text of a file.
+   *
+   * @param document table and header lines
+   */
+  public static String text(TableDocument document) {
     StringBuilder text = new StringBuilder();
     document.header().forEach((key, value) -> text.append("# " + key + ": " + value + "\n"));
     text.append(BEARING + "," + THRESHOLD + "\n");
@@ -150,6 +159,6 @@ public final class TableFile {
       // Multiplied before it is divided: 72 rows then stand at whole degrees to the last digit.
       text.append(degrees(i * TURN_DEG / table.size()) + "," + table.valueM(i) + "\n");
     }
-    TextFile.write(file, text.toString());
+    return text.toString();
   }
 }

@@ -1,0 +1,43 @@
+package simbad.experiments.cli;
+
+import me.tongfei.progressbar.ProgressBar;
+import me.tongfei.progressbar.ProgressBarBuilder;
+import me.tongfei.progressbar.ProgressBarStyle;
+import org.jspecify.annotations.Nullable;
+
+/** How far long work is: a bar on a terminal, nothing elsewhere. Thread-safe. */
+final class Progress implements AutoCloseable {
+  /** Set by the launcher, which knows; Java does not say whether standard error is a terminal. */
+  private static final String TERMINAL_PROPERTY = "simbad.terminal";
+
+  private final @Nullable ProgressBar bar;
+
+  private Progress(@Nullable ProgressBar bar) {
+    this.bar = bar;
+  }
+
+  static Progress of(String what, long steps) {
+    if (!Boolean.getBoolean(TERMINAL_PROPERTY)) {
+      return new Progress(null);
+    }
+    return new Progress(
+        new ProgressBarBuilder()
+            .setTaskName(what)
+            .setInitialMax(steps)
+            .setStyle(ProgressBarStyle.ASCII)
+            .build());
+  }
+
+  void step() {
+    if (bar != null) {
+      bar.step();
+    }
+  }
+
+  @Override
+  public void close() {
+    if (bar != null) {
+      bar.close();
+    }
+  }
+}

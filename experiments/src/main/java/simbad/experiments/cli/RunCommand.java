@@ -1,0 +1,195 @@
+package simbad.experiments.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import simbad.experiments.report.RunFiles;
+import simbad.experiments.report.RunOrigin;
+import simbad.experiments.run.Experiment;
+import simbad.experiments.run.RunResult;
+import simbad.experiments.run.RunSettings;
+import simbad.experiments.run.SensorKind;
+import simbad.obstacles.Catalogue;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.SensorFile;
+import simbad.sonar.frame.Point;
+import simbad.sonar.scene.SonarSpec;
+
+/** {@code simbad run}: the main job. */
+@Command(
+    name = "run",
+    description = {
+      "Let a robot circle obstacles at the limit of detection, once per sensor, and compare its traces"
+          + " with the obstacles' threshold tables.",
+      "Writes traces, errors, pictures and a page to --out."
+    },
+    footer = {
+      "",
+      "Example: simbad run",
+      "Example: simbad run angle my-table.csv --sensor original,shadow,ray --out results"
+    })
+final class RunCommand extends Subcommand {
+  private static final String DEFAULT_OUT = "simbad-run";
+
+  @Parameters(
+      paramLabel = "OBSTACLE",
+      arity = "0..*",
+      description = "square, round, angle, or a threshold table (TABLE.csv). Default: all three.")
+  private List<String> obstacles = List.of("square", "round", "angle");
+
+  @Option(
+      names = "--sensor",
+      paramLabel = "SENSOR",
+      split = ",",
+      description =
+          "original (cone, 2.5 m), ray (Simbad's thin rays), shadow, overlap, noisy."
+              + " Default: original,shadow.")
+  private List<String> sensors = List.of("original", "shadow");
+
+  @Option(
+      names = "--sensor-file",
+      paramLabel = "FILE",
+      description = "Figures of the sonar. Default: data/sensors/srf04.json.")
+  private @Nullable Path sensorFile;
+
+  @Option(
+      names = "--speed",
+      paramLabel = "M_PER_S",
+      description = "Of the robot. Default: ${DEFAULT-VALUE}.")
+  private double speedMPerS = RunSettings.THESIS_SPEED_M_PER_S;
+
+  @Option(
+      names = "--start",
+      paramLabel = "X,Z",
+      description =
+          "Where the robot starts, metres, the obstacle at 0,0."
+              + " Default: on the bearing of the greatest threshold, half-way out.")
+  private @Nullable String start;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description = "Of all chance; the same seed gives the same files. Default: ${DEFAULT-VALUE}.")
+  private long seed = 1;
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      description =
+          "A folder that does not exist yet. Default: simbad-run, or simbad-run-2 and so on.")
+  private @Nullable Path out;
+
+  @Override
+  protected void run() throws Exception {
+    Instant begun = Instant.now();
+    RunSettings settings = settings();
+    Path folder = out != null ? out : firstFree();
+    try (StagedDirectory staged = StagedDirectory.beside(folder)) {
+      List<RunResult> results = experiment(settings);
+      RunFiles.write(staged.path(), new RunOrigin(BuildVersion.text(), settings), results);
+      Files.writeString(staged.path().resolve("run.log"), log(begun));
+      staged.publish();
+      RunSummary.print(out(), results);
+      out().println();
+      out().println("written to " + folder + " (open " + folder.resolve("report.html") + ")");
+    }
+  }
+
+  private List<RunResult> experiment(RunSettings settings) {
+    int tasks = settings.obstacles().size() * settings.sensors().size();
+    try (Progress progress = Progress.of("driving", tasks)) {
+      return Experiment.run(settings, result -> progress.step());
+    }
+  }
+
+  private static String log(Instant begun) {
+    Duration taken = Duration.between(begun, Instant.now());
+    return "begun "
+        + begun
+        + "\n"
+        + "taken "
+        + taken.toMillis() / 1e3
+        + " s\n"
+        + "java "
+        + Runtime.version()
+        + "\n"
+        + "cores "
+        + Runtime.getRuntime().availableProcessors()
+        + "\n";
+  }
+
+  private static Path firstFree() throws IOException {
+    Path folder = Path.of(DEFAULT_OUT);
+    for (int i = 2; Files.exists(folder); i++) {
+      folder = Path.of(DEFAULT_OUT + "-" + i);
+    }
+    return folder;
+  }
+
+  private RunSettings settings() throws DataFormatException {
+    if (!(speedMPerS > 0 && speedMPerS <= RunSettings.GREATEST_SPEED_M_PER_S)) {
+      throw wrongUsage(
+          "--speed: "
+              + speedMPerS
+              + " is not in (0, "
+              + RunSettings.GREATEST_SPEED_M_PER_S
+              + "] m/s");
+    }
+    List<SensorKind> kinds = kinds();
+    Optional<Point> place = start == null ? Optional.empty() : Optional.of(point(start));
+    SonarSpec sonar = sensorFile == null ? Catalogue.srf04() : SensorFile.read(sensorFile);
+    return new RunSettings(types(), kinds, sonar, speedMPerS, place, seed);
+  }
+
+  private List<SensorKind> kinds() {
+    Set<SensorKind> kinds = new LinkedHashSet<>();
+    for (String word : sensors) {
+      SensorKind kind =
+          SensorKind.find(word)
+              .orElseThrow(
+                  () -> wrongUsage("--sensor: '" + word + "' is not one of " + SensorKind.words()));
+      if (!kinds.add(kind)) {
+        throw wrongUsage("--sensor: " + word + " stands twice");
+      }
+    }
+    return List.copyOf(kinds);
+  }
+
+  private List<ObstacleType> types() throws DataFormatException {
+    List<ObstacleType> types = new ArrayList<>();
+    Set<String> names = new LinkedHashSet<>();
+    for (String argument : obstacles) {
+      ObstacleType type = ObstacleArgument.parse(argument);
+      if (!names.add(type.name().toLowerCase(Locale.ROOT))) {
+        throw wrongUsage("OBSTACLE: two are called " + type.name());
+      }
+      types.add(type);
+    }
+    return types;
+  }
+
+  private Point point(String text) {
+    String[] parts = text.split(",", -1);
+    try {
+      if (parts.length == 2) {
+        return new Point(Double.parseDouble(parts[0]), Double.parseDouble(parts[1]));
+      }
+    } catch (IllegalArgumentException e) {
+      // Said below.
+    }
+    throw wrongUsage("--start: '" + text + "' is not X,Z in metres, such as 0,1.5");
+  }
+}

@@ -1,0 +1,54 @@
+package simbad.experiments.cli;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import simbad.experiments.run.RunResult;
+import simbad.experiments.run.TraceErrors;
+
+/** The figures of a run for the console. */
+final class RunSummary {
+  private static final String ROW = "%-24s %-9s %9s %9s %9s %9s %10s %11s%n";
+
+  private RunSummary() {}
+
+  static void print(PrintWriter out, List<RunResult> results) {
+    out.printf(
+        ROW,
+        "obstacle (table)",
+        "sensor",
+        "mean cm",
+        "RMS cm",
+        "max cm",
+        "beside cm",
+        "unreached",
+        "reduction");
+    for (RunResult result : results) {
+      TraceErrors errors = result.errors();
+      out.printf(
+          ROW,
+          result.type().name() + " (" + result.type().thresholds().provenanceWord() + ")",
+          result.sensor().word(),
+          centimetres(errors.meanM()),
+          centimetres(errors.rmsM()),
+          centimetres(errors.maxM()),
+          centimetres(OptionalDouble.of(errors.lateralMeanM())),
+          errors.unreachedBearings() + "/" + errors.radialM().size(),
+          result.reductionVsOriginal().isPresent()
+              ? text("%.1f %%", 100 * result.reductionVsOriginal().getAsDouble())
+              : "-");
+    }
+    out.println(
+        "mean, RMS, max: radial error |r - T| over the bearings; beside: mean distance from");
+    out.println("the shadow's edge; reduction: of the mean against the original sensor.");
+  }
+
+  private static String centimetres(OptionalDouble metres) {
+    return metres.isPresent() ? text("%.2f", 100 * metres.getAsDouble()) : "-";
+  }
+
+  private static String text(String format, double value) {
+    return String.format(Locale.ROOT, format, value);
+  }
+}

@@ -1,0 +1,130 @@
+package simbad.experiments.cli;
+
+import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import simbad.experiments.plot.Figure;
+import simbad.experiments.report.TablePicture;
+import simbad.experiments.table.Reconstruction;
+import simbad.obstacles.Catalogue;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.TableDocument;
+import simbad.sonar.format.TableFile;
+import simbad.sonar.shape.ThresholdTable;
+
+/** {@code simbad table}: threshold tables. */
+@Command(
+    name = "table",
+    description = "Show, plot and reconstruct threshold tables.",
+    subcommands = {
+      TableCommand.Show.class,
+      TableCommand.Plot.class,
+      TableCommand.Reconstruct.class
+    },
+    footer = {"", "Example: simbad table show angle"})
+final class TableCommand extends CommandGroup {
+
+  /** {@code simbad table show}. */
+  @Command(
+      name = "show",
+      description = "Print what a table's file says about it, and its range.",
+      footer = {"", "Example: simbad table show my-table.csv"})
+  static final class Show extends Subcommand {
+    @Parameters(paramLabel = "OBSTACLE", description = "square, round, angle, or TABLE.csv.")
+    private String obstacle = "";
+
+    @Override
+    protected void run() throws Exception {
+      ObstacleType type = ObstacleArgument.parse(obstacle);
+      TableDocument document = type.thresholds();
+      out().println(type.name() + ": " + document.provenanceWord());
+      document.header().forEach((key, value) -> out().println("  " + key + ": " + value));
+      ThresholdTable table = document.table();
+      double least = Arrays.stream(table.valuesM()).min().orElse(0);
+      out()
+          .printf(
+              Locale.ROOT,
+              "  %d bearings, every %.4g degrees; %.2f to %.2f m%n",
+              table.size(),
+              360.0 / table.size(),
+              least,
+              table.greatestM());
+    }
+  }
+
+  /** {@code simbad table plot}. */
+  @Command(
+      name = "plot",
+      description = "Draw a table as a polar plot, PNG or SVG by the ending of --out.",
+      footer = {"", "Example: simbad table plot angle --out angle.svg"})
+  static final class Plot extends Subcommand {
+    @Parameters(paramLabel = "OBSTACLE", description = "square, round, angle, or TABLE.csv.")
+    private String obstacle = "";
+
+    @Option(names = "--out", paramLabel = "FILE", required = true, description = "*.png or *.svg")
+    private Path file = Path.of("");
+
+    @Override
+    protected void run() throws Exception {
+      String name = file.toString().toLowerCase(Locale.ROOT);
+      if (!name.endsWith(".png") && !name.endsWith(".svg")) {
+        throw wrongUsage("--out: '" + file + "' ends neither in .png nor in .svg");
+      }
+      Figure figure = TablePicture.of(ObstacleArgument.parse(obstacle));
+      refuseExisting(file);
+      if (name.endsWith(".png")) {
+        figure.writePng(file, Figure.PRINT_DPI);
+      } else {
+        figure.writeSvg(file);
+      }
+    }
+  }
+
+  /** {@code simbad table reconstruct}. */
+  @Command(
+      name = "reconstruct",
+      description = {
+        "Compute the table of the square or round obstacle from what the thesis says of it.",
+        "It was plotted there but not published; the argument is in docs/decisions."
+      },
+      footer = {"", "Example: simbad table reconstruct square --out square-25mm.csv"})
+  static final class Reconstruct extends Subcommand {
+    @Parameters(paramLabel = "square|round", description = "Which obstacle.")
+    private String obstacle = "";
+
+    @Option(
+        names = "--out",
+        paramLabel = "FILE",
+        description = "A file that does not exist yet. Default: print the table.")
+    private @Nullable Path file;
+
+    @Override
+    protected void run() throws Exception {
+      TableDocument document =
+          switch (obstacle) {
+            case "round" -> Reconstruction.round();
+            case "square" -> Reconstruction.square(Catalogue.angleTable().table());
+            default -> throw wrongUsage("'" + obstacle + "' is neither square nor round");
+          };
+      if (file == null) {
+        out().print(TableFile.text(document));
+      } else {
+        refuseExisting(file);
+        TableFile.write(file, document);
+      }
+    }
+  }
+
+  private static void refuseExisting(Path file) throws IOException {
+    if (Files.exists(file)) {
+      throw new FileAlreadyExistsException(file.toString());
+    }
+  }
+}

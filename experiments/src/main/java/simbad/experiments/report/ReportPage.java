@@ -1,0 +1,222 @@
+package simbad.experiments.report;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import simbad.experiments.run.DetectionMap;
+import simbad.experiments.run.RunResult;
+import simbad.experiments.run.SensorKind;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.scene.SonarSpec;
+
+/** A run's page: what was asked, the figures, the pictures, and how to read each. */
+final class ReportPage {
+  private static final String HEAD =
+      """
+      <!DOCTYPE html>
+      <html lang="en">
+      <head>
+      <meta charset="utf-8">
+      <meta name="viewport" content="width=device-width, initial-scale=1">
+      <title>Edges followed with a simulated sonar</title>
+      <style>
+      :root { color-scheme: light dark; }
+      body { font: 16px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
+      table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
+      th, td { padding: .25rem .7rem; border-bottom: 1px solid #8886; text-align: right; }
+      th:first-child, td:first-child, th:nth-child(2), td:nth-child(2) { text-align: left; }
+      figure { margin: 1rem 0; }
+      figure img { max-width: 100%; height: auto; background: #fff; }
+      figcaption { max-width: 46rem; }
+      .scroll { overflow-x: auto; }
+      .maps { display: grid; grid-template-columns: repeat(auto-fit, minmax(18rem, 1fr)); gap: 1rem; }
+      .note { border-left: 4px solid #d55e00; padding-left: .8rem; }
+      </style>
+      </head>
+      <body>
+      <main>
+      <h1>Edges followed with a simulated sonar</h1>
+      """;
+
+  private static final String LIMITS =
+      """
+      <p class="note">No robot was ever traced round these obstacles in reality. The traces show what
+      follows from a threshold table; they do not test the table. The measured table has steps of
+      2&nbsp;cm and is a single sweep of one sensor (Kranz 2014). Tables marked <em>reconstructed</em>
+      were never published as numbers.</p>
+      """;
+
+  private ReportPage() {}
+
+  static void write(
+      Path file,
+      RunOrigin origin,
+      Map<String, String> hashes,
+      Map<String, List<RunResult>> byObstacle)
+      throws IOException {
+    StringBuilder page = new StringBuilder(HEAD);
+    page.append(LIMITS);
+    addErrors(page, byObstacle);
+    byObstacle.values().forEach(results -> addObstacle(page, results));
+    addOrigin(page, origin, hashes);
+    page.append("</main>\n</body>\n</html>\n");
+    Files.writeString(file, page, StandardCharsets.UTF_8);
+  }
+
+  private static void addErrors(StringBuilder page, Map<String, List<RunResult>> byObstacle) {
+    page.append(
+        """
+        <h2>Errors against the tables</h2>
+        <div class="scroll"><table>
+        <thead><tr><th scope="col">obstacle (table)</th><th scope="col">sensor</th>
+        <th scope="col">mean |r&minus;T|, cm</th><th scope="col">RMS, cm</th><th scope="col">median, cm</th>
+        <th scope="col">maximum, cm</th><th scope="col">lateral mean, cm</th><th scope="col">lateral 95&nbsp;%, cm</th>
+        <th scope="col">bearings not reached</th><th scope="col">smaller than original by</th>
+        <th scope="col">map agrees</th></tr></thead>
+        <tbody>
+        """);
+    byObstacle.values().forEach(results -> results.forEach(result -> addRow(page, result)));
+    page.append(
+        """
+        </tbody></table></div>
+        <p>Radial error: for each bearing of the table the mean of |r &minus; T| over all crossings of that
+        bearing; then mean, root mean square, median and maximum over the bearings. It is harsh where the
+        edge runs nearly along the bearing. Lateral error: distance of the trace from the shadow's edge.
+        The map's agreement is the share of places and headings at which the belt hears the obstacle
+        exactly where the table says.</p>
+        """);
+  }
+
+  private static void addRow(StringBuilder page, RunResult result) {
+    ErrorRecord row = ErrorRecord.of(result);
+    String name = escaped(row.obstacle()) + " (" + row.provenance() + ")";
+    page.append("<tr><td>" + name + "</td><td>" + row.sensor() + "</td>");
+    cell(page, number(row.meanAbsCm()));
+    cell(page, number(row.rmsCm()));
+    cell(page, number(row.medianAbsCm()));
+    cell(page, number(row.maxAbsCm()));
+    cell(page, number(row.lateralMeanCm()));
+    cell(page, number(row.lateralP95Cm()));
+    cell(page, row.unreachedBearings() + " of " + row.bearings());
+    cell(page, percent(row.reductionVsOriginal()));
+    cell(page, percent(OptionalDouble.of(row.mapAgreement())));
+    page.append("</tr>\n");
+  }
+
+  private static void cell(StringBuilder page, String text) {
+    page.append("<td>" + text + "</td>");
+  }
+
+  private static String number(OptionalDouble value) {
+    return value.isPresent() ? RunFiles.fixed(value.getAsDouble(), 2) : "&ndash;";
+  }
+
+  private static String percent(OptionalDouble share) {
+    return share.isPresent() ? RunFiles.fixed(100 * share.getAsDouble(), 1) + "&nbsp;%" : "&ndash;";
+  }
+
+  private static void addObstacle(StringBuilder page, List<RunResult> results) {
+    ObstacleType type = results.get(0).type();
+    String name = escaped(type.name());
+    page.append("<h2>" + name + "</h2>\n");
+    page.append("<p>Table " + type.thresholds().provenanceWord());
+    type.thresholds().header("source").ifPresent(text -> page.append(": " + escaped(text)));
+    page.append(".</p>\n");
+    results.stream()
+        .filter(result -> !result.trace().isClosed())
+        .forEach(result -> addLost(page, result));
+    figure(
+        page,
+        name + "/polar",
+        "Where the robot drove, seen from above. A sensor that hears what the table says drives along"
+            + " the table's edge.");
+    figure(
+        page,
+        name + "/errors",
+        "Radial error by bearing, logarithmic. The high points of the shadow sensor lie where the edge"
+            + " runs nearly along the bearing.");
+    page.append("<div class=\"maps\">\n");
+    for (RunResult result : results) {
+      figure(
+          page,
+          name + "/map-" + result.sensor().word(),
+          "Share of "
+              + DetectionMap.HEADINGS
+              + " random headings at which the "
+              + result.sensor().word()
+              + " belt and the table disagree; white is agreement.");
+    }
+    page.append("</div>\n");
+  }
+
+  private static void addLost(StringBuilder page, RunResult result) {
+    page.append(
+        "<p class=\"note\">With the "
+            + result.sensor().word()
+            + " sensor the robot did not get round: "
+            + result.errors().unreachedBearings()
+            + " of "
+            + result.errors().radialM().size()
+            + " bearings were never reached. Its errors are over the others.</p>\n");
+  }
+
+  private static void figure(StringBuilder page, String name, String caption) {
+    page.append(
+        "<figure><a href=\""
+            + name
+            + ".svg\"><img src=\""
+            + name
+            + ".png\" alt=\""
+            + caption
+            + "\"></a><figcaption>"
+            + caption
+            + "</figcaption></figure>\n");
+  }
+
+  private static void addOrigin(StringBuilder page, RunOrigin origin, Map<String, String> hashes) {
+    SonarSpec sonar = origin.settings().sonar();
+    page.append("<h2>How this was made</h2>\n<ul>\n");
+    item(page, "program " + escaped(origin.version()));
+    item(page, "seed " + origin.settings().seed());
+    item(
+        page,
+        "robot: "
+            + SensorKind.SONARS
+            + " sonars at its centre, all round; "
+            + origin.settings().speedMPerS()
+            + " m/s, steps of 0.05 s");
+    item(
+        page,
+        "sonar "
+            + escaped(sonar.name())
+            + ": cone half-angle "
+            + RunFiles.fixed(Math.toDegrees(sonar.coneHalfAngleRad()), 1)
+            + "&deg;, range "
+            + sonar.minRangeM()
+            + " to "
+            + sonar.maxRangeM()
+            + " m");
+    for (SensorKind kind : origin.settings().sensors()) {
+      item(page, kind.word() + " sensor: " + kind.meaning());
+    }
+    hashes.forEach(
+        (name, hash) ->
+            item(page, escaped(name) + "/table.csv, SHA-256 <code>" + hash + "</code>"));
+    page.append("</ul>\n");
+  }
+
+  private static void item(StringBuilder page, String text) {
+    page.append("<li>" + text + "</li>\n");
+  }
+
+  private static String escaped(String text) {
+    return text.replace("&", "&amp;")
+        .replace("<", "&lt;")
+        .replace(">", "&gt;")
+        .replace("\"", "&quot;");
+  }
+}

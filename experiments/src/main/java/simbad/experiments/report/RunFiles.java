@@ -1,0 +1,181 @@
+package simbad.experiments.report;
+
+import com.fasterxml.jackson.core.util.DefaultIndenter;
+import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import com.fasterxml.jackson.databind.ObjectWriter;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.fasterxml.jackson.datatype.jdk8.Jdk8Module;
+import de.siegmar.fastcsv.writer.CsvWriter;
+import de.siegmar.fastcsv.writer.LineDelimiter;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import simbad.experiments.plot.ShareGrid;
+import simbad.experiments.run.RunResult;
+import simbad.experiments.run.Trace;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.TableFile;
+import simbad.sonar.shape.ThresholdTable;
+
+/** Writes a run's results into a folder: one folder per obstacle, the errors of all, a page. */
+public final class RunFiles {
+  private static final ObjectWriter JSON = jsonWriter();
+
+  private RunFiles() {}
+
+  private static ObjectWriter jsonWriter() {
+    DefaultIndenter unix = new DefaultIndenter("  ", "\n");
+    return JsonMapper.builder()
+        .addModule(new Jdk8Module())
+        .build()
+        .writer(new DefaultPrettyPrinter().withObjectIndenter(unix).withArrayIndenter(unix));
+  }
+
+  /**
+   * Writes everything.
+   *
+   * @param folder exists and is empty
+   * @param origin what made the results
+   * @param results obstacle by obstacle
+   * @throws IOException if something cannot be written
+   */
+  public static void write(Path folder, RunOrigin origin, List<RunResult> results)
+      throws IOException {
+    Map<String, List<RunResult>> byObstacle = new LinkedHashMap<>();
+    results.forEach(
+        result ->
+            byObstacle
+                .computeIfAbsent(result.type().name(), name -> new ArrayList<>())
+                .add(result));
+    Map<String, String> hashes = new LinkedHashMap<>();
+    for (Map.Entry<String, List<RunResult>> entry : byObstacle.entrySet()) {
+      Path own = Files.createDirectory(folder.resolve(entry.getKey()));
+      ObstacleType type = entry.getValue().get(0).type();
+      TableFile.write(own.resolve("table.csv"), type.thresholds());
+      hashes.put(entry.getKey(), sha256(own.resolve("table.csv")));
+      writeTraces(own.resolve("trace.csv"), entry.getValue());
+      writeRadial(own.resolve("radial.csv"), entry.getValue());
+      writeMap(own.resolve("map.csv"), entry.getValue());
+      RunPictures.write(own, entry.getValue());
+    }
+    List<ErrorRecord> errors = results.stream().map(ErrorRecord::of).toList();
+    writeErrorsJson(folder.resolve("errors.json"), origin, hashes, errors);
+    writeErrorsCsv(folder.resolve("errors.csv"), errors);
+    ReportPage.write(folder.resolve("report.html"), origin, hashes, byObstacle);
+  }
+
+  private static String sha256(Path file) throws IOException {
+    try {
+      byte[] hash = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(file));
+      return HexFormat.of().formatHex(hash);
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every Java has SHA-256", e);
+    }
+  }
+
+  private static void writeErrorsJson(
+      Path file, RunOrigin origin, Map<String, String> hashes, List<ErrorRecord> errors)
+      throws IOException {
+    Map<String, Object> document = new LinkedHashMap<>();
+    document.put("format", "sonar-run/1");
+    document.put("version", origin.version());
+    document.put("seed", origin.settings().seed());
+    document.put("speed_m_per_s", origin.settings().speedMPerS());
+    document.put("sensor", origin.settings().sonar().name());
+    document.put("table_sha256", hashes);
+    document.put("results", errors);
+    Files.writeString(file, JSON.writeValueAsString(document) + "\n", StandardCharsets.UTF_8);
+  }
+
+  private static void writeErrorsCsv(Path file, List<ErrorRecord> errors) throws IOException {
+    try (CsvWriter csv = csv(file)) {
+      List<Map<String, Object>> rows = errors.stream().map(RunFiles::fields).toList();
+      csv.writeRecord(rows.isEmpty() ? List.of() : List.copyOf(rows.get(0).keySet()));
+      for (Map<String, Object> row : rows) {
+        csv.writeRecord(
+            row.values().stream().map(value -> value == null ? "" : value.toString()).toList());
+      }
+    }
+  }
+
+  @SuppressWarnings("unchecked")
+  private static Map<String, Object> fields(ErrorRecord row) {
+    return JsonMapper.builder()
+        .addModule(new Jdk8Module())
+        .build()
+        .convertValue(row, LinkedHashMap.class);
+  }
+
+  private static void writeTraces(Path file, List<RunResult> results) throws IOException {
+    try (CsvWriter csv = csv(file)) {
+      csv.writeRecord("sensor", "step", "t_s", "x_m", "z_m", "heading_deg", "heard", "on_edge");
+      for (RunResult result : results) {
+        Trace trace = result.trace();
+        for (int i = 0; i < trace.size(); i++) {
+          csv.writeRecord(
+              result.sensor().word(),
+              Integer.toString(i + 1),
+              fixed(trace.timeS(i), 2),
+              fixed(trace.xM(i), 6),
+              fixed(trace.zM(i), 6),
+              fixed(Math.toDegrees(trace.headingRad(i)), 3),
+              trace.heard(i) ? "1" : "0",
+              i >= trace.firstOnEdge() ? "1" : "0");
+        }
+      }
+    }
+  }
+
+  private static void writeRadial(Path file, List<RunResult> results) throws IOException {
+    try (CsvWriter csv = csv(file)) {
+      csv.writeRecord("sensor", "bearing_deg", "threshold_m", "mean_abs_error_m");
+      for (RunResult result : results) {
+        ThresholdTable table = result.type().thresholds().table();
+        for (int i = 0; i < table.size(); i++) {
+          OptionalDouble error = result.errors().radialM().get(i);
+          csv.writeRecord(
+              result.sensor().word(),
+              fixed(i * 360.0 / table.size(), 4),
+              Double.toString(table.valueM(i)),
+              error.isPresent() ? fixed(error.getAsDouble(), 6) : "");
+        }
+      }
+    }
+  }
+
+  private static void writeMap(Path file, List<RunResult> results) throws IOException {
+    try (CsvWriter csv = csv(file)) {
+      csv.writeRecord("sensor", "x_m", "z_m", "disagreement");
+      for (RunResult result : results) {
+        ShareGrid grid = result.map().disagreement();
+        for (int i = 0; i < grid.shares().size(); i++) {
+          csv.writeRecord(
+              result.sensor().word(),
+              fixed(grid.centreM(i % grid.cells()), 4),
+              fixed(grid.centreM(i / grid.cells()), 4),
+              fixed(grid.shares().get(i), 4));
+        }
+      }
+    }
+  }
+
+  private static CsvWriter csv(Path file) throws IOException {
+    return CsvWriter.builder().lineDelimiter(LineDelimiter.LF).build(file, StandardCharsets.UTF_8);
+  }
+
+  static String fixed(double value, int decimals) {
+    String text = String.format(Locale.ROOT, "%." + decimals + "f", value);
+    // A rounding to zero from below would print as -0.
+    return text.matches("-0\\.?0*") ? text.substring(1) : text;
+  }
+}

@@ -1,0 +1,139 @@
+package simbad.experiments.report;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import simbad.experiments.plot.BearingError;
+import simbad.experiments.plot.Caption;
+import simbad.experiments.plot.ErrorPlot;
+import simbad.experiments.plot.ErrorSeries;
+import simbad.experiments.plot.Figure;
+import simbad.experiments.plot.MapPlot;
+import simbad.experiments.plot.PolarPlot;
+import simbad.experiments.plot.PolarPoint;
+import simbad.experiments.plot.PolarSeries;
+import simbad.experiments.plot.SeriesRole;
+import simbad.experiments.plot.SeriesStyle;
+import simbad.experiments.run.RunResult;
+import simbad.experiments.run.Trace;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.frame.Point;
+import simbad.sonar.shape.ThresholdTable;
+
+/** The pictures of one obstacle's runs. */
+final class RunPictures {
+  private static final int SCREEN_DPI = 150;
+
+  private RunPictures() {}
+
+  /** Writes all pictures of one obstacle into its folder. */
+  static void write(Path folder, List<RunResult> results) throws IOException {
+    ObstacleType type = results.get(0).type();
+    save(polar(type, results), folder, "polar");
+    save(errors(type, results), folder, "errors");
+    for (RunResult result : results) {
+      save(map(result), folder, "map-" + result.sensor().word());
+    }
+  }
+
+  /** The table alone. */
+  static Figure table(ObstacleType type) {
+    Caption caption = new Caption("Detection thresholds: " + type.name(), provenance(type));
+    return new PolarPlot(caption, List.of(tableSeries(type)), outline(type)).figure();
+  }
+
+  private static void save(Figure figure, Path folder, String name) throws IOException {
+    figure.writePng(folder.resolve(name + ".png"), SCREEN_DPI);
+    figure.writeSvg(folder.resolve(name + ".svg"));
+  }
+
+  private static Figure polar(ObstacleType type, List<RunResult> results) {
+    List<PolarSeries> series = new ArrayList<>();
+    series.add(tableSeries(type));
+    for (RunResult result : results) {
+      series.add(
+          new PolarSeries(
+              "trace, " + result.sensor().word() + " sensor",
+              result.sensor().role(),
+              SeriesStyle.LINE,
+              places(result.trace())));
+    }
+    return new PolarPlot(
+            new Caption("Edge followed round the obstacle: " + type.name(), provenance(type)),
+            series,
+            outline(type))
+        .figure();
+  }
+
+  private static Figure errors(ObstacleType type, List<RunResult> results) {
+    List<ErrorSeries> series = new ArrayList<>();
+    for (RunResult result : results) {
+      series.add(
+          new ErrorSeries(
+              result.sensor().word() + " sensor", result.sensor().role(), bearingErrors(result)));
+    }
+    return new ErrorPlot(
+            new Caption("Radial error of the traces: " + type.name(), provenance(type)), series)
+        .figure();
+  }
+
+  private static List<BearingError> bearingErrors(RunResult result) {
+    ThresholdTable table = result.type().thresholds().table();
+    List<BearingError> errors = new ArrayList<>();
+    for (int i = 0; i < table.size(); i++) {
+      OptionalDouble error = result.errors().radialM().get(i);
+      if (error.isPresent()) {
+        errors.add(new BearingError(table.bearingRad(i), error.getAsDouble()));
+      }
+    }
+    return errors;
+  }
+
+  private static Figure map(RunResult result) {
+    ObstacleType type = result.type();
+    return new MapPlot(
+            new Caption(
+                "Where the " + result.sensor().word() + " sensor disagrees: " + type.name(),
+                provenance(type)),
+            "share of headings at which belt and table disagree",
+            result.map().disagreement(),
+            List.of(tableSeries(type)),
+            outline(type))
+        .figure();
+  }
+
+  private static PolarSeries tableSeries(ObstacleType type) {
+    ThresholdTable table = type.thresholds().table();
+    List<PolarPoint> points = new ArrayList<>();
+    for (int i = 0; i < table.size(); i++) {
+      points.add(new PolarPoint(table.bearingRad(i), table.valueM(i)));
+    }
+    String name = "threshold table (" + type.thresholds().provenanceWord() + ")";
+    return new PolarSeries(name, SeriesRole.TABLE, SeriesStyle.CLOSED_LINE, points);
+  }
+
+  private static List<PolarPoint> places(Trace trace) {
+    List<PolarPoint> places = new ArrayList<>();
+    for (int i = trace.firstOnEdge(); i < trace.size(); i++) {
+      places.add(PolarPoint.ofOffset(trace.xM(i), trace.zM(i)));
+    }
+    return places;
+  }
+
+  private static List<PolarPoint> outline(ObstacleType type) {
+    return type.outline().corners().stream().map(RunPictures::point).toList();
+  }
+
+  private static PolarPoint point(Point corner) {
+    return PolarPoint.ofOffset(corner.xM(), corner.zM());
+  }
+
+  static String provenance(ObstacleType type) {
+    String source = type.thresholds().header("source").map(text -> ": " + text).orElse("");
+    String whole = "table " + type.thresholds().provenanceWord() + source;
+    int most = 96;
+    return whole.length() <= most ? whole : whole.substring(0, most - 1).stripTrailing() + "…";
+  }
+}
