@@ -13,14 +13,23 @@ import java.util.regex.Pattern;
 
 /** A csv file with a header row, read whole: comments apart, columns found by name. */
 final class CsvTable {
+  private static final String DECIMAL_POINT = " (numbers take a decimal point, no comma)";
+  private static final Pattern OTHER_SEPARATOR = Pattern.compile("[;\\t|]");
+
+  /**
+   * No digit can belong to two parts of it: with more than one way to read it, refusing takes time.
+   */
   private static final Pattern NUMBER =
-      Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
+      Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][+-]?\\d+)?");
 
   private final Path file;
   private final List<String> columns = new ArrayList<>();
   private final List<CsvRecord> rows = new ArrayList<>();
-  private final List<String> comments = new ArrayList<>();
+  private final List<Comment> comments = new ArrayList<>();
   private long headerLine = 1;
+
+  /** What stands behind a #, and where. */
+  record Comment(long line, String text) {}
 
   private CsvTable(Path file) {
     this.file = file;
@@ -38,7 +47,7 @@ final class CsvTable {
         csv.take(row);
       }
     } catch (CsvParseException e) {
-      throw DataFormatException.inFile(file, "is not a csv file: " + e.getMessage());
+      throw DataFormatException.inFile(file, "is not a csv file: " + reason(e));
     } catch (IOException e) {
       throw DataFormatException.inFile(file, "cannot be read: " + e.getMessage());
     }
@@ -48,9 +57,17 @@ final class CsvTable {
     return csv;
   }
 
+  /** The parser's message says where, that of its cause what. */
+  private static String reason(CsvParseException e) {
+    Throwable cause = e.getCause();
+    return e.getMessage() + (cause == null ? "" : ": " + cause.getMessage());
+  }
+
   private void take(CsvRecord row) throws DataFormatException {
     if (row.isComment()) {
-      comments.add(row.getField(0));
+      comments.add(new Comment(row.getStartingLineNumber(), row.getField(0)));
+    } else if (row.getFieldCount() == 1 && row.getField(0).isBlank()) {
+      return;
     } else if (columns.isEmpty()) {
       takeHeader(row);
     } else if (row.getFieldCount() == columns.size()) {
@@ -62,6 +79,13 @@ final class CsvTable {
 
   private void takeHeader(CsvRecord row) throws DataFormatException {
     headerLine = row.getStartingLineNumber();
+    if (row.getFieldCount() == 1 && OTHER_SEPARATOR.matcher(row.getField(0)).find()) {
+      throw DataFormatException.inField(
+          file,
+          headerLine,
+          row.getField(0),
+          "found one column; columns are separated by commas" + DECIMAL_POINT);
+    }
     for (String field : row.getFields()) {
       if (columns.contains(field.strip())) {
         throw DataFormatException.inField(file, headerLine, field.strip(), "column stands twice");
@@ -71,20 +95,21 @@ final class CsvTable {
   }
 
   private DataFormatException wrongFieldCount(CsvRecord row) {
-    String hint =
-        row.getFieldCount() > columns.size() ? " (numbers take a decimal point, no comma)" : "";
+    int found = row.getFieldCount();
+    String fields = found == 1 ? "1 field" : found + " fields";
+    String hint = found > columns.size() ? DECIMAL_POINT : "";
     return DataFormatException.inField(
         file,
         row.getStartingLineNumber(),
-        columns.get(Math.min(row.getFieldCount(), columns.size() - 1)),
-        row.getFieldCount() + " fields in the row, expected " + columns.size() + hint);
+        columns.get(Math.min(found, columns.size() - 1)),
+        fields + " in the row, expected " + columns.size() + hint);
   }
 
   Path file() {
     return file;
   }
 
-  List<String> comments() {
+  List<Comment> comments() {
     return comments;
   }
 
@@ -123,13 +148,18 @@ final class CsvTable {
     String text = text(row, column);
     double value = parse(text);
     if (!valid.test(value)) {
-      throw fault(row, column, "'" + text + "' is not " + expected);
+      String hint = text.indexOf(',') >= 0 ? DECIMAL_POINT : "";
+      throw fault(row, column, "'" + text + "' is not " + expected + hint);
     }
     return value;
   }
 
   DataFormatException fault(int row, String column, String problem) {
-    return DataFormatException.inField(file, line(row), column, problem);
+    return fault(line(row), column, problem);
+  }
+
+  DataFormatException fault(long line, String field, String problem) {
+    return DataFormatException.inField(file, line, field, problem);
   }
 
   /** What is no plain decimal number is NaN, and so fails every range. */

@@ -1,11 +1,14 @@
 package simbad.sonar.format;
 
+import com.fasterxml.jackson.core.JsonLocation;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.exc.MismatchedInputException;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -18,7 +21,10 @@ import java.util.function.DoublePredicate;
 /** A value of a JSON file that knows where it stands, so that a fault can be named to the line. */
 final class JsonInput {
   private static final ObjectMapper MAPPER =
-      JsonMapper.builder().enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).build();
+      JsonMapper.builder()
+          .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+          .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+          .build();
 
   private final Path file;
   private final Map<String, Integer> lines;
@@ -37,15 +43,25 @@ final class JsonInput {
   }
 
   static JsonInput parse(Path file, String text) throws DataFormatException {
+    if (text.isBlank()) {
+      throw DataFormatException.inFile(file, "is empty, expected a JSON object");
+    }
     try {
       JsonNode root = MAPPER.readTree(text);
       return new JsonInput(file, lines(text), "", root);
+    } catch (MismatchedInputException e) {
+      throw inJson(file, e, "text after the end of the JSON value");
     } catch (JsonProcessingException e) {
-      throw DataFormatException.inField(
-          file, e.getLocation().getLineNr(), "JSON", e.getOriginalMessage());
+      throw inJson(file, e, e.getOriginalMessage());
     } catch (IOException e) {
       throw DataFormatException.inFile(file, "cannot be read: " + e.getMessage());
     }
+  }
+
+  /** The parser does not say where a limit of its own was exceeded. */
+  private static DataFormatException inJson(Path file, JsonProcessingException e, String problem) {
+    JsonLocation at = e.getLocation();
+    return DataFormatException.inField(file, at == null ? 1 : at.getLineNr(), "JSON", problem);
   }
 
   private static Map<String, Integer> lines(String text) throws IOException {
@@ -62,11 +78,10 @@ final class JsonInput {
     return lines;
   }
 
-  boolean has(String field) {
-    return node.has(field);
-  }
-
   JsonInput field(String name) throws DataFormatException {
+    if (!node.isObject()) {
+      throw fault(node + " is no object");
+    }
     if (!node.has(name)) {
       throw fault(name, "is missing");
     }
@@ -80,7 +95,7 @@ final class JsonInput {
 
   List<JsonInput> items() throws DataFormatException {
     if (!node.isArray()) {
-      throw fault("is no list");
+      throw fault(node + " is no list");
     }
     List<JsonInput> items = new ArrayList<>();
     for (int i = 0; i < node.size(); i++) {
@@ -103,7 +118,7 @@ final class JsonInput {
 
   double number(DoublePredicate valid, String expected) throws DataFormatException {
     if (!node.isNumber() || !valid.test(node.doubleValue())) {
-      throw fault(node + " is not " + expected);
+      throw isNot(expected);
     }
     return node.doubleValue();
   }
@@ -120,6 +135,10 @@ final class JsonInput {
   double positive(String field) throws DataFormatException {
     return number(
         field, value -> value > 0 && value < Double.POSITIVE_INFINITY, "a number above 0");
+  }
+
+  DataFormatException isNot(String expected) {
+    return fault(node + " is not " + expected);
   }
 
   DataFormatException fault(String problem) {

@@ -31,23 +31,23 @@ public final class ReadingsFile {
     CsvTable csv = CsvTable.parse(file, TextFile.read(file));
     csv.requireColumns(POSE_COLUMNS);
     csv.requireColumns(RANGE);
-    return rows(csv);
+    return rows(csv, true);
   }
 
   /**
    * Reads rows whose readings are absent or of no interest.
    *
-   * @param file csv; the column range_m may be missing
-   * @return the rows in the file's order; where there is no column range_m, each reads no echo
+   * @param file csv; a column range_m may be missing, what stands in it is ignored
+   * @return the rows in the file's order; each reads no echo
    * @throws DataFormatException naming file, line and field of the first fault
    */
   public static List<ReadingRow> readPoses(Path file) throws DataFormatException {
     CsvTable csv = CsvTable.parse(file, TextFile.read(file));
     csv.requireColumns(POSE_COLUMNS);
-    return rows(csv);
+    return rows(csv, false);
   }
 
-  private static List<ReadingRow> rows(CsvTable csv) throws DataFormatException {
+  private static List<ReadingRow> rows(CsvTable csv, boolean withRange) throws DataFormatException {
     List<ReadingRow> rows = new ArrayList<>(csv.size());
     for (int row = 0; row < csv.size(); row++) {
       Pose pose =
@@ -61,13 +61,13 @@ public final class ReadingsFile {
               csv.text(row, "sensor"),
               finite(csv, row, "t_s"),
               pose,
-              reading(csv, row)));
+              withRange ? reading(csv, row) : NoEcho.NO_ECHO));
     }
     return List.copyOf(rows);
   }
 
   private static Reading reading(CsvTable csv, int row) throws DataFormatException {
-    if (!csv.hasColumn(RANGE) || csv.text(row, RANGE).isEmpty()) {
+    if (csv.text(row, RANGE).isEmpty()) {
       return NoEcho.NO_ECHO;
     }
     return new Echo(

@@ -29,7 +29,7 @@ public final class SceneFile {
   public static SensingSetup read(Path file) throws DataFormatException {
     JsonInput root = JsonInput.read(file);
     if (!root.text("format").equals(FORMAT)) {
-      throw root.field("format").fault("is not \"" + FORMAT + "\"");
+      throw root.field("format").isNot("\"" + FORMAT + "\"");
     }
     List<Obstacle> obstacles = new ArrayList<>();
     for (JsonInput item : root.items("obstacles")) {
@@ -51,7 +51,7 @@ public final class SceneFile {
     for (JsonInput corner : item.items("outline_m")) {
       List<JsonInput> coordinates = corner.items();
       if (coordinates.size() != 2) {
-        throw corner.fault(coordinates.size() + " numbers, expected [x, z]");
+        throw corner.isNot("a point [x, z]");
       }
       corners.add(new Point(coordinate(coordinates.get(0)), coordinate(coordinates.get(1))));
     }
@@ -70,7 +70,7 @@ public final class SceneFile {
     return switch (item.text("detection")) {
       case "table" -> new TableDetection(table(item));
       case "uniform" -> new UniformDetection(threshold(item.field("uniform_range_m")));
-      default -> throw item.field("detection").fault("is neither \"table\" nor \"uniform\"");
+      default -> throw item.field("detection").isNot("\"table\" or \"uniform\"");
     };
   }
 

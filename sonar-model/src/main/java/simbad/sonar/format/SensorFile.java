@@ -34,7 +34,8 @@ public final class SensorFile {
     double halfAngleDeg =
         sensor.number(
             "cone_half_angle_deg",
-            angle -> angle > 0 && angle <= LARGEST_HALF_ANGLE_DEG,
+            // Of the smallest angles nothing is left in radians.
+            angle -> Math.toRadians(angle) > 0 && angle <= LARGEST_HALF_ANGLE_DEG,
             "an angle in (0, 180] degrees");
     double minRangeM = sensor.notNegative("min_range_m");
     return new SonarSpec(

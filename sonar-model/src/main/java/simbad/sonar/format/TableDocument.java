@@ -14,11 +14,34 @@ import simbad.sonar.shape.ThresholdTable;
  *     provenance, source, date, unit, resolution and any other
  */
 public record TableDocument(ThresholdTable table, Map<String, String> header) {
-  private static final String PROVENANCE = "provenance";
+  static final String PROVENANCE = "provenance";
 
-  /** Copies the header. */
+  /**
+   * Copies the header; what a file could not give back is refused: a key that is empty or holds a
+   * colon, line breaks, space around, and a provenance that is none.
+   */
   public TableDocument {
     header = Collections.unmodifiableMap(new LinkedHashMap<>(header));
+    header.forEach(TableDocument::checkLine);
+  }
+
+  private static void checkLine(String key, String value) {
+    if (key.isEmpty() || key.indexOf(':') >= 0 || !fitsALine(key)) {
+      throw new IllegalArgumentException(
+          "header key '" + key + "' is not a word or words without colon on one line");
+    }
+    if (!fitsALine(value)) {
+      throw new IllegalArgumentException(
+          "header " + key + " = '" + value + "' is not a text on one line without space around");
+    }
+    if (key.equals(PROVENANCE) && Provenance.find(value).isEmpty()) {
+      throw new IllegalArgumentException(
+          "provenance = " + value + " is not one of " + Provenance.words());
+    }
+  }
+
+  private static boolean fitsALine(String text) {
+    return text.equals(text.strip()) && text.indexOf('\n') < 0 && text.indexOf('\r') < 0;
   }
 
   /** Returns the provenance, if the file states one. */

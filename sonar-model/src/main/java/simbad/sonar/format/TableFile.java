@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.Optional;
 import simbad.sonar.shape.ThresholdTable;
 
 /**
@@ -49,9 +48,7 @@ public final class TableFile {
               "a distance in [0, " + ThresholdTable.GREATEST_THRESHOLD_M + "] m");
     }
     checkBearings(csv);
-    Map<String, String> header = header(csv);
-    checkProvenance(csv, header);
-    return new TableDocument(ThresholdTable.of(thresholds), header);
+    return new TableDocument(ThresholdTable.of(thresholds), header(csv));
   }
 
   private static void checkBearings(CsvTable csv) throws DataFormatException {
@@ -61,6 +58,9 @@ public final class TableFile {
           csv.size() + " rows, expected at least " + ThresholdTable.LEAST_SIZE + " bearings");
     }
     double spacing = bearing(csv, 1) - bearing(csv, 0);
+    if (spacing < 0) {
+      throw csv.fault(0, BEARING, "bearings fall; write the rows from bearing 0 upwards");
+    }
     for (int row = 0; row < csv.size(); row++) {
       double expected = row * spacing;
       double found = bearing(csv, row);
@@ -113,24 +113,24 @@ public final class TableFile {
     return value == Math.rint(value) ? Long.toString((long) value) : Double.toString(value);
   }
 
-  private static Map<String, String> header(CsvTable csv) {
+  /** What stands in two lines of one key is joined, so that nothing is lost. */
+  private static Map<String, String> header(CsvTable csv) throws DataFormatException {
     Map<String, String> header = new LinkedHashMap<>();
-    for (String comment : csv.comments()) {
-      int colon = comment.indexOf(':');
-      if (colon > 0) {
-        header.put(comment.substring(0, colon).strip(), comment.substring(colon + 1).strip());
+    for (CsvTable.Comment comment : csv.comments()) {
+      int colon = Math.max(0, comment.text().indexOf(':'));
+      String key = comment.text().substring(0, colon).strip();
+      if (!key.isEmpty()) {
+        String value = comment.text().substring(colon + 1).strip();
+        checkProvenance(csv, comment.line(), key, header.merge(key, value, (a, b) -> a + "; " + b));
       }
     }
     return header;
   }
 
-  private static void checkProvenance(CsvTable csv, Map<String, String> header)
+  private static void checkProvenance(CsvTable csv, long line, String key, String value)
       throws DataFormatException {
-    Optional<String> word = Optional.ofNullable(header.get("provenance"));
-    if (word.isPresent() && Provenance.find(word.get()).isEmpty()) {
-      throw DataFormatException.inFile(
-          csv.file(),
-          "header line provenance: '" + word.get() + "' is not one of " + Provenance.words());
+    if (key.equals(TableDocument.PROVENANCE) && Provenance.find(value).isEmpty()) {
+      throw csv.fault(line, key, "'" + value + "' is not one of " + Provenance.words());
     }
   }
 

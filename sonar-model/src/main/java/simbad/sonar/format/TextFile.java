@@ -21,7 +21,8 @@ public final class TextFile {
    * Reads a file; a byte order mark is taken off.
    *
    * @param file to read
-   * @throws DataFormatException if there is none, if it cannot be read, or if it is no UTF-8 text
+   * @throws DataFormatException if there is none, if it is no regular file, if it cannot be read,
+   *     or if it is no UTF-8 text
    */
   public static String read(Path file) throws DataFormatException {
     if (!Files.exists(file)) {
@@ -29,6 +30,10 @@ public final class TextFile {
     }
     if (Files.isDirectory(file)) {
       throw DataFormatException.inFile(file, "is a directory, expected a file");
+    }
+    if (!Files.isRegularFile(file)) {
+      // A pipe may never end, a device never does.
+      throw DataFormatException.inFile(file, "is no regular file");
     }
     if (!Files.isReadable(file)) {
       throw DataFormatException.inFile(file, "cannot be read: permission denied");

@@ -3,6 +3,9 @@ package simbad.sonar.shape;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.constraints.DoubleRange;
@@ -87,9 +90,9 @@ class ConePropertyTest {
     Point tip = anyTip(random);
     double heading = random.nextDouble(-3, 3);
     double before = nearest(outline, tip, heading, 27.5);
-    var corners = new java.util.ArrayList<>(outline.corners());
-    java.util.Collections.reverse(corners);
-    java.util.Collections.rotate(corners, 2);
+    List<Point> corners = new ArrayList<>(outline.corners());
+    Collections.reverse(corners);
+    Collections.rotate(corners, 2);
     assertEquals(before, nearest(Outline.of(corners), tip, heading, 27.5), 1e-12);
   }
 }

@@ -1,0 +1,43 @@
+package simbad.sonar.format;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Objects;
+
+/** Good files that tests spoil. */
+final class Samples {
+  static final String TABLE =
+      """
+      # object: post
+      # provenance: captured
+      bearing_deg,threshold_m
+      0,1
+      90,2.5
+      180,0
+      270,4
+      """;
+
+  static final String READINGS =
+      """
+      run,sensor,t_s,x_m,z_m,heading_deg,range_m
+      a,left,0.00,1.5,-0.25,90,0.42
+      a,left,0.05,1.5,-0.20,95,
+      b,"r,1",0,0,0,-180,0
+      """;
+
+  private Samples() {}
+
+  static String scene() throws IOException {
+    try (InputStream in = Samples.class.getResourceAsStream("/format/scene.json")) {
+      return new String(Objects.requireNonNull(in).readAllBytes(), StandardCharsets.UTF_8);
+    }
+  }
+
+  /** The object of the scene's field "sensor". */
+  static String sensor() throws IOException {
+    String scene = scene();
+    int from = scene.indexOf('{', 1);
+    return scene.substring(from, scene.indexOf('}') + 1);
+  }
+}
