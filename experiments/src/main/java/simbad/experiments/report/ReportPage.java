@@ -148,7 +148,8 @@ final class ReportPage {
               + DetectionMap.HEADINGS
               + " random headings at which the "
               + result.sensor().word()
-              + " belt and the table disagree; white is agreement.");
+              + " belt and the table disagree; pale is agreement. A sensor nearer than its least range hears"
+              + " nothing.");
     }
     page.append("</div>\n");
   }

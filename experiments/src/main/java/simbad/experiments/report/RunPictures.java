@@ -25,6 +25,7 @@ import simbad.sonar.shape.ThresholdTable;
 /** The pictures of one obstacle's runs. */
 final class RunPictures {
   private static final int SCREEN_DPI = 150;
+  private static final int LONGEST_CAPTION = 96;
 
   private RunPictures() {}
 
@@ -130,10 +131,13 @@ final class RunPictures {
     return PolarPoint.ofOffset(corner.xM(), corner.zM());
   }
 
+  /** The first clause of the source is enough on a picture; the page has all of it. */
   static String provenance(ObstacleType type) {
-    String source = type.thresholds().header("source").map(text -> ": " + text).orElse("");
+    String source =
+        type.thresholds().header("source").map(text -> ": " + text.split(";", 2)[0]).orElse("");
     String whole = "table " + type.thresholds().provenanceWord() + source;
-    int most = 96;
-    return whole.length() <= most ? whole : whole.substring(0, most - 1).stripTrailing() + "…";
+    return whole.length() <= LONGEST_CAPTION
+        ? whole
+        : whole.substring(0, LONGEST_CAPTION - 1).stripTrailing() + "…";
   }
 }

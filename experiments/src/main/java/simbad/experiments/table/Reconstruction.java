@@ -39,7 +39,7 @@ public final class Reconstruction {
         ThresholdTable.uniform(SIZE, ROUND_M),
         header(
             "aluminium tube, 1 inch round (25.4 mm), anodised, upright",
-            "a circle of about 2 m (Kranz 2014, section 4.1.3); the table was only plotted"));
+            "a circle of about 2 m (Kranz 2014, section 4.1.3); its table was only plotted"));
   }
 
   /**
@@ -67,9 +67,9 @@ public final class Reconstruction {
         ThresholdTable.of(thresholds),
         header(
             "aluminium tube, 1 inch square (25.4 mm), anodised, upright, flat sides across the axes",
-            "outer faces of the measured angle table, mean of both and of their sides, scaled to 2.5 m"
-                + " at the normal, at least 0.2 m (Kranz 2014, sections 4.1.2 and 4.1.4); the table"
-                + " was only plotted"));
+            "from the outer faces of the angle's measured table (Kranz 2014); mean of both faces and of"
+                + " their sides, scaled to 2.5 m at the normal, at least 0.2 m; its own table was only"
+                + " plotted (sections 4.1.2, 4.1.4)"));
   }
 
   private static double faceMeanM(ThresholdTable angle, int offNormalDeg) {
