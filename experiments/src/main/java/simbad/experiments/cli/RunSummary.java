@@ -9,31 +9,32 @@ import simbad.experiments.run.TraceErrors;
 
 /** The figures of a run for the console. */
 final class RunSummary {
-  private static final String ROW = "%-24s %-9s %9s %9s %9s %9s %10s %11s%n";
+  private static final String ROW = " %-9s %9s %9s %9s %9s %10s %11s%n";
+  private static final String TITLE = "obstacle (table)";
 
   private RunSummary() {}
 
   static void print(PrintWriter out, List<RunResult> results) {
+    int width =
+        Math.max(
+            TITLE.length(),
+            results.stream().mapToInt(result -> name(result).length()).max().orElse(0));
+    String row = "%-" + width + "s" + ROW;
     out.printf(
-        ROW,
-        "obstacle (table)",
-        "sensor",
-        "mean cm",
-        "RMS cm",
-        "max cm",
-        "beside cm",
-        "unreached",
-        "reduction");
+        row, TITLE, "sensor", "mean cm", "RMS cm", "max cm", "beside cm", "unreached", "reduction");
     for (RunResult result : results) {
       TraceErrors errors = result.errors();
       out.printf(
-          ROW,
-          result.type().name() + " (" + result.type().thresholds().provenanceWord() + ")",
+          row,
+          name(result),
           result.sensor().word(),
           centimetres(errors.meanM()),
           centimetres(errors.rmsM()),
           centimetres(errors.maxM()),
-          centimetres(OptionalDouble.of(errors.lateralMeanM())),
+          centimetres(
+              result.trace().firstOnEdge() < result.trace().size()
+                  ? OptionalDouble.of(errors.lateralMeanM())
+                  : OptionalDouble.empty()),
           errors.unreachedBearings() + "/" + errors.radialM().size(),
           result.reductionVsOriginal().isPresent()
               ? text("%.1f %%", 100 * result.reductionVsOriginal().getAsDouble())
@@ -42,6 +43,10 @@ final class RunSummary {
     out.println(
         "mean, RMS, max: radial error |r - T| over the bearings; beside: mean distance from");
     out.println("the shadow's edge; reduction: of the mean against the original sensor.");
+  }
+
+  private static String name(RunResult result) {
+    return result.type().name() + " (" + result.type().thresholds().provenanceWord() + ")";
   }
 
   private static String centimetres(OptionalDouble metres) {

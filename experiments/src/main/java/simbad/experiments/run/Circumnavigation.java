@@ -28,6 +28,12 @@ final class Circumnavigation {
   /** Silent steps after which the edge counts as found. */
   private static final int LOST_AFTER = 3;
 
+  /** A robot that is not moved for so many steps is blocked for good. */
+  private static final int BLOCKED_AFTER = 1000;
+
+  /** Least way between robot and obstacle at the start. */
+  private static final double CLEARANCE_M = 0.005;
+
   private final ObstacleType type;
   private final RunSettings settings;
   private final FollowerRobot robot;
@@ -36,6 +42,7 @@ final class Circumnavigation {
   private final Point3d place = new Point3d();
   private boolean everHeard;
   private int silent;
+  private int still;
   private double woundRad;
   private double bearingRad;
 
@@ -60,16 +67,19 @@ final class Circumnavigation {
 
   /** Looks at the obstacle, so that a robot that hears nothing yet comes nearer. */
   private static Pose start(ObstacleType type, RunSettings settings) {
-    Point point = settings.start().orElseGet(() -> standardStart(type.thresholds().table()));
+    Point point = settings.start().orElseGet(() -> standardStart(type));
     return Pose.of(point.xM(), point.zM(), Math.atan2(point.zM(), -point.xM()));
   }
 
-  private static Point standardStart(ThresholdTable table) {
+  private static Point standardStart(ObstacleType type) {
+    ThresholdTable table = type.thresholds().table();
     int farthest = 0;
     for (int i = 1; i < table.size(); i++) {
       farthest = table.valueM(i) > table.valueM(farthest) ? i : farthest;
     }
-    double radiusM = Math.min(table.greatestM(), DetectionRule.ORIGINAL_RANGE_M) / 2;
+    double halfWayM = Math.min(table.greatestM(), DetectionRule.ORIGINAL_RANGE_M) / 2;
+    double clearM = type.outline().reachM(0, 0) + FollowerRobot.RADIUS_M + CLEARANCE_M;
+    double radiusM = Math.max(halfWayM, clearM);
     double bearing = table.bearingRad(farthest);
     return new Point(radiusM * Math.sin(bearing), radiusM * Math.cos(bearing));
   }
@@ -78,14 +88,17 @@ final class Circumnavigation {
     simulation.reset();
     long most = mostSteps();
     double farthestM = farthestM();
-    while (!trace.isClosed() && trace.size() < most) {
+    while (!trace.isClosed()
+        && trace.size() < most
+        && still < BLOCKED_AFTER
+        && Math.hypot(place.x, place.z) <= farthestM) {
       simulation.step();
+      double fromX = place.x;
+      double fromZ = place.z;
       robot.getCoords(place);
+      still = place.x == fromX && place.z == fromZ ? still + 1 : 0;
       trace.add(place.x, place.z, robot.getHeadingRad(), robot.hears());
       observe();
-      if (Math.hypot(place.x, place.z) > farthestM) {
-        break;
-      }
     }
     simulation.dispose();
     return trace;
@@ -102,7 +115,7 @@ final class Circumnavigation {
   private double farthestM() {
     double heardM = Math.max(type.thresholds().table().greatestM(), DetectionRule.ORIGINAL_RANGE_M);
     double startM = settings.start().map(p -> Math.hypot(p.xM(), p.zM())).orElse(0.0);
-    return Math.max(2 * heardM, startM) + 1;
+    return Math.max(2 * heardM + settings.sonar().maxRangeM(), startM) + 1;
   }
 
   private void observe() {
