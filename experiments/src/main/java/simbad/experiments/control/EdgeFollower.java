@@ -1,5 +1,6 @@
 package simbad.experiments.control;
 
+import simbad.sonar.frame.Angles;
 import simbad.sonar.sensing.Readings;
 
 /**
@@ -20,6 +21,9 @@ public final class EdgeFollower implements Controller {
   /** Steps without an echo until it counts as lost: noise alone misses one now and then. */
   private static final int LOST_AFTER = 3;
 
+  /** A sum of directions that is shorter has none of its own. */
+  private static final double NO_DIRECTION = 1e-6;
+
   private static final int WATCH_STEPS = 400;
 
   /** A robot that stays in a square of so many steps for a whole watch goes round on one spot. */
@@ -33,6 +37,8 @@ public final class EdgeFollower implements Controller {
   private Stage stage = Stage.SEARCH;
   private Steering steering;
   private int silent;
+  private double awayRad;
+  private double nearestM;
   private int marching;
 
   /**
@@ -52,7 +58,7 @@ public final class EdgeFollower implements Controller {
     silent = heard ? 0 : silent + 1;
     switch (stage(heard)) {
       case SEARCH -> command.set(tuning.speedMPerS(), 0);
-      case LEAVE -> leave(awayFromEchoes(readings), command);
+      case LEAVE -> leave(readings, command);
       case FOLLOW -> follow(heard, command);
     }
     odometry.advance(command);
@@ -69,11 +75,13 @@ public final class EdgeFollower implements Controller {
     return stage;
   }
 
-  private void leave(double turnRad, Command command) {
+  private void leave(Readings readings, Command command) {
+    aimAway(readings);
+    double turnRad = Angles.signed(awayRad - odometry.headingRad());
     double most = tuning.mostRadPerStep();
-    double turnNowRad = Math.max(-most, Math.min(most, turnRad));
     // What takes more than one step is turned on the spot: ahead lies the obstacle.
     boolean onTheSpot = Math.abs(turnRad) > most;
+    double turnNowRad = Math.max(-most, Math.min(most, turnRad));
     command.set(onTheSpot ? 0 : tuning.speedMPerS(), turnNowRad / tuning.stepS());
   }
 
@@ -88,19 +96,28 @@ public final class EdgeFollower implements Controller {
     steering.steer(heard, odometry, command);
   }
 
-  /** The turn that puts what is heard behind: the mean direction of the transducers that hear. */
-  private static double awayFromEchoes(Readings readings) {
+  /**
+   * Aims away from the mean direction of the transducers that hear. Where all of them do there is
+   * no such direction, but ranges tell: a robot that comes nearer turns back.
+   */
+  private void aimAway(Readings readings) {
     double ahead = 0;
     double left = 0;
+    double nowNearestM = Double.POSITIVE_INFINITY;
     for (int i = 0; i < readings.size(); i++) {
       if (readings.isEcho(i)) {
         double directionRad = 2 * Math.PI * i / readings.size();
         ahead += Math.cos(directionRad);
         left += Math.sin(directionRad);
+        nowNearestM = Math.min(nowNearestM, readings.rangeM(i));
       }
     }
-    // Heard all round, or not at all: there is no way that leads away, so go on.
-    return Math.hypot(ahead, left) < 1e-6 ? 0 : Math.atan2(-left, -ahead);
+    if (Math.hypot(ahead, left) > NO_DIRECTION) {
+      awayRad = odometry.headingRad() + Math.atan2(-left, -ahead);
+    } else if (nowNearestM < nearestM) {
+      awayRad = odometry.headingRad() + Math.PI;
+    }
+    nearestM = nowNearestM;
   }
 
   private static boolean isAnyEcho(Readings readings) {
