@@ -32,7 +32,7 @@ final class RunSummary {
           centimetres(errors.rmsM()),
           centimetres(errors.maxM()),
           centimetres(
-              result.trace().firstOnEdge() < result.trace().size()
+              result.hasLateralErrors()
                   ? OptionalDouble.of(errors.lateralMeanM())
                   : OptionalDouble.empty()),
           errors.unreachedBearings() + "/" + errors.radialM().size(),

@@ -33,7 +33,7 @@ record ErrorRecord(
   static ErrorRecord of(RunResult result) {
     TraceErrors errors = result.errors();
     Trace trace = result.trace();
-    boolean onEdge = trace.firstOnEdge() < trace.size();
+    boolean onEdge = result.hasLateralErrors();
     return new ErrorRecord(
         result.type().name(),
         result.type().thresholds().provenanceWord(),

@@ -25,9 +25,9 @@ final class ReportPage {
       <title>Edges followed with a simulated sonar</title>
       <style>
       :root { color-scheme: light dark; }
-      body { font: 16px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
-      table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-      th, td { padding: .25rem .7rem; border-bottom: 1px solid #8886; text-align: right; }
+      body { font: 16px/1.5 system-ui, sans-serif; max-width: 72rem; margin: 2rem auto; padding: 0 1rem; }
+      table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .9rem; }
+      th, td { padding: .25rem .5rem; border-bottom: 1px solid #8886; text-align: right; }
       th:first-child, td:first-child, th:nth-child(2), td:nth-child(2) { text-align: left; }
       figure { margin: 1rem 0; }
       figure img { max-width: 100%; height: auto; background: #fff; }
@@ -102,8 +102,8 @@ final class ReportPage {
     cell(page, number(row.lateralMeanCm()));
     cell(page, number(row.lateralP95Cm()));
     cell(page, row.unreachedBearings() + " of " + row.bearings());
-    cell(page, percent(row.reductionVsOriginal()));
-    cell(page, percent(OptionalDouble.of(row.mapAgreement())));
+    cell(page, percent(row.reductionVsOriginal(), 1));
+    cell(page, percent(OptionalDouble.of(row.mapAgreement()), 2));
     page.append("</tr>\n");
   }
 
@@ -115,8 +115,10 @@ final class ReportPage {
     return value.isPresent() ? RunFiles.fixed(value.getAsDouble(), 2) : "&ndash;";
   }
 
-  private static String percent(OptionalDouble share) {
-    return share.isPresent() ? RunFiles.fixed(100 * share.getAsDouble(), 1) + "&nbsp;%" : "&ndash;";
+  private static String percent(OptionalDouble share, int decimals) {
+    return share.isPresent()
+        ? RunFiles.fixed(100 * share.getAsDouble(), decimals) + "&nbsp;%"
+        : "&ndash;";
   }
 
   private static void addObstacle(StringBuilder page, List<RunResult> results) {

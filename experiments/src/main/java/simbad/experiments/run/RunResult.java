@@ -22,6 +22,11 @@ public record RunResult(
     DetectionMap map,
     OptionalDouble reductionVsOriginal) {
 
+  /** Tells whether there is an edge, and the robot found it: else lateral errors mean nothing. */
+  public boolean hasLateralErrors() {
+    return trace.firstOnEdge() < trace.size() && type.thresholds().table().greatestM() > 0;
+  }
+
   /** The same with the reduction against a run of the original sensor. */
   RunResult against(TraceErrors original) {
     OptionalDouble mine = errors.meanM();
