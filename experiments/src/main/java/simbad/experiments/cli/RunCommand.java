@@ -27,6 +27,7 @@ import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.SensorFile;
 import simbad.sonar.frame.Point;
 import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.shape.ThresholdTable;
 
 /** {@code simbad run}: the main job. */
 @Command(
@@ -185,11 +186,25 @@ final class RunCommand extends Subcommand {
     String[] parts = text.split(",", -1);
     try {
       if (parts.length == 2) {
-        return new Point(Double.parseDouble(parts[0]), Double.parseDouble(parts[1]));
+        return new Point(coordinate(parts[0]), coordinate(parts[1]));
       }
     } catch (IllegalArgumentException e) {
       // Said below.
     }
-    throw wrongUsage("--start: '" + text + "' is not X,Z in metres, such as 0,1.5");
+    throw wrongUsage(
+        "--start: '"
+            + text
+            + "' is not X,Z in metres, such as 0,1.5, within "
+            + ThresholdTable.GREATEST_THRESHOLD_M
+            + " m");
+  }
+
+  /** Further away than any table can reach, the robot would drive for nothing. */
+  private static double coordinate(String text) {
+    double metres = Double.parseDouble(text);
+    if (!(Math.abs(metres) <= ThresholdTable.GREATEST_THRESHOLD_M)) {
+      throw new IllegalArgumentException(text);
+    }
+    return metres;
   }
 }

@@ -57,11 +57,14 @@ public record TraceErrors(
     double toX = trace.xM(place);
     double toZ = trace.zM(place);
     double from = Angles.positive(Math.atan2(fromX, fromZ));
-    double turned = Angles.signed(Math.atan2(toX, toZ) - from);
-    double low = Math.min(from, from + turned) / table.spacingRad();
-    double high = Math.max(from, from + turned) / table.spacingRad();
-    // Half open, so that a place on a bearing is not counted by both ways that meet there.
-    for (int k = (int) Math.floor(low) + 1; k <= high; k++) {
+    double to = Angles.positive(Math.atan2(toX, toZ));
+    boolean rising = Angles.signed(to - from) >= 0;
+    // Whole cells, each from its place alone: the way that ends at a place and the way that begins
+    // there agree on which side of a bearing it lies, so that each crossing is counted once.
+    int first = (int) ((rising ? from : to) / table.spacingRad());
+    int last = (int) ((rising ? to : from) / table.spacingRad());
+    last += last < first ? table.size() : 0;
+    for (int k = first + 1; k <= last; k++) {
       int index = Math.floorMod(k, table.size());
       double sin = Math.sin(table.bearingRad(index));
       double cos = Math.cos(table.bearingRad(index));

@@ -1,0 +1,234 @@
+package simbad.architecture;
+
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.type;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static org.junit.jupiter.api.Assertions.assertAll;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaMethodCall;
+import com.tngtech.archunit.core.domain.JavaPackage;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.lang.syntax.elements.ClassesShould;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.jspecify.annotations.NullMarked;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import simbad.experiments.cli.Main;
+
+/** The arrows of docs/architecture.md, over all modules, and who may do what. */
+class ArchitectureTest {
+  private static final JavaClasses CLASSES =
+      new ClassFileImporter()
+          .withImportOption(new ImportOption.DoNotIncludeTests())
+          .importPackages("simbad");
+
+  private static final String MODEL = "simbad.sonar..";
+  private static final String KERNEL = "simbad.kernel..";
+  private static final String OBSTACLES = "simbad.obstacles..";
+  private static final String EXPERIMENTS = "simbad.experiments..";
+  private static final String CLI = "simbad.experiments.cli..";
+  private static final String[] WORLD = {KERNEL, "simbad.sim..", "simbad.gui..", "simbad.demo.."};
+  private static final String[] TOOLKITS = {
+    "java.awt..", "javax.swing..", "javax.media..", "javax.vecmath..", "com.sun.j3d.."
+  };
+
+  /** A rule about packages that hold nothing would pass on nothing. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "simbad.sonar, 40",
+        "simbad.kernel, 20",
+        "simbad.sim, 20",
+        "simbad.gui, 1",
+        "simbad.obstacles, 9",
+        "simbad.experiments, 60",
+        "simbad.experiments.control, 8",
+        "simbad, 160"
+      })
+  void import_foundTheClasses(String packageAndLeast) {
+    String[] parts = packageAndLeast.split(", ", 2);
+    int found = CLASSES.that(resideInAPackage(parts[0] + "..")).size();
+    assertTrue(found >= Integer.parseInt(parts[1]), parts[0] + ": only " + found + " classes");
+  }
+
+  private static ArchRule apart(String from, String... to) {
+    return noClasses()
+        .that()
+        .resideInAPackage(from)
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage(to);
+  }
+
+  /** sonar-model <- simbad-core <- obstacles <- experiments, and no arrow back. */
+  static Stream<Arguments> arrows() {
+    return Stream.of(
+        Arguments.of(MODEL, WORLD),
+        Arguments.of(MODEL, new String[] {OBSTACLES, EXPERIMENTS}),
+        Arguments.of(MODEL, TOOLKITS),
+        Arguments.of(KERNEL, new String[] {"simbad.sim..", "simbad.gui..", "simbad.demo.."}),
+        Arguments.of(KERNEL, new String[] {OBSTACLES, EXPERIMENTS}),
+        Arguments.of(KERNEL, TOOLKITS),
+        Arguments.of("simbad.sim..", new String[] {OBSTACLES, EXPERIMENTS}),
+        Arguments.of("simbad.gui..", new String[] {OBSTACLES, EXPERIMENTS}),
+        Arguments.of(OBSTACLES, new String[] {EXPERIMENTS}),
+        Arguments.of("simbad.experiments.plot..", new String[] {MODEL, OBSTACLES}),
+        Arguments.of("simbad.experiments.plot..", WORLD),
+        Arguments.of("simbad.experiments.run..", new String[] {"simbad.experiments.report.."}));
+  }
+
+  @ParameterizedTest
+  @MethodSource("arrows")
+  void arrow_isNotThere(String from, String[] to) {
+    apart(from, to).check(CLASSES);
+  }
+
+  @Test
+  void commandLine_isUsedByNobody() {
+    noClasses()
+        .that()
+        .resideOutsideOfPackage(CLI)
+        .should()
+        .dependOnClassesThat()
+        .resideInAPackage(CLI)
+        .check(CLASSES);
+  }
+
+  /** A controller receives belt readings and nothing else. */
+  @Test
+  void controller_knowsReadingsAndAnglesOnly() {
+    classes()
+        .that()
+        .resideInAPackage("simbad.experiments.control..")
+        .should()
+        .onlyDependOnClassesThat(
+            resideInAnyPackage(
+                "java..",
+                "org.jspecify.annotations",
+                "simbad.experiments.control",
+                "simbad.sonar.sensing",
+                "simbad.sonar.frame"))
+        .check(CLASSES);
+  }
+
+  @Test
+  void controller_isGivenNoPoses() {
+    noClasses()
+        .that()
+        .resideInAPackage("simbad.experiments.control..")
+        .should()
+        .dependOnClassesThat()
+        .haveNameMatching("simbad\\.sonar\\.(sensing\\.(TransducerPoses|Sensor)|frame\\.Pose)")
+        .check(CLASSES);
+  }
+
+  @Test
+  void packages_haveNoCycles() {
+    slices().matching("simbad.(**)").should().beFreeOfCycles().check(CLASSES);
+  }
+
+  @Test
+  void packages_areAllNullMarked() {
+    Set<JavaPackage> packages = CLASSES.getPackage("simbad").getSubpackagesInTree();
+    List<String> unmarked =
+        packages.stream()
+            .filter(p -> !p.getClasses().isEmpty())
+            .filter(p -> !p.isAnnotatedWith(NullMarked.class))
+            .map(JavaPackage::getName)
+            .sorted()
+            .toList();
+    assertEquals(List.of(), unmarked);
+  }
+
+  @Test
+  void standardStreams_areTheCommandLines() {
+    outsideTheCommandLine().accessField(System.class, "out").check(CLASSES);
+    outsideTheCommandLine().accessField(System.class, "err").check(CLASSES);
+    outsideTheCommandLine().callMethod(Throwable.class, "printStackTrace").check(CLASSES);
+  }
+
+  @Test
+  void ending_isTheCommandLines() {
+    outsideTheCommandLine().callMethod(System.class, "exit", int.class).check(CLASSES);
+    outsideTheCommandLine()
+        .callMethodWhere(callOf(Runtime.class, "(exit|halt|addShutdownHook)"))
+        .check(CLASSES);
+  }
+
+  /** Randomness and time enter as arguments; the world's pacer and frame meter serve the window. */
+  @Test
+  void chanceAndWallTime_enterAsArguments() {
+    outsideTheCommandLine().dependOnClassesThat(type(java.util.Date.class)).check(CLASSES);
+    outsideTheCommandLine().callMethod(Math.class, "random").check(CLASSES);
+    outsideTheCommandLine().callConstructor(java.util.Random.class).check(CLASSES);
+    outsideTheCommandLine().callConstructor(java.util.SplittableRandom.class).check(CLASSES);
+    outsideTheCommandLine().callMethodWhere(callOf(java.time.Instant.class, "now")).check(CLASSES);
+    clockless("simbad.sonar..").check(CLASSES);
+    clockless("simbad.obstacles..").check(CLASSES);
+    clockless("simbad.experiments.(run|control|report|table|plot)..").check(CLASSES);
+  }
+
+  private static ArchRule clockless(String from) {
+    return noClasses()
+        .that()
+        .resideInAPackage(from)
+        .should()
+        .callMethodWhere(callOf(System.class, "(currentTimeMillis|nanoTime)"));
+  }
+
+  private static ClassesShould outsideTheCommandLine() {
+    return noClasses().that().resideOutsideOfPackage(CLI).should();
+  }
+
+  private static DescribedPredicate<JavaMethodCall> callOf(Class<?> owner, String names) {
+    return DescribedPredicate.describe(
+        "calls " + owner.getSimpleName() + "." + names,
+        call ->
+            call.getTargetOwner().isAssignableTo(owner) && call.getName().matches(names));
+  }
+
+  /** The gates close: classes that break a rule are found to. */
+  @Test
+  void rules_refuseWhatBreaksThem() {
+    JavaClasses offender = new ClassFileImporter().importClasses(Offender.class);
+    assertAll(
+        () -> refuse(outsideTheCommandLine().accessField(System.class, "out"), offender),
+        () -> refuse(outsideTheCommandLine().callMethod(Math.class, "random"), offender),
+        () -> refuse(outsideTheCommandLine().dependOnClassesThat(type(Main.class)), offender),
+        () -> refuse(clockless("simbad.architecture"), offender),
+        () -> refuse(apart("simbad.architecture", OBSTACLES), offender));
+  }
+
+  private static void refuse(ArchRule rule, JavaClasses classes) {
+    assertThrows(AssertionError.class, () -> rule.check(classes));
+  }
+
+  /** Breaks rules. */
+  static final class Offender {
+    private Offender() {}
+
+    static void offend() {
+      System.out.println(Math.random() + System.currentTimeMillis());
+      simbad.obstacles.Catalogue.types();
+    }
+
+    static Class<?> main() {
+      return Main.class;
+    }
+  }
+}

@@ -1,0 +1,117 @@
+package simbad.experiments.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class TableCommandTest {
+  private static final Path TABLES = Path.of("..", "data", "threshold-plots");
+
+  @TempDir
+  @SuppressWarnings("NullAway.Init")
+  private Path folder;
+
+  private static String committed(String name) throws IOException {
+    return Files.readString(TABLES.resolve(name + "-25mm.csv"));
+  }
+
+  private static void checkRefused(Shell shell, String names) {
+    assertEquals(2, shell.status(), shell.err());
+    assertEquals(1, shell.complaints().size(), shell.err());
+    assertTrue(shell.err().contains(names), shell.err());
+    assertEquals("", shell.out());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"square", "round"})
+  void reconstruct_givesTheCommittedFile(String name) throws IOException {
+    assertEquals(
+        new Shell(0, committed(name), ""), Shell.simbad("table", "reconstruct", name));
+    Path file = folder.resolve(name + ".csv");
+    assertEquals(
+        new Shell(0, "", ""),
+        Shell.simbad("table", "reconstruct", name, "--out", file.toString()));
+    assertEquals(committed(name), Files.readString(file));
+  }
+
+  /** The angle was measured: there is nothing to reconstruct. */
+  @Test
+  void reconstruct_ofAnythingElse_isRefused() {
+    checkRefused(
+        Shell.simbad("table", "reconstruct", "angle"), "'angle' is neither square nor round");
+    checkRefused(Shell.simbad("table", "reconstruct"), "square|round");
+  }
+
+  @Test
+  void existingFiles_areKept() throws IOException {
+    Path file = Files.writeString(folder.resolve("mine.svg"), "mine");
+    checkRefused(
+        Shell.simbad("table", "reconstruct", "round", "--out", file.toString()),
+        file + ": exists already");
+    checkRefused(
+        Shell.simbad("table", "plot", "round", "--out", file.toString()), file + ": exists already");
+    assertEquals("mine", Files.readString(file));
+  }
+
+  /** The least and the greatest value in the committed file are 0.06 and 3.16 m. */
+  @Test
+  void show_saysProvenanceSourceAndRange() {
+    Shell shell = Shell.simbad("table", "show", "angle");
+    assertEquals(0, shell.status());
+    assertTrue(shell.out().startsWith("angle: measured"), shell.out());
+    assertTrue(shell.out().contains("  source: Kranz 2014"), shell.out());
+    assertTrue(shell.out().contains("72 bearings, every 5.000 degrees; 0.06 to 3.16 m"), shell.out());
+  }
+
+  @Test
+  void show_ofOwnTable_saysWhatItDoesNotSay() throws IOException {
+    Path file = folder.resolve("mine.csv");
+    Files.writeString(file, "bearing_deg,threshold_m\n0,1\n120,2.5\n240,0.5\n");
+    Shell shell = Shell.simbad("table", "show", file.toString());
+    assertEquals(0, shell.status());
+    assertTrue(shell.out().startsWith("mine: provenance not stated"), shell.out());
+    assertTrue(shell.out().contains("3 bearings, every 120.0 degrees; 0.50 to 2.50 m"), shell.out());
+  }
+
+  /** A PNG begins with 137 and PNG, an SVG is a text that says so. */
+  @ParameterizedTest
+  @CsvSource({"square.png, PNG", "angle.PNG, PNG", "round.svg, <svg"})
+  void plot_drawsByTheEnding(String name, String begin) throws IOException {
+    Path file = folder.resolve(name);
+    String obstacle = name.substring(0, name.indexOf('.'));
+    assertEquals(
+        new Shell(0, "", ""), Shell.simbad("table", "plot", obstacle, "--out", file.toString()));
+    String head =
+        new String(Files.readAllBytes(file), java.nio.charset.StandardCharsets.ISO_8859_1);
+    assertTrue(head.substring(0, 400).contains(begin), head.substring(0, 100));
+  }
+
+  @Test
+  void plot_withoutAKnownEnding_isRefused() {
+    Path file = folder.resolve("plot.pdf");
+    checkRefused(
+        Shell.simbad("table", "plot", "round", "--out", file.toString()),
+        "ends neither in .png nor in .svg");
+    checkRefused(Shell.simbad("table", "plot", "round"), "--out");
+    assertFalse(Files.exists(file));
+  }
+
+  @Test
+  void plot_intoAFolderThatIsNotThere_fails() {
+    Path file = folder.resolve("nowhere/plot.svg");
+    checkRefused(
+        Shell.simbad("table", "plot", "round", "--out", file.toString()), "no such file");
+    Path table = folder.resolve("nowhere/table.csv");
+    checkRefused(
+        Shell.simbad("table", "reconstruct", "round", "--out", table.toString()), "no such file");
+  }
+}
