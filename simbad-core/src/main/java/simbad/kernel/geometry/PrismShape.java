@@ -102,7 +102,7 @@ public final class PrismShape implements Shape {
     double distanceM = (levelM - ray.originY()) * ray.inverseY();
     double x = ray.originX() + distanceM * ray.directionX();
     double z = ray.originZ() + distanceM * ray.directionZ();
-    return isInside(x, z) && ray.shortenTo(distanceM);
+    return (isInside(x, z) || isOnBorder(x, z)) && ray.shortenTo(distanceM);
   }
 
   private boolean isInside(double x, double z) {
@@ -115,6 +115,25 @@ public final class PrismShape implements Shape {
       from = to;
     }
     return inside;
+  }
+
+  /** The faces are closed: a ray that runs down along a wall meets the rim. */
+  private boolean isOnBorder(double x, double z) {
+    int from = corners() - 1;
+    for (int to = 0; to < corners(); to++) {
+      double edgeX = cornerX[to] - cornerX[from];
+      double edgeZ = cornerZ[to] - cornerZ[from];
+      double offX = x - cornerX[from];
+      double offZ = z - cornerZ[from];
+      double length2 = edgeX * edgeX + edgeZ * edgeZ;
+      double along = offX * edgeX + offZ * edgeZ;
+      double across = offX * edgeZ - offZ * edgeX;
+      if (Math.abs(across) <= OVERLAP * length2 && along >= 0 && along <= length2) {
+        return true;
+      }
+      from = to;
+    }
+    return false;
   }
 
   private double crossingX(int from, int to, double z) {

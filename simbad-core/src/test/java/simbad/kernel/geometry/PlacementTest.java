@@ -55,7 +55,7 @@ class PlacementTest {
     assertEquals(outZ, placement.outerZ(x, y, z), EPSILON);
   }
 
-  @Property
+  @Property(seed = "20140914")
   void compose_placesPointsInTwoSteps(
       @ForAll @DoubleRange(min = -7, max = 7) double outerRad,
       @ForAll @DoubleRange(min = -7, max = 7) double innerRad,
@@ -75,7 +75,7 @@ class PlacementTest {
     assertEquals(outer.outerZ(x, y, z), both.outerZ(0.3, -0.7, 1.1), EPSILON);
   }
 
-  @Property
+  @Property(seed = "20140914")
   void inner_undoesTurned(
       @ForAll @DoubleRange(min = -7, max = 7) double turnRad,
       @ForAll @DoubleRange(min = -7, max = 7) double tiltRad) {
@@ -90,7 +90,7 @@ class PlacementTest {
     assertEquals(3, placement.innerZ(x, y, z), EPSILON);
   }
 
-  @Property(tries = 20)
+  @Property(tries = 20, seed = "20140914")
   void manySmallTurns_stayARotation(@ForAll @IntRange(min = 1, max = 100_000) int turns) {
     Placement placement = new Placement();
     for (int i = 0; i < turns; i++) {

@@ -95,7 +95,7 @@ class MotionTest {
     assertEquals(0, drive.leftMPerS());
   }
 
-  @Property
+  @Property(seed = "20140914")
   void differentialDrive_arcHasTheMeanSpeed(
       @ForAll @DoubleRange(min = -1, max = 1) double left,
       @ForAll @DoubleRange(min = -1, max = 1) double right) {

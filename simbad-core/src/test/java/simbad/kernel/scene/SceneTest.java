@@ -70,7 +70,7 @@ class SceneTest {
     return rest.lengthM();
   }
 
-  @Property(tries = 200)
+  @Property(tries = 200, seed = "20140914")
   void strike_agreesWithBruteForce(
       @ForAll @IntRange(min = 0, max = 300) int count, @ForAll long seed) {
     RandomGenerator random = generator(seed);
@@ -115,7 +115,7 @@ class SceneTest {
     }
   }
 
-  @Property(tries = 200)
+  @Property(tries = 200, seed = "20140914")
   void strike_turnsWithTheScene(
       @ForAll @DoubleRange(min = -7, max = 7) double turnRad, @ForAll long seed) {
     RandomGenerator random = generator(seed);
@@ -141,7 +141,7 @@ class SceneTest {
     assertEquals(ray.lengthM(), turnedRay.lengthM(), 1e-7);
   }
 
-  @Property(tries = 200)
+  @Property(tries = 200, seed = "20140914")
   void stopsBall_agreesWithBruteForce(
       @ForAll @IntRange(min = 0, max = 200) int count, @ForAll long seed) {
     RandomGenerator random = generator(seed);
@@ -228,7 +228,7 @@ class SceneTest {
     }
   }
 
-  @Property(tries = 200)
+  @Property(tries = 200, seed = "20140914")
   void nearPairs_agreeWithBruteForce(
       @ForAll @IntRange(min = 0, max = 60) int count, @ForAll long seed) {
     RandomGenerator random = generator(seed);
