@@ -83,7 +83,10 @@ public final class TransducerPoses {
     return values[transducer * STRIDE + 5];
   }
 
-  /** Returns a transducer's heading in radians, counter-clockwise from +x as seen from above. */
+  /**
+   * Returns a transducer's heading in radians, counter-clockwise from +x as seen from above, in
+   * [-pi, pi]; without meaning for one that looks straight up or down.
+   */
   public double headingRad(int transducer) {
     return Math.atan2(-directionZ(transducer), directionX(transducer));
   }

@@ -154,7 +154,7 @@ class TableFileFaultTest {
   void deviceInsteadOfAFile(String device) {
     Assumptions.assumeTrue(Files.exists(Path.of(device)), "no devices here");
     assertTimeoutPreemptively(
-        Duration.ofSeconds(5),
+        Duration.ofSeconds(20),
         () -> Faults.check(TableFile::read, Path.of(device), ": ", "is no regular file"));
   }
 
@@ -209,7 +209,7 @@ class TableFileFaultTest {
   @Test
   void longFields_areCutAndTakeNoTime() {
     assertTimeoutPreemptively(
-        Duration.ofSeconds(5),
+        Duration.ofSeconds(20),
         () -> {
           String digits = "1".repeat(300_000);
           check(HEADER + "0," + digits + "x\n120,1\n240,1\n", ":2: threshold_m: ", "...");

@@ -14,13 +14,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simbad.sonar.fixture.Refusal;
-import simbad.sonar.fixture.Seeded;
 import simbad.sonar.fixture.Shapes;
 import simbad.sonar.shape.ThresholdTable;
 
@@ -98,8 +98,11 @@ class TableFileTest {
     assertEquals(Optional.of(provenance), TableFile.read(file).provenance());
   }
 
-  /** What is written is read again to the last digit, with its header. */
-  @Seeded
+  /**
+   * What is written is read again to the last digit, with its header. Each write waits for the
+   * disk.
+   */
+  @Property(tries = 60, seed = "20140617")
   void table_goesThereAndBack(@ForAll Random random) throws Exception {
     int size = random.nextInt(3, 400);
     ThresholdTable table = Shapes.anyTable(random, size, true);

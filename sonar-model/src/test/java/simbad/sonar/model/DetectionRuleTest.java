@@ -75,6 +75,15 @@ class DetectionRuleTest {
     assertEquals(expected == 9 ? NONE : expected, found, 1e-12);
   }
 
+  /** At the centre the distance 0 is not above the threshold 0; nothing is heard all the same. */
+  @Test
+  void threshold0_isNotHeardAtTheCentre() {
+    checkRange(9, range(DetectionRule.SHADOW, NARROW, Scenes.of(Scenes.box(0, 0, 0)), 0));
+    checkRange(9, range(DetectionRule.OVERLAP, NARROW, Scenes.of(Scenes.box(0, 0, 0)), 0));
+    checkRange(9, range(DetectionRule.NOISY, NARROW, Scenes.of(Scenes.box(0, 0, 0)), 0));
+    checkRange(0.125, range(DetectionRule.SHADOW, NARROW, Scenes.of(Scenes.box(0, 0, 0.01)), 0));
+  }
+
   /**
    * Both ends of the sensor's reach belong to it; a nearer point is not read as the least range.
    */

@@ -212,7 +212,7 @@ class ReadingDistributionTest {
   void rangeThatIsNoNumber_isRefused() {
     ReadingDistribution distribution = of(0.01, 0.01, sight(1, 0.9));
     assertTimeoutPreemptively(
-        Duration.ofSeconds(2),
+        Duration.ofSeconds(20),
         () -> {
           Refusal.check(() -> distribution.echoUpTo(Double.NaN), "rangeM = NaN");
           Refusal.check(() -> distribution.probabilityOfStep(Double.NaN), "rangeM = NaN");

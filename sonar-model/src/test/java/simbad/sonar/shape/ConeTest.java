@@ -138,6 +138,13 @@ class ConeTest {
     }
   }
 
+  /** Where the cone is so thin that its borders are one line, what lies behind is on that line. */
+  @Test
+  void behindAThinCone_isNotInTheCone() {
+    check(1.5, AHEAD, 0, 5e-12);
+    check(NONE, AHEAD, 180, 5e-12);
+  }
+
   /** A triangle with a corner at 1 m and the others at 2 m, further off by some degrees. */
   private static Outline needle(double atDeg, double furtherDeg) {
     double a = Math.toRadians(atDeg);

@@ -5,7 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Random;
+import java.util.Set;
 import net.jqwik.api.ForAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -103,6 +107,25 @@ class DetectionShadowTest {
     double y = u[2] * v[0] - u[0] * v[2];
     double z = u[0] * v[1] - u[1] * v[0];
     return Math.sqrt(x * x + y * y + z * z) / 2;
+  }
+
+  /** The mesh is closed: every side of a triangle is a side of exactly one other. */
+  @Test
+  void triangles_encloseThePrism() {
+    double[] xyz = new DetectionShadow(Shapes.anyTable(new Random(2), 36, false)).triangles(HEIGHT);
+    Map<Set<List<Double>>, Integer> sides = new HashMap<>();
+    for (int triangle = 0; triangle < xyz.length / 9; triangle++) {
+      for (int i = 0; i < 3; i++) {
+        List<Double> from = vertex(xyz, 3 * triangle + i);
+        List<Double> to = vertex(xyz, 3 * triangle + (i + 1) % 3);
+        sides.merge(Set.of(from, to), 1, Integer::sum);
+      }
+    }
+    assertEquals(Set.of(2), Set.copyOf(sides.values()));
+  }
+
+  private static List<Double> vertex(double[] xyz, int vertex) {
+    return List.of(xyz[3 * vertex], xyz[3 * vertex + 1], xyz[3 * vertex + 2]);
   }
 
   /** Every vertex is the centre or exactly (T sin b, T cos b), at the floor or at the height. */
