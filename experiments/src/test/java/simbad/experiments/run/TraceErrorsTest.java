@@ -62,8 +62,7 @@ class TraceErrorsTest {
    */
   @Test
   void oneCentimetreOutside_isOneCentimetre() {
-    TraceErrors errors =
-        TraceErrors.of(round(bearing -> 2.01), ThresholdTable.uniform(720, 2));
+    TraceErrors errors = TraceErrors.of(round(bearing -> 2.01), ThresholdTable.uniform(720, 2));
     assertEquals(0, errors.unreachedBearings());
     assertEquals(0.01, errors.meanM().orElseThrow(), 1e-6);
     assertEquals(0.01, errors.rmsM().orElseThrow(), 1e-6);
@@ -77,8 +76,7 @@ class TraceErrorsTest {
   /** Inside counts as outside does: errors are absolute. */
   @Test
   void oneCentimetreInside_isOneCentimetre() {
-    TraceErrors errors =
-        TraceErrors.of(round(bearing -> 1.99), ThresholdTable.uniform(720, 2));
+    TraceErrors errors = TraceErrors.of(round(bearing -> 1.99), ThresholdTable.uniform(720, 2));
     assertEquals(0.01, errors.meanM().orElseThrow(), 1e-6);
     assertEquals(0.01, errors.lateralMeanM(), 2e-5);
   }
