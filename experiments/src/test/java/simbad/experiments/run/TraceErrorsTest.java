@@ -37,7 +37,10 @@ class TraceErrorsTest {
     return TraceErrors.of(trace, ThresholdTable.of(thresholds));
   }
 
-  /** A trace that visits the table's own points and nothing else lies on its edge. */
+  /**
+   * A trace that visits the table's own points and nothing else lies on its edge; places that lie
+   * exactly on a bearing but for rounding are each counted.
+   */
   @Test
   void perfectTrace_hasNoError() {
     double[] table = {1, 0.5, 2, 0.3, 1, 1.5, 0.7, 0.2};
