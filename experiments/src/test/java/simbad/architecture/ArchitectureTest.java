@@ -75,7 +75,7 @@ class ArchitectureTest {
         .resideInAnyPackage(to);
   }
 
-  /** sonar-model <- simbad-core <- obstacles <- experiments, and no arrow back. */
+  /** Experiments use obstacles use simbad-core uses sonar-model, and no arrow goes back. */
   static Stream<Arguments> arrows() {
     return Stream.of(
         Arguments.of(MODEL, WORLD),
@@ -198,8 +198,7 @@ class ArchitectureTest {
   private static DescribedPredicate<JavaMethodCall> callOf(Class<?> owner, String names) {
     return DescribedPredicate.describe(
         "calls " + owner.getSimpleName() + "." + names,
-        call ->
-            call.getTargetOwner().isAssignableTo(owner) && call.getName().matches(names));
+        call -> call.getTargetOwner().isAssignableTo(owner) && call.getName().matches(names));
   }
 
   /** The gates close: classes that break a rule are found to. */

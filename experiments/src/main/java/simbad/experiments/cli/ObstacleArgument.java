@@ -53,7 +53,8 @@ final class ObstacleArgument {
   private static String name(Path file) {
     String name = String.valueOf(file.getFileName());
     String stem = name.endsWith(SUFFIX) ? name.substring(0, name.length() - SUFFIX.length()) : name;
-    // The name becomes a folder and part of a page. Without a dot it is none of the run's own files.
+    // The name becomes a folder and part of a page. Without a dot it is none of the run's own
+    // files.
     String plain = stem.replaceAll("[^\\p{L}\\p{N}_-]", "_");
     return plain.isEmpty() ? "table" : plain;
   }

@@ -11,10 +11,7 @@ record Shell(int status, String out, String err) {
     StringWriter err = new StringWriter();
     int status =
         Main.run(
-            Subcommands.all(),
-            new PrintWriter(out, true),
-            new PrintWriter(err, true),
-            arguments);
+            Subcommands.all(), new PrintWriter(out, true), new PrintWriter(err, true), arguments);
     return new Shell(status, out.toString(), err.toString());
   }
 

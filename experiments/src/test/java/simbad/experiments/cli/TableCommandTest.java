@@ -34,12 +34,10 @@ class TableCommandTest {
   @ParameterizedTest
   @ValueSource(strings = {"square", "round"})
   void reconstruct_givesTheCommittedFile(String name) throws IOException {
-    assertEquals(
-        new Shell(0, committed(name), ""), Shell.simbad("table", "reconstruct", name));
+    assertEquals(new Shell(0, committed(name), ""), Shell.simbad("table", "reconstruct", name));
     Path file = folder.resolve(name + ".csv");
     assertEquals(
-        new Shell(0, "", ""),
-        Shell.simbad("table", "reconstruct", name, "--out", file.toString()));
+        new Shell(0, "", ""), Shell.simbad("table", "reconstruct", name, "--out", file.toString()));
     assertEquals(committed(name), Files.readString(file));
   }
 
@@ -58,7 +56,8 @@ class TableCommandTest {
         Shell.simbad("table", "reconstruct", "round", "--out", file.toString()),
         file + ": exists already");
     checkRefused(
-        Shell.simbad("table", "plot", "round", "--out", file.toString()), file + ": exists already");
+        Shell.simbad("table", "plot", "round", "--out", file.toString()),
+        file + ": exists already");
     assertEquals("mine", Files.readString(file));
   }
 
@@ -69,7 +68,8 @@ class TableCommandTest {
     assertEquals(0, shell.status());
     assertTrue(shell.out().startsWith("angle: measured"), shell.out());
     assertTrue(shell.out().contains("  source: Kranz 2014"), shell.out());
-    assertTrue(shell.out().contains("72 bearings, every 5.000 degrees; 0.06 to 3.16 m"), shell.out());
+    assertTrue(
+        shell.out().contains("72 bearings, every 5.000 degrees; 0.06 to 3.16 m"), shell.out());
   }
 
   @Test
@@ -79,7 +79,8 @@ class TableCommandTest {
     Shell shell = Shell.simbad("table", "show", file.toString());
     assertEquals(0, shell.status());
     assertTrue(shell.out().startsWith("mine: provenance not stated"), shell.out());
-    assertTrue(shell.out().contains("3 bearings, every 120.0 degrees; 0.50 to 2.50 m"), shell.out());
+    assertTrue(
+        shell.out().contains("3 bearings, every 120.0 degrees; 0.50 to 2.50 m"), shell.out());
   }
 
   /** A PNG begins with 137 and PNG, an SVG is a text that says so. */
@@ -108,8 +109,7 @@ class TableCommandTest {
   @Test
   void plot_intoAFolderThatIsNotThere_fails() {
     Path file = folder.resolve("nowhere/plot.svg");
-    checkRefused(
-        Shell.simbad("table", "plot", "round", "--out", file.toString()), "no such file");
+    checkRefused(Shell.simbad("table", "plot", "round", "--out", file.toString()), "no such file");
     Path table = folder.resolve("nowhere/table.csv");
     checkRefused(
         Shell.simbad("table", "reconstruct", "round", "--out", table.toString()), "no such file");

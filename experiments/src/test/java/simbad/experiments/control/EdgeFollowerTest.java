@@ -31,8 +31,7 @@ class EdgeFollowerTest {
   }
 
   private static Course.Region inside(ThresholdTable table) {
-    return (x, z) ->
-        Math.hypot(x, z) <= table.thresholdM(Angles.positive(Math.atan2(x, z)));
+    return (x, z) -> Math.hypot(x, z) <= table.thresholdM(Angles.positive(Math.atan2(x, z)));
   }
 
   /** The mean distance from a circle while going round it once on its edge. */
@@ -50,8 +49,8 @@ class EdgeFollowerTest {
   }
 
   /**
-   * A circle of 1 m at any speed: it gets round, and weaves by a few steps' length. The way is
-   * 6.3 m, weaving at 30 degrees and more makes it longer by 1 / cos 60 at most: allow three times.
+   * A circle of 1 m at any speed: it gets round, and weaves by a few steps' length. The way is 6.3
+   * m, weaving at 30 degrees and more makes it longer by 1 / cos 60 at most: allow three times.
    */
   @ParameterizedTest
   @ValueSource(doubles = {0.005, 0.01, 0.02, 0.05, 0.1})
@@ -124,7 +123,9 @@ class EdgeFollowerTest {
     assertTrue(course(noisy, 0.5, 0, 1).drive(60_000).isRound());
   }
 
-  /** Soft by 2 cm, as the SRF04's edge is: it cuts across at times, but neither leaves nor stops. */
+  /**
+   * Soft by 2 cm, as the SRF04's edge is: it cuts across at times, but neither leaves nor stops.
+   */
   @Test
   void softEdge_isRounded() {
     Random random = new Random(8);

@@ -58,13 +58,20 @@ class ExperimentTest {
   @Test
   void results_comeObstacleByObstacle() {
     assertEquals(
-        List.of("square ORIGINAL", "square SHADOW", "round ORIGINAL", "round SHADOW",
-            "angle ORIGINAL", "angle SHADOW"),
+        List.of(
+            "square ORIGINAL",
+            "square SHADOW",
+            "round ORIGINAL",
+            "round SHADOW",
+            "angle ORIGINAL",
+            "angle SHADOW"),
         results.stream().map(result -> result.type().name() + " " + result.sensor()).toList());
     assertEquals(6, done.get());
   }
 
-  /** The targets: mean radial error at most 3 cm, at most a tenth of the original's; 1 cm beside. */
+  /**
+   * The targets: mean radial error at most 3 cm, at most a tenth of the original's; 1 cm beside.
+   */
   @ParameterizedTest
   @ValueSource(strings = {"square", "round", "angle"})
   void shadowSensor_reachesTheTargets(String obstacle) {
@@ -154,8 +161,7 @@ class ExperimentTest {
   @Test
   void settings_refuseImpossibleSpeeds() {
     for (double speed : new double[] {0, -1, Double.NaN, 1.5, Double.POSITIVE_INFINITY}) {
-      assertThrows(
-          IllegalArgumentException.class, () -> settings(Catalogue.types(), MAIN, speed));
+      assertThrows(IllegalArgumentException.class, () -> settings(Catalogue.types(), MAIN, speed));
     }
   }
 

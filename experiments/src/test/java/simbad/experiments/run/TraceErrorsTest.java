@@ -37,7 +37,10 @@ class TraceErrorsTest {
     return TraceErrors.of(trace, ThresholdTable.of(thresholds));
   }
 
-  /** A trace that visits the table's own points and nothing else lies on its edge. */
+  /**
+   * A trace that visits the table's own points and nothing else lies on its edge; places that lie
+   * exactly on a bearing but for rounding are each counted.
+   */
   @Test
   void perfectTrace_hasNoError() {
     double[] table = {1, 0.5, 2, 0.3, 1, 1.5, 0.7, 0.2};
@@ -62,8 +65,7 @@ class TraceErrorsTest {
    */
   @Test
   void oneCentimetreOutside_isOneCentimetre() {
-    TraceErrors errors =
-        TraceErrors.of(round(bearing -> 2.01), ThresholdTable.uniform(720, 2));
+    TraceErrors errors = TraceErrors.of(round(bearing -> 2.01), ThresholdTable.uniform(720, 2));
     assertEquals(0, errors.unreachedBearings());
     assertEquals(0.01, errors.meanM().orElseThrow(), 1e-6);
     assertEquals(0.01, errors.rmsM().orElseThrow(), 1e-6);
@@ -77,8 +79,7 @@ class TraceErrorsTest {
   /** Inside counts as outside does: errors are absolute. */
   @Test
   void oneCentimetreInside_isOneCentimetre() {
-    TraceErrors errors =
-        TraceErrors.of(round(bearing -> 1.99), ThresholdTable.uniform(720, 2));
+    TraceErrors errors = TraceErrors.of(round(bearing -> 1.99), ThresholdTable.uniform(720, 2));
     assertEquals(0.01, errors.meanM().orElseThrow(), 1e-6);
     assertEquals(0.01, errors.lateralMeanM(), 2e-5);
   }

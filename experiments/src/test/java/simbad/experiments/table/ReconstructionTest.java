@@ -17,8 +17,7 @@ import simbad.sonar.shape.ThresholdTable;
 
 class ReconstructionTest {
   private static final Path TABLES = Path.of("..", "data", "threshold-plots");
-  private static final TableDocument SQUARE =
-      Reconstruction.square(Catalogue.angleTable().table());
+  private static final TableDocument SQUARE = Reconstruction.square(Catalogue.angleTable().table());
 
   private static void checkCommitted(String file, TableDocument computed) throws IOException {
     assertEquals(Files.readString(TABLES.resolve(file)), TableFile.text(computed));
