@@ -1,13 +1,13 @@
 package simbad.sonar.format;
 
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Random;
-import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -152,7 +152,6 @@ class TableFileFaultTest {
   @ParameterizedTest
   @ValueSource(strings = {"/dev/zero", "/dev/null"})
   void deviceInsteadOfAFile(String device) {
-    Assumptions.assumeTrue(Files.exists(Path.of(device)), "no devices here");
     assertTimeoutPreemptively(
         Duration.ofSeconds(20),
         () -> Faults.check(TableFile::read, Path.of(device), ": ", "is no regular file"));
@@ -162,16 +161,16 @@ class TableFileFaultTest {
   @Test
   void fileThatCannotBeRead() {
     Path memory = Path.of("/proc/self/mem");
-    Assumptions.assumeTrue(Files.isReadable(memory), "no /proc here");
     Faults.check(TableFile::read, memory, ": ", "cannot be read");
   }
 
   @Test
   void fileThatMayNotBeRead() throws Exception {
     Path file = Faults.file(directory, HEADER);
-    Assumptions.assumeTrue(file.toFile().setReadable(false), "no permissions here");
-    Assumptions.assumeFalse(Files.isReadable(file), "root reads everything");
-    Faults.check(TableFile::read, file, ": ", "permission denied");
+    assertTrue(file.toFile().setReadable(false));
+    // Root reads it all the same, and then finds that it holds no rows.
+    String expected = Files.isReadable(file) ? "0 rows" : "permission denied";
+    Faults.check(TableFile::read, file, ": ", expected);
   }
 
   @Test
