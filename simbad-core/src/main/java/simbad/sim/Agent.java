@@ -1,8 +1,10 @@
 package simbad.sim;
 
 import javax.media.j3d.Transform3D;
+import javax.swing.JPanel;
 import javax.vecmath.Color3f;
 import javax.vecmath.Vector3d;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A robot with motors: the base class of users' robots. By default 0.3 m in radius and 0.5 m high.
@@ -20,6 +22,7 @@ public class Agent extends SimpleAgent {
   /** Counts steps against wall-clock time. */
   protected FrameMeter frameMeter = new FrameMeter();
 
+  private @Nullable JPanel uiPanel;
   private final Transform3D rotation = new Transform3D();
 
   /**
@@ -122,6 +125,16 @@ public class Agent extends SimpleAgent {
   /** Sets over how many steps the step rate is measured; at least 1. */
   protected void setFrameMeterRate(int rate) {
     frameMeter.setRate(rate);
+  }
+
+  /** Gives the window a panel to show for this agent. */
+  public void setUIPanel(@Nullable JPanel panel) {
+    uiPanel = panel;
+  }
+
+  /** Returns the panel to show for this agent, or null if there is none. */
+  public @Nullable JPanel getUIPanel() {
+    return uiPanel;
   }
 
   @Override

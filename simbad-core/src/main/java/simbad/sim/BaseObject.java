@@ -20,12 +20,14 @@ public abstract class BaseObject {
   /** Bounds in the object's own frame, for those who compute them; unused by the simulation. */
   protected @Nullable Bounds localBounds;
 
+  /** The world that the object is in, if it is in one; to be read only. */
+  public @Nullable World world;
+
   private final Placement placement = new Placement();
   private final List<BaseObject> children = new ArrayList<>();
   private final Vector3d translation = new Vector3d();
   private final double[] matrix = new double[16];
   private @Nullable Solid solid;
-  private @Nullable World world;
   private boolean canBeTraversed;
   private Color3f color = new Color3f(0.8f, 0.8f, 0.8f);
 
@@ -58,9 +60,9 @@ public abstract class BaseObject {
     if (solid == null) {
       Solid made = new Solid(placement);
       addShapesTo(made, new Placement());
-      made.setTraversable(canBeTraversed);
       made.setPresent(!detachedFromSceneGraph);
       solid = made;
+      applyTraversable();
     }
     return solid;
   }
@@ -136,6 +138,7 @@ public abstract class BaseObject {
   /** Puts the object and its parts into a world. */
   protected void setWorld(World newWorld) {
     world = newWorld;
+    applyTraversable();
     children.forEach(child -> child.setWorld(newWorld));
   }
 
@@ -170,9 +173,23 @@ public abstract class BaseObject {
   /** Lets agents pass through this object, or stops them. */
   public void setCanBeTraversed(boolean newCanBeTraversed) {
     canBeTraversed = newCanBeTraversed;
+    applyTraversable();
+  }
+
+  private void applyTraversable() {
     if (solid != null) {
-      solid.setTraversable(newCanBeTraversed);
+      solid.setTraversable(canBeTraversed && !stopsThoughTraversable());
     }
+  }
+
+  /** Returns true if this object stops agents although they may pass: a habit of the original. */
+  boolean stopsThoughTraversable() {
+    return false;
+  }
+
+  /** Returns true if a habit of the original is wanted in this object's world. */
+  boolean restores(Compatibility habit) {
+    return world != null && world.restores(habit);
   }
 
   /** Returns true if agents pass through this object. */

@@ -4,7 +4,7 @@ import javax.vecmath.Color3f;
 
 /** A static object of the block world, turned by quarter turns. */
 public class BlockWorldObject extends StaticObject {
-  private static final float BRIGHTEST = 0.8f;
+  static final float BRIGHTEST = 0.8f;
 
   /** Creates an object at the origin. */
   public BlockWorldObject() {}

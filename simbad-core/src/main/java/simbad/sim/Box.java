@@ -34,6 +34,10 @@ public class Box extends BlockWorldObject {
     sides = new Vector3f(sizes);
     placement().moveTo(position.x, position.y + sizes.y / 2, position.z);
     create3D(environment, color);
+    if (environment.compatibility.contains(Compatibility.ARGUMENTS_CHANGE)) {
+      position.y += sizes.y / 2;
+      color.clampMax(BRIGHTEST);
+    }
   }
 
   /** Gives the box its colour; the window builds what is drawn. */

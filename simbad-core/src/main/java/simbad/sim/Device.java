@@ -1,5 +1,7 @@
 package simbad.sim;
 
+import javax.swing.JLabel;
+import javax.swing.JPanel;
 import org.jspecify.annotations.Nullable;
 import simbad.kernel.geometry.Placement;
 import simbad.kernel.motion.UpdateClock;
@@ -42,6 +44,13 @@ public abstract class Device extends BaseObject {
   /** Computes where the device is in the world; for sensors of one's own. */
   protected void placeInWorld(Placement worldFromDevice) {
     worldFromDevice.compose(getOwner().placement(), placement());
+  }
+
+  /** Returns a new panel that shows the device's state; for most devices, only its name. */
+  public JPanel createInspectorPanel() {
+    JPanel panel = new JPanel();
+    panel.add(new JLabel(name));
+    return panel;
   }
 
   /** Sets how often per simulated second the device is updated; 0 leaves it at the first step. */

@@ -2,6 +2,7 @@ package simbad.sim;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import javax.vecmath.Color3f;
 import javax.vecmath.Vector3d;
 import javax.vecmath.Vector3f;
@@ -91,6 +92,12 @@ public class EnvironmentDescription {
 
   /** Side of the drawn floor, metres. Nothing stops at its edge. */
   public float worldSize = 20;
+
+  /**
+   * Habits of the original that this environment wants back; at first those of the system property.
+   * To be set before objects are made.
+   */
+  public Set<Compatibility> compatibility = Compatibility.fromProperty();
 
   private final List<Object> objects = new ArrayList<>();
 

@@ -1,5 +1,9 @@
 package simbad.sim;
 
+import java.awt.Color;
+import java.awt.Graphics;
+import javax.swing.JPanel;
+
 /** A lamp that is on or off and may blink. */
 public class LampActuator extends ActuatorDevice {
   private final float size;
@@ -45,6 +49,25 @@ public class LampActuator extends ActuatorDevice {
   /** Returns true if the lamp gives light at this moment, for the window. */
   boolean isLit() {
     return on && !dark;
+  }
+
+  /** Returns a panel that shows whether the lamp gives light. */
+  @Override
+  public JPanel createInspectorPanel() {
+    return new LampActuatorJPanel();
+  }
+
+  /** Shows the lamp as a disc. */
+  public class LampActuatorJPanel extends JPanel {
+    /** Creates a panel. */
+    public LampActuatorJPanel() {}
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+      super.paintComponent(graphics);
+      graphics.setColor(isLit() ? Color.YELLOW : Color.DARK_GRAY);
+      graphics.fillOval(5, 5, 20, 20);
+    }
   }
 
   /** Returns the diameter in metres, for the window. */

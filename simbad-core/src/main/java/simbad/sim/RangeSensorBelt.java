@@ -1,6 +1,7 @@
 package simbad.sim;
 
 import java.util.Arrays;
+import javax.swing.JPanel;
 import javax.vecmath.Vector3d;
 import org.jspecify.annotations.Nullable;
 import simbad.kernel.belt.BeltLayout;
@@ -18,7 +19,8 @@ import simbad.sonar.sensing.TransducerPoses;
  *
  * <p>What a sensor reads is decided by a {@link Sensor}: thin rays by default, whatever {@link
  * #createSensor(World)} makes in a subclass. A sensor without an echo measures the maximum range,
- * or positive infinity if {@link #FLAG_RETURN_INFINITY} is set.
+ * or positive infinity if {@link #FLAG_RETURN_INFINITY} or {@link
+ * Compatibility#NO_ECHO_IS_INFINITE} is set.
  */
 public class RangeSensorBelt extends PickSensor {
   /** Sonars. */
@@ -145,7 +147,10 @@ public class RangeSensorBelt extends PickSensor {
   }
 
   private double noEcho() {
-    return (flags & FLAG_RETURN_INFINITY) == 0 ? maxRange : Double.POSITIVE_INFINITY;
+    boolean finite = (flags & FLAG_RETURN_INFINITY) == 0;
+    return finite && !restores(Compatibility.NO_ECHO_IS_INFINITE)
+        ? maxRange
+        : Double.POSITIVE_INFINITY;
   }
 
   /** Returns true if a sensor has an echo. */
@@ -282,6 +287,12 @@ public class RangeSensorBelt extends PickSensor {
   /** Returns the flags given to the constructor. */
   public int getFlags() {
     return flags;
+  }
+
+  /** Returns a drawing of the belt from above, with what each sensor measures. */
+  @Override
+  public JPanel createInspectorPanel() {
+    return new BeltPanel(this);
   }
 
   /** Returns the type given to the constructor, for the window. */

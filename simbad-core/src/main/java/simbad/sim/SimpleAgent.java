@@ -82,6 +82,7 @@ public class SimpleAgent extends BaseObject {
   private @Nullable Simulator simulator;
   private @Nullable SimpleAgent veryNearAgent;
   private boolean collided;
+  private boolean stoppedByAgent;
   private boolean interacted;
   private double lifeTime;
   private int counter;
@@ -175,27 +176,40 @@ public class SimpleAgent extends BaseObject {
     return placement().yM() - height / 2;
   }
 
-  /** Moves by this step's displacement and turn, unless the agent has collided. */
+  /** Moves by this step's displacement, unless the agent has collided, and turns. */
   protected void updatePosition() {
-    boolean moves = instantTranslation.lengthSquared() != 0 || instantRotation.y != 0;
-    positionChanged = moves && !collided;
-    if (positionChanged) {
+    boolean moves = !collided && instantTranslation.lengthSquared() != 0;
+    boolean mayTurn = !collided || !restores(Compatibility.BLOCKED_ROBOTS_DO_NOT_TURN);
+    boolean turns = mayTurn && instantRotation.y != 0;
+    positionChanged = moves || turns;
+    if (moves) {
       placement().moveBy(instantTranslation.x, instantTranslation.y, instantTranslation.z);
-      placement().turnAboutY(instantRotation.y);
       odometer += instantTranslation.length();
+    }
+    if (turns) {
+      placement().turnAboutY(instantRotation.y);
+    }
+    if (positionChanged) {
       placementChanged();
     }
   }
 
   /**
    * Sets the collision flag: whether the agent's bounding sphere, moved by this step's
-   * displacement, touches a static object that cannot be traversed.
+   * displacement, touches a static object that cannot be traversed, or another agent stops it.
    *
    * @param pickableSceneBranch the drawn scene, if there is one; not needed
    * @param checkGeometry accepted for old programs
    */
   protected void checkCollision(@Nullable BranchGroup pickableSceneBranch, boolean checkGeometry) {
-    collided = !detachedFromSceneGraph && isStoppedAt(nextX(), nextY(), nextZ(), radius);
+    collided =
+        !detachedFromSceneGraph
+            && (stoppedByAgent || isStoppedAt(nextX(), nextY(), nextZ(), radius));
+  }
+
+  /** Says whether another agent stops this one in this step. */
+  void setStoppedByAgent(boolean stopped) {
+    stoppedByAgent = stopped;
   }
 
   /** Returns where the agent's middle is after this step, if nothing stops it: x, then y and z. */
@@ -237,7 +251,7 @@ public class SimpleAgent extends BaseObject {
     // For subclasses.
   }
 
-  /** Returns true if a static object stopped the agent in the last step. */
+  /** Returns true if a static object or another agent stopped this one in the last step. */
   public boolean collisionDetected() {
     return collided;
   }

@@ -16,7 +16,8 @@ public class Simulator {
   private static final int DEFAULT_FRAMES_PER_SECOND = 20;
 
   private final ArrayList<SimpleAgent> agents;
-  private final PhysicalEngine engine;
+  private final PhysicalEngine engine = new PhysicalEngine();
+  private final ArrayList<Object> noObjects = new ArrayList<>();
   private final Lock lock = new Lock();
   private final Pacer pacer = new Pacer("simulation");
   private boolean usePhysics;
@@ -36,7 +37,6 @@ public class Simulator {
     applicationComponent = application;
     usePhysics = environment.usePhysics;
     agents = new ArrayList<>(environment.list(SimpleAgent.class));
-    engine = new PhysicalEngine(agents);
     agents.forEach(agent -> admit(agent, world));
   }
 
@@ -77,8 +77,8 @@ public class Simulator {
       agents.get(i).integratesVelocities(elapsedSecond);
       agents.get(i).integratesPositionChange(elapsedSecond);
     }
-    engine.checkAgentAgentPairs();
-    engine.checkAgentObjectPairs();
+    engine.checkAgentAgentPairs(elapsedSecond, agents, usePhysics, !usePhysics);
+    engine.checkAgentObjectPairs(agents, noObjects, usePhysics, false);
     for (int i = 0; i < agents.size(); i++) {
       agents.get(i).updatePosition();
       agents.get(i).updateCounters(elapsedSecond);

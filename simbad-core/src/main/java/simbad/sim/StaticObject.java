@@ -35,6 +35,11 @@ public class StaticObject extends BaseObject {
     body.setBallTest(this::touchesBall);
   }
 
+  @Override
+  boolean stopsThoughTraversable() {
+    return restores(Compatibility.TRAVERSABLE_OBJECTS_STOP);
+  }
+
   /** Asks the hook, so that a subclass decides about collisions with it. */
   private boolean touchesBall(double x, double y, double z, double radius) {
     centre.set(x, y, z);

@@ -2,7 +2,10 @@ package simbad.sim;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import simbad.kernel.scene.Scene;
 
 /** The static objects and agents of an environment, and the scene in which sensors see them. */
@@ -28,6 +31,7 @@ public class World {
   /** Side of the drawn floor, metres. */
   protected float worldSize;
 
+  private final Set<Compatibility> habits = EnumSet.noneOf(Compatibility.class);
   private final Scene scene = new Scene();
   private final List<StaticObject> standing = new ArrayList<>();
   private long staticRevision;
@@ -35,6 +39,7 @@ public class World {
   /** Creates a world with the environment's static objects; the simulator adds the agents. */
   public World(EnvironmentDescription environment) {
     worldSize = environment.worldSize;
+    habits.addAll(environment.compatibility);
     environment.list(StaticObject.class).forEach(this::enter);
   }
 
@@ -82,6 +87,11 @@ public class World {
     return staticRevision;
   }
 
+  /** Returns true if a habit of the original is wanted here. */
+  boolean restores(Compatibility habit) {
+    return habits.contains(habit);
+  }
+
   void noteChange(BaseObject object) {
     if (object instanceof StaticObject) {
       staticRevision++;
@@ -91,6 +101,31 @@ public class World {
   /** Returns the bodies that rays and collisions meet; for sensors of one's own. */
   public Scene getScene() {
     return scene;
+  }
+
+  /**
+   * Moves the window's view; without a window, nothing.
+   *
+   * @param viewPoint a VIEW constant
+   * @param agent whom to follow, for the views that follow
+   */
+  public void changeViewPoint(int viewPoint, @Nullable SimpleAgent agent) {
+    // Only the window has a view.
+  }
+
+  /** Stops drawing; without a window, nothing. */
+  public void stopRendering() {
+    // Only the window draws.
+  }
+
+  /** Goes on drawing; without a window, nothing. */
+  public void startRendering() {
+    // Only the window draws.
+  }
+
+  /** Draws once; without a window, nothing. */
+  public void renderOnce() {
+    // Only the window draws.
   }
 
   /** Frees what the window holds; without one, nothing. */

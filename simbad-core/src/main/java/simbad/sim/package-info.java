@@ -7,8 +7,9 @@
  * units are the kernel's: metres, y up, headings in radians, counter-clockwise from above, 0 along
  * +x.
  *
- * <p>May not know: windows. Nothing here is safe for use by several threads, except that {@link
- * simbad.sim.Simulator} guards its own methods.
+ * <p>May not know: windows; the panels that show a device are made without a display. Nothing here
+ * is safe for use by several threads, except that {@link simbad.sim.Simulator} guards its own
+ * methods.
  */
 @NullMarked
 package simbad.sim;

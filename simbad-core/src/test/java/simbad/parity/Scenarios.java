@@ -7,6 +7,7 @@ import javax.vecmath.Vector3d;
 import simbad.parity.Scenario.Driver;
 import simbad.parity.Scenario.Extra;
 import simbad.sim.BallAgent;
+import simbad.sim.Compatibility;
 import simbad.sim.DifferentialKinematic;
 import simbad.sim.KheperaRobot;
 import simbad.sim.LampActuator;
@@ -155,7 +156,9 @@ final class Scenarios {
   }
 
   private static final class Ball extends Scenario {
+    /** The recorded robot drives through the ball, which needs the switch. */
     Ball() {
+      compatibility.add(Compatibility.ROBOTS_PASS_ROBOTS);
       addAgent(new Steady(new Vector3d(-2, 0, 0), 0.5, 0));
       addAgent(new BallAgent(new Vector3d(0, 0, 0.1), "ball", 0.25f));
       box(3, 0, 0, 0.2f, 1, 4);

@@ -25,6 +25,7 @@ import simbad.sim.BallAgent;
 import simbad.sim.BaseObject;
 import simbad.sim.Box;
 import simbad.sim.CherryAgent;
+import simbad.sim.Compatibility;
 import simbad.sim.EnvironmentDescription;
 import simbad.sim.RangeSensorBelt;
 import simbad.sim.Robot;
@@ -159,7 +160,8 @@ class FacadeTest {
   }
 
   @Test
-  void robots_driveThroughEachOther() {
+  void robots_driveThroughEachOther_ifSwitched() {
+    environment.compatibility.add(Compatibility.ROBOTS_PASS_ROBOTS);
     Agent robot = robotAt(0, 0);
     Agent other = robotAt(1, 0);
     Simbatch simulation = run(1);

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import net.jqwik.api.Assume;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
@@ -124,6 +125,10 @@ class ShapeTest {
       @ForAll @DoubleRange(min = -3, max = 3) double z,
       @ForAll @DoubleRange(min = -1, max = 1) double dx,
       @ForAll @DoubleRange(min = -1, max = 1) double dy) {
+    // Where a ray grazes an edge exactly, rounding decides, and may decide differently.
+    Assume.that(
+        BoxShape.ofSides(1 - 1e-9, 2 - 1e-9, 3 - 1e-9).strike(ray(x, 1.7, z, dx, dy, 0.3))
+            == BoxShape.ofSides(1 + 1e-9, 2 + 1e-9, 3 + 1e-9).strike(ray(x, 1.7, z, dx, dy, 0.3)));
     Ray toBox = ray(x, 1.7, z, dx, dy, 0.3);
     Ray toPrism = ray(x, 1.7, z, dx, dy, 0.3);
     assertEquals(BOX.strike(toBox), BOX_PRISM.strike(toPrism));

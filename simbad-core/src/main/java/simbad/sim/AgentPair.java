@@ -1,0 +1,51 @@
+package simbad.sim;
+
+import simbad.kernel.geometry.Placement;
+
+/** What the bounding spheres of two agents do to each other in a step. Allocates nothing. */
+final class AgentPair {
+  private AgentPair() {}
+
+  /** Returns true if the spheres touch when both agents have moved. */
+  static boolean touchAfter(SimpleAgent one, SimpleAgent other) {
+    return touch(
+        one.nextX() - other.nextX(),
+        one.nextY() - other.nextY(),
+        one.nextZ() - other.nextZ(),
+        reach(one, other));
+  }
+
+  /**
+   * Returns true if an agent moves towards another one and would touch it, whether or not that one
+   * moves.
+   */
+  static boolean isStopped(SimpleAgent agent, SimpleAgent other) {
+    return approaches(agent, other) && (touchStanding(agent, other) || touchAfter(agent, other));
+  }
+
+  private static boolean approaches(SimpleAgent agent, SimpleAgent other) {
+    Placement from = agent.placement();
+    Placement to = other.placement();
+    return agent.instantTranslation.x * (to.xM() - from.xM())
+            + agent.instantTranslation.y * (to.yM() - from.yM())
+            + agent.instantTranslation.z * (to.zM() - from.zM())
+        > 0;
+  }
+
+  private static boolean touchStanding(SimpleAgent agent, SimpleAgent other) {
+    Placement standing = other.placement();
+    return touch(
+        agent.nextX() - standing.xM(),
+        agent.nextY() - standing.yM(),
+        agent.nextZ() - standing.zM(),
+        reach(agent, other));
+  }
+
+  private static double reach(SimpleAgent one, SimpleAgent other) {
+    return (double) one.getRadius() + other.getRadius();
+  }
+
+  private static boolean touch(double dx, double dy, double dz, double reach) {
+    return dx * dx + dy * dy + dz * dz <= reach * reach;
+  }
+}

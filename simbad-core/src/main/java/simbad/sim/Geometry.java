@@ -1,0 +1,7 @@
+package simbad.sim;
+
+/** A name that Simbad has; nothing is in it. */
+public class Geometry {
+  /** Creates an instance, of which there is no use. */
+  public Geometry() {}
+}

@@ -1,0 +1,157 @@
+package simbad.user;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.StringWriter;
+import java.net.MalformedURLException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.tools.JavaCompiler;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.ToolProvider;
+import javax.vecmath.Point3d;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import simbad.gui.Simbatch;
+import simbad.sim.Agent;
+import simbad.sim.EnvironmentDescription;
+import simbad.sim.SimpleAgent;
+
+/**
+ * The programs of {@code src/test/oldprograms} compile against the public names, as they are
+ * written and without this project's rules, and do what they were written for.
+ */
+class OldProgramsTest {
+  private static final Path SOURCES = Path.of("src", "test", "oldprograms", "oldprograms");
+
+  private static URLClassLoader loader;
+
+  @BeforeAll
+  static void compile(@TempDir Path classes) throws IOException {
+    JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+    StringWriter messages = new StringWriter();
+    String classPath =
+        System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"));
+    try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null);
+        Stream<Path> sources = Files.list(SOURCES)) {
+      List<Path> programs = sources.sorted().toList();
+      assertEquals(11, programs.size());
+      List<String> options =
+          List.of("-nowarn", "-proc:none", "-d", classes.toString(), "-cp", classPath);
+      var units = files.getJavaFileObjectsFromPaths(programs);
+      boolean compiled = compiler.getTask(messages, files, null, options, null, units).call();
+      assertTrue(compiled, messages::toString);
+    }
+    loader = new URLClassLoader(new URL[] {url(classes)}, OldProgramsTest.class.getClassLoader());
+  }
+
+  private static URL url(Path folder) throws MalformedURLException {
+    return folder.toUri().toURL();
+  }
+
+  private static EnvironmentDescription run(String program, int steps)
+      throws ReflectiveOperationException {
+    Object made = loader.loadClass("oldprograms." + program).getDeclaredConstructor().newInstance();
+    EnvironmentDescription environment = (EnvironmentDescription) made;
+    Simbatch simulation = new Simbatch(environment, false);
+    simulation.reset();
+    for (int i = 0; i < steps; i++) {
+      simulation.step();
+    }
+    simulation.dispose();
+    return environment;
+  }
+
+  private static Agent agent(Object environment, String field) throws ReflectiveOperationException {
+    return (Agent) environment.getClass().getField(field).get(environment);
+  }
+
+  private static double number(Object object, String field) throws ReflectiveOperationException {
+    return ((Number) object.getClass().getField(field).get(object)).doubleValue();
+  }
+
+  private static Point3d coords(SimpleAgent agent) {
+    Point3d coords = new Point3d();
+    agent.getCoords(coords);
+    return coords;
+  }
+
+  private static void checkInside(double half, double way, Agent agent) {
+    Point3d at = coords(agent);
+    assertTrue(Math.abs(at.x) < half && Math.abs(at.z) < half, "at " + at);
+    assertTrue(agent.getOdometer() > way, "odometer " + agent.getOdometer());
+  }
+
+  @Test
+  void wallAvoider_staysBetweenItsWalls() throws ReflectiveOperationException {
+    checkInside(4, 2, agent(run("WallAvoider", 800), "robot"));
+  }
+
+  @Test
+  void quadrantAvoider_getsOn() throws ReflectiveOperationException {
+    Agent walker = agent(run("QuadrantAvoider", 400), "walker");
+    assertTrue(walker.getOdometer() > 2, "odometer " + walker.getOdometer());
+  }
+
+  @Test
+  void boundaryFollower_keepsItsDistance() throws ReflectiveOperationException {
+    Agent follower = agent(run("BoundaryFollower", 1000), "robot");
+    assertEquals(0.8, number(follower, "nearest"), 0.2);
+    checkInside(2.5, 8, follower);
+  }
+
+  @Test
+  void lineFollower_staysOnTheLine() throws ReflectiveOperationException {
+    Agent follower = agent(run("LineFollower", 300), "follower");
+    assertTrue(number(follower, "seen") > 300);
+    assertEquals(0, coords(follower).z, 0.08);
+    assertTrue(coords(follower).x > 3);
+  }
+
+  @Test
+  void cherryPicker_picksAll() throws ReflectiveOperationException {
+    assertEquals(5, number(agent(run("CherryPicker", 300), "picker"), "picked"));
+  }
+
+  @Test
+  void khepera_staysInItsBox() throws ReflectiveOperationException {
+    checkInside(0.2, 0.2, agent(run("KheperaMaze", 600), "robot"));
+  }
+
+  @Test
+  void blinkers_meetAndStop() throws ReflectiveOperationException {
+    Object environment = run("Blinkers", 200);
+    Agent[] blinkers = (Agent[]) environment.getClass().getField("blinkers").get(environment);
+    assertEquals(2, number(blinkers[0], "devices"));
+    assertTrue(blinkers[0].collisionDetected() && blinkers[1].anOtherAgentIsVeryNear());
+    assertEquals(0.6, coords(blinkers[0]).distance(coords(blinkers[1])), 0.051);
+  }
+
+  @Test
+  void potentialField_leadsToTheGoal() throws ReflectiveOperationException {
+    Agent seeker = agent(run("PotentialField", 800), "seeker");
+    assertTrue(coords(seeker).distance(new Point3d(4, 0.25, 0)) < 0.35, "at " + coords(seeker));
+  }
+
+  @Test
+  void mapMaze_holdsTheTurtle() throws ReflectiveOperationException {
+    checkInside(2.5, 1, agent(run("MapMaze", 400), "turtle"));
+  }
+
+  @Test
+  void ownParts_areUsed() throws ReflectiveOperationException {
+    Agent cart = agent(run("OwnParts", 200), "cart");
+    // 5 s at 0.5 m/s to the left; going back to the start stops the kinematic model, each step
+    // anew.
+    assertEquals(2.5, cart.getOdometer(), 0.03);
+    assertEquals(0, coords(cart).z, 1e-9);
+    assertTrue(number(cart, "resets") >= 1);
+  }
+}
