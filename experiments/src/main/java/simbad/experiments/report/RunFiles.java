@@ -8,6 +8,8 @@ import com.fasterxml.jackson.datatype.jdk8.Jdk8Module;
 import de.siegmar.fastcsv.writer.CsvWriter;
 import de.siegmar.fastcsv.writer.LineDelimiter;
 import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,7 +19,6 @@ import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import simbad.experiments.plot.ShareGrid;
@@ -173,9 +174,10 @@ public final class RunFiles {
     return CsvWriter.builder().lineDelimiter(LineDelimiter.LF).build(file, StandardCharsets.UTF_8);
   }
 
+  /** Rounded half up; many times faster than a format, of which a trace would need a million. */
   static String fixed(double value, int decimals) {
-    String text = String.format(Locale.ROOT, "%." + decimals + "f", value);
-    // A rounding to zero from below would print as -0.
-    return text.matches("-0\\.?0*") ? text.substring(1) : text;
+    return new BigDecimal(Double.toString(value))
+        .setScale(decimals, RoundingMode.HALF_UP)
+        .toPlainString();
   }
 }
