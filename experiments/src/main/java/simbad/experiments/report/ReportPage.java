@@ -12,6 +12,7 @@ import simbad.experiments.run.RunResult;
 import simbad.experiments.run.SensorKind;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.shape.DetectionShadow;
 
 /** A run's page: what was asked, the figures, the pictures, and how to read each. */
 final class ReportPage {
@@ -49,6 +50,8 @@ final class ReportPage {
       2&nbsp;cm and is a single sweep of one sensor (Kranz 2014). Tables marked <em>reconstructed</em>
       were never published as numbers.</p>
       """;
+
+  private static final double WORTH_SAYING = 0.01;
 
   private ReportPage() {}
 
@@ -131,6 +134,7 @@ final class ReportPage {
     results.stream()
         .filter(result -> !result.trace().isClosed())
         .forEach(result -> addLost(page, result));
+    results.forEach(result -> addMissed(page, result));
     figure(
         page,
         name + "/polar",
@@ -165,6 +169,20 @@ final class ReportPage {
             + " of "
             + result.errors().radialM().size()
             + " bearings were never reached. Its errors are over the others.</p>\n");
+  }
+
+  /** Thin rays pass a post between them; a sensor of short range does not hear far places. */
+  private static void addMissed(StringBuilder page, RunResult result) {
+    DetectionShadow shadow = new DetectionShadow(result.type().thresholds().table());
+    double missed = result.map().missedShare(shadow);
+    if (missed >= WORTH_SAYING) {
+      page.append(
+          "<p class=\"note\">The "
+              + result.sensor().word()
+              + " sensor missed the obstacle at "
+              + percent(OptionalDouble.of(missed), 1)
+              + " of the map's places and headings at which the table says that it is heard.</p>\n");
+    }
   }
 
   private static void figure(StringBuilder page, String name, String caption) {

@@ -1,6 +1,7 @@
 package simbad.experiments.run;
 
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import javax.vecmath.Vector3d;
 import simbad.experiments.plot.ShareGrid;
 import simbad.gui.Simbatch;
@@ -31,6 +32,26 @@ public record DetectionMap(ShareGrid disagreement, double agreement) {
   public static final int HEADINGS = 6;
 
   private static final double MARGIN = 1.15;
+
+  /**
+   * Returns how often the belt missed the obstacle where the table says that it is heard.
+   *
+   * @param shadow of the table
+   * @return share of the places in the shadow and their headings, in [0, 1]; 0 if none is in it
+   */
+  public double missedShare(DetectionShadow shadow) {
+    int cells = disagreement.cells();
+    return IntStream.range(0, cells * cells)
+        .filter(i -> shadow.contains(placeOf(i)))
+        .mapToDouble(i -> disagreement.shares().get(i))
+        .average()
+        .orElse(0);
+  }
+
+  private Point placeOf(int index) {
+    int cells = disagreement.cells();
+    return new Point(disagreement.centreM(index % cells), disagreement.centreM(index / cells));
+  }
 
   /** Measures one belt. */
   static DetectionMap of(ObstacleType type, SensorKind sensor, RunSettings settings) {
