@@ -7,24 +7,26 @@ final class AgentImpact {
   private final Vector3d between = new Vector3d();
   private final Vector3d approach = new Vector3d();
 
-  /** Changes velocities and displacements of two agents if they meet in this step. */
-  void apply(SimpleAgent one, SimpleAgent other, double elapsedSecond) {
+  /**
+   * Changes velocities and displacements of two agents if they meet in this step.
+   *
+   * @return true if they meet
+   */
+  boolean apply(SimpleAgent one, SimpleAgent other, double elapsedSecond) {
     between.set(
         other.placement().xM() - one.placement().xM(),
         other.placement().yM() - one.placement().yM(),
         other.placement().zM() - one.placement().zM());
     approach.sub(other.instantTranslation, one.instantTranslation);
     boolean massive = one.getMass() > 0 && other.getMass() > 0;
-    if (massive && reachContact((double) one.getRadius() + other.getRadius())) {
-      if (!one.isAboveGround() && !other.isAboveGround()) {
-        // The floor takes what would press a lower body down.
-        between.y = 0;
-      }
-      if (between.lengthSquared() > 0) {
-        between.normalize();
-        exchange(one, other, elapsedSecond);
-      }
+    if (!massive || !reachContact((double) one.getRadius() + other.getRadius())) {
+      return false;
     }
+    if (!one.isAboveGround() && !other.isAboveGround()) {
+      // The floor takes what would press a lower body down.
+      between.y = 0;
+    }
+    return between.lengthSquared() > 0 && exchange(one, other, elapsedSecond);
   }
 
   /**
@@ -51,15 +53,17 @@ final class AgentImpact {
     return true;
   }
 
-  private void exchange(SimpleAgent one, SimpleAgent other, double elapsedSecond) {
+  private boolean exchange(SimpleAgent one, SimpleAgent other, double elapsedSecond) {
+    between.normalize();
     approach.sub(other.linearVelocity, one.linearVelocity);
     double closingMPerS = -approach.dot(between);
     if (closingMPerS <= 0) {
-      return;
+      return false;
     }
     double impulse = 2 * closingMPerS / (1.0 / one.getMass() + 1.0 / other.getMass());
     push(one, -impulse / one.getMass(), elapsedSecond);
     push(other, impulse / other.getMass(), elapsedSecond);
+    return true;
   }
 
   private void push(SimpleAgent agent, double changeMPerS, double elapsedSecond) {

@@ -79,8 +79,8 @@ public class PhysicalEngine {
   }
 
   /**
-   * Tells every two agents whose spheres will touch after this step about each other, and finds
-   * which agents push each other or are stopped by others.
+   * Tells every two agents whose spheres touch in this step about each other, and finds which
+   * agents push each other or are stopped by others.
    *
    * <p>Without physics an agent is stopped by another one that cannot be traversed if this step
    * leads towards it and the spheres would touch, wherever the other one ends up in this step. So
@@ -102,7 +102,6 @@ public class PhysicalEngine {
     pairs.resize(agents.size());
     for (int i = 0; i < agents.size(); i++) {
       SimpleAgent agent = agents.get(i);
-      agent.clearVeryNear();
       agent.setStoppedByAgent(false);
       pairs.setCentre(i, agent.nextX(), agent.nextY(), agent.nextZ());
       pairs.setRadius(i, agent.getRadius() + agent.instantTranslation.length());
@@ -116,17 +115,13 @@ public class PhysicalEngine {
     if (one.detachedFromSceneGraph || other.detachedFromSceneGraph) {
       return;
     }
-    if (AgentPair.touchAfter(one, other)) {
+    boolean solid = !one.getCanBeTraversed() && !other.getCanBeTraversed();
+    boolean met = pushing && solid && impact.apply(one, other, elapsed);
+    if (met || (stopping && AgentPair.touchAfter(one, other))) {
       one.veryNear(other);
       other.veryNear(one);
     }
-    if (one.getCanBeTraversed() || other.getCanBeTraversed()) {
-      return;
-    }
-    if (pushing) {
-      impact.apply(one, other, elapsed);
-    }
-    if (stopping) {
+    if (stopping && solid) {
       stop(one, other);
       stop(other, one);
     }

@@ -73,6 +73,7 @@ public class Simulator {
       agents.get(i).performBehavior();
     }
     for (int i = 0; i < agents.size(); i++) {
+      agents.get(i).clearVeryNear();
       agents.get(i).setMotorsAcceleration(elapsedSecond);
       if (usePhysics) {
         engine.computeForces(elapsedSecond, agents.get(i));

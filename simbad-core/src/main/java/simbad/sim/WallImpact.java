@@ -10,6 +10,8 @@ import simbad.kernel.scene.Part;
 
 /** Lets agents without motors bounce off static objects, as an elastic sphere does. */
 final class WallImpact {
+  private static final double MOST_PLACES = 1000;
+
   private final PhysicalEngine engine;
   private final Vector3d normal = new Vector3d();
   private final Point3d centre = new Point3d();
@@ -27,10 +29,7 @@ final class WallImpact {
   void apply(SimpleAgent agent, double elapsedSecond) {
     World world = agent.world;
     boolean hits =
-        world != null
-            && !agent.hasMotors()
-            && !agent.detachedFromSceneGraph
-            && agent.runsIntoObject();
+        world != null && !agent.hasMotors() && !agent.detachedFromSceneGraph && meetsObject(agent);
     if (hits) {
       Vector3d velocity = agent.linearVelocity;
       velocity.scaleAdd(-elapsedSecond, agent.linearAcceleration, velocity);
@@ -42,8 +41,24 @@ final class WallImpact {
     }
   }
 
+  /**
+   * Moves {@link #centre} along this step's way to the first place looked at where the agent would
+   * touch something. Places are a radius apart, so that nothing fast passes through walls.
+   */
+  private boolean meetsObject(SimpleAgent agent) {
+    double wayM = agent.instantTranslation.length();
+    int places = 1 + (int) Math.min(MOST_PLACES, wayM / agent.getRadius());
+    for (int i = 1; i <= places; i++) {
+      centre.set(agent.placement().xM(), agent.placement().yM(), agent.placement().zM());
+      centre.scaleAdd((double) i / places, agent.instantTranslation, centre);
+      if (agent.isStoppedAt(centre.x, centre.y, centre.z, agent.getRadius())) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   private void bounce(SimpleAgent agent, List<StaticObject> objects) {
-    centre.set(agent.nextX(), agent.nextY(), agent.nextZ());
     sphere.setCenter(centre);
     sphere.setRadius(agent.getRadius());
     // Normals are those of where the agent stands: where it would be is inside, perhaps.

@@ -223,6 +223,17 @@ class PhysicsTest {
   }
 
   @Test
+  void fastBall_doesNotTunnelThroughAWall() {
+    environment.add(new Box(new Vector3d(2, 0, 0), new Vector3f(0.1f, 1, 9), environment));
+    BallAgent bullet = ball(0, 0, 0, 0.05f, 1);
+    Simulator simulator = simulator();
+    bullet.linearVelocity.x = 30;
+    run(simulator, 4);
+    assertEquals(-30, bullet.linearVelocity.x, EXACT);
+    assertTrue(at(bullet).x < 1.9);
+  }
+
+  @Test
   void manyImpacts_conserveMomentumAndEnergy() {
     SplittableRandom random = new SplittableRandom(4);
     List<SimpleAgent> balls = new ArrayList<>();
