@@ -72,13 +72,25 @@ public class Agent extends SimpleAgent {
     return look;
   }
 
-  /** Asks the kinematic model for this step's displacement, as velocities. */
+  @Override
+  boolean hasMotors() {
+    return true;
+  }
+
+  /**
+   * Asks the kinematic model for this step's displacement, as velocities. What falls goes on
+   * falling.
+   */
   @Override
   protected void setMotorsAcceleration(double elapsedSecond) {
+    double upwardsMPerS = linearVelocity.y;
     getRotationTransform(rotation);
     kinematicModel.update(elapsedSecond, rotation, linearVelocity, angularVelocity);
     linearVelocity.scale(1 / elapsedSecond);
     angularVelocity.scale(1 / elapsedSecond);
+    if (isFalling()) {
+      linearVelocity.y = upwardsMPerS;
+    }
   }
 
   @Override

@@ -20,6 +20,9 @@ import simbad.kernel.geometry.Shape;
 public class SimpleAgent extends BaseObject {
   private static final int DEFAULT_FRAMES_PER_SECOND = 20;
 
+  /** Room for the rounding of a floating-point height. */
+  private static final double ON_GROUND_M = 1e-6;
+
   /** The agent's name. */
   protected String name;
 
@@ -48,7 +51,9 @@ public class SimpleAgent extends BaseObject {
   /** Mass, kilograms. */
   protected float mass = 50;
 
-  /** Friction at rest, for physics. */
+  /**
+   * Friction at rest, for physics; also in motion where {@link #dynamicFrictionCoefficient} is 0.
+   */
   protected float staticFrictionCoefficient;
 
   /** Friction in motion, for physics. */
@@ -126,6 +131,7 @@ public class SimpleAgent extends BaseObject {
 
   /** Returns to the start position, heading along +x. */
   protected void resetPosition() {
+    stop();
     v1.set(startPosition);
     v1.y += height / 2;
     resetPositionAt(v1);
@@ -137,6 +143,12 @@ public class SimpleAgent extends BaseObject {
     placement().resetTurn();
     collided = false;
     placementChanged();
+  }
+
+  /** Takes away the speed that physics gave. */
+  private void stop() {
+    linearVelocity.set(0, 0, 0);
+    angularVelocity.set(0, 0, 0);
   }
 
   /** Resets every device. */
@@ -165,9 +177,16 @@ public class SimpleAgent extends BaseObject {
     angularVelocity.scaleAdd(elapsedSecond, angularAcceleration, angularVelocity);
   }
 
-  /** Computes the displacement and turn that the velocities give in a step. */
+  /**
+   * Computes the displacement and turn that the velocities at the end of a step give. The
+   * displacement is that of the mean velocity, exact while the acceleration is constant.
+   */
   protected void integratesPositionChange(double elapsedSecond) {
     instantTranslation.scale(elapsedSecond, linearVelocity);
+    if (!restores(Compatibility.GRAVITY_GROWS_WITH_MASS)) {
+      instantTranslation.scaleAdd(
+          -elapsedSecond * elapsedSecond / 2, linearAcceleration, instantTranslation);
+    }
     instantRotation.scale(elapsedSecond, angularVelocity);
   }
 
@@ -192,6 +211,15 @@ public class SimpleAgent extends BaseObject {
     if (positionChanged) {
       placementChanged();
     }
+    if (collided && hasPhysics()) {
+      loseVelocity();
+    }
+  }
+
+  /** What cannot move has no momentum; motors go on turning. */
+  private void loseVelocity() {
+    double share = hasMotors() ? 1 : 0;
+    linearVelocity.set(share * linearVelocity.x, 0, share * linearVelocity.z);
   }
 
   /**
@@ -202,9 +230,50 @@ public class SimpleAgent extends BaseObject {
    * @param checkGeometry accepted for old programs
    */
   protected void checkCollision(@Nullable BranchGroup pickableSceneBranch, boolean checkGeometry) {
-    collided =
-        !detachedFromSceneGraph
-            && (stoppedByAgent || isStoppedAt(nextX(), nextY(), nextZ(), radius));
+    collided = !detachedFromSceneGraph && (stoppedByAgent || runsIntoObject());
+  }
+
+  /** Returns true if this step would lead into a static object. */
+  boolean runsIntoObject() {
+    return isStoppedAt(nextX(), nextY(), nextZ(), radius);
+  }
+
+  /** Returns true if the agent drives, so that it is stopped by walls and does not bounce. */
+  boolean hasMotors() {
+    return false;
+  }
+
+  /** Returns true if there is air under the agent. */
+  boolean isAboveGround() {
+    return distanceToGround() > ON_GROUND_M;
+  }
+
+  /** Returns true if physics governs the agent's height now. */
+  boolean isFalling() {
+    return hasPhysics() && mass > 0 && isAboveGround();
+  }
+
+  private boolean hasPhysics() {
+    return simulator != null && simulator.getUsePhysics();
+  }
+
+  /** Returns the coefficient of friction on the floor. */
+  double frictionCoefficient() {
+    return dynamicFrictionCoefficient > 0 ? dynamicFrictionCoefficient : staticFrictionCoefficient;
+  }
+
+  /** Ends this step's way down at the floor. */
+  void land() {
+    if (distanceToGround() >= 0 && distanceToGround() + instantTranslation.y < 0) {
+      instantTranslation.y = -distanceToGround();
+      linearVelocity.y = 0;
+      linearAcceleration.y = 0;
+    }
+  }
+
+  /** Says whether the agent has pushed something or bounced in this step. */
+  void setInteracted(boolean newInteracted) {
+    interacted = newInteracted;
   }
 
   /** Says whether another agent stops this one in this step. */
@@ -256,7 +325,7 @@ public class SimpleAgent extends BaseObject {
     return collided;
   }
 
-  /** Returns true if physics let the agent push another one in the last step. */
+  /** Returns true if in the last step physics let the agent push another one or bounce. */
   public boolean interactionDetected() {
     return interacted;
   }

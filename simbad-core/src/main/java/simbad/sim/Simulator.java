@@ -73,12 +73,23 @@ public class Simulator {
       agents.get(i).performBehavior();
     }
     for (int i = 0; i < agents.size(); i++) {
+      agents.get(i).clearVeryNear();
       agents.get(i).setMotorsAcceleration(elapsedSecond);
+      if (usePhysics) {
+        engine.computeForces(elapsedSecond, agents.get(i));
+      }
       agents.get(i).integratesVelocities(elapsedSecond);
       agents.get(i).integratesPositionChange(elapsedSecond);
     }
-    engine.checkAgentAgentPairs(elapsedSecond, agents, usePhysics, !usePhysics);
-    engine.checkAgentObjectPairs(agents, noObjects, usePhysics, false);
+    if (usePhysics) {
+      engine.checkAgentAgentPairs(elapsedSecond, agents, true, false);
+      engine.checkAgentObjectPairs(agents, noObjects, true, false);
+    }
+    engine.checkAgentAgentPairs(elapsedSecond, agents, usePhysics, true);
+    if (usePhysics) {
+      engine.land(agents);
+    }
+    engine.checkAgentObjectPairs(agents, noObjects, false, false);
     for (int i = 0; i < agents.size(); i++) {
       agents.get(i).updatePosition();
       agents.get(i).updateCounters(elapsedSecond);
