@@ -44,7 +44,9 @@ class JarTest {
           Old world = new Old();
           Walker walker = world.new Walker();
           world.add(walker);
-          world.add(new Wall(new Vector3d(9, 0, 0), 19, 1, world));
+          Wall wall = new Wall(new Vector3d(9, 0, 0), 19, 1, world);
+          wall.rotate90(1);
+          world.add(wall);
           Simbatch batch = new Simbatch(world, false);
           batch.reset();
           for (int i = 0; i < 100; i++) batch.step();
