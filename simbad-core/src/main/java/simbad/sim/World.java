@@ -9,6 +9,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import simbad.kernel.drawing.PointLight;
 import simbad.kernel.drawing.Stage;
+import simbad.kernel.render.PictureSource;
 import simbad.kernel.scene.Scene;
 
 /** The static objects and agents of an environment, and the scene in which sensors see them. */
@@ -41,6 +42,7 @@ public class World {
   private final Optional<PointLight> light2;
   private final List<StaticObject> standing = new ArrayList<>();
   private long staticRevision;
+  private @Nullable PictureSource pictures;
 
   /** Creates a world with the environment's static objects; the simulator adds the agents. */
   public World(EnvironmentDescription environment) {
@@ -118,6 +120,14 @@ public class World {
     return stage;
   }
 
+  /** Returns who takes the pictures of this world's cameras. */
+  PictureSource pictures() {
+    if (pictures == null) {
+      pictures = CameraKind.fromProperty().open(stage);
+    }
+    return pictures;
+  }
+
   /** Returns the first lamp, if it was lit when the world was made. */
   public Optional<PointLight> getLight1() {
     return light1;
@@ -153,8 +163,11 @@ public class World {
     // Only the window draws.
   }
 
-  /** Frees what the window holds; without one, nothing. */
+  /** Frees what cameras and the window hold. */
   public void dispose() {
-    // Only the window holds resources.
+    if (pictures != null) {
+      pictures.dispose();
+      pictures = null;
+    }
   }
 }
