@@ -1,15 +1,22 @@
 package simbad.sim;
 
+import java.util.ArrayList;
+import java.util.List;
 import javax.media.j3d.Transform3D;
 import javax.swing.JPanel;
 import javax.vecmath.Color3f;
 import javax.vecmath.Vector3d;
 import org.jspecify.annotations.Nullable;
+import simbad.kernel.drawing.Facets;
+import simbad.kernel.drawing.Rgb;
+import simbad.kernel.geometry.PrismShape;
 
 /**
  * A robot with motors: the base class of users' robots. By default 0.3 m in radius and 0.5 m high.
  */
 public class Agent extends SimpleAgent {
+  private static final Rgb NOSE = new Rgb(0.8f, 0, 0);
+
   /** Turns commands into displacements. */
   protected KinematicModel kinematicModel = new DefaultKinematic();
 
@@ -52,6 +59,17 @@ public class Agent extends SimpleAgent {
   @Override
   protected void create3D() {
     super.create3D();
+  }
+
+  /** Returns the body with a red nose on top, which points ahead. */
+  @Override
+  protected List<Facets> drawing() {
+    double[] x = {radius, 0, 0};
+    double[] z = {0, -radius / 2, radius / 2};
+    double top = height / 2;
+    List<Facets> look = new ArrayList<>(super.drawing());
+    look.add(Facets.lit(new PrismShape(x, z, top, top + radius / 30), NOSE));
+    return look;
   }
 
   @Override

@@ -8,6 +8,9 @@ import javax.media.j3d.Transform3D;
 import javax.vecmath.Color3f;
 import javax.vecmath.Vector3d;
 import org.jspecify.annotations.Nullable;
+import simbad.kernel.drawing.Facets;
+import simbad.kernel.drawing.Rgb;
+import simbad.kernel.drawing.Visual;
 import simbad.kernel.geometry.Placement;
 import simbad.kernel.geometry.Shape;
 import simbad.kernel.scene.Solid;
@@ -27,6 +30,7 @@ public abstract class BaseObject {
   private final List<BaseObject> children = new ArrayList<>();
   private final Vector3d translation = new Vector3d();
   private final double[] matrix = new double[16];
+  private final Visual visual = new Visual(placement, this::drawing);
   private @Nullable Solid solid;
   private boolean canBeTraversed;
   private Color3f color = new Color3f(0.8f, 0.8f, 0.8f);
@@ -45,6 +49,26 @@ public abstract class BaseObject {
    */
   protected List<Shape> bodyShapes() {
     return List.of();
+  }
+
+  /**
+   * Says how this object looks, in its own frame: by default its body's shapes in its colour.
+   * Override it to look different; the body that rays and collisions meet stays as it is. Asked
+   * when the object is first drawn, and again after {@link #lookChanged()}.
+   */
+  protected List<Facets> drawing() {
+    Rgb rgb = Surroundings.rgb(color());
+    return bodyShapes().stream().map(shape -> Facets.lit(shape, rgb)).toList();
+  }
+
+  /** Says that {@link #drawing()} has another answer now. */
+  protected void lookChanged() {
+    visual.lookChanged();
+  }
+
+  /** Returns how this object looks and where it is, with its parts. */
+  Visual visual() {
+    return visual;
   }
 
   /** Adds this object's shapes to a body, given where this object is in that body. */
@@ -103,6 +127,7 @@ public abstract class BaseObject {
   /** Makes another object part of this one: it is then placed in this object's frame. */
   protected void addChild(BaseObject child) {
     children.add(child);
+    visual.add(child.visual());
   }
 
   /** Returns the objects that are part of this one. */
@@ -164,6 +189,7 @@ public abstract class BaseObject {
 
   private void setDetached(boolean detached) {
     detachedFromSceneGraph = detached;
+    visual.setPresent(!detached);
     if (solid != null) {
       solid.setPresent(!detached);
     }
@@ -200,9 +226,10 @@ public abstract class BaseObject {
   /** Sets the colour; the argument is copied. */
   public void setColor(Color3f newColor) {
     color = new Color3f(newColor);
+    lookChanged();
   }
 
-  /** Returns the colour, for the window. */
+  /** Returns the colour. */
   Color3f color() {
     return color;
   }

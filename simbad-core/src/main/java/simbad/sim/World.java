@@ -4,8 +4,12 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import simbad.kernel.drawing.PointLight;
+import simbad.kernel.drawing.Stage;
+import simbad.kernel.render.PictureSource;
 import simbad.kernel.scene.Scene;
 
 /** The static objects and agents of an environment, and the scene in which sensors see them. */
@@ -33,18 +37,26 @@ public class World {
 
   private final Set<Compatibility> habits = EnumSet.noneOf(Compatibility.class);
   private final Scene scene = new Scene();
+  private final Stage stage;
+  private final Optional<PointLight> light1;
+  private final Optional<PointLight> light2;
   private final List<StaticObject> standing = new ArrayList<>();
   private long staticRevision;
+  private @Nullable PictureSource pictures;
 
   /** Creates a world with the environment's static objects; the simulator adds the agents. */
   public World(EnvironmentDescription environment) {
     worldSize = environment.worldSize;
     habits.addAll(environment.compatibility);
+    stage = Surroundings.stage(environment);
+    light1 = Surroundings.light1(environment);
+    light2 = Surroundings.light2(environment);
     environment.list(StaticObject.class).forEach(this::enter);
   }
 
   private void enter(BaseObject object) {
     object.setWorld(this);
+    stage.add(object.visual());
     if (object instanceof StaticObject fixed) {
       scene.addFixed(fixed.getSolid());
       standing.add(fixed);
@@ -103,6 +115,29 @@ public class World {
     return scene;
   }
 
+  /** Returns what there is to see: this world's objects, floor, axes and lamps. */
+  public Stage getStage() {
+    return stage;
+  }
+
+  /** Returns who takes the pictures of this world's cameras. */
+  PictureSource pictures() {
+    if (pictures == null) {
+      pictures = CameraKind.fromProperty().open(stage);
+    }
+    return pictures;
+  }
+
+  /** Returns the first lamp, if it was lit when the world was made. */
+  public Optional<PointLight> getLight1() {
+    return light1;
+  }
+
+  /** Returns the second lamp, if it was lit when the world was made. */
+  public Optional<PointLight> getLight2() {
+    return light2;
+  }
+
   /**
    * Moves the window's view; without a window, nothing.
    *
@@ -128,8 +163,11 @@ public class World {
     // Only the window draws.
   }
 
-  /** Frees what the window holds; without one, nothing. */
+  /** Frees what cameras and the window hold. */
   public void dispose() {
-    // Only the window holds resources.
+    if (pictures != null) {
+      pictures.dispose();
+      pictures = null;
+    }
   }
 }
