@@ -27,6 +27,8 @@ class AllocationTest {
       super(new Vector3d(x, 0, z), "circler");
       RobotFactory.addSonarBeltSensor(this, 12).setUpdateOnEachFrame(true);
       RobotFactory.addBumperBeltSensor(this);
+      RobotFactory.addCameraSensor(this);
+      RobotFactory.addLightSensorLeft(this);
     }
 
     @Override
