@@ -31,7 +31,7 @@ final class DemoArgument {
             .sorted(Comparator.comparingInt(name -> changes(plain(name), plain(argument))))
             .limit(SUGGESTIONS)
             .collect(Collectors.joining(", "));
-    return "NAME '" + argument + "' is no demo; did you mean " + nearest + "? (--list shows all)";
+    return "NAME '" + argument + "' is no demo, did you mean " + nearest + "? --list shows all";
   }
 
   private static String plain(String name) {
