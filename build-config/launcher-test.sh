@@ -207,6 +207,8 @@ runs_from_anywhere() {
   check "without a window: headless" prints 'headless=true'
   simbad demo one --headless
   check "a demo without a window: headless" prints 'headless=true'
+  simbad demo --list
+  check "the list of demos: headless" prints 'headless=true'
   simbad view
   check "with a window: not headless" prints_not 'headless=true'
 }

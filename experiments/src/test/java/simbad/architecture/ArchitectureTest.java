@@ -62,6 +62,7 @@ class ArchitectureTest {
         "simbad.sim, 20",
         "simbad.gui, 15",
         "simbad.scene3d, 12",
+        "simbad.demo, 15",
         "simbad.obstacles, 9",
         "simbad.experiments, 60",
         "simbad.experiments.control, 8",
@@ -95,7 +96,9 @@ class ArchitectureTest {
         Arguments.of(SCENE, new String[] {OBSTACLES, EXPERIMENTS}),
         Arguments.of("simbad.sim..", new String[] {OBSTACLES, EXPERIMENTS}),
         Arguments.of("simbad.gui..", new String[] {OBSTACLES, EXPERIMENTS}),
+        Arguments.of("simbad.demo..", new String[] {"simbad.gui..", OBSTACLES, EXPERIMENTS}),
         Arguments.of(OBSTACLES, new String[] {EXPERIMENTS}),
+        Arguments.of("simbad.experiments.demo..", new String[] {"simbad.gui.."}),
         Arguments.of("simbad.experiments.plot..", new String[] {MODEL, OBSTACLES}),
         Arguments.of("simbad.experiments.plot..", WORLD),
         Arguments.of("simbad.experiments.run..", new String[] {"simbad.experiments.report.."}));
@@ -203,7 +206,7 @@ class ArchitectureTest {
     outsideTheCommandLine().callMethodWhere(callOf(java.time.Instant.class, "now")).check(CLASSES);
     clockless("simbad.sonar..").check(CLASSES);
     clockless("simbad.obstacles..").check(CLASSES);
-    clockless("simbad.experiments.(run|control|report|table|plot)..").check(CLASSES);
+    clockless("simbad.experiments.(demo|run|control|report|table|plot)..").check(CLASSES);
   }
 
   private static ArchRule clockless(String from) {

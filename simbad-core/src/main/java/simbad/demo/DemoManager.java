@@ -2,10 +2,12 @@ package simbad.demo;
 
 import java.awt.event.ActionEvent;
 import java.awt.event.ActionListener;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import org.jspecify.annotations.Nullable;
@@ -20,7 +22,7 @@ public class DemoManager {
   /** Creates a list; its methods are static. */
   public DemoManager() {}
 
-  /** Returns the names of all demos, in the order in which their jars provide them. */
+  /** Returns the names of all demos, Simbad's own first, then in the order of their jars. */
   public static List<String> names() {
     return providers().map(provider -> provider.type().getSimpleName()).distinct().toList();
   }
@@ -38,8 +40,13 @@ public class DemoManager {
         .map(Supplier::get);
   }
 
-  private static java.util.stream.Stream<ServiceLoader.Provider<Demo>> providers() {
-    return ServiceLoader.load(Demo.class).stream();
+  private static Stream<ServiceLoader.Provider<Demo>> providers() {
+    return ServiceLoader.load(Demo.class).stream()
+        .sorted(Comparator.comparing(provider -> !isOwn(provider.type())));
+  }
+
+  private static boolean isOwn(Class<? extends Demo> type) {
+    return type.getPackage().equals(Demo.class.getPackage());
   }
 
   /** Returns a new menu with an item for each demo, whose action command is the demo's name. */

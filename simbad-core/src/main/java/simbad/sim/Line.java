@@ -4,7 +4,6 @@ import java.util.List;
 import javax.vecmath.Color3f;
 import javax.vecmath.Vector3d;
 import simbad.kernel.drawing.Facets;
-import simbad.kernel.drawing.Finish;
 import simbad.kernel.geometry.BoxShape;
 import simbad.kernel.geometry.Placement;
 import simbad.kernel.geometry.Shape;
@@ -63,11 +62,9 @@ public class Line extends BlockWorldObject {
     super.addShapesTo(body, bodyFromMiddle);
   }
 
-  /** Returns the strip as light as its colour, like the floor that it lies on. */
   @Override
   protected List<Facets> drawing() {
     return super.drawing().stream()
-        .map(strip -> new Facets(strip.mesh(), Finish.plain(strip.finish().colour())))
         .map(strip -> strip.movedBy(0, HEIGHT_M / 2, length / 2))
         .toList();
   }

@@ -63,12 +63,26 @@ final class Surroundings {
     return Rgb.nearest(colour.x, colour.y, colour.z);
   }
 
+  /** See {@link LightSensor#getLux()}. */
+  static float illuminanceLx(Lighting lighting, Placement at) {
+    double sum = 0;
+    for (PointLight lamp : lighting.lamps()) {
+      double dx = lamp.xM() - at.xM();
+      double dy = lamp.yM() - at.yM();
+      double dz = lamp.zM() - at.zM();
+      double squared = dx * dx + dy * dy + dz * dz;
+      sum += lamp.colour().luminance() / Math.max(LAMP_RADIUS_M * LAMP_RADIUS_M, squared);
+    }
+    return (float) sum;
+  }
+
   private static Visual still(List<Facets> facets) {
     return new Visual(new Placement(), () -> facets);
   }
 
+  /** One face, so that the light falls on its corners alone, as in the original. */
   private static List<Facets> floor(double sideM, Rgb colour) {
-    return List.of(Facets.plain(BoxShape.ofSides(sideM, 0, sideM), colour));
+    return List.of(Facets.lit(BoxShape.ofSides(sideM, 0, sideM), colour));
   }
 
   /** Three bars that rest on the floor, from the origin. */

@@ -11,6 +11,7 @@ import javax.media.j3d.Canvas3D;
 import org.jspecify.annotations.Nullable;
 import simbad.kernel.drawing.PointLight;
 import simbad.kernel.drawing.Stage;
+import simbad.kernel.render.PictureSource;
 import simbad.kernel.scene.Scene;
 
 /** The static objects and agents of an environment, and the scene in which sensors see them. */
@@ -49,6 +50,7 @@ public class World {
   private int viewPoint;
   private @Nullable SimpleAgent viewedAgent;
   private @Nullable WorldView view;
+  private @Nullable PictureSource pictures;
 
   /** Creates a world with the environment's static objects; the simulator adds the agents. */
   public World(EnvironmentDescription environment) {
@@ -141,6 +143,14 @@ public class World {
     return stage;
   }
 
+  /** Returns who takes the pictures of this world's cameras. */
+  PictureSource pictures() {
+    if (pictures == null) {
+      pictures = CameraKind.fromProperty().open(stage);
+    }
+    return pictures;
+  }
+
   /** Returns the first lamp, if it was lit when the world was made. */
   public Optional<PointLight> getLight1() {
     return light1;
@@ -210,9 +220,13 @@ public class World {
     }
   }
 
-  /** Frees what the canvas holds; without one, nothing. */
+  /** Frees what cameras and the canvas hold. */
   public synchronized void dispose() {
     ifShown(WorldView::dispose);
     view = null;
+    if (pictures != null) {
+      pictures.dispose();
+      pictures = null;
+    }
   }
 }

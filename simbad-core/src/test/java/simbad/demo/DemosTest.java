@@ -4,9 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Color;
+import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
+import javax.swing.JPanel;
 import javax.vecmath.Point3d;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
@@ -186,6 +189,41 @@ class DemosTest {
       watch.checkGetsAbout(robot, 30, 4.5);
       assertTrue(robot.contacts > 10, robot.contacts + " contacts");
     }
+  }
+
+  @Test
+  void imager_findsTheYellowBox_andShowsWhatItSees() {
+    ImagerDemo demo = new ImagerDemo();
+    Watch watch = Watch.of(demo);
+    Point3d goal = new Point3d(ImagerDemo.GOAL[0], 0.25, ImagerDemo.GOAL[1]);
+    double distance = Watch.at(demo.robot).distance(goal);
+    assertTrue(distance > 0.8 && distance < 2, "from the box " + distance);
+    assertTrue(demo.robot.lamp.getOn());
+    assertEquals(0, watch.collisions(demo.robot));
+    JPanel panel = demo.robot.getUIPanel();
+    panel.setSize(panel.getPreferredSize());
+    BufferedImage screen = new BufferedImage(200, 200, BufferedImage.TYPE_INT_RGB);
+    panel.paint(screen.createGraphics());
+    // The box and the mark on its middle; the wall behind it.
+    Color middle = new Color(screen.getRGB(100, 120));
+    assertTrue(
+        middle.getRed() > 40 && middle.getGreen() > 40 && middle.getBlue() < 40, "" + middle);
+    BufferedImage sight = demo.robot.camera.createCompatibleImage();
+    demo.robot.camera.copyVisionImage(sight);
+    assertEquals(sight.getRGB(10, 90), screen.getRGB(20, 180));
+  }
+
+  @Test
+  void lightSearch_findsTheLamp() {
+    LightSearchDemo demo = new LightSearchDemo();
+    Watch watch = Watch.of(demo);
+    Point3d at = Watch.at(demo.robot);
+    double away = Math.hypot(at.x - LightSearchDemo.LAMP[0], at.z - LightSearchDemo.LAMP[2]);
+    assertTrue(away < 1.2, "from the lamp " + away);
+    assertTrue(demo.robot.lamp.getBlink());
+    assertEquals(0, watch.collisions(demo.robot));
+    double straight = new Point3d(-4.5, 0.25, 4).distance(at);
+    assertTrue(demo.robot.getOdometer() < 1.5 * straight, "way " + demo.robot.getOdometer());
   }
 
   /** Same demo, same paths: nothing depends on time or chance. */

@@ -32,4 +32,9 @@ public record Rgb(float red, float green, float blue) {
   private static float clamp(float share) {
     return share > 0 ? Math.min(1, share) : 0;
   }
+
+  /** Returns 0.299 red + 0.587 green + 0.114 blue, as in ITU-R BT.601; in [0, 1]. */
+  public double luminance() {
+    return 0.299 * red + 0.587 * green + 0.114 * blue;
+  }
 }

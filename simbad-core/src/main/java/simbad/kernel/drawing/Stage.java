@@ -12,6 +12,7 @@ public final class Stage {
   private final Rgb background;
   private final Lighting lighting;
   private final List<Visual> visuals = new ArrayList<>();
+  private final List<Visual> visualsView = Collections.unmodifiableList(visuals);
 
   /**
    * Creates a stage without objects.
@@ -46,6 +47,6 @@ public final class Stage {
    * taken away. An unmodifiable view.
    */
   public List<Visual> visuals() {
-    return Collections.unmodifiableList(visuals);
+    return visualsView;
   }
 }

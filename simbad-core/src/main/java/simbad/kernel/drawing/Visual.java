@@ -17,6 +17,7 @@ public final class Visual {
   private final Placement frameFromVisual;
   private final Supplier<List<Facets>> look;
   private final List<Visual> parts = new ArrayList<>();
+  private final List<Visual> partsView = Collections.unmodifiableList(parts);
   private List<Facets> facets = List.of();
   private boolean present = true;
   private boolean stale = true;
@@ -78,6 +79,6 @@ public final class Visual {
 
   /** Returns the parts, in the order in which they were added; an unmodifiable view. */
   public List<Visual> parts() {
-    return Collections.unmodifiableList(parts);
+    return partsView;
   }
 }
