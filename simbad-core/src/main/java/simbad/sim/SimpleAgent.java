@@ -8,6 +8,7 @@ import javax.media.j3d.Transform3D;
 import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
 import org.jspecify.annotations.Nullable;
+import simbad.kernel.drawing.Facets;
 import simbad.kernel.geometry.CylinderShape;
 import simbad.kernel.geometry.Shape;
 
@@ -86,6 +87,7 @@ public class SimpleAgent extends BaseObject {
   private final DeviceRack devices = new DeviceRack();
   private @Nullable Simulator simulator;
   private @Nullable SimpleAgent veryNearAgent;
+  private boolean bodyIsDrawn;
   private boolean collided;
   private boolean stoppedByAgent;
   private boolean interacted;
@@ -108,14 +110,25 @@ public class SimpleAgent extends BaseObject {
     return List.of(new CylinderShape(radius, height));
   }
 
-  /** Gives the agent its looks; the window builds what is drawn. */
+  /**
+   * Gives the agent its looks. Programs that override it without calling this method, and add nodes
+   * of their own, are drawn as these nodes alone.
+   */
   protected void create3D() {
-    // Nothing is drawn without a window.
+    bodyIsDrawn = true;
+  }
+
+  /**
+   * Returns the body's shapes, unless {@link #create3D()} was overridden to draw something else.
+   */
+  @Override
+  protected List<Facets> drawing() {
+    return bodyIsDrawn || nodes().isEmpty() ? super.drawing() : List.of();
   }
 
   /** Prepares the agent for its world; called once, by the simulator. */
   protected void create() {
-    create3D();
+    createLooks(this::create3D);
   }
 
   /** Returns to the start: position, counters, devices. */
@@ -383,14 +396,9 @@ public class SimpleAgent extends BaseObject {
     // For subclasses.
   }
 
-  /** Describes the agent's state in several lines. */
+  /** Describes the agent's state in several lines: metres, seconds. */
   public synchronized String asString() {
-    return String.join(
-        "\n",
-        getClass().getSimpleName() + " " + name,
-        "counter: " + counter + ", lifetime: " + lifeTime + " s",
-        "collision: " + collided,
-        "placement: " + placement());
+    return AgentText.of(this);
   }
 
   /** Says which simulator steps the agent. */
