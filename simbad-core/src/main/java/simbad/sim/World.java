@@ -123,7 +123,7 @@ public class World {
   /** Returns who takes the pictures of this world's cameras. */
   PictureSource pictures() {
     if (pictures == null) {
-      pictures = CameraKind.fromProperty().open(stage);
+      pictures = CameraKind.choose(false).open(stage);
     }
     return pictures;
   }
