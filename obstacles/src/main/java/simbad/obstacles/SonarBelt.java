@@ -1,5 +1,6 @@
 package simbad.obstacles;
 
+import java.util.OptionalDouble;
 import java.util.random.RandomGenerator;
 import simbad.sim.RangeSensorBelt;
 import simbad.sim.World;
@@ -39,6 +40,12 @@ public class SonarBelt extends RangeSensorBelt {
   @Override
   protected Sensor createSensor(World world) {
     return new WorldSensor(world, this::bind);
+  }
+
+  /** Returns the half angle of the cone in which the sonars hear. */
+  @Override
+  protected OptionalDouble findConeHalfAngleRad() {
+    return OptionalDouble.of(spec.coneHalfAngleRad());
   }
 
   private Sensor bind(World world) {

@@ -1,9 +1,12 @@
 package simbad.sim;
 
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.media.j3d.Bounds;
+import javax.media.j3d.Node;
 import javax.media.j3d.Transform3D;
 import javax.vecmath.Color3f;
 import javax.vecmath.Vector3d;
@@ -14,6 +17,8 @@ import simbad.kernel.drawing.Visual;
 import simbad.kernel.geometry.Placement;
 import simbad.kernel.geometry.Shape;
 import simbad.kernel.scene.Solid;
+import simbad.scene3d.Attachment;
+import simbad.scene3d.Figure;
 
 /** Anything that has a place in the world: static objects, agents and their devices. */
 public abstract class BaseObject {
@@ -28,6 +33,7 @@ public abstract class BaseObject {
 
   private final Placement placement = new Placement();
   private final List<BaseObject> children = new ArrayList<>();
+  private final List<Attachment> nodes = new ArrayList<>();
   private final Vector3d translation = new Vector3d();
   private final double[] matrix = new double[16];
   private final Visual visual = new Visual(placement, this::drawing);
@@ -128,6 +134,40 @@ public abstract class BaseObject {
   protected void addChild(BaseObject child) {
     children.add(child);
     visual.add(child.visual());
+  }
+
+  /**
+   * Adds a Java 3D node that is drawn with this object, in its own frame. Nodes with geometry can
+   * be made only where there is a display. To be called before the object enters a world.
+   */
+  protected void addChild(Node node) {
+    nodes.add(new Attachment(node));
+  }
+
+  /** Returns what {@link #addChild(Node)} was given. */
+  List<Attachment> nodes() {
+    return nodes;
+  }
+
+  /**
+   * Adds to a scene what Java 3D shall show of this object beyond its body: sensor rays, a shadow.
+   * Override it; called once for each display scene that is built, and never without a display.
+   *
+   * @param figure takes nodes in the object's own frame
+   */
+  protected void decorate(Figure figure) {
+    // Most objects are seen as their body alone.
+  }
+
+  /** Lets looks be made; those of Java 3D nodes are left out where no display could draw them. */
+  static void createLooks(Runnable looks) {
+    try {
+      looks.run();
+    } catch (HeadlessException | ExceptionInInitializerError | NoClassDefFoundError e) {
+      if (!GraphicsEnvironment.isHeadless()) {
+        throw e;
+      }
+    }
   }
 
   /** Returns the objects that are part of this one. */
