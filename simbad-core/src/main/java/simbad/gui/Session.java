@@ -153,7 +153,7 @@ final class Session {
 
   /** Frees the world and its agents; may wait for a step. */
   void dispose() {
-    world.dispose();
     simulator.dispose();
+    world.dispose();
   }
 }
