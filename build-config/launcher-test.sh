@@ -207,6 +207,10 @@ runs_from_anywhere() {
   check "without a window: headless" prints 'headless=true'
   simbad demo one --headless
   check "a demo without a window: headless" prints 'headless=true'
+  simbad demo
+  check "no demo named: headless" prints 'headless=true'
+  simbad demo one
+  check "a demo: not headless" prints_not 'headless=true'
   simbad demo --list
   check "the list of demos: headless" prints 'headless=true'
   simbad view

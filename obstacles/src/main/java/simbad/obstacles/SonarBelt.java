@@ -32,6 +32,7 @@ public class SonarBelt extends RangeSensorBelt {
    */
   public SonarBelt(int sonars, SonarSpec spec, SensorModel model, RandomGenerator random) {
     super(0, (float) spec.minRangeM(), (float) spec.maxRangeM(), sonars, TYPE_SONAR, 0);
+    setName("sonars");
     this.spec = spec;
     this.model = model;
     this.random = random;

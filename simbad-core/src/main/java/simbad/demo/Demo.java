@@ -11,8 +11,9 @@ public class Demo extends EnvironmentDescription {
   /** Creates an empty environment. */
   public Demo() {}
 
-  /** Puts walls on the four sides of a square round the origin. */
+  /** Puts walls on the four sides of a square round the origin, and a floor under them. */
   final void addSquareOfWalls(float sideM) {
+    setWorldSize(sideM + 1);
     addWall(sideM / 2, 0, sideM, 1);
     addWall(-sideM / 2, 0, sideM, 1);
     addWall(0, sideM / 2, sideM, 0);

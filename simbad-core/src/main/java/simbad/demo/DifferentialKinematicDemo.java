@@ -16,6 +16,7 @@ public class DifferentialKinematicDemo extends Demo {
 
   /** Creates the environment. */
   public DifferentialKinematicDemo() {
+    setWorldSize(8);
     double radiusM = Robot.SPEED_M_PER_S * LOOP_STEPS * Robot.STEP_S / (2 * Math.PI);
     for (int side = -1; side <= 1; side += 2) {
       add(new Box(new Vector3d(0, 0, side * radiusM), new Vector3f(0.5f, 0.5f, 0.5f), this));

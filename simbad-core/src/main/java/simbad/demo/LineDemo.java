@@ -15,6 +15,7 @@ public class LineDemo extends Demo {
 
   /** Creates the environment. */
   public LineDemo() {
+    setWorldSize(11);
     for (int i = 0; i < COURSE.length; i += 2) {
       int next = (i + 2) % COURSE.length;
       addLine(COURSE[i], COURSE[i + 1], COURSE[next], COURSE[next + 1]);

@@ -40,7 +40,7 @@ final class OutputWindows {
     JInternalFrame window =
         new JInternalFrame("Output of " + agent.getName(), true, true, true, true);
     window.setContentPane(agent.getUIPanel());
-    window.setFrameIcon(null);
+    window.setFrameIcon(new RobotIcon(RobotIcon.TITLE_PX));
     window.pack();
     window.setLocation(shown.size() * STAGGER_PX, shown.size() * STAGGER_PX);
     desktop.add(window);

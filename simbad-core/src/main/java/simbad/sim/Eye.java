@@ -94,7 +94,7 @@ public class Eye extends SensorDevice {
     synchronized (this) {
       if (world != null) {
         placeEye(worldFromEye);
-        world.pictures().take(worldFromEye, picture);
+        world.takePicture(worldFromEye, picture);
       }
     }
   }

@@ -11,7 +11,8 @@ import javax.media.j3d.Canvas3D;
 import org.jspecify.annotations.Nullable;
 import simbad.kernel.drawing.PointLight;
 import simbad.kernel.drawing.Stage;
-import simbad.kernel.render.PictureSource;
+import simbad.kernel.geometry.Placement;
+import simbad.kernel.render.Picture;
 import simbad.kernel.scene.Scene;
 import simbad.scene3d.DisplayException;
 
@@ -41,6 +42,7 @@ public class World {
   private final Set<Compatibility> habits = EnumSet.noneOf(Compatibility.class);
   private final Scene scene = new Scene();
   private final Stage stage;
+  private final WorldCameras cameras;
   private final Optional<PointLight> light1;
   private final Optional<PointLight> light2;
   private final List<StaticObject> standing = new ArrayList<>();
@@ -50,9 +52,8 @@ public class World {
   private final int surroundings;
   private int viewPoint;
   private @Nullable SimpleAgent viewedAgent;
-  private @Nullable WorldView view;
+  private volatile @Nullable WorldView view;
   private @Nullable DisplayException noView;
-  private @Nullable PictureSource pictures;
 
   /** Creates a world with the environment's static objects; the simulator adds the agents. */
   public World(EnvironmentDescription environment) {
@@ -60,6 +61,7 @@ public class World {
     viewPoint = environment.worldViewPoint;
     habits.addAll(environment.compatibility);
     stage = Surroundings.stage(environment);
+    cameras = new WorldCameras(stage);
     light1 = Surroundings.light1(environment);
     light2 = Surroundings.light2(environment);
     surroundings = stage.visuals().size();
@@ -145,12 +147,9 @@ public class World {
     return stage;
   }
 
-  /** Returns who takes the pictures of this world's cameras. */
-  PictureSource pictures() {
-    if (pictures == null) {
-      pictures = CameraKind.fromProperty().open(stage);
-    }
-    return pictures;
+  /** Takes a picture of this world as it is now; see {@link CameraKind} by whom. */
+  void takePicture(Placement worldFromEye, Picture picture) {
+    cameras.take(view != null, worldFromEye, picture);
   }
 
   /** Returns the first lamp, if it was lit when the world was made. */
@@ -239,9 +238,6 @@ public class World {
   public synchronized void dispose() {
     ifShown(WorldView::dispose);
     view = null;
-    if (pictures != null) {
-      pictures.dispose();
-      pictures = null;
-    }
+    cameras.dispose();
   }
 }

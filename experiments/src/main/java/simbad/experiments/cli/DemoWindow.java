@@ -2,7 +2,9 @@ package simbad.experiments.cli;
 
 import java.awt.GraphicsEnvironment;
 import java.io.IOException;
+import javax.swing.WindowConstants;
 import simbad.demo.Demo;
+import simbad.gui.Simbad;
 
 /** The Simbad window. */
 final class DemoWindow {
@@ -11,14 +13,16 @@ final class DemoWindow {
   /**
    * Opens the window and waits until it is closed.
    *
-   * @throws IOException when no window can be opened
+   * @throws IOException when there is no display
    */
-  @SuppressWarnings("DoNotCallSuggester")
-  static void show(Demo demo) throws IOException {
+  static void show(Demo demo) throws IOException, InterruptedException {
     if (GraphicsEnvironment.isHeadless()) {
       throw new IOException(
           "there is no display; simbad demo NAME --headless runs a demo without one");
     }
-    throw new IOException("no window for " + demo.getClass().getSimpleName() + " so far");
+    Simbad window = new Simbad(demo, false);
+    // The command ends when the window is closed, not the process: exit statuses are the command's.
+    window.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
+    window.awaitClosed();
   }
 }
