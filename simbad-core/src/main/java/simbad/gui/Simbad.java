@@ -90,6 +90,12 @@ public class Simbad extends JFrame implements ActionListener {
   }
 
   private void show(Session opened, EnvironmentDescription environment) {
+    closeSession();
+    if (closed.getCount() == 0) {
+      // The window was closed while this world was made.
+      Commands.run(opened::dispose);
+      return;
+    }
     session = opened;
     opened.open();
     setJMenuBar(menuBar(opened));
@@ -123,17 +129,21 @@ public class Simbad extends JFrame implements ActionListener {
   }
 
   private void replace(EnvironmentDescription environment) {
+    closeSession();
+    Commands.run(
+        () -> {
+          Session next = new Session(desktop, environment, backgroundMode);
+          SwingUtilities.invokeLater(() -> show(next, environment));
+        });
+  }
+
+  private void closeSession() {
     Session former = session;
     session = null;
     if (former != null) {
       former.close();
       Commands.run(former::dispose);
     }
-    Commands.run(
-        () -> {
-          Session next = new Session(desktop, environment, backgroundMode);
-          SwingUtilities.invokeLater(() -> show(next, environment));
-        });
   }
 
   /** Opens the demo that was chosen in the menu of examples. */
@@ -165,12 +175,7 @@ public class Simbad extends JFrame implements ActionListener {
   /** Closes the window and frees what it holds, in a moment; the program goes on. */
   @Override
   public void dispose() {
-    Session last = session;
-    session = null;
-    if (last != null) {
-      last.close();
-      Commands.run(last::dispose);
-    }
+    closeSession();
     if (instance == this) {
       instance = null;
     }
