@@ -36,6 +36,7 @@ public class SonarBelt extends RangeSensorBelt {
     this.spec = spec;
     this.model = model;
     this.random = random;
+    setName("sonars");
   }
 
   @Override

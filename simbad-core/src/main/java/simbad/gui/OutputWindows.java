@@ -27,6 +27,7 @@ final class OutputWindows {
   }
 
   private void look() {
+    shown.values().forEach(JPanel::repaint);
     simulator.getAgentList().stream()
         .filter(Agent.class::isInstance)
         .map(Agent.class::cast)
@@ -39,6 +40,7 @@ final class OutputWindows {
     JInternalFrame window =
         new JInternalFrame("Output of " + agent.getName(), true, true, true, true);
     window.setContentPane(agent.getUIPanel());
+    window.setFrameIcon(new RobotIcon(RobotIcon.TITLE_PX));
     window.pack();
     window.setLocation(shown.size() * STAGGER_PX, shown.size() * STAGGER_PX);
     desktop.add(window);

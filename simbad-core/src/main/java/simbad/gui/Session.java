@@ -85,7 +85,7 @@ final class Session {
   }
 
   private void install(JInternalFrame window) {
-    window.setFrameIcon(null);
+    window.setFrameIcon(new RobotIcon(RobotIcon.TITLE_PX));
     desktop.add(window);
     window.addInternalFrameListener(new KeysToDesktop());
     for (Component part : window.getContentPane().getComponents()) {

@@ -70,6 +70,7 @@ public class Simbad extends JFrame implements ActionListener {
 
   private void openFrame() {
     Theme.install();
+    setIconImages(RobotIcon.images());
     desktop.setFocusable(true);
     setContentPane(desktop);
     setDefaultCloseOperation(EXIT_ON_CLOSE);

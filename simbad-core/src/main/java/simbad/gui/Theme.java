@@ -17,6 +17,8 @@ final class Theme {
 
   /** Sets the theme that the system property asks for, unless the program has a look of its own. */
   static void install() {
+    // A shadow would be painted over the canvas as a border.
+    UIManager.put("InternalFrame.dropShadowPainted", false);
     // The canvas would hide menus and tool tips that have no window of their own.
     JPopupMenu.setDefaultLightWeightPopupEnabled(false);
     ToolTipManager.sharedInstance().setLightWeightPopupEnabled(false);

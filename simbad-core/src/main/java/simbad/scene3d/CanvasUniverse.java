@@ -48,11 +48,12 @@ final class CanvasUniverse {
       throw Missing.display();
     }
     try {
+      DrawingErrors.await();
       CanvasUniverse stage = new CanvasUniverse(configuration());
       stage.build(sideM);
       return stage;
     } catch (RuntimeException | LinkageError e) {
-      throw Missing.of(e);
+      throw DrawingErrors.findLast().map(Missing::openGl).orElseGet(() -> Missing.of(e));
     }
   }
 
@@ -85,8 +86,7 @@ final class CanvasUniverse {
     eye.addChild(platform);
     eye.addChild(Illumination.headlight());
     view.attachViewPlatform(platform);
-    // Java 3D's own answer to an error is to end the process.
-    VirtualUniverse.addRenderingErrorListener(errors);
+    DrawingErrors.add(errors);
     BranchGroup branch = new BranchGroup();
     branch.setCapability(BranchGroup.ALLOW_DETACH);
     branch.addChild(eye);
@@ -129,7 +129,7 @@ final class CanvasUniverse {
   }
 
   void close() {
-    VirtualUniverse.removeRenderingErrorListener(errors);
+    DrawingErrors.remove(errors);
     view.stopView();
     canvas.stopRenderer();
     view.removeAllCanvas3Ds();

@@ -14,6 +14,7 @@ import javax.media.j3d.Screen3D;
 import javax.media.j3d.TransformGroup;
 import javax.media.j3d.View;
 import javax.media.j3d.ViewPlatform;
+import org.jspecify.annotations.Nullable;
 import simbad.kernel.render.Picture;
 import simbad.kernel.render.PictureSource;
 
@@ -59,12 +60,25 @@ final class Film {
     view.attachViewPlatform(platform);
   }
 
-  private static GraphicsConfiguration configuration() {
-    GraphicsConfigTemplate3D template = new GraphicsConfigTemplate3D();
-    template.setDoubleBuffer(GraphicsConfigTemplate3D.UNNECESSARY);
-    return GraphicsEnvironment.getLocalGraphicsEnvironment()
-        .getDefaultScreenDevice()
-        .getBestConfiguration(template);
+  /** Asked once: each question opens a connection to the display that Java 3D never closes. */
+  private static final class Asked {
+    private static final @Nullable GraphicsConfiguration BEST =
+        GraphicsEnvironment.getLocalGraphicsEnvironment()
+            .getDefaultScreenDevice()
+            .getBestConfiguration(new GraphicsConfigTemplate3D());
+  }
+
+  /**
+   * Returns what canvases out of sight are made with.
+   *
+   * @throws DisplayException if the screen has nothing suitable
+   */
+  static GraphicsConfiguration configuration() {
+    GraphicsConfiguration best = Asked.BEST;
+    if (best == null) {
+      throw Missing.openGl("the screen offers no suitable configuration");
+    }
+    return best;
   }
 
   boolean fits(Picture picture) {
@@ -78,6 +92,7 @@ final class Film {
   }
 
   void close() {
+    canvas.setOffScreenBuffer(null);
     view.removeAllCanvas3Ds();
     view.attachViewPlatform(null);
   }

@@ -1,9 +1,13 @@
 package simbad.scene3d;
 
+import java.awt.GraphicsEnvironment;
 import java.util.ArrayList;
 import java.util.List;
 import javax.media.j3d.BranchGroup;
+import javax.media.j3d.Group;
 import javax.media.j3d.Locale;
+import javax.media.j3d.RenderingError;
+import javax.media.j3d.RenderingErrorListener;
 import javax.media.j3d.Transform3D;
 import javax.media.j3d.TransformGroup;
 import javax.media.j3d.VirtualUniverse;
@@ -21,12 +25,14 @@ import simbad.kernel.render.PictureSource;
  */
 public final class OffscreenCamera implements PictureSource {
   private final Stage stage;
-  private final VirtualUniverse universe;
-  private final Locale locale;
+  private final VirtualUniverse universe = new VirtualUniverse();
+  private final Locale locale = new Locale(universe);
   private final List<Tracked> tracked = new ArrayList<>();
   private final TransformGroup eye = new TransformGroup();
   private final List<Film> films = new ArrayList<>();
   private final double[] matrix = new double[16];
+  private final RenderingErrorListener errors = this::fail;
+  private volatile String failure = "";
 
   /** A visual with the figure that follows it, made anew when parts come. */
   private static final class Tracked {
@@ -39,39 +45,56 @@ public final class OffscreenCamera implements PictureSource {
     }
   }
 
+  private OffscreenCamera(Stage stage) {
+    this.stage = stage;
+    build();
+  }
+
   /**
    * Creates a camera for a stage.
    *
    * @throws DisplayException if Java 3D cannot draw here
    */
-  public OffscreenCamera(Stage stage) {
-    this.stage = stage;
-    if (java.awt.GraphicsEnvironment.isHeadless()) {
+  public static OffscreenCamera open(Stage stage) {
+    if (GraphicsEnvironment.isHeadless()) {
       throw Missing.display();
     }
     try {
-      universe = new VirtualUniverse();
-      locale = new Locale(universe);
-      build();
+      Film.configuration();
+      return new OffscreenCamera(stage);
     } catch (RuntimeException | LinkageError e) {
       throw Missing.of(e);
     }
   }
 
   private void build() {
+    // Java 3D's own answer to an error is to end the process.
+    VirtualUniverse.addRenderingErrorListener(errors);
     eye.setCapability(TransformGroup.ALLOW_TRANSFORM_WRITE);
-    eye.setCapability(javax.media.j3d.Group.ALLOW_CHILDREN_EXTEND);
+    eye.setCapability(Group.ALLOW_CHILDREN_EXTEND);
     BranchGroup branch = new BranchGroup();
     branch.addChild(eye);
     locale.addBranchGraph(branch);
     locale.addBranchGraph(Illumination.of(stage));
   }
 
+  private void fail(RenderingError error) {
+    failure = error.getErrorMessage();
+  }
+
+  /**
+   * Takes a picture.
+   *
+   * @throws DisplayException if Java 3D has failed
+   */
   @Override
   public void take(Placement worldFromEye, Picture picture) {
     follow();
     point(worldFromEye);
     film(picture).expose(picture);
+    if (!failure.isEmpty()) {
+      throw Missing.openGl(failure);
+    }
   }
 
   private void follow() {
@@ -126,6 +149,7 @@ public final class OffscreenCamera implements PictureSource {
 
   @Override
   public void dispose() {
+    VirtualUniverse.removeRenderingErrorListener(errors);
     films.forEach(Film::close);
     universe.removeAllLocales();
   }

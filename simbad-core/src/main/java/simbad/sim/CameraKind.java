@@ -23,7 +23,7 @@ enum CameraKind {
   JAVA3D {
     @Override
     PictureSource open(Stage stage) {
-      return new OffscreenCamera(stage);
+      return OffscreenCamera.open(stage);
     }
   };
 

@@ -1,6 +1,7 @@
 package simbad.sim;
 
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.Graphics;
 import java.util.List;
 import javax.swing.JPanel;
@@ -82,8 +83,12 @@ public class LampActuator extends ActuatorDevice {
 
   /** Shows the lamp as a disc. */
   public class LampActuatorJPanel extends JPanel {
+    private static final int SIDE = 30;
+
     /** Creates a panel. */
-    public LampActuatorJPanel() {}
+    public LampActuatorJPanel() {
+      setPreferredSize(new Dimension(SIDE, SIDE));
+    }
 
     @Override
     protected void paintComponent(Graphics graphics) {

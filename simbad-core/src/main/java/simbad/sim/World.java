@@ -14,6 +14,7 @@ import simbad.kernel.drawing.Stage;
 import simbad.kernel.geometry.Placement;
 import simbad.kernel.render.Picture;
 import simbad.kernel.scene.Scene;
+import simbad.scene3d.DisplayException;
 
 /** The static objects and agents of an environment, and the scene in which sensors see them. */
 public class World {
@@ -52,6 +53,7 @@ public class World {
   private int viewPoint;
   private @Nullable SimpleAgent viewedAgent;
   private volatile @Nullable WorldView view;
+  private @Nullable DisplayException noView;
 
   /** Creates a world with the environment's static objects; the simulator adds the agents. */
   public World(EnvironmentDescription environment) {
@@ -166,14 +168,27 @@ public class World {
    * @throws simbad.scene3d.DisplayException if there is no display or Java 3D cannot draw on it
    */
   public synchronized Canvas3D getCanvas3D() {
+    if (noView != null) {
+      throw noView;
+    }
     if (view == null) {
+      view = openView();
+    }
+    return view.canvas();
+  }
+
+  private WorldView openView() {
+    try {
       WorldView opened = new WorldView(stage, worldSize, stepLock);
       stage.visuals().subList(0, surroundings).forEach(opened::add);
       objects.forEach(opened::add);
       opened.look(viewPoint, viewedAgent);
-      view = opened;
+      return opened;
+    } catch (DisplayException e) {
+      // What is missing will not come: whoever asks again gets the same answer, without the wait.
+      noView = e;
+      throw e;
     }
-    return view.canvas();
   }
 
   /**
