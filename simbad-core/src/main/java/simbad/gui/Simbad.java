@@ -69,10 +69,11 @@ public class Simbad extends JFrame implements ActionListener {
   }
 
   private void openFrame() {
-    Theme.install();
     setIconImages(RobotIcon.images());
     desktop.setFocusable(true);
     setContentPane(desktop);
+    // After the desktop has its place: what stands in a window takes the look on.
+    Theme.install();
     setDefaultCloseOperation(EXIT_ON_CLOSE);
     Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
     setSize(Math.min(SIZE.width, screen.width), Math.min(SIZE.height, screen.height));
