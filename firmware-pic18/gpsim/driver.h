@@ -1,6 +1,6 @@
 // The line to the program that decides what the board meets: a UNIX stream socket, one text line per message.
 //
-// To the program:   port PATH                      the serial port is open under this path
+// To the program:   port PATH                      the serial port is open under this path; waits for "go"
 //                   ping NUMBER TIME_US TRIGGER_US the sensor was triggered; waits for "go"
 //                   echo NUMBER PULSE_US           what came of it, to a microsecond
 //                   refused TIME_US TRIGGER_US     a trigger too short for the sensor

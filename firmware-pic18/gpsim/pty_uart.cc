@@ -117,7 +117,7 @@ void PtyUart::open(const char *path)
     link_path = path;
     printf("board: serial port %s\n", path);
     fflush(stdout);
-    driver.tell("port %s", path);
+    driver.ask("port %s", path);
 }
 
 void PtyUart::close()
