@@ -27,16 +27,22 @@ const std::map<std::string, RESET_TYPE> resets = {{"power-on", POR_RESET},
 
 RESET_TYPE reset_asked_for = MCLR_RESET;
 
-// gpsim has no brown-out of this processor: the reset of another cause, with the flag that tells of one.
+// gpsim knows no brown-out of this processor, and after its power-on in the middle of a byte the serial port stays
+// silent: both are a reset of another cause, with the flags that tell of them.
 void reset_now()
 {
     auto *cpu = dynamic_cast<_16bit_processor *>(get_active_cpu());
-    if (reset_asked_for != BOD_RESET || !cpu) {
-        get_active_cpu()->reset(reset_asked_for);
-        return;
+    bool of_gpsim = reset_asked_for == MCLR_RESET || reset_asked_for == WDT_RESET;
+    cpu->reset(of_gpsim ? reset_asked_for : MCLR_RESET);
+    unsigned flags = cpu->rcon.value.get();
+    if (reset_asked_for == BOD_RESET) {
+        cpu->rcon.value.put(flags & ~RCON::BOR);
+    } else if (reset_asked_for == POR_RESET) {
+        cpu->rcon.value.put((flags | RCON::RI | RCON::TO | RCON::PD) & ~(RCON::POR | RCON::BOR));
     }
-    cpu->reset(MCLR_RESET);
-    cpu->rcon.value.put(cpu->rcon.value.get() & ~RCON::BOR);
+    if (Srf04::instance) {
+        Srf04::instance->processor_was_reset();
+    }
 }
 
 // Timers live as long as the process: gpsim's clock may be gone before its modules.

@@ -27,6 +27,16 @@ bool edge_waits(INTCON_16 &control)
 
 } // namespace
 
+void Nesting::after_reset()
+{
+    watcher.stop();
+    lent = false;
+    begun = false;
+    if (INTCON_16 *control = intcon()) {
+        control->in_interrupt = false;
+    }
+}
+
 Nesting::Nesting() : watcher([this] { after_edge(); }) {}
 
 // While an interrupt runs, gpsim holds all others back by a flag of its own. It is taken away for the one of high

@@ -12,6 +12,9 @@ public:
 
     void after_edge();
 
+    // To be called when the processor is reset: no interrupt runs any more, which gpsim forgets.
+    void after_reset();
+
 private:
     Timer watcher;
     // What gpsim holds back has been set free for the one of high priority, and whether that has begun.

@@ -80,6 +80,12 @@ PtyUart::PtyUart(const char *name)
     assign_pin(2, tx);
     instance = this;
     ticker.start(tick_us);
+    // gpsim ends without deleting its modules.
+    std::atexit([] {
+        if (instance) {
+            instance->close();
+        }
+    });
 }
 
 PtyUart::~PtyUart()

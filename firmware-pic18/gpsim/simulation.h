@@ -12,10 +12,11 @@
 
 namespace board {
 
-// Simulated time since the start, in microseconds.
+// Simulated time since the start, in microseconds. The ranger runs at 4 MHz, so that an instruction cycle is one; gpsim
+// itself would count its first few cycles, before the program has set the oscillator, at another rate.
 inline double now_us()
 {
-    return static_cast<double>(get_cycles().get()) * get_cycles().seconds_per_cycle() * 1e6;
+    return static_cast<double>(get_cycles().get());
 }
 
 // Calls back once, after a simulated time.
@@ -29,9 +30,8 @@ public:
     void start(double delay_us)
     {
         stop();
-        double cycles = delay_us * 1e-6 * get_cycles().instruction_cps();
         // The clock cannot call back in the cycle that it is in.
-        due = get_cycles().get() + (cycles < 1 ? 1 : static_cast<guint64>(cycles + 0.5));
+        due = get_cycles().get() + (delay_us < 1 ? 1 : static_cast<guint64>(delay_us + 0.5));
         get_cycles().set_break(due, this);
     }
 

@@ -27,6 +27,8 @@ public:
     // A line that is stuck is so at once; a pulse under way ends when the fault is over.
     void set_fault(Fault now);
 
+    void processor_was_reset() { nesting.after_reset(); }
+
 private:
     void triggered(bool level);
     void begin_pulse();

@@ -8,6 +8,7 @@ import java.nio.channels.SocketChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import simbad.sonar.format.DataFormatException;
 
@@ -52,7 +53,7 @@ public final class Board implements AutoCloseable {
     refuseFile(setup.link());
     Workplace workplace = Workplace.create(modules, kit.program(), setup);
     try {
-      return start(workplace, setup, world);
+      return start(workplace, kit.environment(), setup, world);
     } catch (IOException | InterruptedException e) {
       workplace.delete();
       throw e;
@@ -69,11 +70,12 @@ public final class Board implements AutoCloseable {
     }
   }
 
-  private static Board start(Workplace workplace, BoardSetup setup, BoardWorld world)
+  private static Board start(
+      Workplace workplace, Map<String, String> environment, BoardSetup setup, BoardWorld world)
       throws IOException, InterruptedException {
     try (ServerSocketChannel server = ServerSocketChannel.open(StandardProtocolFamily.UNIX)) {
       server.bind(UnixDomainSocketAddress.of(workplace.socket()));
-      Process gpsim = workplace.startGpsim();
+      Process gpsim = workplace.startGpsim(environment);
       try {
         SocketChannel channel = accept(server, gpsim, workplace);
         ControlChannel control = new ControlChannel(channel, world);
@@ -152,6 +154,18 @@ public final class Board implements AutoCloseable {
       Thread.currentThread().interrupt();
     }
     control.close();
+    deleteLink();
     workplace.delete();
+  }
+
+  /** The board deletes it itself, unless it was killed. */
+  private void deleteLink() {
+    try {
+      if (Files.isSymbolicLink(link)) {
+        Files.delete(link);
+      }
+    } catch (IOException e) {
+      // A link that leads nowhere is no failure of the run.
+    }
   }
 }

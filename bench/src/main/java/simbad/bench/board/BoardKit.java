@@ -14,8 +14,10 @@ import java.util.stream.Stream;
  * run it.
  *
  * @param firmware the folder firmware-pic18 of the project
+ * @param sanitized whether the gpsim modules watch their own memory and arithmetic, and end the
+ *     simulation at the first fault; takes twice the time
  */
-public record BoardKit(Path firmware) {
+public record BoardKit(Path firmware, boolean sanitized) {
   /** Debian's package of each program and file that is needed. */
   private static final Map<String, String> PACKAGES =
       Map.of("gpsim", "gpsim", "g++", "g++", "make", "make");
@@ -24,7 +26,24 @@ public record BoardKit(Path firmware) {
 
   /** Returns the kit of the project in a folder. */
   public static BoardKit ofProject(Path project) {
-    return new BoardKit(project.resolve("firmware-pic18"));
+    return new BoardKit(project.resolve("firmware-pic18"), false);
+  }
+
+  /** Returns the same kit with modules that watch themselves. */
+  BoardKit watched() {
+    return new BoardKit(firmware, true);
+  }
+
+  /** What gpsim's environment needs besides, to load the modules. */
+  Map<String, String> environment() throws IOException, InterruptedException {
+    if (!sanitized) {
+      return Map.of();
+    }
+    // The leaks would be gpsim's.
+    return Map.of(
+        "LD_PRELOAD", said("g++", "-print-file-name=libasan.so").strip(),
+        "ASAN_OPTIONS", "detect_leaks=0:exitcode=99",
+        "UBSAN_OPTIONS", "halt_on_error=1:exitcode=99");
   }
 
   /** Returns the program as it is burnt into the chip. */
@@ -79,15 +98,19 @@ public record BoardKit(Path firmware) {
     if (!Files.exists(firmware.resolve("Makefile"))) {
       throw new IOException(firmware + ": is not the project's folder firmware-pic18");
     }
-    Process make =
-        new ProcessBuilder("make", "-s", "-C", firmware.toString(), "modules")
-            .redirectErrorStream(true)
-            .start();
-    make.getOutputStream().close();
-    String said = new String(make.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    if (make.waitFor() != 0) {
-      throw new IOException("cannot build the gpsim modules: " + said.strip());
+    said("make", "-s", "-C", firmware.toString(), sanitized ? "sanitized-modules" : "modules");
+    return firmware
+        .resolve("target")
+        .resolve(sanitized ? "libsimbadboard-sanitized.so" : "libsimbadboard.so");
+  }
+
+  private static String said(String... command) throws IOException, InterruptedException {
+    Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+    process.getOutputStream().close();
+    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    if (process.waitFor() != 0) {
+      throw new IOException("'" + String.join(" ", command) + "' failed: " + said.strip());
     }
-    return firmware.resolve("target").resolve("libsimbadboard.so");
+    return said;
   }
 }

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TextFile;
@@ -69,15 +70,17 @@ final class Workplace {
     return folder.resolve("driver");
   }
 
-  Process startGpsim() throws IOException {
-    return new ProcessBuilder("gpsim", "-i", "-c", script().toString())
-        // At the end of its input gpsim prints prompts without end, should a line of its script
-        // fail.
-        .redirectInput(ProcessBuilder.Redirect.PIPE)
-        .redirectErrorStream(true)
-        .redirectOutput(said().toFile())
-        .directory(folder.toFile())
-        .start();
+  Process startGpsim(Map<String, String> environment) throws IOException {
+    ProcessBuilder gpsim =
+        new ProcessBuilder("gpsim", "-i", "-c", script().toString())
+            // At the end of its input gpsim prints prompts without end, should a line of its script
+            // fail.
+            .redirectInput(ProcessBuilder.Redirect.PIPE)
+            .redirectErrorStream(true)
+            .redirectOutput(said().toFile())
+            .directory(folder.toFile());
+    gpsim.environment().putAll(environment);
+    return gpsim.start();
   }
 
   /** What gpsim said last, for a message. */
