@@ -24,7 +24,7 @@ import simbad.bench.protocol.PingStatus;
 import simbad.sonar.model.DetectionRule;
 
 /** The simulated board as a thing that starts, is driven, fails and ends. */
-@Timeout(180)
+@Timeout(600)
 class BoardTest {
   @TempDir Path folder = Path.of("");
 

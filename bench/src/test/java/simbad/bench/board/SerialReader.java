@@ -14,7 +14,7 @@ import simbad.bench.protocol.FrameLine;
 
 /** The other end of a board's serial port: collects what comes, in a thread, and can type. */
 final class SerialReader implements Closeable {
-  private static final long LIMIT_MS = 60_000;
+  private static final long LIMIT_MS = 400_000;
 
   private final RandomAccessFile port;
   private final StringBuilder received = new StringBuilder();

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simbad.bench.board.BoardKit;
 
-@Timeout(180)
+@Timeout(600)
 class BoardCommandTest {
   @TempDir Path folder = Path.of("");
 
