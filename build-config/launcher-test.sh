@@ -101,6 +101,7 @@ new_project() {
 simbad() {
   : >"$work/calls.log"
   output=$(cd "${from:-$work}" && env -i HOME="$work" PATH="$work/tools:$work/bin" SIMBAD_JVM_DIRECTORY="$work/jvm" \
+    SIMBAD_INCLUDE_DIRECTORY="$work/include" \
     FAKE_UID="${FAKE_UID:-1000}" FAKE_COMMIT="${FAKE_COMMIT:-1234}" FAKE_STATUS="${FAKE_STATUS:-0}" \
     FAKE_MAVEN="${FAKE_MAVEN:-}" FAKE_SKIPPED="${FAKE_SKIPPED:-}" FAKE_WORK="$work" CI="${ci:-}" DISPLAY=:7 \
     SIMBAD_TESTING="${testing:-}" bash "${launcher:-$project/simbad}" "$@" </dev/null 2>&1)
@@ -271,7 +272,9 @@ END
 
 tests_like_ci() {
   new_project
-  for tool in Xvfb xauth shellcheck; do fake "$work/tools" "$tool" </dev/null; done
+  mkdir -p "$work/include/gpsim"
+  touch "$work/include/cmocka.h" "$work/include/gpsim/modules.h"
+  for tool in Xvfb xauth shellcheck cppcheck gpsim g++ make; do fake "$work/tools" "$tool" </dev/null; done
   touch "$work/jvm/jdk-17/lib/libawt_xawt.so"
   simbad test -- -pl sonar-model
   check "test: verify, with what follows --" calls 'mvn -B -ntp verify .*-pl sonar-model'

@@ -42,6 +42,7 @@ class ArchitectureTest {
 
   private static final String MODEL = "simbad.sonar..";
   private static final String KERNEL = "simbad.kernel..";
+  private static final String BENCH = "simbad.bench..";
   private static final String OBSTACLES = "simbad.obstacles..";
   private static final String EXPERIMENTS = "simbad.experiments..";
   private static final String CLI = "simbad.experiments.cli..";
@@ -64,6 +65,7 @@ class ArchitectureTest {
         "simbad.scene3d, 12",
         "simbad.demo, 15",
         "simbad.obstacles, 9",
+        "simbad.bench, 15",
         "simbad.experiments, 60",
         "simbad.experiments.control, 8",
         "simbad, 160"
@@ -99,6 +101,12 @@ class ArchitectureTest {
         Arguments.of("simbad.demo..", new String[] {"simbad.gui..", OBSTACLES, EXPERIMENTS}),
         Arguments.of(OBSTACLES, new String[] {EXPERIMENTS}),
         Arguments.of("simbad.experiments.demo..", new String[] {"simbad.gui.."}),
+        Arguments.of(MODEL, new String[] {BENCH}),
+        Arguments.of(BENCH, WORLD),
+        Arguments.of(BENCH, new String[] {OBSTACLES, EXPERIMENTS}),
+        Arguments.of(BENCH, TOOLKITS),
+        Arguments.of(OBSTACLES, new String[] {BENCH}),
+        Arguments.of("simbad.sim..", new String[] {BENCH}),
         Arguments.of("simbad.experiments.plot..", new String[] {MODEL, OBSTACLES}),
         Arguments.of("simbad.experiments.plot..", WORLD),
         Arguments.of("simbad.experiments.run..", new String[] {"simbad.experiments.report.."}));

@@ -13,6 +13,8 @@ final class Subcommands {
         new ViewCommand(),
         new DemoCommand(),
         new TableCommand(),
+        new BoardCommand(),
+        new FlashInfoCommand(),
         new TestCommand());
   }
 }
