@@ -16,7 +16,11 @@ public record BeamMisalignment(double turnRad, int sensor) implements PoseChange
   }
 
   @Override
-  public void apply(PingLog log, int ping, TruePose pose) {
+  public PoseMap over(PingLog log) {
+    return (ping, pose) -> apply(log, ping, pose);
+  }
+
+  private void apply(PingLog log, int ping, TruePose pose) {
     if (sensor == EVERY || log.sensor(ping) == sensor) {
       pose.turn(turnRad);
     }

@@ -85,17 +85,18 @@ public final class Geometry {
   }
 
   private void pose(List<? extends Change> changes) {
-    PoseChange[] moves =
+    PoseChange.PoseMap[] moves =
         changes.stream()
             .filter(PoseChange.class::isInstance)
             .map(PoseChange.class::cast)
             .sorted(Comparator.comparingInt(PoseChange::order))
-            .toArray(PoseChange[]::new);
+            .map(change -> change.over(log))
+            .toArray(PoseChange.PoseMap[]::new);
     TruePose pose = new TruePose();
     for (int i = 0; i < log.size(); i++) {
       pose.set(log.xM(i), log.zM(i), log.headingRad(i));
-      for (PoseChange move : moves) {
-        move.apply(log, i, pose);
+      for (PoseChange.PoseMap move : moves) {
+        move.apply(i, pose);
       }
       xM[i] = pose.xM();
       zM[i] = pose.zM();

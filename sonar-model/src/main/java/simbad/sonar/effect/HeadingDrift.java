@@ -13,29 +13,34 @@ public record HeadingDrift(double radPerS, boolean reckoned) implements PoseChan
   }
 
   @Override
-  public void apply(PingLog log, int ping, TruePose pose) {
+  public PoseMap over(PingLog log) {
     if (radPerS == 0) {
-      return;
+      return (ping, pose) -> {};
     }
-    double since = log.timeS(ping) - log.runStartS(ping);
+    double[] x = new double[log.size()];
+    double[] z = new double[log.size()];
     if (reckoned) {
-      bend(log, ping, pose);
+      bend(log, x, z);
     }
-    pose.turn(radPerS * since);
+    return (ping, pose) ->
+        pose.set(pose.xM() + x[ping], pose.zM() + z[ping], pose.headingRad() + drift(log, ping));
   }
 
-  /** Lays the way from the start again, each piece of it turned by the drift of its time. */
-  private void bend(PingLog log, int ping, TruePose pose) {
-    int start = log.sequenceStart(ping);
-    double x = log.xM(start);
-    double z = log.zM(start);
-    for (int i = start + 1; i <= ping; i++) {
-      double angle = radPerS * ((log.timeS(i) + log.timeS(i - 1)) / 2 - log.runStartS(ping));
+  private double drift(PingLog log, int ping) {
+    return radPerS * (log.timeS(ping) - log.runStartS(ping));
+  }
+
+  /** Lays each way from its start again, each piece turned by the drift of its time. */
+  private void bend(PingLog log, double[] x, double[] z) {
+    for (int i = 1; i < log.size(); i++) {
+      if (log.sequenceStart(i) == i) {
+        continue;
+      }
+      double angle = (drift(log, i) + drift(log, i - 1)) / 2;
       double dx = log.xM(i) - log.xM(i - 1);
       double dz = log.zM(i) - log.zM(i - 1);
-      x += dx * Math.cos(angle) + dz * Math.sin(angle);
-      z += dz * Math.cos(angle) - dx * Math.sin(angle);
+      x[i] = x[i - 1] + dx * Math.cos(angle) + dz * Math.sin(angle) - dx;
+      z[i] = z[i - 1] + dz * Math.cos(angle) - dx * Math.sin(angle) - dz;
     }
-    pose.set(x + pose.xM() - log.xM(ping), z + pose.zM() - log.zM(ping), pose.headingRad());
   }
 }

@@ -14,7 +14,11 @@ public record Latency(double delayS) implements PoseChange {
   }
 
   @Override
-  public void apply(PingLog log, int ping, TruePose pose) {
+  public PoseMap over(PingLog log) {
+    return (ping, pose) -> apply(log, ping, pose);
+  }
+
+  private void apply(PingLog log, int ping, TruePose pose) {
     if (delayS == 0) {
       return;
     }

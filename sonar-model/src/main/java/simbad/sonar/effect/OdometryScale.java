@@ -12,7 +12,11 @@ public record OdometryScale(double factor) implements PoseChange {
   }
 
   @Override
-  public void apply(PingLog log, int ping, TruePose pose) {
+  public PoseMap over(PingLog log) {
+    return (ping, pose) -> apply(log, ping, pose);
+  }
+
+  private void apply(PingLog log, int ping, TruePose pose) {
     if (factor == 1) {
       return;
     }

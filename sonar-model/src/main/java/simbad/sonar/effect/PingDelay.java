@@ -14,7 +14,11 @@ public record PingDelay(double pings) implements PoseChange {
   }
 
   @Override
-  public void apply(PingLog log, int ping, TruePose pose) {
+  public PoseMap over(PingLog log) {
+    return (ping, pose) -> apply(log, ping, pose);
+  }
+
+  private void apply(PingLog log, int ping, TruePose pose) {
     if (pings == 0) {
       return;
     }

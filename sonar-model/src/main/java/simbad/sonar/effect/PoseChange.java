@@ -6,11 +6,22 @@ public non-sealed interface PoseChange extends Change {
   int order();
 
   /**
-   * Moves a pose to where it really is.
+   * Prepares the change for the pings of a log.
    *
    * @param log all pings
-   * @param ping whose pose it is
-   * @param pose the believed pose, or what changes before this one made of it
+   * @return what moves each ping's pose
    */
-  void apply(PingLog log, int ping, TruePose pose);
+  PoseMap over(PingLog log);
+
+  /** Moves the poses of one log's pings to where they really are. */
+  @FunctionalInterface
+  interface PoseMap {
+    /**
+     * Moves a pose.
+     *
+     * @param ping whose pose it is
+     * @param pose the believed pose, or what changes before this one made of it
+     */
+    void apply(int ping, TruePose pose);
+  }
 }
