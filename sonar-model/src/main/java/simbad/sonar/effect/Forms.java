@@ -350,7 +350,7 @@ public final class Forms {
             .toArray(Parameter[]::new);
     add(
         Effect.ORIENTATION_SHADOW,
-        "table:" + name,
+        "table:" + name + "#" + obstacle,
         v -> new OrientationShadow(obstacle, ThresholdTable.of(v)),
         table);
   }

@@ -1,7 +1,6 @@
 package simbad.sonar.effect;
 
 import java.util.Arrays;
-import simbad.sonar.model.NormalDistribution;
 
 /**
  * What a reading is drawn from: parts, each with its share, Gaussian or evenly spread; the share
@@ -139,6 +138,6 @@ public final class Mixture {
     if (low > REACH || high < -REACH) {
       return 0;
     }
-    return NormalDistribution.cumulative(high) - NormalDistribution.cumulative(low);
+    return QuickNormal.cumulative(high) - QuickNormal.cumulative(low);
   }
 }
