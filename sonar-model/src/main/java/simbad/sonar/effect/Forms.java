@@ -318,10 +318,10 @@ public final class Forms {
     List<Obstacle> obstacles = setup.scene().obstacles();
     for (int i = 0; i < obstacles.size(); i++) {
       if (obstacles.size() > 1) {
-        placed("only:" + obstacles.get(i).name(), i);
+        placed("only:" + Scenes.label(setup.scene(), i), i);
       }
       if (obstacles.get(i).detection() instanceof UniformDetection uniform) {
-        shadowed(obstacles.get(i).name(), i, uniform.greatestM());
+        shadowed(Scenes.label(setup.scene(), i), i, uniform.greatestM());
       }
     }
   }

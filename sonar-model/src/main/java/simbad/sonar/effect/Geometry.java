@@ -11,6 +11,7 @@ import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.shape.Outline;
 
 /**
  * Where every ping's sensor and the obstacles really are, and what the sensor sees of each: all
@@ -30,6 +31,7 @@ public final class Geometry {
   private final double[] bearingRad;
   private final double[] thresholdM;
   private final double[] offAxisRad;
+  private final List<Outline> outlines;
 
   /**
    * Computes the geometry.
@@ -53,6 +55,7 @@ public final class Geometry {
     bearingRad = new double[lines];
     thresholdM = new double[lines];
     offAxisRad = new double[lines];
+    outlines = scene.obstacles().stream().map(Obstacle::worldOutline).toList();
     pose(changes);
     look(new NominalModel(sensor, scene));
   }
@@ -61,7 +64,8 @@ public final class Geometry {
   public static boolean dependsOn(Change change) {
     return change instanceof PoseChange
         || change instanceof SceneChange
-        || change instanceof BeamWidth;
+        || change instanceof BeamWidth
+        || change instanceof BeamEdge;
   }
 
   static Scene changedScene(Scene believed, List<? extends Change> changes) {
@@ -188,5 +192,30 @@ public final class Geometry {
    */
   public double offAxisRad(int line) {
     return offAxisRad[line];
+  }
+
+  /**
+   * Returns the least angle from the heading to any point of the obstacle's outline, radians in [0,
+   * pi]; 0 where the axis meets it.
+   */
+  public double outlineOffAxisRad(int line) {
+    int ping = line / obstacles;
+    Outline outline = outlines.get(line % obstacles);
+    double least = Math.PI;
+    double from = cornerOffAxis(ping, outline, outline.size() - 1);
+    for (int i = 0; i < outline.size(); i++) {
+      double to = cornerOffAxis(ping, outline, i);
+      if (from * to <= 0 && Math.abs(from - to) < Math.PI) {
+        return 0;
+      }
+      least = Math.min(least, Math.abs(to));
+      from = to;
+    }
+    return least;
+  }
+
+  private double cornerOffAxis(int ping, Outline outline, int corner) {
+    double direction = Math.atan2(zM[ping] - outline.zM(corner), outline.xM(corner) - xM[ping]);
+    return Angles.signed(direction - headingRad[ping]);
   }
 }

@@ -12,6 +12,13 @@ import simbad.sonar.scene.Scene;
 final class Scenes {
   private Scenes() {}
 
+  /** An obstacle's name; of several with one name each has its number from 1 behind it. */
+  static String label(Scene scene, int obstacle) {
+    String name = scene.obstacles().get(obstacle).name();
+    boolean alone = scene.obstacles().stream().filter(o -> o.name().equals(name)).count() == 1;
+    return alone ? name : name + "#" + (obstacle + 1);
+  }
+
   static Scene placed(Scene scene, int which, UnaryOperator<Placement> change) {
     return changed(
         scene,
