@@ -6,10 +6,10 @@ import java.util.List;
  * An obstacle's threshold is off by a factor that varies smoothly with the bearing: 1 + c + the sum
  * of a_k cos(k b) + b_k sin(k b), never below 0. A calibration of the set-up.
  *
- * @param obstacle index of the one whose threshold it is
+ * @param obstacle label of the one whose threshold it is
  * @param series c, a_1, b_1, a_2, b_2, ...; all 0 is neutral
  */
-public record BearingFactor(int obstacle, List<Double> series) implements ThresholdChange {
+public record BearingFactor(String obstacle, List<Double> series) implements ThresholdChange {
   /** Copies the series and checks that its waves are whole. */
   public BearingFactor {
     series = List.copyOf(series);
@@ -21,7 +21,7 @@ public record BearingFactor(int obstacle, List<Double> series) implements Thresh
 
   @Override
   public double factor(Geometry geometry, int line) {
-    if (line % geometry.obstacles() != obstacle) {
+    if (!geometry.label(line).equals(obstacle)) {
       return 1;
     }
     double cos = Math.cos(geometry.bearingRad(line));

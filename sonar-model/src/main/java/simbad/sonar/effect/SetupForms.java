@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.IntStream;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
 
@@ -28,9 +27,7 @@ public final class SetupForms {
    */
   public static List<Form> all(SensingSetup setup) {
     List<Form> forms = new ArrayList<>(List.of(scatter(setup.sensor()), tails(), edge()));
-    IntStream.range(0, setup.scene().obstacles().size())
-        .mapToObj(i -> threshold(Scenes.label(setup.scene(), i), i))
-        .forEach(forms::add);
+    Scenes.labels(setup.scene()).forEach(label -> forms.add(threshold(label)));
     return List.copyOf(forms);
   }
 
@@ -66,7 +63,7 @@ public final class SetupForms {
         Parameter.of("soft_deg", 0, 0, 10, 0.5, 2));
   }
 
-  private static Form threshold(String label, int obstacle) {
+  private static Form threshold(String label) {
     List<Parameter> series = new ArrayList<>();
     series.add(Parameter.of("constant", 0, -0.3, 0.3, 0));
     for (int wave = 1; wave <= WAVES; wave++) {
@@ -75,7 +72,7 @@ public final class SetupForms {
     }
     return form(
         "threshold:" + label,
-        v -> new BearingFactor(obstacle, Arrays.stream(v).boxed().toList()),
+        v -> new BearingFactor(label, Arrays.stream(v).boxed().toList()),
         series.toArray(Parameter[]::new));
   }
 
