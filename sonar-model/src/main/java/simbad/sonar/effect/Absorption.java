@@ -20,6 +20,9 @@ public record Absorption(double perM, Law law) implements ThresholdChange {
   /** Newton's steps to the balance; it converges quadratically. */
   private static final int STEPS = 6;
 
+  /** Where less is absorbed than believed, a hyperbolic law would leave all distances behind. */
+  private static final double GREATEST_FACTOR = 20;
+
   @Override
   public double factor(Geometry geometry, int line) {
     double loss = perM * geometry.thresholdM(line);
@@ -28,7 +31,7 @@ public record Absorption(double perM, Law law) implements ThresholdChange {
     }
     return switch (law) {
       case EXPONENTIAL -> Math.exp(-loss);
-      case HYPERBOLIC -> loss > -1 ? 1 / (1 + loss) : 0;
+      case HYPERBOLIC -> 1 / Math.max(1 / GREATEST_FACTOR, 1 + loss);
       case BALANCED -> loss > 0 ? balance(loss) : Math.exp(-loss);
     };
   }

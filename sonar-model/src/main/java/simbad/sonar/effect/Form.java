@@ -1,20 +1,35 @@
 package simbad.sonar.effect;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
- * One functional form of an effect: its parameters in the units of files, and the change that they
- * make.
+ * One functional form of an effect, or one calibration of the set-up: its parameters in the units
+ * of files, and the change that they make.
  *
- * @param effect that it is a form of
- * @param name of the form among the forms of its effect
+ * @param of the effect that it is a form of; empty for a calibration of the set-up
+ * @param name of the form among the forms of its effect, or among the calibrations
  * @param parameters in the order of the values that {@link #with} takes
  * @param maker of the change
  */
-public record Form(Effect effect, String name, List<Parameter> parameters, Maker maker) {
+public record Form(Optional<Effect> of, String name, List<Parameter> parameters, Maker maker) {
   /** Copies the parameters. */
   public Form {
     parameters = List.copyOf(parameters);
+  }
+
+  /** Creates a form of an effect. */
+  public Form(Effect effect, String name, List<Parameter> parameters, Maker maker) {
+    this(Optional.of(effect), name, parameters, maker);
+  }
+
+  /**
+   * Returns the effect that it is a form of.
+   *
+   * @throws IllegalStateException for a calibration of the set-up, which is a form of none
+   */
+  public Effect effect() {
+    return of.orElseThrow(() -> new IllegalStateException(name + " calibrates the set-up"));
   }
 
   /** Makes a change of parameter values. */
@@ -44,16 +59,16 @@ public record Form(Effect effect, String name, List<Parameter> parameters, Maker
 
   @Override
   public boolean equals(Object other) {
-    return other instanceof Form that && effect == that.effect && name.equals(that.name);
+    return other instanceof Form that && of.equals(that.of) && name.equals(that.name);
   }
 
   @Override
   public int hashCode() {
-    return 31 * effect.hashCode() + name.hashCode();
+    return 31 * of.hashCode() + name.hashCode();
   }
 
   @Override
   public String toString() {
-    return effect + "/" + name;
+    return of.map(Effect::word).orElse("setup") + "/" + name;
   }
 }

@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.UniformDetection;
 import simbad.sonar.shape.ThresholdTable;
@@ -216,13 +215,13 @@ public final class Forms {
             1.5,
             0.2 * half,
             0.4 * half));
-    misaligned("all", BeamMisalignment.EVERY);
+    misaligned("all", Optional.empty());
     if (sensors.size() > 1) {
-      IntStream.range(0, sensors.size()).forEach(i -> misaligned("only:" + sensors.get(i), i));
+      sensors.forEach(sensor -> misaligned("only:" + sensor, Optional.of(sensor)));
     }
   }
 
-  private void misaligned(String name, int sensor) {
+  private void misaligned(String name, Optional<String> sensor) {
     add(
         Effect.BEAM_MISALIGNMENT,
         name,
@@ -314,33 +313,33 @@ public final class Forms {
   }
 
   private void scene() {
-    placed("all", -1);
-    List<Obstacle> obstacles = setup.scene().obstacles();
-    for (int i = 0; i < obstacles.size(); i++) {
-      if (obstacles.size() > 1) {
-        placed("only:" + obstacles.get(i).name(), i);
+    placed("all", Optional.empty());
+    List<String> labels = Scenes.labels(setup.scene());
+    for (int i = 0; i < labels.size(); i++) {
+      if (labels.size() > 1) {
+        placed("only:" + labels.get(i), Optional.of(labels.get(i)));
       }
-      if (obstacles.get(i).detection() instanceof UniformDetection uniform) {
-        shadowed(obstacles.get(i).name(), i, uniform.greatestM());
+      if (setup.scene().obstacles().get(i).detection() instanceof UniformDetection uniform) {
+        shadowed(labels.get(i), i, uniform.greatestM());
       }
     }
   }
 
-  private void placed(String name, int obstacle) {
+  private void placed(String name, Optional<String> only) {
     add(
         Effect.OBSTACLE_TURN,
         name,
-        v -> new ObstacleTurn(toRadians(v[0]), obstacle),
+        v -> new ObstacleTurn(toRadians(v[0]), only),
         Parameter.of("turn_deg", 0, -180, 180, -30, -20, -12, -7, -3, 3, 7, 12, 20, 30));
     add(
         Effect.OBSTACLE_OFFSET,
         name,
-        v -> new ObstacleOffset(v[0], v[1], obstacle),
+        v -> new ObstacleOffset(v[0], v[1], only),
         Parameter.of("x_m", 0, -1, 1, -0.06, 0, 0.06),
         Parameter.of("z_m", 0, -1, 1, -0.06, 0, 0.06));
   }
 
-  private void shadowed(String name, int obstacle, double uniformM) {
+  private void shadowed(String label, int obstacle, double uniformM) {
     Parameter[] table =
         IntStream.range(0, TABLE_SIZE)
             .mapToObj(
@@ -350,8 +349,8 @@ public final class Forms {
             .toArray(Parameter[]::new);
     add(
         Effect.ORIENTATION_SHADOW,
-        "table:" + name + "#" + obstacle,
-        v -> new OrientationShadow(obstacle, ThresholdTable.of(v)),
+        "table:" + label + "#" + obstacle,
+        v -> new OrientationShadow(Optional.of(label), ThresholdTable.of(v)),
         table);
   }
 

@@ -9,38 +9,51 @@ package simbad.sonar.effect;
 public record HeadingDrift(double radPerS, boolean reckoned) implements PoseChange {
   @Override
   public int order() {
-    return 2;
+    return 1;
   }
 
   @Override
-  public PoseMap over(PingLog log) {
+  public Track start(String sensor, double runStartS) {
     if (radPerS == 0) {
-      return (ping, pose) -> {};
+      return Track.STILL;
     }
-    double[] x = new double[log.size()];
-    double[] z = new double[log.size()];
-    if (reckoned) {
-      bend(log, x, z);
-    }
-    return (ping, pose) ->
-        pose.set(pose.xM() + x[ping], pose.zM() + z[ping], pose.headingRad() + drift(log, ping));
+    return reckoned
+        ? new Bend(radPerS, runStartS)
+        : (timeS, pose) -> pose.turn(radPerS * (timeS - runStartS));
   }
 
-  private double drift(PingLog log, int ping) {
-    return radPerS * (log.timeS(ping) - log.runStartS(ping));
-  }
+  /** Lays the way from its start again, each piece turned by the drift of its time. */
+  private static final class Bend implements Track {
+    private final double radPerS;
+    private final double runStartS;
+    private final TruePose believed = new TruePose();
+    private double xM;
+    private double zM;
+    private double turnRad;
+    private boolean started;
 
-  /** Lays each way from its start again, each piece turned by the drift of its time. */
-  private void bend(PingLog log, double[] x, double[] z) {
-    for (int i = 1; i < log.size(); i++) {
-      if (log.sequenceStart(i) == i) {
-        continue;
+    Bend(double radPerS, double runStartS) {
+      this.radPerS = radPerS;
+      this.runStartS = runStartS;
+    }
+
+    @Override
+    public void next(double timeS, TruePose pose) {
+      double before = turnRad;
+      turnRad = radPerS * (timeS - runStartS);
+      if (started) {
+        double angle = (before + turnRad) / 2;
+        double dx = pose.xM() - believed.xM();
+        double dz = pose.zM() - believed.zM();
+        xM += dx * Math.cos(angle) + dz * Math.sin(angle);
+        zM += dz * Math.cos(angle) - dx * Math.sin(angle);
+      } else {
+        xM = pose.xM();
+        zM = pose.zM();
+        started = true;
       }
-      double angle = (drift(log, i) + drift(log, i - 1)) / 2;
-      double dx = log.xM(i) - log.xM(i - 1);
-      double dz = log.zM(i) - log.zM(i - 1);
-      x[i] = x[i - 1] + dx * Math.cos(angle) + dz * Math.sin(angle) - dx;
-      z[i] = z[i - 1] + dz * Math.cos(angle) - dx * Math.sin(angle) - dz;
+      believed.set(pose);
+      pose.set(xM, zM, pose.headingRad() + turnRad);
     }
   }
 }

@@ -1,48 +1,52 @@
 package simbad.sonar.effect;
 
-import simbad.sonar.frame.Angles;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
- * A reading belongs to an earlier pose: the one of some time ago, between poses in proportion.
+ * A reading belongs to an earlier pose: the one of some time ago, between poses in proportion;
+ * before the run began the sensor is taken to have stood where it began.
  *
  * @param delayS seconds, at least 0; 0 is neutral
  */
 public record Latency(double delayS) implements PoseChange {
   @Override
   public int order() {
-    return 0;
+    return 2;
   }
 
   @Override
-  public PoseMap over(PingLog log) {
-    return (ping, pose) -> apply(log, ping, pose);
+  public Track start(String sensor, double runStartS) {
+    return delayS == 0 ? Track.STILL : new Delay(delayS);
   }
 
-  private void apply(PingLog log, int ping, TruePose pose) {
-    if (delayS == 0) {
-      return;
-    }
-    double then = log.timeS(ping) - delayS;
-    int later = ping;
-    while (later > log.sequenceStart(ping) && log.timeS(later - 1) >= then) {
-      later--;
-    }
-    // Before the sequence began, the sensor is taken to have stood where it began.
-    if (later == log.sequenceStart(ping)) {
-      pose.set(log.xM(later), log.zM(later), log.headingRad(later));
-    } else {
-      between(log, later, then, pose);
-    }
-  }
+  private record Stamped(double timeS, TruePose pose) {}
 
-  private static void between(PingLog log, int later, double thenS, TruePose pose) {
-    int earlier = later - 1;
-    double span = log.timeS(later) - log.timeS(earlier);
-    double share = span > 0 ? Math.min(1, (thenS - log.timeS(earlier)) / span) : 1;
-    double turn = Angles.signed(log.headingRad(later) - log.headingRad(earlier));
-    pose.set(
-        log.xM(earlier) + share * (log.xM(later) - log.xM(earlier)),
-        log.zM(earlier) + share * (log.zM(later) - log.zM(earlier)),
-        log.headingRad(earlier) + share * turn);
+  private static final class Delay implements Track {
+    private final double delayS;
+
+    /** The last pose before the wanted time, if there is one, and all after it. */
+    private final List<Stamped> past = new ArrayList<>();
+
+    Delay(double delayS) {
+      this.delayS = delayS;
+    }
+
+    @Override
+    public void next(double timeS, TruePose pose) {
+      double then = timeS - delayS;
+      past.add(new Stamped(timeS, pose.copy()));
+      while (past.size() > 1 && past.get(1).timeS() < then) {
+        past.remove(0);
+      }
+      Stamped earlier = past.get(0);
+      if (earlier.timeS() >= then || past.size() == 1) {
+        pose.set(earlier.pose());
+      } else {
+        Stamped later = past.get(1);
+        double share = (then - earlier.timeS()) / (later.timeS() - earlier.timeS());
+        pose.setBetween(earlier.pose(), later.pose(), share);
+      }
+    }
   }
 }

@@ -22,7 +22,7 @@ public record Multipath(double share, double factor, double extraM, double sprea
     }
     int parts = mixture.size();
     for (int part = 0; part < parts; part++) {
-      double own = mixture.deviationM(part);
+      double own = factor * mixture.deviationM(part);
       mixture.add(
           mixture.meanM(part) * factor + extraM,
           Math.sqrt(own * own + spreadM * spreadM),

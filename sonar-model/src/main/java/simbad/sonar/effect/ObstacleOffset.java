@@ -1,5 +1,6 @@
 package simbad.sonar.effect;
 
+import java.util.Optional;
 import simbad.sonar.scene.Scene;
 
 /**
@@ -7,14 +8,11 @@ import simbad.sonar.scene.Scene;
  *
  * @param xM by how much, metres; 0 is neutral
  * @param zM by how much, metres; 0 is neutral
- * @param obstacle index of the one that does, {@link #EVERY} for all
+ * @param only label of the one obstacle that does; empty for all
  */
-public record ObstacleOffset(double xM, double zM, int obstacle) implements SceneChange {
-  /** In the place of an obstacle's index: all of them. */
-  public static final int EVERY = -1;
-
+public record ObstacleOffset(double xM, double zM, Optional<String> only) implements SceneChange {
   @Override
   public Scene apply(Scene believed) {
-    return Scenes.placed(believed, obstacle, place -> place.moved(xM, zM));
+    return Scenes.placed(believed, only, place -> place.moved(xM, zM));
   }
 }

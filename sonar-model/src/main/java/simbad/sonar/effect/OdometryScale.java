@@ -8,22 +8,33 @@ package simbad.sonar.effect;
 public record OdometryScale(double factor) implements PoseChange {
   @Override
   public int order() {
-    return 1;
+    return 0;
   }
 
   @Override
-  public PoseMap over(PingLog log) {
-    return (ping, pose) -> apply(log, ping, pose);
+  public Track start(String sensor, double runStartS) {
+    return factor == 1 ? Track.STILL : new Stretch(factor);
   }
 
-  private void apply(PingLog log, int ping, TruePose pose) {
-    if (factor == 1) {
-      return;
+  private static final class Stretch implements Track {
+    private final double factor;
+    private final TruePose first = new TruePose();
+    private boolean started;
+
+    Stretch(double factor) {
+      this.factor = factor;
     }
-    int start = log.sequenceStart(ping);
-    pose.set(
-        log.xM(start) + factor * (pose.xM() - log.xM(start)),
-        log.zM(start) + factor * (pose.zM() - log.zM(start)),
-        pose.headingRad());
+
+    @Override
+    public void next(double timeS, TruePose pose) {
+      if (!started) {
+        first.set(pose);
+        started = true;
+      }
+      pose.set(
+          first.xM() + factor * (pose.xM() - first.xM()),
+          first.zM() + factor * (pose.zM() - first.zM()),
+          pose.headingRad());
+    }
   }
 }

@@ -2,26 +2,32 @@ package simbad.sonar.effect;
 
 /** The sensor is not where it is believed to be, or does not look where it is believed to look. */
 public non-sealed interface PoseChange extends Change {
-  /** Which pose changes come first: what replaces a pose, then what bends the way to it. */
+  /**
+   * Which pose changes come first: what bends the way, then what puts an earlier pose in the place
+   * of the last one, then what turns the sensor on its mount.
+   */
   int order();
 
   /**
-   * Prepares the change for the pings of a log.
+   * Starts to follow one sensor through one run.
    *
-   * @param log all pings
-   * @return what moves each ping's pose
+   * @param sensor label of the sensor
+   * @param runStartS time of the first ping of the run, over all its sensors, seconds
    */
-  PoseMap over(PingLog log);
+  Track start(String sensor, double runStartS);
 
-  /** Moves the poses of one log's pings to where they really are. */
+  /** Follows one sensor through one run, ping by ping. */
   @FunctionalInterface
-  interface PoseMap {
+  interface Track {
+    /** Leaves every pose as it is. */
+    Track STILL = (timeS, pose) -> {};
+
     /**
-     * Moves a pose.
+     * Moves the pose of the next ping.
      *
-     * @param ping whose pose it is
+     * @param timeS of the ping; never decreases
      * @param pose the believed pose, or what changes before this one made of it
      */
-    void apply(int ping, TruePose pose);
+    void next(double timeS, TruePose pose);
   }
 }

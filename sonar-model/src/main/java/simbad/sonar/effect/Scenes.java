@@ -2,7 +2,9 @@ package simbad.sonar.effect;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.scene.Detection;
 import simbad.sonar.scene.Obstacle;
@@ -12,10 +14,25 @@ import simbad.sonar.scene.Scene;
 final class Scenes {
   private Scenes() {}
 
-  static Scene placed(Scene scene, int which, UnaryOperator<Placement> change) {
+  /**
+   * By what changes tell obstacles apart: their names; of several with one name each has its number
+   * from 1 behind it.
+   */
+  static List<String> labels(Scene scene) {
+    List<String> names = scene.obstacles().stream().map(Obstacle::name).toList();
+    return IntStream.range(0, names.size())
+        .mapToObj(i -> isAlone(names.get(i), names) ? names.get(i) : names.get(i) + "#" + (i + 1))
+        .toList();
+  }
+
+  private static boolean isAlone(String name, List<String> names) {
+    return names.indexOf(name) == names.lastIndexOf(name);
+  }
+
+  static Scene placed(Scene scene, Optional<String> only, UnaryOperator<Placement> change) {
     return changed(
         scene,
-        which,
+        only,
         obstacle ->
             new Obstacle(
                 obstacle.name(),
@@ -24,10 +41,10 @@ final class Scenes {
                 obstacle.detection()));
   }
 
-  static Scene detected(Scene scene, int which, UnaryOperator<Detection> change) {
+  static Scene detected(Scene scene, Optional<String> only, UnaryOperator<Detection> change) {
     return changed(
         scene,
-        which,
+        only,
         obstacle ->
             new Obstacle(
                 obstacle.name(),
@@ -36,12 +53,14 @@ final class Scenes {
                 change.apply(obstacle.detection())));
   }
 
-  /** Changes one obstacle, or all for a negative index. */
-  private static Scene changed(Scene scene, int which, UnaryOperator<Obstacle> change) {
+  /** A label that no obstacle has changes none. */
+  private static Scene changed(Scene scene, Optional<String> only, UnaryOperator<Obstacle> change) {
+    List<String> labels = labels(scene);
     List<Obstacle> obstacles = new ArrayList<>();
-    for (int i = 0; i < scene.obstacles().size(); i++) {
+    for (int i = 0; i < labels.size(); i++) {
       Obstacle obstacle = scene.obstacles().get(i);
-      obstacles.add(which < 0 || which == i ? change.apply(obstacle) : obstacle);
+      boolean meant = only.map(labels.get(i)::equals).orElse(true);
+      obstacles.add(meant ? change.apply(obstacle) : obstacle);
     }
     return new Scene(obstacles);
   }

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.frame.Angles;
+
 /** A sensor's pose on its way from where it is believed to be to where it is. */
 public final class TruePose {
   private double xM;
@@ -11,6 +13,26 @@ public final class TruePose {
     xM = newXM;
     zM = newZM;
     headingRad = newHeadingRad;
+  }
+
+  /** Puts the pose where another one is. */
+  void set(TruePose other) {
+    set(other.xM, other.zM, other.headingRad);
+  }
+
+  /** Puts the pose on the way from one to another, turned the shorter way. */
+  void setBetween(TruePose from, TruePose to, double share) {
+    double turn = Angles.signed(to.headingRad - from.headingRad);
+    set(
+        from.xM + share * (to.xM - from.xM),
+        from.zM + share * (to.zM - from.zM),
+        from.headingRad + share * turn);
+  }
+
+  TruePose copy() {
+    TruePose copy = new TruePose();
+    copy.set(this);
+    return copy;
   }
 
   /** Turns the heading counter-clockwise by an angle in radians. */

@@ -39,7 +39,8 @@ public record UnmodelledObject(
     double distance = Math.sqrt(toX * toX + toZ * toZ);
     double heading = geometry.headingRad(ping);
     double facing = (toX * Math.cos(heading) - toZ * Math.sin(heading)) / distance;
-    if (facing >= Math.cos(geometry.coneHalfAngleRad()) && isSquare(heading, before)) {
+    boolean inCone = facing >= Math.cos(geometry.coneHalfAngleRad());
+    if (inCone && distance <= geometry.sensor().maxRangeM() && isSquare(heading, before)) {
       arrivals.add(distance, 0, share);
     }
   }
