@@ -57,7 +57,12 @@ public final class Screen {
     return forms.stream()
         .skip(1)
         .map(this::fit)
-        .reduce(first, (a, b) -> a.logLikelihood() >= b.logLikelihood() ? a : b);
+        .reduce(first, (a, b) -> merit(b) > merit(a) ? b : a);
+  }
+
+  /** Of two forms that fit alike the simpler one is taken. */
+  private static double merit(Fit fit) {
+    return fit.logLikelihood() - CHANCE_NATS * fit.hypothesis().size();
   }
 
   private double gain(Fit fit) {

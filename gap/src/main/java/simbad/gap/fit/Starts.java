@@ -27,7 +27,7 @@ final class Starts {
       case FLOOR_ECHO -> product(form, modes(strange(), 0.02), List.of(0.01, 0.04), tries.get(2));
       case UNMODELLED_OBJECT -> new FaceSearch(clues).starts(form);
       case MULTIPATH -> product(form, tries.get(0), detours(form), List.of(0.01, 0.05));
-      case PREVIOUS_PING -> product(form, tries.get(0), ghosts(form));
+      case PREVIOUS_PING -> product(form, tries.get(0), ghosts(form), tries.get(2));
       case CROSSTALK -> crosstalk(form, tries.get(0));
       case COARSE_RESOLUTION -> product(form, new Rhythm(clues.log).steps());
       case NEAR_CLAMP -> product(form, leastReadings(tries.get(0)));

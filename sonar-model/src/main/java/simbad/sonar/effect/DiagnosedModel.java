@@ -72,6 +72,18 @@ public final class DiagnosedModel {
   }
 
   /**
+   * Computes what was expected of each ping of a log just before its reading came, given all
+   * readings of its sequence before it.
+   *
+   * @param geometry of the log under this model's changes
+   */
+  public Expectation expectation(Geometry geometry) {
+    Expectation expectation = Expectation.of(geometry.log().size());
+    new Likelihood(this, geometry).into(expectation);
+    return expectation;
+  }
+
+  /**
    * Computes what is expected of each ping of a log without looking at any reading: changes with
    * memory run forward from the start of each sequence.
    *

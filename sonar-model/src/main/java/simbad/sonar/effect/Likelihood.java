@@ -7,6 +7,11 @@ import org.jspecify.annotations.Nullable;
  * state of a burst and how often a reading was already repeated.
  */
 final class Likelihood {
+  /** A reading that no part explains came from where it says. */
+  private static final double LEAST_EXPLAINED = 1e-9;
+
+  private static final double LEAST_SHARE = 0.01;
+
   private final DiagnosedModel model;
   private final Geometry geometry;
   private final PingLog log;
@@ -30,14 +35,59 @@ final class Likelihood {
   }
 
   void into(double[] probability) {
-    for (int ping = 0; ping < geometry.log().size(); ping++) {
-      if (log.sequenceStart(ping) == ping) {
-        start();
-      } else {
-        remember(ping - 1);
-      }
+    for (int ping = 0; ping < log.size(); ping++) {
+      begin(ping);
       probability[ping] = step(ping);
     }
+  }
+
+  void into(Expectation expectation) {
+    for (int ping = 0; ping < log.size(); ping++) {
+      begin(ping);
+      expect(ping, expectation);
+      expectation.reading()[ping] = step(ping);
+    }
+  }
+
+  private void begin(int ping) {
+    if (log.sequenceStart(ping) == ping) {
+      start();
+    } else if (pings.remembersReading()) {
+      remember(ping - 1);
+    }
+  }
+
+  /** The same as a step, but before the reading is known. */
+  private void expect(int ping, Expectation expectation) {
+    pings.mix(ping, heard, before, 0, clear);
+    double burstNow = burst == null ? 0 : inBurst;
+    if (burst != null && log.sequenceStart(ping) != ping) {
+      burstNow = burst.next(inBurst);
+    }
+    double real = (1 - burstNow) * clear.echoShare();
+    double below = (1 - burstNow) * below(clear, ping);
+    double miss = (1 - burstNow) * silence(clear);
+    if (burst != null) {
+      pings.mix(ping, heard, before, burst.depth(), silenced);
+      real += burstNow * silenced.echoShare();
+      below += burstNow * below(silenced, ping);
+      miss += burstNow * silence(silenced);
+    }
+    double held = canRepeat(ping) ? miss * hold.repeats(requireStale(), log, ping) : 0;
+    boolean heldBelow =
+        held > 0 && model.stepEndM(log.rangeM(ping - 1)) <= model.stepStartM(log.rangeM(ping));
+    expectation.echo()[ping] = Math.min(1, real + held);
+    expectation.below()[ping] = below + (heldBelow ? held : 0);
+  }
+
+  private StaleReading requireStale() {
+    return java.util.Objects.requireNonNull(stale);
+  }
+
+  private double below(Mixture mixture, int ping) {
+    return log.echo(ping)
+        ? mixture.within(Double.NEGATIVE_INFINITY, model.stepStartM(log.rangeM(ping)))
+        : 0;
   }
 
   private void start() {
@@ -47,10 +97,25 @@ final class Likelihood {
     inBurst = burst == null ? 0 : burst.share();
   }
 
+  /** What the reading before may have come from, by how well each part explains it. */
   private void remember(int previous) {
     before.clear();
-    if (log.echo(previous)) {
+    if (!log.echo(previous)) {
+      return;
+    }
+    double low = model.stepStartM(log.rangeM(previous));
+    double high = model.stepEndM(log.rangeM(previous));
+    double total = clear.within(low, high);
+    if (!(total > LEAST_EXPLAINED)) {
       before.add(log.rangeM(previous), 0, 1);
+      return;
+    }
+    for (int part = 0; part < clear.size(); part++) {
+      double share = clear.within(part, low, high) / total;
+      if (share > LEAST_SHARE) {
+        boolean known = clear.halfWidthM(part) == 0;
+        before.add(known ? clear.meanM(part) : log.rangeM(previous), 0, share);
+      }
     }
   }
 
@@ -98,13 +163,14 @@ final class Likelihood {
 
   /** How probable it is that a miss at this ping shows the last reading once more. */
   private double repeats(int ping) {
-    if (stale == null || before.size() == 0) {
+    if (!canRepeat(ping) || log.echo(ping) && log.rangeM(ping) != log.rangeM(ping - 1)) {
       return 0;
     }
-    if (log.echo(ping) && log.rangeM(ping) != before.meanM(0)) {
-      return 0;
-    }
-    return hold.repeats(stale, log, ping);
+    return hold.repeats(requireStale(), log, ping);
+  }
+
+  private boolean canRepeat(int ping) {
+    return stale != null && ping > log.sequenceStart(ping) && log.echo(ping - 1);
   }
 
   private void update(int ping, double real, double repeated) {

@@ -122,6 +122,11 @@ public final class Mixture {
     return sum;
   }
 
+  /** Returns the probability that the range comes from a part and lies in [lowM, highM). */
+  double within(int part, double lowM, double highM) {
+    return share[part] * partWithin(part, lowM, highM);
+  }
+
   private double partWithin(int part, double lowM, double highM) {
     double half = halfWidthM[part];
     if (half > 0) {
