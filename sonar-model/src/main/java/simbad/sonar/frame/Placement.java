@@ -20,6 +20,16 @@ public record Placement(double xM, double zM, double turnRad) {
     Point.requireFinite("turnRad", turnRad);
   }
 
+  /** Returns the same place turned further by an angle in radians. */
+  public Placement turned(double byRad) {
+    return new Placement(xM, zM, turnRad + byRad);
+  }
+
+  /** Returns the same turn at a place that is moved by metres. */
+  public Placement moved(double byXM, double byZM) {
+    return new Placement(xM + byXM, zM + byZM, turnRad);
+  }
+
   /** Returns the world's point of a point of the own frame. */
   public Point worldFromObstacle(Point own) {
     double cos = Math.cos(turnRad);

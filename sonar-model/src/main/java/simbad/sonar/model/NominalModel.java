@@ -46,10 +46,10 @@ public final class NominalModel {
    * @param pose of the sensor
    */
   public Sight sight(int obstacle, Pose pose) {
-    PlacedObstacle placed = obstacles[obstacle];
     double xM = pose.position().xM();
     double zM = pose.position().zM();
     TransducerPose from = new TransducerPose().aim(xM, zM, pose.heading().radians());
+    PlacedObstacle placed = obstacles[obstacle];
     double nearest = placed.nearestM(cone, from, Double.POSITIVE_INFINITY);
     double distance = placed.centreDistanceM(xM, zM);
     double bearing = placed.bearingRad(xM, zM);
@@ -60,6 +60,26 @@ public final class NominalModel {
         threshold,
         nearest < Double.POSITIVE_INFINITY ? OptionalDouble.of(nearest) : OptionalDouble.empty(),
         echoProbability(nearest, distance, threshold));
+  }
+
+  /**
+   * Traces the geometry of one obstacle without making garbage; bearing and threshold are 0 where
+   * no point of the obstacle is in the cone.
+   *
+   * @param obstacle index in the scene, from 0
+   * @param from where the sensor is and looks
+   * @param into takes the result
+   */
+  public void trace(int obstacle, TransducerPose from, SightLine into) {
+    PlacedObstacle placed = obstacles[obstacle];
+    double nearest = placed.nearestM(cone, from, Double.POSITIVE_INFINITY);
+    double distance = placed.centreDistanceM(from.xM, from.zM);
+    if (nearest == Double.POSITIVE_INFINITY) {
+      into.set(nearest, distance, 0, 0);
+      return;
+    }
+    double bearing = placed.bearingRad(from.xM, from.zM);
+    into.set(nearest, distance, bearing, placed.detection().thresholdM(bearing));
   }
 
   /**
@@ -79,7 +99,15 @@ public final class NominalModel {
     return ReadingDistribution.nearestFirst(heard, sensor.rangeNoiseM(), sensor.resolutionM());
   }
 
-  double echoProbability(double nearestM, double centreDistanceM, double thresholdM) {
+  /**
+   * Returns the probability that an obstacle answers.
+   *
+   * @param nearestM its nearest point in the cone, metres; infinity for none
+   * @param centreDistanceM of the sensor from its centre, metres
+   * @param thresholdM at the sensor's bearing, metres
+   * @return in [0, 1]
+   */
+  public double echoProbability(double nearestM, double centreDistanceM, double thresholdM) {
     if (!(nearestM >= sensor.minRangeM() && nearestM <= sensor.maxRangeM()) || thresholdM <= 0) {
       return 0;
     }

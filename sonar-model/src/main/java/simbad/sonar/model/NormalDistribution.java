@@ -7,7 +7,7 @@ package simbad.sonar.model;
  * Software 11(4), the Taylor series. Tail: the continued fraction of Mills' ratio (Abramowitz and
  * Stegun 1964, 26.2.14). Written here because this room may use no numerics library.
  */
-final class NormalDistribution {
+public final class NormalDistribution {
   private static final double TAIL = 5;
   private static final int TAIL_TERMS = 60;
   private static final double LOG_ROOT_2_PI = 0.5 * Math.log(2 * Math.PI);
@@ -19,7 +19,7 @@ final class NormalDistribution {
    *
    * @param x any number, infinities included; of NaN it is NaN
    */
-  static double cumulative(double x) {
+  public static double cumulative(double x) {
     if (x < -TAIL) {
       return tail(-x);
     }

@@ -1,5 +1,6 @@
 package simbad.sonar.model;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.random.RandomGenerator;
 import simbad.sonar.sensing.Echo;
@@ -13,37 +14,39 @@ import simbad.sonar.sensing.Reading;
  * <p>A reading that noise would take below 0 is 0. Immutable.
  */
 public final class ReadingDistribution {
-  private final double[] distanceM;
-  private final double[] probability;
+  private final Part[] parts;
   private final double noEchoProbability;
-  private final double noiseM;
   private final double resolutionM;
+  private final Report report;
 
-  private ReadingDistribution(
-      double[] distanceM, double[] probability, double noiseM, double resolutionM) {
-    this.distanceM = distanceM;
-    this.probability = probability;
-    this.noiseM = noiseM;
+  /**
+   * Creates a distribution.
+   *
+   * @param parts their shares add up to at most 1; what is left is no echo
+   * @param resolutionM step of the ranges reported, metres; 0 for none
+   * @param report how a measured range is reported
+   */
+  public ReadingDistribution(List<Part> parts, double resolutionM, Report report) {
+    this.parts = parts.toArray(Part[]::new);
     this.resolutionM = resolutionM;
+    this.report = report;
     double heard = 0;
-    for (double share : probability) {
-      heard += share;
+    for (Part part : parts) {
+      heard += part.share();
     }
     noEchoProbability = Math.max(0, 1 - heard);
   }
 
   /** Of obstacles that may answer, nearest first: each is read when no nearer one answers. */
   static ReadingDistribution nearestFirst(List<Sight> heard, double noiseM, double resolutionM) {
-    double[] distance = new double[heard.size()];
-    double[] share = new double[heard.size()];
+    List<Part> parts = new ArrayList<>();
     double silent = 1;
-    for (int i = 0; i < distance.length; i++) {
-      Sight sight = heard.get(i);
-      distance[i] = sight.nearestM().orElseThrow();
-      share[i] = silent * sight.echoProbability();
+    for (Sight sight : heard) {
+      parts.add(
+          new Part(sight.nearestM().orElseThrow(), noiseM, 0, silent * sight.echoProbability()));
       silent *= 1 - sight.echoProbability();
     }
-    return new ReadingDistribution(distance, share, noiseM, resolutionM);
+    return new ReadingDistribution(parts, resolutionM, Report.AS_MEASURED);
   }
 
   /** Returns the probability of no echo, in [0, 1]. */
@@ -63,20 +66,20 @@ public final class ReadingDistribution {
       return 0;
     }
     double sum = 0;
-    for (int i = 0; i < distanceM.length; i++) {
-      sum += probability[i] * readsUpTo(rangeM, distanceM[i]);
+    for (Part part : parts) {
+      sum += part.share() * readsUpTo(rangeM, part);
     }
     return sum;
   }
 
   /** The probability that what answers from a distance reads at most a range. */
-  private double readsUpTo(double rangeM, double fromM) {
-    if (!(noiseM > 0)) {
-      return roundedDown(fromM) <= roundedDown(rangeM) ? 1 : 0;
+  private double readsUpTo(double rangeM, Part part) {
+    if (part.isPoint()) {
+      return roundedDown(report.reported(part.meanM())) <= roundedDown(rangeM) ? 1 : 0;
     }
     // All that is rounded down to this range lies below the next step.
     double below = resolutionM > 0 ? (stepOf(rangeM) + 1) * resolutionM : rangeM;
-    return NormalDistribution.cumulative((below - fromM) / noiseM);
+    return part.below(report.leastRange(below));
   }
 
   /**
@@ -119,6 +122,33 @@ public final class ReadingDistribution {
 
   /** The least range with echoUpTo(range) at or above a probability that echoes do reach. */
   private double echoQuantileM(double reached) {
+    return resolutionM > 0 ? stepQuantile(reached) * resolutionM : freeQuantileM(reached);
+  }
+
+  /** The least step that reaches it: a reading has no other values. */
+  private double stepQuantile(double reached) {
+    long low = -1;
+    long high = 1;
+    while (upToStep(high) < reached && high < Long.MAX_VALUE / 4) {
+      low = high;
+      high *= 2;
+    }
+    while (high - low > 1) {
+      long middle = (low + high) >>> 1;
+      if (upToStep(middle) >= reached) {
+        high = middle;
+      } else {
+        low = middle;
+      }
+    }
+    return high;
+  }
+
+  private double upToStep(long step) {
+    return echoUpTo(step * resolutionM);
+  }
+
+  private double freeQuantileM(double reached) {
     double low = 0;
     double high = 1;
     while (echoUpTo(high) < reached && high < Double.MAX_VALUE / 2) {
@@ -139,14 +169,25 @@ public final class ReadingDistribution {
   /** Draws a reading. */
   public Reading sample(RandomGenerator random) {
     double draw = random.nextDouble();
-    double noise = noiseM > 0 ? noiseM * random.nextGaussian() : 0;
-    for (int i = 0; i < distanceM.length; i++) {
-      draw -= probability[i];
+    double gauss = isNoisy() ? random.nextGaussian() : 0;
+    for (Part part : parts) {
+      draw -= part.share();
       if (draw < 0) {
-        return new Echo(Math.max(0, roundedDown(distanceM[i] + noise)));
+        double even = part.halfWidthM() > 0 ? 2 * random.nextDouble() - 1 : 0;
+        double range = part.meanM() + part.deviationM() * gauss + part.halfWidthM() * even;
+        return new Echo(Math.max(0, roundedDown(report.reported(range))));
       }
     }
     return NoEcho.NO_ECHO;
+  }
+
+  private boolean isNoisy() {
+    for (Part part : parts) {
+      if (part.deviationM() > 0) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private static void requireNumber(String name, double value) {

@@ -5,7 +5,7 @@ import simbad.sonar.sensing.TransducerPoses;
 /**
  * One transducer's pose on the plane, copied out of the belt's buffer; reused from ping to ping.
  */
-final class TransducerPose {
+public final class TransducerPose {
   double xM;
   double zM;
   double directionX;
@@ -23,7 +23,18 @@ final class TransducerPose {
     directionZ = z / length;
   }
 
-  TransducerPose aim(double atXM, double atZM, double headingRad) {
+  /** Creates a pose that is nowhere until it is aimed. */
+  public TransducerPose() {}
+
+  /**
+   * Puts the transducer at a place and lets it look along a heading.
+   *
+   * @param atXM metres
+   * @param atZM metres
+   * @param headingRad radians
+   * @return this
+   */
+  public TransducerPose aim(double atXM, double atZM, double headingRad) {
     xM = atXM;
     zM = atZM;
     directionX = Math.cos(headingRad);

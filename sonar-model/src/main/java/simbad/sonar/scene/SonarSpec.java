@@ -51,6 +51,44 @@ public record SonarSpec(
     requirePositive("updatePeriodS", updatePeriodS);
   }
 
+  /** Returns the same sensor with another cone half angle, radians in (0, pi]. */
+  public SonarSpec withCone(double halfAngleRad) {
+    return new SonarSpec(
+        name,
+        halfAngleRad,
+        minRangeM,
+        maxRangeM,
+        mountHeightM,
+        assumedSoundSpeedMPerS,
+        resolutionM,
+        rangeNoiseM,
+        missRate,
+        edgeWidthM,
+        updatePeriodS);
+  }
+
+  /**
+   * Returns the same sensor with another scatter.
+   *
+   * @param noiseM standard deviation of a range, at least 0
+   * @param misses share of echoes that are lost, in [0, 1]
+   * @param edgeM softness of the threshold, at least 0
+   */
+  public SonarSpec withScatter(double noiseM, double misses, double edgeM) {
+    return new SonarSpec(
+        name,
+        coneHalfAngleRad,
+        minRangeM,
+        maxRangeM,
+        mountHeightM,
+        assumedSoundSpeedMPerS,
+        resolutionM,
+        noiseM,
+        misses,
+        edgeM,
+        updatePeriodS);
+  }
+
   private static void requireNotNegative(String field, double value) {
     require(value >= 0 && value < Double.POSITIVE_INFINITY, field, value, "[0, infinity)");
   }

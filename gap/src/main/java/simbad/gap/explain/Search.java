@@ -1,0 +1,174 @@
+package simbad.gap.explain;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Fit;
+import simbad.gap.fit.Fitter;
+import simbad.gap.fit.Fold;
+import simbad.gap.fit.Hypothesis;
+import simbad.gap.fit.Screen;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
+
+/**
+ * Looks for the sets of effects that explain a log: all single effects; then, as long as it is
+ * worth it, every effect beside the best set, and every effect in the place of each of its members.
+ */
+public final class Search {
+  private static final int MOST_EFFECTS = 3;
+  private static final int JOINT = 3;
+  private static final int PROMISING = 8;
+  private static final int TABLE = 12;
+
+  /** How many sets get a held-out score. */
+  private static final int SCORED = 10;
+
+  private final Evidence evidence;
+  private final Blocks blocks;
+  private final List<Form> forms;
+  private final double worthNats;
+  private final Map<Set<Effect>, Fit> fits = new LinkedHashMap<>();
+
+  /**
+   * Creates a search.
+   *
+   * @param evidence the log
+   * @param excluded effects that are not looked for
+   * @param worthNats what a further effect must gain to be built upon
+   */
+  public Search(Evidence evidence, Set<Effect> excluded, double worthNats) {
+    this.evidence = evidence;
+    this.worthNats = worthNats;
+    blocks = new Blocks(evidence.log());
+    forms =
+        Forms.all(evidence.setup(), evidence.log().sensors()).stream()
+            .filter(form -> !excluded.contains(form.effect()))
+            .toList();
+  }
+
+  /** Returns all sets that were fitted, the most probable held-out first. */
+  public List<Scored> run() {
+    Fit best = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
+    keep(best);
+    List<Fit> singles = best(new Screen(evidence, best).all(forms).values());
+    singles.forEach(this::keep);
+    List<Fit> added = singles;
+    while (worth(added, best) && best.hypothesis().forms().size() < MOST_EFFECTS) {
+      best = joint(swapped(added.get(0), singles));
+      keep(best);
+      // What gained nothing beside fewer effects gains nothing beside more.
+      List<Form> open =
+          best.hypothesis().forms().size() == 1 ? forms : promising(added, best.hypothesis());
+      added = grown(best, open);
+    }
+    prune(best);
+    return scored();
+  }
+
+  private boolean worth(List<Fit> added, Fit base) {
+    return !added.isEmpty()
+        && added.get(0).logLikelihood() - base.logLikelihood() > worthNats;
+  }
+
+  private List<Form> promising(List<Fit> added, Hypothesis base) {
+    Set<Effect> gained =
+        added.stream()
+            .limit(PROMISING)
+            .flatMap(fit -> fit.hypothesis().effects().stream())
+            .collect(java.util.stream.Collectors.toSet());
+    return forms.stream()
+        .filter(form -> gained.contains(form.effect()) && !base.has(form.effect()))
+        .toList();
+  }
+
+  /** The base with one effect more, the best first; the first few with all values refined. */
+  private List<Fit> grown(Fit base, List<Form> open) {
+    List<Fit> added = best(new Screen(evidence, base).all(open).values());
+    List<Fit> joint =
+        added.stream().limit(JOINT).toList().parallelStream().map(this::joint).toList();
+    added.forEach(this::keep);
+    joint.forEach(this::keep);
+    List<Fit> all = new ArrayList<>(joint);
+    all.addAll(added.subList(joint.size(), added.size()));
+    return best(all);
+  }
+
+  /**
+   * Puts what explains much alone in the place of each member but the last, which was just chosen
+   * among all: the first may have been taken because it soaks up what two others do.
+   */
+  private Fit swapped(Fit set, List<Fit> singles) {
+    Fit best = set;
+    List<Effect> members = set.hypothesis().effects();
+    for (Effect member : members.subList(0, members.size() - 1)) {
+      Hypothesis rest = best.hypothesis().without(member);
+      Fit base = joint(new Fit(rest, best.logLikelihood()));
+      keep(base);
+      List<Form> strong = promising(singles, rest).stream().filter(form -> form.effect() != member).toList();
+      List<Fit> others = grown(base, strong);
+      if (!others.isEmpty() && others.get(0).logLikelihood() > best.logLikelihood()) {
+        best = others.get(0);
+      }
+    }
+    return best;
+  }
+
+  /** Fits the best set without each of its members: what was added first may be superfluous. */
+  private void prune(Fit set) {
+    if (set.hypothesis().forms().size() > 1) {
+      set.hypothesis().effects().parallelStream()
+          .map(member -> joint(new Fit(set.hypothesis().without(member), set.logLikelihood())))
+          .toList()
+          .forEach(this::keep);
+    }
+  }
+
+  /** Refines all values of a set together, first by long steps, then by short ones. */
+  private Fit joint(Fit fit) {
+    int size = fit.hypothesis().size();
+    if (size == 0 || size > TABLE) {
+      return new Fitter(evidence, Fold.ALL).refine(fit.hypothesis(), 0);
+    }
+    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    Hypothesis far = fitter.refine(fit.hypothesis(), 20 + 20 * size).hypothesis();
+    return fitter.polish(far, 20 + 15 * size);
+  }
+
+  private static List<Fit> best(Collection<Fit> all) {
+    return all.stream().sorted(Comparator.comparingDouble(fit -> -fit.logLikelihood())).toList();
+  }
+
+  private void keep(Fit fit) {
+    fits.merge(
+        new TreeSet<>(fit.hypothesis().effects()),
+        fit,
+        (a, b) -> a.logLikelihood() >= b.logLikelihood() ? a : b);
+  }
+
+  private List<Scored> scored() {
+    List<Fit> ranked =
+        fits.values().stream()
+            .sorted(Comparator.comparingDouble(fit -> -promise(fit)))
+            .toList();
+    HeldOut heldOut = new HeldOut(evidence, blocks);
+    List<Scored> again = heldOut.score(ranked.subList(0, Math.min(SCORED, ranked.size())));
+    List<Scored> scored = new ArrayList<>(again);
+    ranked.stream().skip(SCORED).map(fit -> HeldOut.guess(fit, again)).forEach(scored::add);
+    return HeldOut.capped(scored).stream()
+        .sorted(Comparator.comparingDouble(one -> -one.heldOut()))
+        .toList();
+  }
+
+  /** What a set may reach held-out: each effect more costs what chance would gain. */
+  private double promise(Fit fit) {
+    return fit.logLikelihood() - worthNats * fit.hypothesis().forms().size();
+  }
+}

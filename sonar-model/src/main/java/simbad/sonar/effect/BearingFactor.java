@@ -1,0 +1,41 @@
+package simbad.sonar.effect;
+
+import java.util.List;
+
+/**
+ * An obstacle's threshold is off by a factor that varies smoothly with the bearing: 1 + c + the sum
+ * of a_k cos(k b) + b_k sin(k b), never below 0. A calibration of the set-up.
+ *
+ * @param obstacle label of the one whose threshold it is
+ * @param series c, a_1, b_1, a_2, b_2, ...; all 0 is neutral
+ */
+public record BearingFactor(String obstacle, List<Double> series) implements ThresholdChange {
+  /** Copies the series and checks that its waves are whole. */
+  public BearingFactor {
+    series = List.copyOf(series);
+    if (series.size() % 2 == 0) {
+      throw new IllegalArgumentException(
+          "series has " + series.size() + " values; a constant and pairs take an odd number");
+    }
+  }
+
+  @Override
+  public double factor(Geometry geometry, int line) {
+    if (!geometry.label(line).equals(obstacle)) {
+      return 1;
+    }
+    double cos = Math.cos(geometry.bearingRad(line));
+    double sin = Math.sin(geometry.bearingRad(line));
+    double factor = 1 + series.get(0);
+    double waveCos = 1;
+    double waveSin = 0;
+    for (int i = 1; i < series.size(); i += 2) {
+      // The addition theorem, from k - 1 to k.
+      double next = waveCos * cos - waveSin * sin;
+      waveSin = waveSin * cos + waveCos * sin;
+      waveCos = next;
+      factor += series.get(i) * waveCos + series.get(i + 1) * waveSin;
+    }
+    return Math.max(0, factor);
+  }
+}

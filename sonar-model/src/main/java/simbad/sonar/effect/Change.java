@@ -1,0 +1,22 @@
+package simbad.sonar.effect;
+
+/**
+ * One departure of the world from the nominal model, with its parameters.
+ *
+ * <p>Each kind of change acts at one stage of a ping: on the pose, on the scene, on the sensor's
+ * figures, on thresholds, on what arrives, on what is read. At its neutral parameters a change
+ * leaves the nominal model as it is to the last bit. Changes are immutable values, equal when their
+ * parameters are.
+ */
+public sealed interface Change
+    permits PoseChange,
+        SceneChange,
+        SensorChange,
+        ThresholdChange,
+        EchoChange,
+        ArrivalChange,
+        LossChange,
+        MixtureChange,
+        RangeChange,
+        OutputChange,
+        MemoryChange {}

@@ -1,0 +1,129 @@
+package simbad.sonar.effect;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import simbad.sonar.model.Part;
+import simbad.sonar.model.ReadingDistribution;
+import simbad.sonar.model.Report;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
+
+/**
+ * The nominal model with any set of changes: what is expected of the pings of a log.
+ *
+ * <p>Without changes, and with changes at their neutral parameters, its distributions are those of
+ * {@link simbad.sonar.model.NominalModel} to the last bit. Immutable, safe for use by several
+ * threads.
+ */
+public final class DiagnosedModel {
+  /** The step of a reading whose sensor has none: recordings write millimetres or finer. */
+  private static final double FINEST_STEP_M = 1e-3;
+
+  /** As a share of a step: a range so near a step is that step, written with few decimals. */
+  private static final double ROUNDING = 1e-9;
+
+  private final SensingSetup believed;
+  private final List<Change> changes;
+  private final SonarSpec sensor;
+  private final Report report;
+
+  /**
+   * Creates a model.
+   *
+   * @param believed the set-up as the simulator believes it
+   * @param changes what is different in the world, in any order
+   */
+  public DiagnosedModel(SensingSetup believed, List<? extends Change> changes) {
+    this.believed = believed;
+    this.changes = List.copyOf(changes);
+    sensor = Geometry.changedSensor(believed.sensor(), changes);
+    report = report(PingModel.of(OutputChange.class, changes));
+  }
+
+  private static Report report(List<OutputChange> outputs) {
+    if (outputs.isEmpty()) {
+      return Report.AS_MEASURED;
+    }
+    return new OutputChain(
+        outputs.stream().sorted(Comparator.comparingInt(OutputChange::order)).toList());
+  }
+
+  /** Returns the changes. */
+  public List<Change> changes() {
+    return changes;
+  }
+
+  /** Computes the geometry of a log under the changes. */
+  public Geometry geometry(PingLog log) {
+    return new Geometry(log, believed, changes);
+  }
+
+  /**
+   * Computes how probable each reading of a log is, given all readings of its sequence before it.
+   * The outcome of a ping is no echo, or the step of the sensor's resolution that the range lies in
+   * (steps of 1 mm where it has none), so that every outcome has a probability.
+   *
+   * @param geometry of the log under this model's changes
+   * @param into takes a probability in [0, 1] for each ping
+   */
+  public void likelihood(Geometry geometry, double[] into) {
+    new Likelihood(this, geometry).into(into);
+  }
+
+  /**
+   * Computes what was expected of each ping of a log just before its reading came, given all
+   * readings of its sequence before it.
+   *
+   * @param geometry of the log under this model's changes
+   */
+  public Expectation expectation(Geometry geometry) {
+    Expectation expectation = Expectation.of(geometry.log().size());
+    new Likelihood(this, geometry).into(expectation);
+    return expectation;
+  }
+
+  /**
+   * Computes what is expected of each ping of a log without looking at any reading: changes with
+   * memory run forward from the start of each sequence.
+   *
+   * @param geometry of the log under this model's changes
+   * @return one distribution for each ping
+   */
+  public List<ReadingDistribution> forecast(Geometry geometry) {
+    return new Forecast(this, geometry).all();
+  }
+
+  PingModel pings(Geometry geometry) {
+    return new PingModel(geometry, sensor, changes);
+  }
+
+  ReadingDistribution distribution(Mixture mixture) {
+    List<Part> parts = new ArrayList<>(mixture.size());
+    for (int i = 0; i < mixture.size(); i++) {
+      parts.add(
+          new Part(
+              mixture.meanM(i), mixture.deviationM(i), mixture.halfWidthM(i), mixture.share(i)));
+    }
+    return new ReadingDistribution(parts, sensor.resolutionM(), report);
+  }
+
+  /** The least measured range of the step that a reported range lies in. */
+  double stepStartM(double reportedM) {
+    double step = step();
+    double index = Math.floor(reportedM / step + ROUNDING);
+    return index <= 0 ? Double.NEGATIVE_INFINITY : report.leastRange(index * step);
+  }
+
+  /** The least measured range beyond the step that a reported range lies in. */
+  double stepEndM(double reportedM) {
+    double step = step();
+    return report.leastRange((Math.floor(reportedM / step + ROUNDING) + 1) * step);
+  }
+
+  /** Of the believed sensor: outcomes must not change with the model that is asked. */
+  private double step() {
+    double resolution = believed.sensor().resolutionM();
+    return resolution > 0 ? resolution : FINEST_STEP_M;
+  }
+}

@@ -1,0 +1,18 @@
+package simbad.sonar.effect;
+
+/**
+ * Far echoes are lost.
+ *
+ * @param startM distance from which they are, metres; infinity is neutral
+ * @param softM width of the border, metres; 0 for a sharp one
+ */
+public record EarlyTimeout(double startM, double softM) implements EchoChange {
+  @Override
+  public double share(Geometry geometry, int line) {
+    if (startM == Double.POSITIVE_INFINITY) {
+      return 1;
+    }
+    double beyond = geometry.nearestM(line) - startM;
+    return softM > 0 ? 1 / (1 + Math.exp(beyond / softM)) : beyond <= 0 ? 1 : 0;
+  }
+}

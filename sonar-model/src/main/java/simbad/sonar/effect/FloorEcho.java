@@ -1,0 +1,15 @@
+package simbad.sonar.effect;
+
+/**
+ * The floor answers at a fixed range when nothing nearer does.
+ *
+ * @param rangeM metres
+ * @param spreadM standard deviation of that range, metres
+ * @param share of the pings that the floor answers, in [0, 1]; 0 is neutral
+ */
+public record FloorEcho(double rangeM, double spreadM, double share) implements ArrivalChange {
+  @Override
+  public void add(Moment moment, Arrivals arrivals) {
+    arrivals.add(rangeM, spreadM, share);
+  }
+}

@@ -1,0 +1,74 @@
+package simbad.sonar.effect;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * One functional form of an effect, or one calibration of the set-up: its parameters in the units
+ * of files, and the change that they make.
+ *
+ * @param of the effect that it is a form of; empty for a calibration of the set-up
+ * @param name of the form among the forms of its effect, or among the calibrations
+ * @param parameters in the order of the values that {@link #with} takes
+ * @param maker of the change
+ */
+public record Form(Optional<Effect> of, String name, List<Parameter> parameters, Maker maker) {
+  /** Copies the parameters. */
+  public Form {
+    parameters = List.copyOf(parameters);
+  }
+
+  /** Creates a form of an effect. */
+  public Form(Effect effect, String name, List<Parameter> parameters, Maker maker) {
+    this(Optional.of(effect), name, parameters, maker);
+  }
+
+  /**
+   * Returns the effect that it is a form of.
+   *
+   * @throws IllegalStateException for a calibration of the set-up, which is a form of none
+   */
+  public Effect effect() {
+    return of.orElseThrow(() -> new IllegalStateException(name + " calibrates the set-up"));
+  }
+
+  /** Makes a change of parameter values. */
+  @FunctionalInterface
+  public interface Maker {
+    /** Makes the change of the values, in the units of files. */
+    Change with(double... values);
+  }
+
+  /**
+   * Makes the change of some values.
+   *
+   * @param values one for each parameter
+   */
+  public Change with(double... values) {
+    if (values.length != parameters.size()) {
+      throw new IllegalArgumentException(
+          this + " takes " + parameters.size() + " values, not " + values.length);
+    }
+    return maker.with(values);
+  }
+
+  /** Returns the values at which the form is the nominal model. */
+  public double[] neutral() {
+    return parameters.stream().mapToDouble(Parameter::neutral).toArray();
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Form that && of.equals(that.of) && name.equals(that.name);
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * of.hashCode() + name.hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return of.map(Effect::word).orElse("setup") + "/" + name;
+  }
+}

@@ -1,0 +1,404 @@
+package simbad.sonar.effect;
+
+import static java.lang.Math.toRadians;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.UniformDetection;
+import simbad.sonar.shape.ThresholdTable;
+
+/**
+ * The catalogue of the forms that an effect can take before a given set-up: the one place where
+ * effects get their parameters, names and bounds.
+ */
+public final class Forms {
+  /** Bearings of a fitted table, as many as the thesis measured. */
+  public static final int TABLE_SIZE = 72;
+
+  private static final Parameter SHARE = Parameter.of("share", 0, 0, 1, 0.05, 0.2, 0.5);
+  private static final Parameter SMALL_SHARE = Parameter.of("share", 0, 0, 0.7, 0.03, 0.1, 0.3);
+
+  /** Fewer ghosts than these are no effect: a form as free as this one finds some in any log. */
+  private static final Parameter GHOSTS = Parameter.of("share", 0, 0.03, 1, 0.1, 0.4);
+
+  private static final double FOREVER_S = 1e9;
+
+  private final SensingSetup setup;
+  private final List<String> sensors;
+  private final List<Form> forms = new ArrayList<>();
+
+  private Forms(SensingSetup setup, List<String> sensors) {
+    this.setup = setup;
+    this.sensors = List.copyOf(sensors);
+  }
+
+  /**
+   * Returns all forms of all effects, in the order of the vocabulary.
+   *
+   * @param setup whose obstacles and sensor they are for
+   * @param sensors labels of the transducers in the log
+   */
+  public static List<Form> all(SensingSetup setup, List<String> sensors) {
+    Forms forms = new Forms(setup, sensors);
+    forms.ranges();
+    forms.crosstalk();
+    forms.detours();
+    forms.losses();
+    forms.thresholds();
+    forms.beam();
+    forms.floor();
+    forms.objects();
+    forms.memory();
+    forms.scene();
+    forms.poses();
+    forms.gates();
+    forms.forms.sort(java.util.Comparator.comparing(Form::effect));
+    return List.copyOf(forms.forms);
+  }
+
+  /** Finds a form by its effect and name. */
+  public static Optional<Form> find(
+      Effect effect, String name, SensingSetup setup, List<String> sensors) {
+    return all(setup, sensors).stream()
+        .filter(form -> form.effect() == effect && form.name().equals(name))
+        .findFirst();
+  }
+
+  private void add(Effect effect, String name, Form.Maker maker, Parameter... parameters) {
+    forms.add(new Form(effect, name, List.of(parameters), maker));
+  }
+
+  private void ranges() {
+    double assumed = setup.sensor().assumedSoundSpeedMPerS();
+    add(
+        Effect.SOUND_SPEED,
+        "scale",
+        v -> new SoundSpeed(assumed / v[0]),
+        Parameter.of(
+            "sound_speed_m_s",
+            assumed,
+            0.7 * assumed,
+            1.4 * assumed,
+            0.94 * assumed,
+            0.98 * assumed,
+            1.02 * assumed,
+            1.06 * assumed));
+    add(
+        Effect.RANGE_OFFSET,
+        "constant",
+        v -> new RangeOffset(v[0]),
+        Parameter.of("offset_m", 0, -1, 1, -0.1, -0.03, 0.03, 0.1));
+    add(
+        Effect.RANGE_NOISE,
+        "constant",
+        v -> new RangeNoise(v[0], 0),
+        Parameter.of("added_m", 0, 0, 0.5, 0.01, 0.03, 0.1));
+    add(
+        Effect.RANGE_NOISE,
+        "growing",
+        v -> new RangeNoise(v[0], v[1]),
+        Parameter.of("added_m", 0, 0, 0.5, 0.002, 0.02),
+        Parameter.of("added_per_m", 0, 0, 0.3, 0.01, 0.04));
+    add(
+        Effect.RANGE_NOISE,
+        "tails",
+        v -> new NoiseTails(v[0], v[1]),
+        Parameter.of("share", 0, 0, 1, 0.1, 0.4),
+        Parameter.of("deviation_m", 0, 0, 0.25, 0.03, 0.1));
+    add(Effect.COARSE_RESOLUTION, "start", v -> new CoarseResolution(v[0], false), step());
+    add(Effect.COARSE_RESOLUTION, "centre", v -> new CoarseResolution(v[0], true), step());
+  }
+
+  private static Parameter step() {
+    return Parameter.of("step_m", 0, 0, 0.5, 0.02, 0.025, 0.03, 0.04, 0.05, 0.08, 0.1);
+  }
+
+  private void crosstalk() {
+    double most = setup.sensor().maxRangeM();
+    Parameter low = Parameter.of("low_m", 0, 0, 0.9 * most, 0.05);
+    Parameter high = Parameter.of("high_m", most, 0.05, most, 0.5 * most, most);
+    add(
+        Effect.CROSSTALK,
+        "any",
+        v -> new Crosstalk(v[0], v[1], Math.max(v[1] + 0.01, v[2]), false),
+        SMALL_SHARE,
+        low,
+        high);
+    add(
+        Effect.CROSSTALK,
+        "silent",
+        v -> new Crosstalk(v[0], v[1], Math.max(v[1] + 0.01, v[2]), true),
+        SMALL_SHARE,
+        low,
+        high);
+    add(
+        Effect.CROSSTALK,
+        "earlier",
+        v -> new EarlyCrosstalk(v[0], v[1], Math.max(v[1] + 0.01, v[2])),
+        SMALL_SHARE,
+        low,
+        high);
+  }
+
+  private void detours() {
+    Parameter spread = Parameter.of("spread_m", 0, 0, 0.25, 0.02);
+    add(
+        Effect.MULTIPATH,
+        "added",
+        v -> new Multipath(v[0], 1, v[1], v[2]),
+        SMALL_SHARE,
+        Parameter.of("extra_m", 0, 0.02, 2, 0.1, 0.3, 0.6),
+        spread);
+    add(
+        Effect.MULTIPATH,
+        "factor",
+        v -> new Multipath(v[0], v[1], 0, v[2]),
+        SMALL_SHARE,
+        Parameter.of("factor", 1, 1.02, 3, 1.2, 1.5, 2),
+        spread);
+  }
+
+  private void losses() {
+    add(Effect.DROPOUT, "single", v -> new Dropout(v[0]), SHARE);
+    add(
+        Effect.DROPOUT,
+        "bursts",
+        v -> new Burst(v[0], v[1], 1),
+        Parameter.of("share", 0, 0, 0.9, 0.1, 0.3),
+        Parameter.of("length_pings", 1, 1, 60, 3, 10));
+  }
+
+  private void thresholds() {
+    add(
+        Effect.GAIN,
+        "factor",
+        v -> new Gain(v[0]),
+        Parameter.of("factor", 1, 0.2, 3, 0.7, 0.85, 0.95, 1.05, 1.15, 1.3));
+    for (Absorption.Law law : Absorption.Law.values()) {
+      add(
+          Effect.ABSORPTION,
+          law.name().toLowerCase(java.util.Locale.ROOT),
+          v -> new Absorption(v[0], law),
+          Parameter.of("loss_per_m", 0, -0.2, 1.5, -0.05, 0.05, 0.1, 0.2, 0.4));
+    }
+  }
+
+  private void beam() {
+    double half = Math.toDegrees(setup.sensor().coneHalfAngleRad());
+    for (BeamPattern.Law law : BeamPattern.Law.values()) {
+      double least = law == BeamPattern.Law.BELL ? 0.2 * half : 0.5 * half;
+      add(
+          Effect.BEAM_PATTERN,
+          law.name().toLowerCase(java.util.Locale.ROOT),
+          v -> new BeamPattern(toRadians(v[0]), v[1], law),
+          Parameter.of(
+              "width_deg",
+              Double.POSITIVE_INFINITY,
+              least,
+              20 * half,
+              0.7 * half,
+              1.1 * half,
+              2 * half),
+          Parameter.of("power", 1, 0.3, 8, 0.7, 2));
+    }
+    add(
+        Effect.BEAM_WIDTH,
+        "cone",
+        v -> new BeamWidth(toRadians(v[0])),
+        Parameter.of(
+            "added_deg",
+            0,
+            -0.9 * half,
+            Math.min(60, 180 - half),
+            -0.4 * half,
+            -0.2 * half,
+            -1.5,
+            1.5,
+            0.2 * half,
+            0.4 * half));
+    misaligned("all", Optional.empty());
+    if (sensors.size() > 1) {
+      sensors.forEach(sensor -> misaligned("only:" + sensor, Optional.of(sensor)));
+    }
+  }
+
+  private void misaligned(String name, Optional<String> sensor) {
+    add(
+        Effect.BEAM_MISALIGNMENT,
+        name,
+        v -> new BeamMisalignment(toRadians(v[0]), sensor),
+        Parameter.of("turn_deg", 0, -60, 60, -12, -6, -3, 3, 6, 12));
+  }
+
+  private void floor() {
+    double most = setup.sensor().maxRangeM();
+    add(
+        Effect.FLOOR_ECHO,
+        "fixed",
+        v -> new FloorEcho(v[0], v[1], v[2]),
+        Parameter.of("range_m", most, 0.02, most, 0.3 * most),
+        Parameter.of("spread_m", 0, 0, 0.15, 0.02),
+        SHARE);
+  }
+
+  private void objects() {
+    Parameter x = Parameter.of("x_m", 0, -20, 20, 0);
+    Parameter z = Parameter.of("z_m", 0, -20, 20, 0);
+    Parameter normal = Parameter.of("normal_deg", 0, -400, 400, 0);
+    Parameter width = Parameter.of("half_width_m", 0, 0.02, 10, 0.4);
+    Parameter sure = Parameter.of("share", 0, 0.1, 1, 0.95);
+    add(
+        Effect.UNMODELLED_OBJECT,
+        "mirror",
+        v -> new UnmodelledObject(v[0], v[1], toRadians(v[2]), v[3], 0, v[4]),
+        x,
+        z,
+        normal,
+        width,
+        sure);
+    add(
+        Effect.UNMODELLED_OBJECT,
+        "face",
+        v -> new UnmodelledObject(v[0], v[1], toRadians(v[2]), v[3], toRadians(v[5]), v[4]),
+        x,
+        z,
+        normal,
+        width,
+        sure,
+        Parameter.of("square_deg", 30, 3, 90, 15, 40));
+    add(
+        Effect.UNMODELLED_OBJECT,
+        "post",
+        v -> new UnmodelledObject(v[0], v[1], 0, 0, 0, v[2]),
+        x,
+        z,
+        sure);
+  }
+
+  private void memory() {
+    add(
+        Effect.STALE_READING,
+        "count",
+        v -> new StaleReading(v[0], FOREVER_S),
+        Parameter.of("pings", 0, 0, 30, 1, 2, 3, 5, 8, 14));
+    double period = setup.sensor().updatePeriodS();
+    add(
+        Effect.STALE_READING,
+        "time",
+        v -> new StaleReading(HoldState.MOST, v[0]),
+        Parameter.of(
+            "hold_s",
+            0,
+            0,
+            20,
+            1.5 * period,
+            2.5 * period,
+            4.5 * period,
+            Math.min(20, 9.5 * period)));
+    Parameter gap = Parameter.of("gap", 0, 0, 0.7, 0.05, 0.15, 0.3);
+    add(Effect.HYSTERESIS, "pick-up", v -> new Hysteresis(1 - v[0], 1), gap);
+    add(Effect.HYSTERESIS, "hold", v -> new Hysteresis(1, 1 + v[0]), gap);
+    add(Effect.HYSTERESIS, "both", v -> new Hysteresis(1 - v[0] / 2, 1 + v[0] / 2), gap);
+    Parameter spread = Parameter.of("spread_m", 0, 0, 0.1, 0.002);
+    add(
+        Effect.PREVIOUS_PING,
+        "shift",
+        v -> new PreviousPing(v[0], 1, v[1], v[2]),
+        GHOSTS,
+        Parameter.of("shift_m", 0, 0.02, 5, 0.2, 0.5, 1),
+        spread);
+    add(
+        Effect.PREVIOUS_PING,
+        "factor",
+        v -> new PreviousPing(v[0], v[1], 0, v[2]),
+        GHOSTS,
+        Parameter.of("factor", 1, 0.05, 0.96, 0.3, 0.5, 0.8),
+        spread);
+  }
+
+  private void scene() {
+    placed("all", Optional.empty());
+    List<String> labels = Scenes.labels(setup.scene());
+    for (int i = 0; i < labels.size(); i++) {
+      if (labels.size() > 1) {
+        placed("only:" + labels.get(i), Optional.of(labels.get(i)));
+      }
+      if (setup.scene().obstacles().get(i).detection() instanceof UniformDetection uniform) {
+        shadowed(labels.get(i), i, uniform.greatestM());
+      }
+    }
+  }
+
+  private void placed(String name, Optional<String> only) {
+    add(
+        Effect.OBSTACLE_TURN,
+        name,
+        v -> new ObstacleTurn(toRadians(v[0]), only),
+        Parameter.of("turn_deg", 0, -180, 180, -30, -20, -12, -7, -3, 3, 7, 12, 20, 30));
+    add(
+        Effect.OBSTACLE_OFFSET,
+        name,
+        v -> new ObstacleOffset(v[0], v[1], only),
+        Parameter.of("x_m", 0, -1, 1, -0.06, 0, 0.06),
+        Parameter.of("z_m", 0, -1, 1, -0.06, 0, 0.06));
+  }
+
+  private void shadowed(String label, int obstacle, double uniformM) {
+    Parameter[] table =
+        IntStream.range(0, TABLE_SIZE)
+            .mapToObj(
+                i ->
+                    Parameter.of(
+                        "threshold_" + i * 360 / TABLE_SIZE + "_deg_m", uniformM, 0, 20, uniformM))
+            .toArray(Parameter[]::new);
+    add(
+        Effect.ORIENTATION_SHADOW,
+        "table:" + label + "#" + obstacle,
+        v -> new OrientationShadow(Optional.of(label), ThresholdTable.of(v)),
+        table);
+  }
+
+  private void poses() {
+    double period = setup.sensor().updatePeriodS();
+    add(
+        Effect.LATENCY,
+        "time",
+        v -> new Latency(v[0]),
+        Parameter.of(
+            "delay_s", 0, 0, 5, Math.min(5, period), Math.min(5, 2 * period), 0.3, 0.6, 1.2));
+    add(
+        Effect.LATENCY,
+        "pings",
+        v -> new PingDelay(v[0]),
+        Parameter.of("pings", 0, 0, 30, 1, 2, 4, 8));
+    add(
+        Effect.ODOMETRY_SCALE,
+        "path",
+        v -> new OdometryScale(v[0]),
+        Parameter.of("factor", 1, 0.5, 1.6, 0.9, 0.96, 1.04, 1.1));
+    Parameter drift = Parameter.of("rate_deg_s", 0, -5, 5, -1, -0.3, -0.1, 0.1, 0.3, 1);
+    add(Effect.HEADING_DRIFT, "heading", v -> new HeadingDrift(toRadians(v[0]), false), drift);
+    add(Effect.HEADING_DRIFT, "reckoned", v -> new HeadingDrift(toRadians(v[0]), true), drift);
+  }
+
+  private void gates() {
+    double most = setup.sensor().maxRangeM();
+    Parameter soft = Parameter.of("soft_m", 0, 0, 0.3, 0.02);
+    Parameter end = Parameter.of("end_m", 0, 0, most, 0.15, 0.3, 0.5, 0.8);
+    Parameter start =
+        Parameter.of(
+            "start_m", Double.POSITIVE_INFINITY, 0.1, most, 0.3 * most, 0.5 * most, 0.7 * most);
+    add(Effect.DEAD_ZONE, "sharp", v -> new DeadZone(v[0], 0), end);
+    add(Effect.DEAD_ZONE, "soft", v -> new DeadZone(v[0], v[1]), end, soft);
+    add(Effect.EARLY_TIMEOUT, "sharp", v -> new EarlyTimeout(v[0], 0), start);
+    add(Effect.EARLY_TIMEOUT, "soft", v -> new EarlyTimeout(v[0], v[1]), start, soft);
+    add(
+        Effect.NEAR_CLAMP,
+        "clamp",
+        v -> new NearClamp(v[0]),
+        Parameter.of("least_m", 0, 0, most, 0.1, 0.2, 0.35, 0.6));
+  }
+}

@@ -1,0 +1,237 @@
+package simbad.sonar.effect;
+
+import java.util.List;
+import simbad.sonar.frame.Angles;
+import simbad.sonar.frame.Placement;
+import simbad.sonar.model.NominalModel;
+import simbad.sonar.model.SightLine;
+import simbad.sonar.model.TransducerPose;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.shape.Outline;
+
+/**
+ * Where every ping's sensor and the obstacles really are, and what the sensor sees of each: all
+ * that costs time and that most changes leave alone. Line of sight {@code ping * obstacles() + o}
+ * leads from a ping to obstacle o. That of a log is immutable and safe for use by several threads.
+ */
+public final class Geometry {
+  private final PingLog log;
+  private final Scene scene;
+  private final SonarSpec sensor;
+  private final NominalModel model;
+  private final int obstacles;
+  private final List<String> labels;
+  private final List<Outline> outlines;
+  private final double[] xM;
+  private final double[] zM;
+  private final double[] headingRad;
+  private final double[] nearestM;
+  private final double[] centreDistanceM;
+  private final double[] bearingRad;
+  private final double[] thresholdM;
+  private final double[] offAxisRad;
+  private final SightLine sight = new SightLine();
+  private final TransducerPose from = new TransducerPose();
+
+  /**
+   * Computes the geometry.
+   *
+   * @param log the pings
+   * @param believed the set-up
+   * @param changes of which those that act on poses, the scene and the cone count here
+   */
+  public Geometry(PingLog log, SensingSetup believed, List<? extends Change> changes) {
+    this(log, log.size(), believed, changes);
+    PoseTrack track = new PoseTrack(changes, "", 0);
+    TruePose pose = new TruePose();
+    for (int ping = 0; ping < log.size(); ping++) {
+      if (log.sequenceStart(ping) == ping) {
+        String label = log.sensors().get(log.sensor(ping));
+        track = new PoseTrack(changes, label, log.runStartS(ping));
+      }
+      pose.set(log.xM(ping), log.zM(ping), log.headingRad(ping));
+      track.next(log.timeS(ping), pose);
+      look(ping, pose);
+    }
+  }
+
+  /** Of pings that are yet to be sent, and of no log: {@link #look} makes each as it is sent. */
+  Geometry(int pings, SensingSetup believed, List<? extends Change> changes) {
+    this(new PingLog(List.of()), pings, believed, changes);
+  }
+
+  private Geometry(PingLog log, int pings, SensingSetup believed, List<? extends Change> changes) {
+    this.log = log;
+    scene = changedScene(believed.scene(), changes);
+    sensor = changedSensor(believed.sensor(), changes);
+    model = new NominalModel(sensor, scene);
+    obstacles = scene.obstacles().size();
+    labels = Scenes.labels(scene);
+    outlines = scene.obstacles().stream().map(Obstacle::worldOutline).toList();
+    int lines = pings * obstacles;
+    xM = new double[pings];
+    zM = new double[pings];
+    headingRad = new double[pings];
+    nearestM = new double[lines];
+    centreDistanceM = new double[lines];
+    bearingRad = new double[lines];
+    thresholdM = new double[lines];
+    offAxisRad = new double[lines];
+  }
+
+  /** Tells whether a change has to be known before geometry can be computed. */
+  public static boolean dependsOn(Change change) {
+    return change instanceof PoseChange
+        || change instanceof SceneChange
+        || change instanceof BeamWidth
+        || change instanceof BeamEdge;
+  }
+
+  static Scene changedScene(Scene believed, List<? extends Change> changes) {
+    Scene scene = believed;
+    for (Change change : changes) {
+      if (change instanceof SceneChange moves) {
+        scene = moves.apply(scene);
+      }
+    }
+    return scene;
+  }
+
+  static SonarSpec changedSensor(SonarSpec believed, List<? extends Change> changes) {
+    SonarSpec sensor = believed;
+    for (Change change : changes) {
+      if (change instanceof SensorChange figures) {
+        sensor = figures.apply(sensor);
+      }
+    }
+    return sensor;
+  }
+
+  /** Looks from a pose, which is where the sensor really is. */
+  void look(int ping, TruePose pose) {
+    xM[ping] = pose.xM();
+    zM[ping] = pose.zM();
+    headingRad[ping] = pose.headingRad();
+    from.aim(xM[ping], zM[ping], headingRad[ping]);
+    for (int obstacle = 0; obstacle < obstacles; obstacle++) {
+      int line = ping * obstacles + obstacle;
+      model.trace(obstacle, from, sight);
+      nearestM[line] = sight.nearestM();
+      centreDistanceM[line] = sight.centreDistanceM();
+      bearingRad[line] = sight.bearingRad();
+      thresholdM[line] = sight.thresholdM();
+      offAxisRad[line] = offAxis(ping, scene.obstacles().get(obstacle));
+    }
+  }
+
+  /** Of the centre, from the heading. */
+  private double offAxis(int ping, Obstacle obstacle) {
+    Placement place = obstacle.worldFromObstacle();
+    double direction = Math.atan2(zM[ping] - place.zM(), place.xM() - xM[ping]);
+    return Angles.signed(direction - headingRad[ping]);
+  }
+
+  /** Returns the pings. */
+  public PingLog log() {
+    return log;
+  }
+
+  /** Returns the scene as it is under the changes. */
+  public Scene scene() {
+    return scene;
+  }
+
+  /** Returns the sensor's figures under the changes. */
+  public SonarSpec sensor() {
+    return sensor;
+  }
+
+  /** Returns the cone's half angle under the changes, radians. */
+  public double coneHalfAngleRad() {
+    return sensor.coneHalfAngleRad();
+  }
+
+  /** Returns the number of obstacles. */
+  public int obstacles() {
+    return obstacles;
+  }
+
+  /** Returns the sensor's x in metres. */
+  public double xM(int ping) {
+    return xM[ping];
+  }
+
+  /** Returns the sensor's z in metres. */
+  public double zM(int ping) {
+    return zM[ping];
+  }
+
+  /** Returns the sensor's heading in radians. */
+  public double headingRad(int ping) {
+    return headingRad[ping];
+  }
+
+  /** Returns the label of the obstacle that a line leads to. */
+  public String label(int line) {
+    return labels.get(line % obstacles);
+  }
+
+  /** Returns the distance to the obstacle's nearest point in the cone; infinity for none. */
+  public double nearestM(int line) {
+    return nearestM[line];
+  }
+
+  /** Returns the distance to the obstacle's centre, metres. */
+  public double centreDistanceM(int line) {
+    return centreDistanceM[line];
+  }
+
+  /**
+   * Returns the sensor's bearing in the obstacle's own frame, radians in [0, 2 pi); 0 where no
+   * point of the obstacle is in the cone.
+   */
+  public double bearingRad(int line) {
+    return bearingRad[line];
+  }
+
+  /** Returns the believed threshold at that bearing, metres; 0 where none is in the cone. */
+  public double thresholdM(int line) {
+    return thresholdM[line];
+  }
+
+  /**
+   * Returns the angle from the heading to the obstacle's centre, radians in [-pi, pi], positive
+   * counter-clockwise.
+   */
+  public double offAxisRad(int line) {
+    return offAxisRad[line];
+  }
+
+  /**
+   * Returns the least angle from the heading to any point of the obstacle's outline, radians in [0,
+   * pi]; 0 where the axis meets it.
+   */
+  public double outlineOffAxisRad(int line) {
+    int ping = line / obstacles;
+    Outline outline = outlines.get(line % obstacles);
+    double least = Math.PI;
+    double from = cornerOffAxis(ping, outline, outline.size() - 1);
+    for (int i = 0; i < outline.size(); i++) {
+      double to = cornerOffAxis(ping, outline, i);
+      if (from * to <= 0 && Math.abs(from - to) < Math.PI) {
+        return 0;
+      }
+      least = Math.min(least, Math.abs(to));
+      from = to;
+    }
+    return least;
+  }
+
+  private double cornerOffAxis(int ping, Outline outline, int corner) {
+    double direction = Math.atan2(zM[ping] - outline.zM(corner), outline.xM(corner) - xM[ping]);
+    return Angles.signed(direction - headingRad[ping]);
+  }
+}

@@ -1,0 +1,4 @@
+package simbad.sonar.effect;
+
+/** What is read hangs on what happened in the pings before. */
+public sealed interface MemoryChange extends Change permits Burst, Hysteresis, StaleReading {}

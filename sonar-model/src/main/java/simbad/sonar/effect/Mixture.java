@@ -1,0 +1,157 @@
+package simbad.sonar.effect;
+
+import java.util.Arrays;
+
+/**
+ * What a reading is drawn from: parts, each with its share, Gaussian or evenly spread; the share
+ * that is left reads no echo. Reused from ping to ping.
+ */
+public final class Mixture {
+  /** Of no parts: a sure no-echo. */
+  static final Mixture EMPTY = new Mixture();
+
+  /** Further from its mean a Gaussian holds less than 1e-18. */
+  private static final double REACH = 9;
+
+  private int size;
+  private double[] meanM = new double[8];
+  private double[] deviationM = new double[8];
+  private double[] halfWidthM = new double[8];
+  private double[] share = new double[8];
+
+  Mixture() {}
+
+  void clear() {
+    size = 0;
+  }
+
+  /** Returns the number of parts. */
+  public int size() {
+    return size;
+  }
+
+  /** Returns a part's mean range in metres. */
+  public double meanM(int part) {
+    return meanM[part];
+  }
+
+  /** Returns a part's standard deviation in metres; 0 for a part that is evenly spread. */
+  public double deviationM(int part) {
+    return deviationM[part];
+  }
+
+  /** Returns half the width of an evenly spread part in metres; 0 for a Gaussian one. */
+  public double halfWidthM(int part) {
+    return halfWidthM[part];
+  }
+
+  /** Returns a part's share in [0, 1]. */
+  public double share(int part) {
+    return share[part];
+  }
+
+  /** Returns the probability of an echo. */
+  public double echoShare() {
+    double sum = 0;
+    for (int i = 0; i < size; i++) {
+      sum += share[i];
+    }
+    return sum;
+  }
+
+  /** Adds a Gaussian part. */
+  public void add(double newMeanM, double newDeviationM, double newShare) {
+    put(newMeanM, newDeviationM, 0, newShare);
+  }
+
+  /** Adds an evenly spread part. */
+  public void addEven(double lowM, double highM, double newShare) {
+    put((lowM + highM) / 2, 0, (highM - lowM) / 2, newShare);
+  }
+
+  private void put(double mean, double deviation, double halfWidth, double newShare) {
+    if (size == meanM.length) {
+      int capacity = 2 * size;
+      meanM = Arrays.copyOf(meanM, capacity);
+      deviationM = Arrays.copyOf(deviationM, capacity);
+      halfWidthM = Arrays.copyOf(halfWidthM, capacity);
+      share = Arrays.copyOf(share, capacity);
+    }
+    meanM[size] = mean;
+    deviationM[size] = deviation;
+    halfWidthM[size] = halfWidth;
+    share[size] = newShare;
+    size++;
+  }
+
+  /** Multiplies all shares. */
+  public void scaleShares(double factor) {
+    for (int i = 0; i < size; i++) {
+      share[i] *= factor;
+    }
+  }
+
+  /** Multiplies one part's share. */
+  public void scaleShare(int part, double factor) {
+    share[part] *= factor;
+  }
+
+  /** Gives a Gaussian part another mean and deviation; an evenly spread part stays. */
+  void move(int part, double newMeanM, double newDeviationM) {
+    if (halfWidthM[part] == 0) {
+      meanM[part] = newMeanM;
+      deviationM[part] = newDeviationM;
+    }
+  }
+
+  /** Takes over another mixture's parts, their shares multiplied. */
+  void addAll(Mixture other, double factor) {
+    for (int i = 0; i < other.size; i++) {
+      put(other.meanM[i], other.deviationM[i], other.halfWidthM[i], factor * other.share[i]);
+    }
+  }
+
+  /** Takes over another mixture's parts that hold more than a share. */
+  void addGreater(Mixture other, double least) {
+    for (int i = 0; i < other.size; i++) {
+      if (other.share[i] > least) {
+        put(other.meanM[i], other.deviationM[i], other.halfWidthM[i], other.share[i]);
+      }
+    }
+  }
+
+  /** Returns the probability that the measured range lies in [lowM, highM). */
+  double within(double lowM, double highM) {
+    double sum = 0;
+    for (int i = 0; i < size; i++) {
+      if (share[i] > 0) {
+        sum += share[i] * partWithin(i, lowM, highM);
+      }
+    }
+    return sum;
+  }
+
+  /** Returns the probability that the range comes from a part and lies in [lowM, highM). */
+  double within(int part, double lowM, double highM) {
+    return share[part] * partWithin(part, lowM, highM);
+  }
+
+  private double partWithin(int part, double lowM, double highM) {
+    double half = halfWidthM[part];
+    if (half > 0) {
+      double from = Math.max(lowM, meanM[part] - half);
+      double to = Math.min(highM, meanM[part] + half);
+      return to > from ? (to - from) / (2 * half) : 0;
+    }
+    double deviation = deviationM[part];
+    if (!(deviation > 0)) {
+      return meanM[part] >= lowM && meanM[part] < highM ? 1 : 0;
+    }
+    double low = (lowM - meanM[part]) / deviation;
+    double high = (highM - meanM[part]) / deviation;
+    if (low > REACH || high < -REACH) {
+      return 0;
+    }
+    return QuickNormal.cumulative(high) - QuickNormal.cumulative(low);
+  }
+}

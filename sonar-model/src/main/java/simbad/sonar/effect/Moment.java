@@ -1,0 +1,34 @@
+package simbad.sonar.effect;
+
+import org.jspecify.annotations.Nullable;
+
+/** One ping and what is known of the ping before it: what was read, or what may have been. */
+public final class Moment {
+  private final Geometry geometry;
+  private int ping;
+  private @Nullable Mixture before;
+
+  Moment(Geometry geometry) {
+    this.geometry = geometry;
+  }
+
+  void set(int newPing, @Nullable Mixture newBefore) {
+    ping = newPing;
+    before = newBefore;
+  }
+
+  /** Returns the geometry of all pings. */
+  public Geometry geometry() {
+    return geometry;
+  }
+
+  /** Returns the index of the ping. */
+  public int ping() {
+    return ping;
+  }
+
+  /** Returns the parts of the reading before: one part where it is known, none for a no-echo. */
+  public Mixture before() {
+    return before == null ? Mixture.EMPTY : before;
+  }
+}

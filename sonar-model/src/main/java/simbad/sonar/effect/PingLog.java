@@ -1,0 +1,194 @@
+package simbad.sonar.effect;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
+import simbad.sonar.format.ReadingRow;
+import simbad.sonar.sensing.Echo;
+
+/**
+ * Pings with what was read, in the order in which each sensor sent them.
+ *
+ * <p>The pings of one run and sensor form a sequence: they stand side by side, ordered by time, and
+ * the order of rows decides where times are equal. Immutable, safe for use by several threads.
+ */
+public final class PingLog {
+  private final int[] row;
+  private final int[] sequenceStart;
+  private final int[] run;
+  private final int[] sensor;
+  private final double[] timeS;
+  private final double[] xM;
+  private final double[] zM;
+  private final double[] headingRad;
+  private final boolean[] echo;
+  private final double[] rangeM;
+  private final double[] runStartS;
+  private final List<String> runs;
+  private final List<String> sensors;
+
+  /**
+   * Sorts rows into sequences.
+   *
+   * @param rows in any order
+   */
+  public PingLog(List<ReadingRow> rows) {
+    runs = names(rows.stream().map(ReadingRow::run).toList());
+    sensors = names(rows.stream().map(ReadingRow::sensor).toList());
+    row = order(rows);
+    int size = row.length;
+    sequenceStart = new int[size];
+    run = new int[size];
+    sensor = new int[size];
+    timeS = new double[size];
+    xM = new double[size];
+    zM = new double[size];
+    headingRad = new double[size];
+    echo = new boolean[size];
+    rangeM = new double[size];
+    runStartS = new double[size];
+    Map<String, Double> starts = runStarts(rows);
+    for (int i = 0; i < size; i++) {
+      fill(i, rows.get(row[i]), starts);
+    }
+  }
+
+  private void fill(int i, ReadingRow from, Map<String, Double> starts) {
+    run[i] = runs.indexOf(from.run());
+    sensor[i] = sensors.indexOf(from.sensor());
+    boolean follows = i > 0 && run[i - 1] == run[i] && sensor[i - 1] == sensor[i];
+    sequenceStart[i] = follows ? sequenceStart[i - 1] : i;
+    timeS[i] = from.timeS();
+    xM[i] = from.pose().position().xM();
+    zM[i] = from.pose().position().zM();
+    headingRad[i] = from.pose().heading().radians();
+    runStartS[i] = starts.getOrDefault(from.run(), 0.0);
+    if (from.reading() instanceof Echo heard) {
+      echo[i] = true;
+      rangeM[i] = heard.rangeM();
+    }
+  }
+
+  private static List<String> names(List<String> all) {
+    return List.copyOf(new LinkedHashSet<>(all));
+  }
+
+  private int[] order(List<ReadingRow> rows) {
+    Comparator<Integer> byRun = Comparator.comparingInt(i -> runs.indexOf(rows.get(i).run()));
+    return IntStream.range(0, rows.size())
+        .boxed()
+        .sorted(
+            byRun
+                .thenComparingInt(i -> sensors.indexOf(rows.get(i).sensor()))
+                .thenComparingDouble(i -> rows.get(i).timeS()))
+        .mapToInt(Integer::intValue)
+        .toArray();
+  }
+
+  private static Map<String, Double> runStarts(List<ReadingRow> rows) {
+    Map<String, Double> starts = new TreeMap<>();
+    rows.forEach(one -> starts.merge(one.run(), one.timeS(), Math::min));
+    return starts;
+  }
+
+  /** Returns the number of pings. */
+  public int size() {
+    return row.length;
+  }
+
+  /** Returns the place of a ping in the rows that the log was made of. */
+  public int row(int ping) {
+    return row[ping];
+  }
+
+  /** Returns the first ping of the sequence that a ping belongs to. */
+  public int sequenceStart(int ping) {
+    return sequenceStart[ping];
+  }
+
+  /** Returns the index of a ping's run in {@link #runs()}. */
+  public int run(int ping) {
+    return run[ping];
+  }
+
+  /** Returns the index of a ping's sensor in {@link #sensors()}. */
+  public int sensor(int ping) {
+    return sensor[ping];
+  }
+
+  /** Returns the labels of the runs in the order in which the rows name them. */
+  public List<String> runs() {
+    return runs;
+  }
+
+  /** Returns the labels of the sensors in the order in which the rows name them. */
+  public List<String> sensors() {
+    return sensors;
+  }
+
+  /** Returns a ping's time in seconds. */
+  public double timeS(int ping) {
+    return timeS[ping];
+  }
+
+  /** Returns the time of the first ping of a ping's run in seconds, over all its sensors. */
+  public double runStartS(int ping) {
+    return runStartS[ping];
+  }
+
+  /** Returns the believed x of the sensor in metres. */
+  public double xM(int ping) {
+    return xM[ping];
+  }
+
+  /** Returns the believed z of the sensor in metres. */
+  public double zM(int ping) {
+    return zM[ping];
+  }
+
+  /** Returns the believed heading of the sensor in radians. */
+  public double headingRad(int ping) {
+    return headingRad[ping];
+  }
+
+  /** Returns whether an echo was read. */
+  public boolean echo(int ping) {
+    return echo[ping];
+  }
+
+  /** Returns the range that was read in metres; of no meaning where no echo was. */
+  public double rangeM(int ping) {
+    return rangeM[ping];
+  }
+
+  /** Returns the number of pings that read an echo. */
+  public int echoes() {
+    int count = 0;
+    for (boolean heard : echo) {
+      count += heard ? 1 : 0;
+    }
+    return count;
+  }
+
+  /**
+   * Returns how fast the sensor's believed place moved since the ping before, metres per second; at
+   * the start of a sequence up to the next ping. 0 where there is no other ping or no time between.
+   */
+  public double speedMPerS(int ping) {
+    int from = ping > sequenceStart[ping] ? ping - 1 : ping;
+    int to = from + 1;
+    if (to >= size() || sequenceStart[to] != sequenceStart[ping] || timeS[to] <= timeS[from]) {
+      return 0;
+    }
+    return Math.hypot(xM[to] - xM[from], zM[to] - zM[from]) / (timeS[to] - timeS[from]);
+  }
+
+  /** Returns the pings of some rows as a log of its own; sequences are cut, not joined. */
+  public static PingLog of(List<ReadingRow> rows) {
+    return new PingLog(new ArrayList<>(rows));
+  }
+}

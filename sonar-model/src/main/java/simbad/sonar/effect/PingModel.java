@@ -1,0 +1,141 @@
+package simbad.sonar.effect;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import simbad.sonar.model.NominalModel;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SonarSpec;
+
+/**
+ * The nominal model with changes, for single pings: what may be read, given what was read before.
+ *
+ * <p>Holds buffers; for one thread.
+ */
+final class PingModel {
+  private final Geometry geometry;
+  private final double noiseM;
+  private final NominalModel nominal;
+  private final ThresholdChange[] thresholds;
+  private final EchoChange[] echoes;
+  private final ArrivalChange[] arrivalChanges;
+  private final LossChange[] losses;
+  private final MixtureChange[] detours;
+  private final RangeChange[] ranges;
+  private final MixtureChange[] strangers;
+  private final Optional<Hysteresis> hysteresis;
+  private final Arrivals arrivals = new Arrivals();
+  private final Moment moment;
+
+  PingModel(Geometry geometry, SonarSpec sensor, List<? extends Change> changes) {
+    this.geometry = geometry;
+    noiseM = sensor.rangeNoiseM();
+    nominal = new NominalModel(sensor, new Scene(List.of()));
+    thresholds = of(ThresholdChange.class, changes).toArray(ThresholdChange[]::new);
+    echoes = of(EchoChange.class, changes).toArray(EchoChange[]::new);
+    arrivalChanges = of(ArrivalChange.class, changes).toArray(ArrivalChange[]::new);
+    losses = of(LossChange.class, changes).toArray(LossChange[]::new);
+    detours =
+        of(MixtureChange.class, changes).stream()
+            .filter(MixtureChange::beforeRange)
+            .toArray(MixtureChange[]::new);
+    strangers =
+        of(MixtureChange.class, changes).stream()
+            .filter(change -> !change.beforeRange())
+            .toArray(MixtureChange[]::new);
+    ranges =
+        of(RangeChange.class, changes).stream()
+            .sorted(Comparator.comparingInt(RangeChange::order))
+            .toArray(RangeChange[]::new);
+    hysteresis = of(Hysteresis.class, changes).stream().findFirst();
+    moment = new Moment(geometry);
+  }
+
+  static <T> List<T> of(Class<T> kind, List<? extends Change> changes) {
+    return changes.stream().filter(kind::isInstance).map(kind::cast).toList();
+  }
+
+  boolean remembersEcho() {
+    return hysteresis.isPresent();
+  }
+
+  boolean remembersReading() {
+    return arrivalChanges.length > 0;
+  }
+
+  /**
+   * Mixes what a ping may read.
+   *
+   * @param ping index
+   * @param heardBefore probability that the ping before was answered
+   * @param before what was read before
+   * @param lost share of pings that are lost beside the losses of the changes
+   * @param into takes the mixture, in measured ranges
+   */
+  void mix(int ping, double heardBefore, Mixture before, double lost, Mixture into) {
+    arrivals.clear();
+    int end = (ping + 1) * geometry.obstacles();
+    for (int line = ping * geometry.obstacles(); line < end; line++) {
+      if (geometry.nearestM(line) < Double.POSITIVE_INFINITY) {
+        arrivals.add(geometry.nearestM(line), 0, echoProbability(line, heardBefore));
+      }
+    }
+    moment.set(ping, before);
+    for (ArrivalChange change : arrivalChanges) {
+      change.add(moment, arrivals);
+    }
+    arrivals.mix(into);
+    lose(ping, lost, into);
+    read(into);
+  }
+
+  private double echoProbability(int line, double heardBefore) {
+    double threshold = geometry.thresholdM(line);
+    for (ThresholdChange change : thresholds) {
+      threshold *= change.factor(geometry, line);
+    }
+    double probability =
+        hysteresis.isPresent()
+            ? heardBefore * plain(line, threshold * hysteresis.get().holdFactor())
+                + (1 - heardBefore) * plain(line, threshold * hysteresis.get().pickUpFactor())
+            : plain(line, threshold);
+    for (EchoChange change : echoes) {
+      probability *= change.share(geometry, line);
+    }
+    return probability;
+  }
+
+  private double plain(int line, double thresholdM) {
+    return nominal.echoProbability(
+        geometry.nearestM(line), geometry.centreDistanceM(line), thresholdM);
+  }
+
+  private void lose(int ping, double lost, Mixture into) {
+    double kept = 1 - lost;
+    for (LossChange change : losses) {
+      kept *= 1 - change.share(geometry, ping);
+    }
+    if (kept != 1) {
+      into.scaleShares(kept);
+    }
+  }
+
+  private void read(Mixture into) {
+    for (MixtureChange change : detours) {
+      change.apply(into);
+    }
+    for (int part = 0; part < into.size(); part++) {
+      double range = into.meanM(part);
+      double own = into.deviationM(part);
+      double deviation = own == 0 ? noiseM : Math.sqrt(own * own + noiseM * noiseM);
+      for (RangeChange change : ranges) {
+        deviation = change.deviationM(range, deviation);
+        range = change.meanM(range);
+      }
+      into.move(part, range, deviation);
+    }
+    for (MixtureChange change : strangers) {
+      change.apply(into);
+    }
+  }
+}

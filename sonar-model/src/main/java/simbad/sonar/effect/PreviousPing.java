@@ -1,0 +1,28 @@
+package simbad.sonar.effect;
+
+/**
+ * An echo of the ping before is taken for one of this ping, where it comes before this one's.
+ *
+ * @param share of the pings after an echo, in [0, 1]; 0 is neutral
+ * @param factor what the reading before is multiplied by
+ * @param shiftM what is taken from it then, metres
+ * @param spreadM standard deviation of that, metres
+ */
+public record PreviousPing(double share, double factor, double shiftM, double spreadM) implements ArrivalChange {
+  /** A ghost that is this near cannot be told from the ping itself. */
+  private static final double LEAST_RANGE_M = 0.02;
+
+  @Override
+  public void add(Moment moment, Arrivals arrivals) {
+    if (share == 0) {
+      return;
+    }
+    Mixture before = moment.before();
+    for (int part = 0; part < before.size(); part++) {
+      double range = before.meanM(part) * factor - shiftM;
+      if (range > LEAST_RANGE_M && before.halfWidthM(part) == 0) {
+        arrivals.add(range, spreadM, share * before.share(part));
+      }
+    }
+  }
+}

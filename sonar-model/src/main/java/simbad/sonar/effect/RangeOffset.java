@@ -1,0 +1,18 @@
+package simbad.sonar.effect;
+
+/**
+ * Every range is too long by the same amount.
+ *
+ * @param offsetM metres; 0 is neutral
+ */
+public record RangeOffset(double offsetM) implements RangeChange {
+  @Override
+  public int order() {
+    return 1;
+  }
+
+  @Override
+  public double meanM(double rangeM) {
+    return rangeM + offsetM;
+  }
+}

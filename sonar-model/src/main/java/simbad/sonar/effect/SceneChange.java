@@ -1,0 +1,10 @@
+package simbad.sonar.effect;
+
+import simbad.sonar.scene.Scene;
+
+/** The obstacles are not as they are believed to be. */
+@FunctionalInterface
+public non-sealed interface SceneChange extends Change {
+  /** Returns the scene as it is. */
+  Scene apply(Scene believed);
+}

@@ -1,0 +1,10 @@
+package simbad.sonar.effect;
+
+import simbad.sonar.scene.SonarSpec;
+
+/** The sensor's figures are not what they are believed to be. */
+@FunctionalInterface
+public non-sealed interface SensorChange extends Change {
+  /** Returns the figures as they are. */
+  SonarSpec apply(SonarSpec believed);
+}

@@ -1,0 +1,82 @@
+package simbad.sonar.effect;
+
+import static java.lang.Math.toRadians;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
+
+/**
+ * The catalogue of calibrations: in what a set-up may be a little off while the simulation is
+ * trusted. None belongs to an effect.
+ */
+public final class SetupForms {
+  /** Waves of a threshold's factor round the obstacle. */
+  public static final int WAVES = 8;
+
+  private SetupForms() {}
+
+  /**
+   * Returns all calibrations: the scatter, the tails, the cone's border, and for each obstacle its
+   * threshold.
+   *
+   * @param setup whose obstacles and sensor they are for
+   */
+  public static List<Form> all(SensingSetup setup) {
+    List<Form> forms = new ArrayList<>(List.of(scatter(setup.sensor()), tails(), edge()));
+    Scenes.labels(setup.scene()).forEach(label -> forms.add(threshold(label)));
+    return List.copyOf(forms);
+  }
+
+  /** Finds a calibration by its name. */
+  public static Optional<Form> find(String name, SensingSetup setup) {
+    return all(setup).stream().filter(form -> form.name().equals(name)).findFirst();
+  }
+
+  private static Form scatter(SonarSpec sensor) {
+    double edge = sensor.edgeWidthM();
+    double noise = sensor.rangeNoiseM();
+    double misses = sensor.missRate();
+    return form(
+        "scatter",
+        v -> new SensorScatter(v[0], v[1], v[2]),
+        Parameter.of("edge_width_m", edge, 0, Math.max(0.5, edge), edge, 0.05),
+        Parameter.of("range_noise_m", noise, 0, Math.max(0.25, noise), noise),
+        Parameter.of("miss_rate", misses, 0, 1, misses));
+  }
+
+  private static Form tails() {
+    return form(
+        "tails",
+        v -> new NoiseTails(v[0], v[1]),
+        Parameter.of("share", 0, 0, 1, 0.1),
+        Parameter.of("deviation_m", 0, 0, 0.25, 0.03));
+  }
+
+  private static Form edge() {
+    return form(
+        "beam-edge",
+        v -> new BeamEdge(toRadians(v[0])),
+        Parameter.of("soft_deg", 0, 0, 10, 0.5, 2));
+  }
+
+  private static Form threshold(String label) {
+    List<Parameter> series = new ArrayList<>();
+    series.add(Parameter.of("constant", 0, -0.3, 0.3, 0));
+    for (int wave = 1; wave <= WAVES; wave++) {
+      series.add(Parameter.of("cos_" + wave, 0, -0.3, 0.3, 0));
+      series.add(Parameter.of("sin_" + wave, 0, -0.3, 0.3, 0));
+    }
+    return form(
+        "threshold:" + label,
+        v -> new BearingFactor(label, Arrays.stream(v).boxed().toList()),
+        series.toArray(Parameter[]::new));
+  }
+
+  private static Form form(String name, Form.Maker maker, Parameter... parameters) {
+    return new Form(Optional.empty(), name, List.of(parameters), maker);
+  }
+}
