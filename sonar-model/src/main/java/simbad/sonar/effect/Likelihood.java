@@ -1,132 +1,118 @@
 package simbad.sonar.effect;
 
-import org.jspecify.annotations.Nullable;
-
 /**
- * How probable each reading is, given the readings before it: a filter over what was not read, the
+ * How probable each reading is, given the readings before it: a filter over what is not read, the
  * state of a burst and how often a reading was already repeated.
  */
 final class Likelihood {
   private final DiagnosedModel model;
-  private final Geometry geometry;
   private final PingLog log;
   private final PingModel pings;
-  private final @Nullable Burst burst;
-  private final @Nullable StaleReading stale;
-  private final Mixture clear = new Mixture();
-  private final Mixture silenced = new Mixture();
+  private final Memory memory;
+  private final Mixture mixture = new Mixture();
   private final Mixture before = new Mixture();
-  private final HoldState hold = new HoldState();
-  private double inBurst;
-  private double heard;
+  private final double[][] echo = new double[2][2];
+  private final double[][] silent = new double[2][2];
+  private HiddenState state = new HiddenState();
+  private HiddenState next = new HiddenState();
 
   Likelihood(DiagnosedModel model, Geometry geometry) {
     this.model = model;
-    this.geometry = geometry;
     log = geometry.log();
     pings = model.pings(geometry);
-    burst = PingModel.of(Burst.class, model.changes()).stream().findFirst().orElse(null);
-    stale = PingModel.of(StaleReading.class, model.changes()).stream().findFirst().orElse(null);
+    memory = model.memory();
   }
 
   void into(double[] probability) {
-    for (int ping = 0; ping < geometry.log().size(); ping++) {
-      if (log.sequenceStart(ping) == ping) {
-        start();
-      } else {
-        remember(ping - 1);
+    for (int ping = 0; ping < log.size(); ping++) {
+      boolean first = log.sequenceStart(ping) == ping;
+      before.clear();
+      if (!first && log.echo(ping - 1)) {
+        before.add(log.rangeM(ping - 1), 0, 1);
       }
-      probability[ping] = step(ping);
+      probability[ping] = memory.isSeen() ? seen(ping) : filtered(ping, first);
     }
   }
 
-  private void start() {
-    before.clear();
-    heard = 0;
-    hold.start();
-    inBurst = burst == null ? 0 : burst.share();
+  private double seen(int ping) {
+    pings.mix(ping, before.size() > 0, before, 0, mixture);
+    return log.echo(ping) ? within(ping) : silence();
   }
 
-  private void remember(int previous) {
-    before.clear();
-    if (log.echo(previous)) {
-      before.add(log.rangeM(previous), 0, 1);
+  private double filtered(int ping, boolean first) {
+    if (first) {
+      state.start(memory.burstShare());
+    } else if (memory.burst() != null) {
+      state.pass(memory.burst());
     }
-  }
-
-  private double step(int ping) {
-    pings.mix(ping, heard, before, 0, clear);
-    if (burst == null && stale == null) {
-      heard = log.echo(ping) ? 1 : 0;
-      return log.echo(ping) ? within(clear, ping) : silence(clear);
+    for (int inBurst = 0; inBurst < 2; inBurst++) {
+      for (int heard = 0; heard < 2; heard++) {
+        expect(ping, inBurst, heard);
+      }
     }
-    if (burst != null && log.sequenceStart(ping) != ping) {
-      inBurst = burst.next(inBurst);
+    next.clear();
+    double total = 0;
+    for (int inBurst = 0; inBurst < 2; inBurst++) {
+      for (int slot = 0; slot < state.slots(); slot++) {
+        total += advance(ping, inBurst, slot);
+      }
     }
-    return filter(ping);
-  }
-
-  private double filter(int ping) {
-    double echo = within(clear, ping);
-    double silent = silence(clear);
-    double burstEcho = 0;
-    double burstSilent = 0;
-    if (burst != null) {
-      pings.mix(ping, heard, before, burst.depth(), silenced);
-      burstEcho = within(silenced, ping);
-      burstSilent = silence(silenced);
-    }
-    double real = (1 - inBurst) * echo + inBurst * burstEcho;
-    double miss = (1 - inBurst) * silent + inBurst * burstSilent;
-    double repeated = repeats(ping);
-    double total = log.echo(ping) ? real + miss * repeated : miss * (1 - repeated);
-    if (!(total > 0)) {
+    if (total > 0) {
+      next.divide(total);
+    } else {
       // Impossible under this model: what is hidden stays as it was expected to be.
-      hold.start();
-      heard = log.echo(ping) ? 1 : 0;
-      return 0;
+      next.clear();
+      next.add(0, log.echo(ping) ? HiddenState.ECHO : 0, 1 - state.inBurst());
+      next.add(1, log.echo(ping) ? HiddenState.ECHO : 0, state.inBurst());
     }
-    if (burst != null) {
-      double within =
-          log.echo(ping) ? burstEcho + burstSilent * repeated : burstSilent * (1 - repeated);
-      inBurst *= within / total;
-    }
-    heard = log.echo(ping) ? real / total : 0;
-    update(ping, real / total, repeated);
+    HiddenState spent = state;
+    state = next;
+    next = spent;
     return total;
   }
 
-  /** How probable it is that a miss at this ping shows the last reading once more. */
-  private double repeats(int ping) {
-    if (stale == null || before.size() == 0) {
-      return 0;
-    }
-    if (log.echo(ping) && log.rangeM(ping) != before.meanM(0)) {
-      return 0;
-    }
-    return hold.repeats(stale, log, ping);
-  }
-
-  private void update(int ping, double real, double repeated) {
-    if (stale == null) {
+  private void expect(int ping, int inBurst, int heard) {
+    if (inBurst == 1 && memory.burst() == null) {
       return;
     }
-    if (log.echo(ping)) {
-      hold.advance(stale, log, ping, real, repeated > 0 ? (1 - real) / repeated : 0);
-    } else {
-      hold.start();
+    if (heard == 1 && memory.hysteresis() == null) {
+      echo[inBurst][1] = echo[inBurst][0];
+      silent[inBurst][1] = silent[inBurst][0];
+      return;
     }
+    pings.mix(ping, heard == 1, before, memory.lost(inBurst), mixture);
+    echo[inBurst][heard] = log.echo(ping) ? within(ping) : 0;
+    silent[inBurst][heard] = silence();
   }
 
-  private double within(Mixture mixture, int ping) {
-    if (!log.echo(ping)) {
+  /** Moves the probability of a state on to the states that explain the reading. */
+  private double advance(int ping, int inBurst, int slot) {
+    double probability = state.get(inBurst, slot);
+    if (probability == 0) {
       return 0;
     }
+    int heard = slot == HiddenState.ECHO ? 1 : 0;
+    double missed = probability * silent[inBurst][heard];
+    double repeats = slot == 0 ? 0 : memory.repeats(slot, log.timeS(ping) - log.timeS(ping - slot));
+    if (!log.echo(ping)) {
+      next.add(inBurst, 0, missed * (1 - repeats));
+      return missed * (1 - repeats);
+    }
+    double real = probability * echo[inBurst][heard];
+    next.add(inBurst, HiddenState.ECHO, real);
+    if (repeats > 0 && log.rangeM(ping) == log.rangeM(ping - 1)) {
+      next.add(inBurst, slot + 1, missed * repeats);
+      return real + missed * repeats;
+    }
+    return real;
+  }
+
+  private double within(int ping) {
     double range = log.rangeM(ping);
     return mixture.within(model.stepStartM(range), model.stepEndM(range));
   }
 
-  private static double silence(Mixture mixture) {
+  private double silence() {
     return Math.max(0, 1 - mixture.echoShare());
   }
 }

@@ -14,6 +14,12 @@ public final class Mixture {
   /** Further from its mean a Gaussian holds less than 1e-18. */
   private static final double REACH = 9;
 
+  /** A range that is so little below a step lies in it: sums of ranges are that inexact. */
+  private static final double ROUNDING_M = 1e-11;
+
+  /** Where mixtures are merged: of a smaller share no quantile can tell. */
+  private static final double NEGLIGIBLE = 1e-11;
+
   private int size;
   private double[] meanM = new double[8];
   private double[] deviationM = new double[8];
@@ -105,11 +111,38 @@ public final class Mixture {
     }
   }
 
-  /** Takes over another mixture's parts, their shares multiplied. */
-  void addAll(Mixture other, double factor) {
+  /** Returns a part's standard deviation in metres, of whatever kind it is. */
+  double spreadM(int part) {
+    return halfWidthM[part] > 0 ? halfWidthM[part] / Math.sqrt(3) : deviationM[part];
+  }
+
+  /** Takes over one part of another mixture with a share of its own. */
+  void addPart(Mixture other, int part, double newShare) {
+    put(other.meanM[part], other.deviationM[part], other.halfWidthM[part], newShare);
+  }
+
+  /** Takes over another mixture's parts, their shares multiplied; equal parts become one. */
+  void merge(Mixture other, double factor) {
     for (int i = 0; i < other.size; i++) {
-      put(other.meanM[i], other.deviationM[i], other.halfWidthM[i], factor * other.share[i]);
+      double more = factor * other.share[i];
+      int same = find(other, i);
+      if (same < size) {
+        share[same] += more;
+      } else if (more > NEGLIGIBLE) {
+        addPart(other, i, more);
+      }
     }
+  }
+
+  private int find(Mixture other, int part) {
+    int i = 0;
+    while (i < size
+        && (meanM[i] != other.meanM[part]
+            || deviationM[i] != other.deviationM[part]
+            || halfWidthM[i] != other.halfWidthM[part])) {
+      i++;
+    }
+    return i;
   }
 
   /** Returns the probability that the measured range lies in [lowM, highM). */
@@ -132,7 +165,8 @@ public final class Mixture {
     }
     double deviation = deviationM[part];
     if (!(deviation > 0)) {
-      return meanM[part] >= lowM && meanM[part] < highM ? 1 : 0;
+      double mean = meanM[part] + ROUNDING_M;
+      return mean >= lowM && mean < highM ? 1 : 0;
     }
     double low = (lowM - meanM[part]) / deviation;
     double high = (highM - meanM[part]) / deviation;

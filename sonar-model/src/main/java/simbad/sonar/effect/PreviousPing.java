@@ -20,7 +20,7 @@ public record PreviousPing(double share, double factor, double shiftM) implement
     for (int part = 0; part < before.size(); part++) {
       double range = before.meanM(part) * factor - shiftM;
       if (range > LEAST_RANGE_M) {
-        arrivals.add(range, before.deviationM(part), share * before.share(part));
+        arrivals.add(range, factor * before.deviationM(part), share);
       }
     }
   }
