@@ -75,6 +75,18 @@ public final class DiagnosedModel {
   }
 
   /**
+   * Computes what was expected of each ping of a log just before its reading came, given all
+   * readings of its sequence before it.
+   *
+   * @param geometry of the log under this model's changes
+   */
+  public Expectation expectation(Geometry geometry) {
+    Expectation expectation = new Expectation(geometry.log().size());
+    new Likelihood(this, geometry).into(expectation);
+    return expectation;
+  }
+
+  /**
    * Computes what is expected of each ping of a log without looking at any reading: changes with
    * memory run forward from the start of each sequence.
    *
@@ -87,13 +99,6 @@ public final class DiagnosedModel {
 
   Memory memory() {
     return memory;
-  }
-
-  /** What is reported for a measured range, the sensor's steps included. */
-  double reportedM(double measuredM) {
-    double reported = report.reported(measuredM);
-    double step = sensor.resolutionM();
-    return Math.max(0, step > 0 ? Math.floor(reported / step + ROUNDING) * step : reported);
   }
 
   PingModel pings(Geometry geometry) {

@@ -122,7 +122,7 @@ final class Forecast {
     if (memory.ghosts()) {
       for (int part = 0; part < before.size(); part++) {
         one.clear();
-        one.add(model.reportedM(before.meanM(part)), before.spreadM(part), 1);
+        one.add(before.meanM(part), before.evenSpreadM(part), 1);
         double silent = expect(ping, inBurst, slot, before.share(part));
         miss(inBurst, slot, part, before.share(part) * silent, repeats);
       }

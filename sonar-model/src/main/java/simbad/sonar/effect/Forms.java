@@ -298,18 +298,21 @@ public final class Forms {
     add(Effect.HYSTERESIS, "pick-up", v -> new Hysteresis(1 - v[0], 1), gap);
     add(Effect.HYSTERESIS, "hold", v -> new Hysteresis(1, 1 + v[0]), gap);
     add(Effect.HYSTERESIS, "both", v -> new Hysteresis(1 - v[0] / 2, 1 + v[0] / 2), gap);
+    Parameter spread = Parameter.of("spread_m", 0, 0, 0.1, 0.002);
     add(
         Effect.PREVIOUS_PING,
         "shift",
-        v -> new PreviousPing(v[0], 1, v[1]),
+        v -> new PreviousPing(v[0], 1, v[1], v[2]),
         SHARE,
-        Parameter.of("shift_m", 0, 0, 5, 0.2, 0.5, 1));
+        Parameter.of("shift_m", 0, 0.02, 5, 0.2, 0.5, 1),
+        spread);
     add(
         Effect.PREVIOUS_PING,
         "factor",
-        v -> new PreviousPing(v[0], v[1], 0),
+        v -> new PreviousPing(v[0], v[1], 0, v[2]),
         SHARE,
-        Parameter.of("factor", 1, 0.05, 0.98, 0.3, 0.5, 0.8));
+        Parameter.of("factor", 1, 0.05, 0.96, 0.3, 0.5, 0.8),
+        spread);
   }
 
   private void scene() {

@@ -47,9 +47,9 @@ final class HiddenState {
     }
   }
 
-  /** The probability of being in a burst. */
-  double inBurst() {
-    return Arrays.stream(probability[1], 0, slots).sum();
+  /** The probability of a state of the burst. */
+  double sum(int inBurst) {
+    return Arrays.stream(probability[inBurst], 0, slots).sum();
   }
 
   /** Lets a ping's time pass for the burst. */

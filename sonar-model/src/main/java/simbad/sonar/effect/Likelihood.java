@@ -2,17 +2,33 @@ package simbad.sonar.effect;
 
 /**
  * How probable each reading is, given the readings before it: a filter over what is not read, the
- * state of a burst and how often a reading was already repeated.
+ * state of a burst, how often a reading was already repeated, and where it came from.
  */
 final class Likelihood {
+  /** A reading that no part explains came from where it says. */
+  private static final double LEAST_EXPLAINED = 1e-9;
+
+  private static final double LEAST_SHARE = 0.01;
+
   private final DiagnosedModel model;
   private final PingLog log;
   private final PingModel pings;
   private final Memory memory;
   private final Mixture mixture = new Mixture();
+  private final Mixture one = new Mixture();
+  private final Mixture part = new Mixture();
+
+  /** What the ping may read, over all states. */
+  private final Mixture all = new Mixture();
+
+  /** What the reading before may have come from. */
   private final Mixture before = new Mixture();
+
+  // By the state of the burst, and whether the ping before was answered.
   private final double[][] echo = new double[2][2];
   private final double[][] silent = new double[2][2];
+  private final double[][] below = new double[2][2];
+
   private HiddenState state = new HiddenState();
   private HiddenState next = new HiddenState();
 
@@ -25,36 +41,157 @@ final class Likelihood {
 
   void into(double[] probability) {
     for (int ping = 0; ping < log.size(); ping++) {
-      boolean first = log.sequenceStart(ping) == ping;
+      expect(ping);
+      probability[ping] = learn(ping);
+    }
+  }
+
+  void into(Expectation expectation) {
+    for (int ping = 0; ping < log.size(); ping++) {
+      expect(ping);
+      tell(ping, expectation);
+      expectation.reading()[ping] = learn(ping);
+    }
+  }
+
+  private void expect(int ping) {
+    if (log.sequenceStart(ping) == ping) {
       before.clear();
-      if (!first && log.echo(ping - 1)) {
-        before.add(log.rangeM(ping - 1), 0, 1);
-      }
-      probability[ping] = memory.isSeen() ? seen(ping) : filtered(ping, first);
-    }
-  }
-
-  private double seen(int ping) {
-    pings.mix(ping, before.size() > 0, before, 0, mixture);
-    return log.echo(ping) ? within(ping) : silence();
-  }
-
-  private double filtered(int ping, boolean first) {
-    if (first) {
       state.start(memory.burstShare());
-    } else if (memory.burst() != null) {
-      state.pass(memory.burst());
-    }
-    for (int inBurst = 0; inBurst < 2; inBurst++) {
-      for (int heard = 0; heard < 2; heard++) {
-        expect(ping, inBurst, heard);
+    } else {
+      if (memory.ghosts()) {
+        remember(ping - 1);
+      }
+      if (memory.burst() != null) {
+        state.pass(memory.burst());
       }
     }
+    all.clear();
+    int bursts = memory.burst() == null ? 1 : 2;
+    for (int inBurst = 0; inBurst < bursts; inBurst++) {
+      expect(ping, inBurst, 0);
+      if (memory.hysteresis() != null) {
+        expect(ping, inBurst, 1);
+      }
+    }
+  }
+
+  private void expect(int ping, int inBurst, int heard) {
+    mix(ping, heard == 1, memory.lost(inBurst));
+    silent[inBurst][heard] = Math.max(0, 1 - mixture.echoShare());
+    if (log.echo(ping)) {
+      double from = model.stepStartM(log.rangeM(ping));
+      echo[inBurst][heard] = mixture.within(from, model.stepEndM(log.rangeM(ping)));
+      below[inBurst][heard] = mixture.within(Double.NEGATIVE_INFINITY, from);
+    }
+    if (memory.ghosts()) {
+      all.merge(mixture, weight(inBurst, heard));
+    }
+  }
+
+  /** How probable the states are that a mixture stands for. */
+  private double weight(int inBurst, int heard) {
+    double echoed = state.get(inBurst, HiddenState.ECHO);
+    double every = state.sum(inBurst);
+    if (memory.hysteresis() == null) {
+      return every;
+    }
+    return heard == 1 ? echoed : every - echoed;
+  }
+
+  /** Mixes what a ping may read, over all that the reading before may have come from. */
+  private void mix(int ping, boolean heard, double lost) {
+    if (before.size() < 2) {
+      pings.mix(ping, heard, before, lost, mixture);
+      return;
+    }
+    mixture.clear();
+    for (int source = 0; source < before.size(); source++) {
+      one.clear();
+      one.add(before.meanM(source), 0, 1);
+      pings.mix(ping, heard, one, lost, part);
+      mixture.merge(part, before.share(source));
+    }
+  }
+
+  /** What the reading before may have come from, by how well each part explains it. */
+  private void remember(int previous) {
+    boolean again = log.echo(previous) && before.size() > 0 && repeatsReading(previous);
+    if (!log.echo(previous)) {
+      before.clear();
+      return;
+    }
+    double low = model.stepStartM(log.rangeM(previous));
+    double high = model.stepEndM(log.rangeM(previous));
+    double total = all.within(low, high);
+    if (!(total > LEAST_EXPLAINED)) {
+      if (!again) {
+        before.clear();
+        before.add(log.rangeM(previous), 0, 1);
+      }
+      return;
+    }
+    before.clear();
+    for (int i = 0; i < all.size(); i++) {
+      double share = all.within(i, low, high) / total;
+      if (share > LEAST_SHARE) {
+        boolean known = all.halfWidthM(i) == 0;
+        before.add(known ? all.meanM(i) : log.rangeM(previous), 0, share);
+      }
+    }
+    before.scaleShares(1 / before.echoShare());
+  }
+
+  private boolean repeatsReading(int ping) {
+    return memory.stale() != null
+        && log.sequenceStart(ping) != ping
+        && log.echo(ping - 1)
+        && log.rangeM(ping - 1) == log.rangeM(ping);
+  }
+
+  private void tell(int ping, Expectation expectation) {
+    double heard = 0;
+    double nearer = 0;
+    for (int inBurst = 0; inBurst < 2; inBurst++) {
+      for (int slot = 0; slot < state.slots(); slot++) {
+        double probability = state.get(inBurst, slot);
+        if (probability > 0) {
+          int answered = answered(slot);
+          double repeated = silent[inBurst][answered] * repeats(ping, slot);
+          heard += probability * (1 - silent[inBurst][answered] + repeated);
+          if (log.echo(ping)) {
+            nearer += probability * below[inBurst][answered];
+            nearer += probability * (repeated > 0 && isBelow(ping - 1, ping) ? repeated : 0);
+          }
+        }
+      }
+    }
+    expectation.echo()[ping] = Math.min(1, heard);
+    expectation.below()[ping] = nearer;
+  }
+
+  /** Whether one ping's reading lies in a nearer step than another one's. */
+  private boolean isBelow(int ping, int other) {
+    return model.stepEndM(log.rangeM(ping)) <= model.stepStartM(log.rangeM(other));
+  }
+
+  private int answered(int slot) {
+    return slot == HiddenState.ECHO && memory.hysteresis() != null ? 1 : 0;
+  }
+
+  private double repeats(int ping, int slot) {
+    return slot == 0 ? 0 : memory.repeats(slot, log.timeS(ping) - log.timeS(ping - slot));
+  }
+
+  /** Moves the states on to those that explain the reading; returns its probability. */
+  private double learn(int ping) {
     next.clear();
     double total = 0;
     for (int inBurst = 0; inBurst < 2; inBurst++) {
       for (int slot = 0; slot < state.slots(); slot++) {
-        total += advance(ping, inBurst, slot);
+        if (state.get(inBurst, slot) > 0) {
+          total += learn(ping, inBurst, slot);
+        }
       }
     }
     if (total > 0) {
@@ -62,8 +199,9 @@ final class Likelihood {
     } else {
       // Impossible under this model: what is hidden stays as it was expected to be.
       next.clear();
-      next.add(0, log.echo(ping) ? HiddenState.ECHO : 0, 1 - state.inBurst());
-      next.add(1, log.echo(ping) ? HiddenState.ECHO : 0, state.inBurst());
+      double inBurst = state.sum(1);
+      next.add(0, log.echo(ping) ? HiddenState.ECHO : 0, 1 - inBurst);
+      next.add(1, log.echo(ping) ? HiddenState.ECHO : 0, inBurst);
     }
     HiddenState spent = state;
     state = next;
@@ -71,48 +209,20 @@ final class Likelihood {
     return total;
   }
 
-  private void expect(int ping, int inBurst, int heard) {
-    if (inBurst == 1 && memory.burst() == null) {
-      return;
-    }
-    if (heard == 1 && memory.hysteresis() == null) {
-      echo[inBurst][1] = echo[inBurst][0];
-      silent[inBurst][1] = silent[inBurst][0];
-      return;
-    }
-    pings.mix(ping, heard == 1, before, memory.lost(inBurst), mixture);
-    echo[inBurst][heard] = log.echo(ping) ? within(ping) : 0;
-    silent[inBurst][heard] = silence();
-  }
-
-  /** Moves the probability of a state on to the states that explain the reading. */
-  private double advance(int ping, int inBurst, int slot) {
+  private double learn(int ping, int inBurst, int slot) {
     double probability = state.get(inBurst, slot);
-    if (probability == 0) {
-      return 0;
-    }
-    int heard = slot == HiddenState.ECHO ? 1 : 0;
-    double missed = probability * silent[inBurst][heard];
-    double repeats = slot == 0 ? 0 : memory.repeats(slot, log.timeS(ping) - log.timeS(ping - slot));
+    double missed = probability * silent[inBurst][answered(slot)];
+    double repeats = repeats(ping, slot);
     if (!log.echo(ping)) {
       next.add(inBurst, 0, missed * (1 - repeats));
       return missed * (1 - repeats);
     }
-    double real = probability * echo[inBurst][heard];
+    double real = probability * echo[inBurst][answered(slot)];
     next.add(inBurst, HiddenState.ECHO, real);
     if (repeats > 0 && log.rangeM(ping) == log.rangeM(ping - 1)) {
       next.add(inBurst, slot + 1, missed * repeats);
       return real + missed * repeats;
     }
     return real;
-  }
-
-  private double within(int ping) {
-    double range = log.rangeM(ping);
-    return mixture.within(model.stepStartM(range), model.stepEndM(range));
-  }
-
-  private double silence() {
-    return Math.max(0, 1 - mixture.echoShare());
   }
 }

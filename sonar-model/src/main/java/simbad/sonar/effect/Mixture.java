@@ -1,7 +1,6 @@
 package simbad.sonar.effect;
 
 import java.util.Arrays;
-import simbad.sonar.model.NormalDistribution;
 
 /**
  * What a reading is drawn from: parts, each with its share, Gaussian or evenly spread; the share
@@ -111,9 +110,9 @@ public final class Mixture {
     }
   }
 
-  /** Returns a part's standard deviation in metres, of whatever kind it is. */
-  double spreadM(int part) {
-    return halfWidthM[part] > 0 ? halfWidthM[part] / Math.sqrt(3) : deviationM[part];
+  /** Returns the standard deviation of an evenly spread part in metres; 0 for a Gaussian one. */
+  double evenSpreadM(int part) {
+    return halfWidthM[part] / Math.sqrt(3);
   }
 
   /** Takes over one part of another mixture with a share of its own. */
@@ -156,6 +155,11 @@ public final class Mixture {
     return sum;
   }
 
+  /** Returns the probability that the range comes from a part and lies in [lowM, highM). */
+  double within(int part, double lowM, double highM) {
+    return share[part] * partWithin(part, lowM, highM);
+  }
+
   private double partWithin(int part, double lowM, double highM) {
     double half = halfWidthM[part];
     if (half > 0) {
@@ -173,6 +177,6 @@ public final class Mixture {
     if (low > REACH || high < -REACH) {
       return 0;
     }
-    return NormalDistribution.cumulative(high) - NormalDistribution.cumulative(low);
+    return QuickNormal.cumulative(high) - QuickNormal.cumulative(low);
   }
 }

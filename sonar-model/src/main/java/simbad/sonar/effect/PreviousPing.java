@@ -6,8 +6,10 @@ package simbad.sonar.effect;
  * @param share of the pings after an echo, in [0, 1]; 0 is neutral
  * @param factor what the reading before is multiplied by
  * @param shiftM what is taken from it then, metres
+ * @param spreadM standard deviation of that, metres
  */
-public record PreviousPing(double share, double factor, double shiftM) implements ArrivalChange {
+public record PreviousPing(double share, double factor, double shiftM, double spreadM)
+    implements ArrivalChange {
   /** A ghost that is this near cannot be told from the ping itself. */
   private static final double LEAST_RANGE_M = 0.02;
 
@@ -20,7 +22,8 @@ public record PreviousPing(double share, double factor, double shiftM) implement
     for (int part = 0; part < before.size(); part++) {
       double range = before.meanM(part) * factor - shiftM;
       if (range > LEAST_RANGE_M) {
-        arrivals.add(range, factor * before.deviationM(part), share);
+        double deviation = Math.hypot(spreadM, factor * before.deviationM(part));
+        arrivals.add(range, deviation, share * before.share(part));
       }
     }
   }

@@ -59,12 +59,21 @@ final class PlacedObstacle {
 
   /** The nearest point of the outline in the cone, infinity when there is none within a limit. */
   double nearestM(Cone cone, TransducerPose from, double limitM) {
-    if (centreDistanceM(from.xM, from.zM) - reachM > limitM) {
+    if (centreDistanceM(from.xM, from.zM) - reachM > limitM || isBeside(cone, from)) {
       return Double.POSITIVE_INFINITY;
     }
     double nearest =
         cone.nearestM(worldOutline, from.xM, from.zM, from.directionX, from.directionZ);
     return nearest <= limitM ? nearest : Double.POSITIVE_INFINITY;
+  }
+
+  private boolean isBeside(Cone cone, TransducerPose from) {
+    double dx = obstacle.worldFromObstacle().xM() - from.xM;
+    double dz = obstacle.worldFromObstacle().zM() - from.zM;
+    return cone.misses(
+        dx * from.directionX + dz * from.directionZ,
+        dx * from.directionZ - dz * from.directionX,
+        reachM);
   }
 
   /**

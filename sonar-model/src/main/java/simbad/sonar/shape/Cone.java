@@ -65,6 +65,24 @@ public final class Cone {
     return best;
   }
 
+  /**
+   * Returns whether a disc lies wholly outside the cone; quick to tell, and never true of a disc
+   * that has a point in it.
+   *
+   * @param along of the disc's centre from the tip along the heading, metres
+   * @param across of the disc's centre from the heading's line, metres, either sign
+   * @param radiusM of the disc
+   */
+  public boolean misses(double along, double across, double radiusM) {
+    if (halfAngleRad >= Math.PI / 2) {
+      return false;
+    }
+    double side = Math.abs(across);
+    // Beyond the border's line, or behind the tip: a little more than the radius for rounding.
+    double clear = radiusM * (1 + 1e-9) + 1e-12;
+    return side * cos - along * sin > clear || -along > clear;
+  }
+
   /** Coordinates along and across the heading; the tip is the origin. */
   private double nearestOfEdgeM(double a, double b, double toA, double toB) {
     double ea = toA - a;

@@ -41,7 +41,7 @@ final class HistoryTree {
 
   /** What goes on from ping to ping. */
   private record State(
-      boolean burst, boolean heard, OptionalDouble read, int repeated, double echoS) {}
+      boolean burst, boolean heard, OptionalDouble source, int repeated, double echoS) {}
 
   private record Arrival(double distanceM, double probability) {}
 
@@ -79,22 +79,22 @@ final class HistoryTree {
     double lost = state.burst ? world.burstDepth : 0;
     double silent = 1 - lost;
     for (Arrival arrival : arrivals(pings.get(index), state)) {
-      OptionalDouble range = OptionalDouble.of(rounded(arrival.distanceM));
+      OptionalDouble source = OptionalDouble.of(arrival.distanceM);
       double first = silent * arrival.probability;
       silent -= first;
-      State next = new State(false, true, range, 0, pings.get(index).timeS);
-      bursts(index, state, next, probability * first, with(readings, range));
+      State next = new State(false, true, source, 0, pings.get(index).timeS);
+      bursts(index, state, next, probability * first, with(readings, source));
     }
     missed(index, state, probability * (silent + lost), readings);
   }
 
   private void missed(int index, State state, double probability, List<OptionalDouble> readings) {
     double repeats = 0;
-    if (state.read.isPresent() && pings.get(index).timeS - state.echoS <= world.staleForS) {
+    if (state.source.isPresent() && pings.get(index).timeS - state.echoS <= world.staleForS) {
       repeats = Math.max(0, Math.min(1, world.stalePings - state.repeated));
     }
-    State again = new State(false, false, state.read, state.repeated + 1, state.echoS);
-    bursts(index, state, again, probability * repeats, with(readings, state.read));
+    State again = new State(false, false, state.source, state.repeated + 1, state.echoS);
+    bursts(index, state, again, probability * repeats, with(readings, state.source));
     State nothing = new State(false, false, OptionalDouble.empty(), 0, 0);
     bursts(
         index, state, nothing, probability * (1 - repeats), with(readings, OptionalDouble.empty()));
@@ -106,7 +106,7 @@ final class HistoryTree {
     double begins = ends * world.burstShare / (1 - world.burstShare);
     double silenced = before.burst ? 1 - ends : begins;
     for (boolean burst : new boolean[] {false, true}) {
-      State state = new State(burst, next.heard, next.read, next.repeated, next.echoS);
+      State state = new State(burst, next.heard, next.source, next.repeated, next.echoS);
       ping(index + 1, state, probability * (burst ? silenced : 1 - silenced), readings);
     }
   }
@@ -117,8 +117,8 @@ final class HistoryTree {
       double answers = target.answers(state.heard ? world.hold : world.pickUp);
       arrivals.add(new Arrival(target.nearestM, answers));
     }
-    if (state.read.isPresent()) {
-      double ghost = state.read.getAsDouble() * world.ghostFactor - world.ghostShiftM;
+    if (state.source.isPresent()) {
+      double ghost = state.source.getAsDouble() * world.ghostFactor - world.ghostShiftM;
       if (ghost > 0.02) {
         arrivals.add(new Arrival(ghost, world.ghostShare));
       }
@@ -129,7 +129,7 @@ final class HistoryTree {
 
   private static List<OptionalDouble> with(List<OptionalDouble> readings, OptionalDouble more) {
     List<OptionalDouble> longer = new ArrayList<>(readings);
-    longer.add(more);
+    longer.add(more.isPresent() ? OptionalDouble.of(rounded(more.getAsDouble())) : more);
     return longer;
   }
 }

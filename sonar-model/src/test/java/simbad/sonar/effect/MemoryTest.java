@@ -77,7 +77,7 @@ class MemoryTest {
         new Burst(world.burstShare(), world.burstLength(), world.burstDepth()),
         new Hysteresis(world.pickUp(), world.hold()),
         new StaleReading(world.stalePings(), world.staleForS()),
-        new PreviousPing(world.ghostShare(), world.ghostFactor(), world.ghostShiftM()));
+        new PreviousPing(world.ghostShare(), world.ghostFactor(), world.ghostShiftM(), 0));
   }
 
   private static List<ReadingRow> rows(List<OptionalDouble> readings) {
@@ -177,9 +177,9 @@ class MemoryTest {
   @Test
   void ghost_ofAScaledReading_isScaledOnce() {
     List<Change> changes =
-        List.of(new PreviousPing(1, 1, 0.5), new SoundSpeed(1.1), new RangeOffset(0.2));
+        List.of(new PreviousPing(1, 1, 0.5, 0), new SoundSpeed(1.1), new RangeOffset(0.2));
     double first = HistoryTree.rounded(1.1 * 0.875 + 0.2);
-    double ghost = first - 1.1 * 0.5;
+    double ghost = 1.1 * (0.875 - 0.5) + 0.2;
     List<ReadingRow> rows =
         List.of(
             Logs.row(0, Pose.of(0, 0, 0), OptionalDouble.of(first)),
@@ -187,12 +187,15 @@ class MemoryTest {
     assertEquals(1, Logs.likelihood(SETUP, rows, changes)[1], 1e-12);
   }
 
-  /** Noise makes ghosts of it fuzzy too: against 200,000 histories drawn at random. */
+  /**
+   * Ghosts come of the echo, not of the noise in its reading: against 200,000 histories drawn at
+   * random.
+   */
   @Test
   void forecast_ofGhostsWithNoise_isTheAverageOverDraws() {
     SensingSetup noisy =
         new SensingSetup(Sonars.noisy(0, 0.05, 0, 0), Scenes.of(Scenes.box(1, 0, 2)), 6.5);
-    List<Change> changes = List.of(new PreviousPing(0.5, 0.8, 0), new Dropout(0.2));
+    List<Change> changes = List.of(new PreviousPing(0.5, 0.8, 0, 0), new Dropout(0.2));
     java.util.Random random = new java.util.Random(5);
     double[] sums = new double[3];
     double[] squares = new double[3];
@@ -201,11 +204,12 @@ class MemoryTest {
       double before = -1;
       for (int ping = 0; ping < 3; ping++) {
         double distance = before > 0 && random.nextDouble() < 0.5 ? 0.8 * before : 0.875;
-        before = random.nextDouble() < 0.2 ? -1 : distance + 0.05 * random.nextGaussian();
+        before = random.nextDouble() < 0.2 ? -1 : distance;
         if (before > 0) {
+          double read = distance + 0.05 * random.nextGaussian();
           echoes[ping]++;
-          sums[ping] += before;
-          squares[ping] += before * before;
+          sums[ping] += read;
+          squares[ping] += read * read;
         }
       }
     }

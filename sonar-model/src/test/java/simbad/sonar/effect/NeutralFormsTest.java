@@ -100,7 +100,7 @@ class NeutralFormsTest {
               ? expected.probabilityOfStep(echo.rangeM())
               : expected.noEchoProbability();
       echoes += row.reading() instanceof Echo ? 1 : 0;
-      assertEquals(probability, found[ping], 1e-12, "ping " + ping);
+      assertEquals(probability, found[ping], 1e-10, "ping " + ping);
     }
     assertTrue(echoes > 5, "echoes of " + golden + ": " + echoes);
   }

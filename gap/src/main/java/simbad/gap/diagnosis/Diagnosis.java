@@ -1,0 +1,58 @@
+package simbad.gap.diagnosis;
+
+import java.util.List;
+import java.util.Optional;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.Effect;
+
+/**
+ * A diagnosis of one data set.
+ *
+ * @param verdict what is concluded
+ * @param explanation the effects concluded to be at work; empty for none
+ * @param effects every name of the vocabulary, most probable first
+ * @param unknownProbability that something outside the vocabulary is at work, alone or beside
+ *     named effects
+ * @param gap its size before and after
+ * @param where the places of the gap, largest share first
+ * @param undetectable effects that these data could not have shown
+ * @param nextExperiment what to measure next; empty where nothing is tied
+ * @param fitted the explanation with its forms and values
+ * @param calibration what was calibrated of the set-up on the reference
+ * @param tried sets of effects that were fitted together, best first, with their held-out log
+ *     likelihood beyond the nominal model's in nats
+ */
+public record Diagnosis(
+    Verdict verdict,
+    List<Effect> explanation,
+    List<EffectFinding> effects,
+    double unknownProbability,
+    GapFigures gap,
+    List<Place> where,
+    List<Undetectable> undetectable,
+    Optional<NextExperiment> nextExperiment,
+    Hypothesis fitted,
+    Hypothesis calibration,
+    List<Attempt> tried) {
+  /** Copies the lists. */
+  public Diagnosis {
+    explanation = List.copyOf(explanation);
+    effects = List.copyOf(effects);
+    where = List.copyOf(where);
+    undetectable = List.copyOf(undetectable);
+    tried = List.copyOf(tried);
+  }
+
+  /**
+   * A set of effects that was fitted.
+   *
+   * @param effects in the set; empty for the nominal model
+   * @param heldOutNats held-out log likelihood beyond the nominal model's
+   */
+  public record Attempt(List<Effect> effects, double heldOutNats) {
+    /** Copies the list. */
+    public Attempt {
+      effects = List.copyOf(effects);
+    }
+  }
+}

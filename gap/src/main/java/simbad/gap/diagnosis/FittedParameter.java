@@ -1,0 +1,10 @@
+package simbad.gap.diagnosis;
+
+/**
+ * A fitted parameter.
+ *
+ * @param name with its unit
+ * @param value fitted
+ * @param ci95 95 % confidence interval; infinite ends where the data do not bound it
+ */
+public record FittedParameter(String name, double value, Interval ci95) {}

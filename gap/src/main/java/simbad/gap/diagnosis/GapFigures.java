@@ -1,0 +1,19 @@
+package simbad.gap.diagnosis;
+
+/**
+ * How large the gap is on rows that the fit never saw, and how far it shrinks.
+ *
+ * @param rowsHeldOut number of those rows
+ * @param beforeCm gap of the simulator as it is, centimetres
+ * @param afterCm gap of the diagnosed model, centimetres
+ * @param floorCm gap that no model could remove, centimetres
+ * @param shrink 1 - after / before, a fraction; 0 where there is no gap before
+ * @param shrinkCi95 its 95 % confidence interval by resampling of blocks
+ */
+public record GapFigures(
+    int rowsHeldOut,
+    double beforeCm,
+    double afterCm,
+    double floorCm,
+    double shrink,
+    Interval shrinkCi95) {}

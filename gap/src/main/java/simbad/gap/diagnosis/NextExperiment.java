@@ -1,0 +1,22 @@
+package simbad.gap.diagnosis;
+
+import java.util.List;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.format.ReadingRow;
+
+/**
+ * What to measure next so that effects that are tied come apart.
+ *
+ * @param separates the tied effects
+ * @param poses where to ping, in the order to drive them
+ * @param expectedLogOdds nats that those pings are expected to bring between the two, the less
+ *     favourable truth assumed
+ */
+public record NextExperiment(
+    List<Effect> separates, List<ReadingRow> poses, double expectedLogOdds) {
+  /** Copies the lists. */
+  public NextExperiment {
+    separates = List.copyOf(separates);
+    poses = List.copyOf(poses);
+  }
+}

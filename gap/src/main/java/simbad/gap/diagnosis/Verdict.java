@@ -1,0 +1,22 @@
+package simbad.gap.diagnosis;
+
+/** What a diagnosis concludes. */
+public enum Verdict {
+  /** No gap beyond chance. */
+  NONE("none"),
+  /** The effects named account for the gap. */
+  EXPLAINED("explained"),
+  /** A gap is left, or all of it, that no named effect accounts for. */
+  UNEXPLAINED("unexplained");
+
+  private final String word;
+
+  Verdict(String word) {
+    this.word = word;
+  }
+
+  /** Returns the word as it stands in files. */
+  public String word() {
+    return word;
+  }
+}

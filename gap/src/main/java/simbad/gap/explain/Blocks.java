@@ -1,0 +1,54 @@
+package simbad.gap.explain;
+
+import java.util.HashMap;
+import java.util.Map;
+import simbad.gap.fit.Fold;
+import simbad.sonar.effect.PingLog;
+
+/**
+ * A log cut into blocks of time that belong together: neighbouring pings share what is not
+ * modelled, so what was fitted on one is no test on the other.
+ */
+public final class Blocks {
+  private static final int PER_RUN = 12;
+  private static final int LEAST_ROWS = 25;
+
+  private final int[] block;
+  private final int count;
+
+  /** Cuts each run into up to 12 pieces of equal time, all sensors together. */
+  public Blocks(PingLog log) {
+    int size = log.size();
+    double[] end = new double[log.runs().size()];
+    int[] rows = new int[end.length];
+    for (int i = 0; i < size; i++) {
+      end[log.run(i)] = Math.max(end[log.run(i)], log.timeS(i) - log.runStartS(i));
+      rows[log.run(i)]++;
+    }
+    block = new int[size];
+    Map<Long, Integer> numbers = new HashMap<>();
+    for (int i = 0; i < size; i++) {
+      int run = log.run(i);
+      int pieces = Math.max(1, Math.min(PER_RUN, rows[run] / LEAST_ROWS));
+      double share = end[run] > 0 ? (log.timeS(i) - log.runStartS(i)) / end[run] : 0;
+      int piece = (int) Math.min(pieces - 1, Math.floor(share * pieces));
+      block[i] = numbers.computeIfAbsent((long) run * PER_RUN + piece, key -> numbers.size());
+    }
+    count = numbers.size();
+  }
+
+  /** Returns the number of blocks. */
+  public int count() {
+    return count;
+  }
+
+  /** Returns the block of a ping. */
+  public int of(int ping) {
+    return block[ping];
+  }
+
+  /** Returns every other block, from the first or the second on. */
+  public Fold half(int first) {
+    return ping -> block[ping] % 2 == first;
+  }
+}

@@ -1,0 +1,99 @@
+package simbad.gap.fit;
+
+import java.util.ArrayList;
+import java.util.List;
+import simbad.sonar.effect.Change;
+import simbad.sonar.effect.DiagnosedModel;
+import simbad.sonar.effect.Geometry;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.scene.SensingSetup;
+
+/**
+ * A log before a set-up, and what of the set-up was calibrated: asks of any hypothesis how probable
+ * each reading is. Immutable, safe for use by several threads.
+ */
+public final class Evidence {
+  /** Of every model: a reading that nothing explains must not decide a verdict alone. */
+  private static final double BROAD = 1e-3;
+
+  private static final double BROAD_NO_ECHO = 0.3;
+  private static final double FINEST_STEP_M = 1e-3;
+
+  private final SensingSetup setup;
+  private final List<Change> calibration;
+  private final PingLog log;
+  private final double[] broad;
+  private final Geometry plain;
+
+  /**
+   * Creates evidence.
+   *
+   * @param setup as the simulator believes it
+   * @param calibration what is different in the set-up without being an effect
+   * @param log what was read
+   */
+  public Evidence(SensingSetup setup, List<? extends Change> calibration, PingLog log) {
+    this.setup = setup;
+    this.calibration = List.copyOf(calibration);
+    this.log = log;
+    plain = new Geometry(log, setup, calibration);
+    broad = new double[log.size()];
+    double resolution = setup.sensor().resolutionM();
+    double step = resolution > 0 ? resolution : FINEST_STEP_M;
+    double each = (1 - BROAD_NO_ECHO) * Math.min(1, step / setup.sensor().maxRangeM());
+    for (int i = 0; i < broad.length; i++) {
+      broad[i] = BROAD * (log.echo(i) ? each : BROAD_NO_ECHO);
+    }
+  }
+
+  /** Returns the set-up. */
+  public SensingSetup setup() {
+    return setup;
+  }
+
+  /** Returns the log. */
+  public PingLog log() {
+    return log;
+  }
+
+  /** Returns what was calibrated. */
+  public List<Change> calibration() {
+    return calibration;
+  }
+
+  /** Returns the model of a hypothesis. */
+  public DiagnosedModel model(Hypothesis hypothesis) {
+    List<Change> changes = new ArrayList<>(calibration);
+    changes.addAll(hypothesis.changes());
+    return new DiagnosedModel(setup, changes);
+  }
+
+  /** Returns the geometry under a hypothesis; that of the set-up where nothing changes it. */
+  public Geometry geometry(DiagnosedModel model) {
+    long changing = model.changes().stream().filter(Geometry::dependsOn).count();
+    long calibrated = calibration.stream().filter(Geometry::dependsOn).count();
+    return changing == calibrated ? plain : model.geometry(log);
+  }
+
+  /**
+   * Computes the log probability of each reading, natural, given the readings before it.
+   *
+   * @param model of a hypothesis
+   * @param geometry of the log under it
+   * @param into takes a finite value for each ping
+   */
+  public void logLikelihood(DiagnosedModel model, Geometry geometry, double[] into) {
+    model.likelihood(geometry, into);
+    for (int i = 0; i < into.length; i++) {
+      into[i] = Math.log((1 - BROAD) * into[i] + broad[i]);
+    }
+  }
+
+  /** Returns the log probability of each reading under a hypothesis. */
+  public double[] logLikelihood(Hypothesis hypothesis) {
+    double[] into = new double[log.size()];
+    DiagnosedModel model = model(hypothesis);
+    logLikelihood(model, geometry(model), into);
+    return into;
+  }
+}

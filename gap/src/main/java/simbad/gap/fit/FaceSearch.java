@@ -1,0 +1,92 @@
+package simbad.gap.fit;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import simbad.sonar.effect.Form;
+import simbad.sonar.frame.Angles;
+
+/** Looks for a flat face that strange echoes agree on, by a vote of all over normals and places. */
+final class FaceSearch {
+  private static final double NORMAL_STEP_DEG = 5;
+  private static final double WINDOW_M = 0.05;
+  private static final double SPARE_RAD = Math.toRadians(6);
+  private static final int BEST = 3;
+
+  private final Clues clues;
+  private final int[] strange;
+
+  FaceSearch(Clues clues) {
+    this.clues = clues;
+    strange = clues.strangeEchoes().toArray();
+  }
+
+  private record Face(double xM, double zM, double normalDeg, double halfWidthM, int votes) {}
+
+  List<double[]> starts(Form form) {
+    List<Face> faces = new ArrayList<>();
+    for (double normal = -180; normal < 180; normal += NORMAL_STEP_DEG) {
+      vote(normal, faces);
+    }
+    faces.sort(Comparator.comparingInt(face -> -face.votes));
+    List<double[]> starts = new ArrayList<>();
+    for (Face face : faces.subList(0, Math.min(BEST, faces.size()))) {
+      starts.add(values(form, face));
+    }
+    return starts.isEmpty() ? List.of(values(form, new Face(0, 0, 0, 0.3, 0))) : starts;
+  }
+
+  private static double[] values(Form form, Face face) {
+    return switch (form.name()) {
+      case "post" -> new double[] {face.xM, face.zM, 0.95};
+      case "mirror" ->
+          new double[] {face.xM, face.zM, face.normalDeg, face.halfWidthM, 0.95};
+      default -> new double[] {face.xM, face.zM, face.normalDeg, face.halfWidthM, 0.95, 25};
+    };
+  }
+
+  /** Strange echoes that face a normal name the place of the face on it; the fullest place wins. */
+  private void vote(double normalDeg, List<Face> faces) {
+    double normalX = Math.cos(Math.toRadians(normalDeg));
+    double normalZ = -Math.sin(Math.toRadians(normalDeg));
+    double cone = clues.geometry.coneHalfAngleRad() + SPARE_RAD;
+    int[] facing =
+        Arrays.stream(strange)
+            .filter(i -> Math.abs(off(i, normalDeg)) < cone)
+            .toArray();
+    DoubleStream places =
+        Arrays.stream(facing).mapToDouble(i -> place(i, normalX, normalZ));
+    for (double at : Modes.of(places, WINDOW_M, 1)) {
+      double[] along =
+          Arrays.stream(facing)
+              .filter(i -> Math.abs(place(i, normalX, normalZ) - at) < WINDOW_M)
+              .mapToDouble(
+                  i -> clues.geometry.zM(i) * normalX - clues.geometry.xM(i) * normalZ)
+              .sorted()
+              .toArray();
+      double low = Modes.quantile(along, 0.02);
+      double high = Modes.quantile(along, 0.98);
+      double middle = (low + high) / 2;
+      faces.add(
+          new Face(
+              at * normalX - middle * normalZ,
+              at * normalZ + middle * normalX,
+              normalDeg,
+              Math.max(0.05, (high - low) / 2),
+              along.length));
+    }
+  }
+
+  private double off(int ping, double normalDeg) {
+    return Angles.signed(
+        clues.geometry.headingRad(ping) - Math.toRadians(normalDeg) + Math.PI);
+  }
+
+  private double place(int ping, double normalX, double normalZ) {
+    return clues.geometry.xM(ping) * normalX
+        + clues.geometry.zM(ping) * normalZ
+        - clues.log.rangeM(ping);
+  }
+}

@@ -1,0 +1,173 @@
+package simbad.gap.fit;
+
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.hipparchus.analysis.MultivariateFunction;
+import org.hipparchus.exception.MathIllegalStateException;
+import org.hipparchus.optim.InitialGuess;
+import org.hipparchus.optim.MaxEval;
+import org.hipparchus.optim.PointValuePair;
+import org.hipparchus.optim.nonlinear.scalar.GoalType;
+import org.hipparchus.optim.nonlinear.scalar.ObjectiveFunction;
+import org.hipparchus.optim.nonlinear.scalar.noderiv.NelderMeadSimplex;
+import org.hipparchus.optim.nonlinear.scalar.noderiv.SimplexOptimizer;
+import simbad.sonar.effect.Change;
+import simbad.sonar.effect.DiagnosedModel;
+import simbad.sonar.effect.Geometry;
+import simbad.sonar.effect.Parameter;
+
+/** Finds the values of a hypothesis that make the readings most probable. For one thread. */
+public final class Fitter {
+  private static final double ENOUGH_NATS = 0.02;
+  private static final int REMEMBERED = 4;
+
+  private final Evidence evidence;
+  private final Fold fold;
+  private final double[] row;
+  private final Map<List<Change>, Geometry> geometries =
+      new LinkedHashMap<>(8, 0.75f, true) {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<List<Change>, Geometry> eldest) {
+          return size() > REMEMBERED;
+        }
+      };
+  private int evaluations;
+
+  /**
+   * Creates a fitter.
+   *
+   * @param evidence the log
+   * @param fold the pings that count
+   */
+  public Fitter(Evidence evidence, Fold fold) {
+    this.evidence = evidence;
+    this.fold = fold;
+    row = new double[evidence.log().size()];
+  }
+
+  /** Returns how many times a likelihood was computed. */
+  public int evaluations() {
+    return evaluations;
+  }
+
+  /** Returns the log likelihood of the pings that count. */
+  public double logLikelihood(Hypothesis hypothesis) {
+    evaluations++;
+    DiagnosedModel model = evidence.model(hypothesis);
+    evidence.logLikelihood(model, geometry(model), row);
+    double sum = 0;
+    for (int i = 0; i < row.length; i++) {
+      if (fold.holds(i)) {
+        sum += row[i];
+      }
+    }
+    return sum;
+  }
+
+  private Geometry geometry(DiagnosedModel model) {
+    List<Change> key = model.changes().stream().filter(Geometry::dependsOn).toList();
+    Geometry known = geometries.get(key);
+    if (known == null) {
+      known = evidence.geometry(model);
+      geometries.put(key, known);
+    }
+    return known;
+  }
+
+  /**
+   * Refines all values of a start by the simplex method of Nelder and Mead (1965).
+   *
+   * @param start whose values all parameters are moved from
+   * @param most number of evaluations
+   */
+  public Fit refine(Hypothesis start, int most) {
+    return refine(start, 0, most);
+  }
+
+  /**
+   * Refines the values of a start from one on; those before it stay.
+   *
+   * @param start whose values the parameters are moved from
+   * @param from index of the first value that is moved
+   * @param most number of evaluations
+   */
+  public Fit refine(Hypothesis start, int from, int most) {
+    Climb climb = new Climb(start, from);
+    if (start.size() == from || most <= 0) {
+      return climb.best();
+    }
+    double[] steps = new double[start.size() - from];
+    Arrays.fill(steps, 1);
+    try {
+      PointValuePair ignored =
+          new SimplexOptimizer(0, ENOUGH_NATS)
+              .optimize(
+                  new MaxEval(most),
+                  new ObjectiveFunction(climb),
+                  GoalType.MAXIMIZE,
+                  new InitialGuess(new double[steps.length]),
+                  new NelderMeadSimplex(steps));
+    } catch (MathIllegalStateException outOfEvaluations) {
+      // The best so far stands.
+    }
+    return climb.best();
+  }
+
+  /** A first step: a quarter of the way from neutral, or a thirtieth of the interval. */
+  private static double scale(Parameter parameter, double value) {
+    double away = Math.abs(value - parameter.neutral());
+    double least = 1e-3 * (parameter.high() - parameter.low());
+    double step =
+        away > 0 && away < Double.POSITIVE_INFINITY
+            ? 0.2 * away
+            : 0.03 * Math.max(Math.abs(value), Math.min(1, parameter.high() - parameter.low()));
+    step = Math.max(step, least);
+    return value + step > parameter.high() ? -step : step;
+  }
+
+  /** The likelihood as a function of steps away from a start, and the best place so far. */
+  private final class Climb implements MultivariateFunction {
+    private final double[] origin;
+    private final double[] scale;
+    private final List<Parameter> parameters;
+    private final int from;
+    private Fit best;
+
+    Climb(Hypothesis start, int from) {
+      this.from = from;
+      origin = start.values();
+      parameters = start.parameters();
+      scale = new double[origin.length];
+      for (int i = from; i < scale.length; i++) {
+        scale[i] = scale(parameters.get(i), origin[i]);
+      }
+      best = new Fit(start, logLikelihood(start));
+    }
+
+    Fit best() {
+      return best;
+    }
+
+    @Override
+    public double value(double[] moved) {
+      double[] values = origin.clone();
+      double outside = 0;
+      for (int i = 0; i < moved.length; i++) {
+        double free = origin[from + i] + scale[from + i] * moved[i];
+        values[from + i] = parameters.get(from + i).clamp(free);
+        double over = (free - values[from + i]) / scale[from + i];
+        outside += over * over;
+      }
+      Hypothesis there = best.hypothesis().with(values);
+      double likelihood = logLikelihood(there);
+      if (likelihood > best.logLikelihood()) {
+        best = new Fit(there, likelihood);
+      }
+      return likelihood - outside;
+    }
+  }
+}

@@ -1,0 +1,98 @@
+package simbad.gap.fit;
+
+import java.util.Comparator;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.Form;
+
+/**
+ * Fits every effect beside a hypothesis that stays as it is. Of an effect whose first form gains
+ * nothing the other forms are not tried, and what gains nothing at first is not refined.
+ */
+public final class Screen {
+  /** Less than this, in nats, is chance. */
+  private static final double CHANCE_NATS = 1.5;
+
+  /** A table has so many values that moving them all by simplex leads nowhere. */
+  private static final int TABLE = 8;
+
+  private final Evidence evidence;
+  private final Fit base;
+  private final Starts starts;
+
+  /** Creates a screen for the forms beside a fit. */
+  public Screen(Evidence evidence, Fit base) {
+    this.evidence = evidence;
+    this.base = base;
+    starts = new Starts(new Clues(evidence, base.hypothesis()));
+  }
+
+  /**
+   * Fits the forms of all effects that the base does not have.
+   *
+   * @param forms grouped by effect or not
+   * @return the best of each effect
+   */
+  public Map<Effect, Fit> all(List<Form> forms) {
+    Map<Effect, List<Form>> byEffect =
+        forms.stream()
+            .filter(form -> !base.hypothesis().has(form.effect()))
+            .collect(Collectors.groupingBy(Form::effect));
+    Map<Effect, Fit> best = new EnumMap<>(Effect.class);
+    byEffect.entrySet().parallelStream()
+        .map(entry -> Map.entry(entry.getKey(), bestOf(entry.getValue())))
+        .toList()
+        .forEach(entry -> best.put(entry.getKey(), entry.getValue()));
+    return best;
+  }
+
+  private Fit bestOf(List<Form> forms) {
+    Fit first = fit(forms.get(0));
+    if (gain(first) < CHANCE_NATS) {
+      return first;
+    }
+    return forms.stream()
+        .skip(1)
+        .map(this::fit)
+        .reduce(first, (a, b) -> merit(b) > merit(a) ? b : a);
+  }
+
+  /** Of two forms that fit alike the simpler one is taken. */
+  private static double merit(Fit fit) {
+    return fit.logLikelihood() - CHANCE_NATS * fit.hypothesis().size();
+  }
+
+  private double gain(Fit fit) {
+    return fit.logLikelihood() - base.logLikelihood();
+  }
+
+  private Fit fit(Form form) {
+    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    List<Fit> tried =
+        starts.of(form).stream()
+            .map(values -> base.hypothesis().and(form, values))
+            .map(start -> new Fit(start, fitter.logLikelihood(start)))
+            .sorted(Comparator.comparingDouble(fit -> -fit.logLikelihood()))
+            .toList();
+    int size = form.parameters().size();
+    if (size > TABLE) {
+      return tried.get(0);
+    }
+    int from = base.hypothesis().size();
+    Fit best = fitter.refine(tried.get(0).hypothesis(), from, 14 + 10 * size);
+    if (gain(best) > CHANCE_NATS) {
+      best = better(best, fitter.refine(best.hypothesis(), from, 20 + 20 * size));
+      if (tried.size() > 1) {
+        best = better(best, fitter.refine(tried.get(1).hypothesis(), from, 20 + 20 * size));
+      }
+    }
+    return best;
+  }
+
+  private static Fit better(Fit a, Fit b) {
+    return a.logLikelihood() >= b.logLikelihood() ? a : b;
+  }
+}

@@ -1,0 +1,126 @@
+package simbad.gap.fit;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Parameter;
+
+/** Where the search for a form's values starts: at its own tries, or where the log points. */
+final class Starts {
+  private static final int QUANTILES = 20;
+  private static final int MODES = 4;
+
+  private final Clues clues;
+
+  Starts(Clues clues) {
+    this.clues = clues;
+  }
+
+  /** Values to start from; at least one set. */
+  List<double[]> of(Form form) {
+    List<List<Double>> tries = new ArrayList<>();
+    form.parameters().forEach(parameter -> tries.add(parameter.tries()));
+    return switch (form.effect()) {
+      case FLOOR_ECHO -> product(form, modes(strange(), 0.02), List.of(0.01, 0.04), tries.get(2));
+      case UNMODELLED_OBJECT -> new FaceSearch(clues).starts(form);
+      case MULTIPATH -> product(form, tries.get(0), detours(form), List.of(0.01, 0.05));
+      case PREVIOUS_PING -> product(form, tries.get(0), ghosts(form), tries.get(2));
+      case CROSSTALK -> crosstalk(form, tries.get(0));
+      case COARSE_RESOLUTION -> product(form, new Rhythm(clues.log).steps());
+      case NEAR_CLAMP -> product(form, leastReadings(tries.get(0)));
+      case DEAD_ZONE, EARLY_TIMEOUT ->
+          tries.size() == 1
+              ? product(form, distances(tries.get(0)))
+              : product(form, distances(tries.get(0)), tries.get(1));
+      case ORIENTATION_SHADOW -> List.of(new TableSearch(clues, form).start());
+      default -> product(form, tries.toArray(List[]::new));
+    };
+  }
+
+  /** All combinations, each value moved into its parameter's interval. */
+  @SafeVarargs
+  @SuppressWarnings("varargs")
+  private static List<double[]> product(Form form, List<Double>... tries) {
+    List<double[]> all = List.of(new double[0]);
+    for (int i = 0; i < tries.length; i++) {
+      Parameter parameter = form.parameters().get(i);
+      List<Double> values = tries[i].isEmpty() ? parameter.tries() : tries[i];
+      List<double[]> longer = new ArrayList<>();
+      for (double[] begun : all) {
+        for (double value : values) {
+          double[] more = Arrays.copyOf(begun, begun.length + 1);
+          more[begun.length] = parameter.clamp(value);
+          longer.add(more);
+        }
+      }
+      all = longer;
+    }
+    return all;
+  }
+
+  private DoubleStream strange() {
+    return clues.strangeEchoes().mapToDouble(clues.log::rangeM);
+  }
+
+  private static List<Double> modes(DoubleStream values, double width) {
+    return Modes.of(values, width, MODES);
+  }
+
+  private List<Double> detours(Form form) {
+    IntStream late =
+        clues.echoesInCone().filter(i -> clues.log.rangeM(i) > clues.nearestM(i) + 0.02);
+    return form.name().equals("added")
+        ? modes(late.mapToDouble(i -> clues.log.rangeM(i) - clues.nearestM(i)), 0.04)
+        : modes(late.mapToDouble(i -> clues.log.rangeM(i) / clues.nearestM(i)), 0.04);
+  }
+
+  private List<Double> ghosts(Form form) {
+    IntStream early =
+        clues
+            .strangeEchoes()
+            .filter(clues::hasEchoBefore)
+            .filter(i -> clues.log.rangeM(i) < clues.log.rangeM(i - 1));
+    return form.name().equals("shift")
+        ? modes(early.mapToDouble(i -> clues.log.rangeM(i - 1) - clues.log.rangeM(i)), 0.03)
+        : modes(early.mapToDouble(i -> clues.log.rangeM(i) / clues.log.rangeM(i - 1)), 0.03);
+  }
+
+  private List<double[]> crosstalk(Form form, List<Double> shares) {
+    double[] sorted = strange().sorted().toArray();
+    if (sorted.length == 0) {
+      return product(form, shares, List.of(), List.of());
+    }
+    double low = Modes.quantile(sorted, 0.02) - 0.02;
+    double high = Modes.quantile(sorted, 0.98) + 0.02;
+    double most = form.parameters().get(2).high();
+    double share = (double) sorted.length / clues.log.size();
+    return product(form, List.of(share, 2 * share), List.of(low, 0.05), List.of(high, most));
+  }
+
+  private List<Double> leastReadings(List<Double> tries) {
+    List<Double> least = new ArrayList<>(tries);
+    IntStream.range(0, clues.log.size())
+        .filter(clues.log::echo)
+        .mapToDouble(clues.log::rangeM)
+        .min()
+        .ifPresent(
+            range -> {
+              least.add(range);
+              least.add(range + 0.005);
+            });
+    return least;
+  }
+
+  private List<Double> distances(List<Double> tries) {
+    double[] sorted = clues.audibleM().sorted().toArray();
+    if (sorted.length == 0) {
+      return tries;
+    }
+    return IntStream.rangeClosed(1, QUANTILES)
+        .mapToObj(i -> Modes.quantile(sorted, (double) i / (QUANTILES + 1)))
+        .toList();
+  }
+}

@@ -1,0 +1,88 @@
+package simbad.gap.fit;
+
+import java.util.Arrays;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Geometry;
+
+/**
+ * Reads a table of thresholds off a log: for each bearing the distance that parts the pings that
+ * were answered from those that were not, with neighbours held together where few pings speak.
+ */
+final class TableSearch {
+  private static final double SOFT_M = 0.06;
+  private static final double STEP_M = 0.05;
+  private static final double HOLD = 0.5;
+  private static final int ROUNDS = 3;
+
+  private final Clues clues;
+  private final int obstacle;
+  private final int size;
+  private final double uniformM;
+
+  TableSearch(Clues clues, Form form) {
+    this.clues = clues;
+    obstacle = Integer.parseInt(form.name().substring(form.name().indexOf('#') + 1));
+    size = form.parameters().size();
+    uniformM = form.parameters().get(0).neutral();
+  }
+
+  double[] start() {
+    double greatest = greatestDistance();
+    int candidates = (int) (greatest / STEP_M) + 2;
+    double[][] score = new double[size][candidates];
+    double[] weight = new double[size];
+    tally(score, weight);
+    double[] table = new double[size];
+    Arrays.fill(table, Math.min(uniformM, greatest));
+    for (int round = 0; round < ROUNDS; round++) {
+      for (int i = 0; i < size; i++) {
+        double left = table[(i + size - 1) % size];
+        double right = table[(i + 1) % size];
+        table[i] = bestOf(score[i], left, right);
+      }
+    }
+    return table;
+  }
+
+  private double greatestDistance() {
+    Geometry g = clues.geometry;
+    double greatest = 0;
+    for (int ping = 0; ping < clues.log.size(); ping++) {
+      int line = ping * g.obstacles() + obstacle;
+      if (g.nearestM(line) < Double.POSITIVE_INFINITY) {
+        greatest = Math.max(greatest, g.centreDistanceM(line));
+      }
+    }
+    return greatest;
+  }
+
+  private void tally(double[][] score, double[] weight) {
+    Geometry g = clues.geometry;
+    for (int ping = 0; ping < clues.log.size(); ping++) {
+      int line = ping * g.obstacles() + obstacle;
+      if (g.nearestM(line) < Double.POSITIVE_INFINITY) {
+        int cell = (int) Math.rint(g.bearingRad(line) / (2 * Math.PI) * size) % size;
+        weight[cell]++;
+        for (int k = 0; k < score[cell].length; k++) {
+          double beyond = (g.centreDistanceM(line) - k * STEP_M) / SOFT_M;
+          double echo = 0.01 + 0.98 / (1 + Math.exp(beyond));
+          score[cell][k] += Math.log(clues.log.echo(ping) ? echo : 1 - echo);
+        }
+      }
+    }
+  }
+
+  private static double bestOf(double[] score, double left, double right) {
+    int best = 0;
+    double most = Double.NEGATIVE_INFINITY;
+    for (int k = 0; k < score.length; k++) {
+      double away = Math.abs(k * STEP_M - left) + Math.abs(k * STEP_M - right);
+      double value = score[k] - HOLD * away;
+      if (value > most) {
+        most = value;
+        best = k;
+      }
+    }
+    return best * STEP_M;
+  }
+}
