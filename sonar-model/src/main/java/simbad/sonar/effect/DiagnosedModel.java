@@ -101,6 +101,18 @@ public final class DiagnosedModel {
     return memory;
   }
 
+  /** Room for the geometry of pings that are yet to be sent. */
+  Geometry geometry(int pings) {
+    return new Geometry(pings, believed, changes);
+  }
+
+  /** What is reported for a measured range, in the sensor's steps. */
+  double reportedM(double measuredM) {
+    double reported = report.reported(measuredM);
+    double step = sensor.resolutionM();
+    return Math.max(0, step > 0 ? Math.floor(reported / step + ROUNDING) * step : reported);
+  }
+
   PingModel pings(Geometry geometry) {
     return new PingModel(geometry, sensor, changes);
   }

@@ -1,6 +1,7 @@
 package simbad.sonar.effect;
 
 import java.util.Arrays;
+import java.util.random.RandomGenerator;
 
 /**
  * What a reading is drawn from: parts, each with its share, Gaussian or evenly spread; the share
@@ -142,6 +143,25 @@ public final class Mixture {
       i++;
     }
     return i;
+  }
+
+  /** Draws a part by the shares; the size of the mixture stands for no echo. */
+  int draw(RandomGenerator random) {
+    double draw = random.nextDouble();
+    int part = 0;
+    while (part < size && draw >= share[part]) {
+      draw -= share[part];
+      part++;
+    }
+    return part;
+  }
+
+  /** Draws a range from a part. */
+  double drawM(int part, RandomGenerator random) {
+    double half = halfWidthM[part];
+    return half > 0
+        ? meanM[part] + half * (2 * random.nextDouble() - 1)
+        : meanM[part] + deviationM[part] * random.nextGaussian();
   }
 
   /** Returns the probability that the measured range lies in [lowM, highM). */

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
-import simbad.sonar.format.ReadingRow;
 import simbad.sonar.sensing.Echo;
+import simbad.sonar.sensing.ReadingRow;
 
 /**
  * Pings with what was read, in the order in which each sensor sent them.

@@ -59,6 +59,10 @@ final class PingModel {
     return changes.stream().filter(kind::isInstance).map(kind::cast).toList();
   }
 
+  Geometry geometry() {
+    return geometry;
+  }
+
   /**
    * Mixes what a ping may read.
    *

@@ -8,7 +8,6 @@ import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.random.RandomGenerator;
 import simbad.sonar.format.DataFormatException;
-import simbad.sonar.format.ReadingRow;
 import simbad.sonar.format.ReadingsFile;
 import simbad.sonar.format.SceneFile;
 import simbad.sonar.frame.Pose;
@@ -18,6 +17,7 @@ import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.Reading;
+import simbad.sonar.sensing.ReadingRow;
 
 /** Rows, logs and what a model says of them. */
 final class Logs {

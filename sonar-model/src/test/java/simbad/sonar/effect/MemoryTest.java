@@ -15,10 +15,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simbad.sonar.fixture.Refusal;
 import simbad.sonar.fixture.Scenes;
 import simbad.sonar.fixture.Sonars;
-import simbad.sonar.format.ReadingRow;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.sensing.ReadingRow;
 
 /**
  * Effects with memory, alone and together, against the enumeration of all histories: the chain of

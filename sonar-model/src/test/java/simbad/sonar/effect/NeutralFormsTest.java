@@ -13,11 +13,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simbad.sonar.format.DataFormatException;
-import simbad.sonar.format.ReadingRow;
 import simbad.sonar.model.NominalModel;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.Echo;
+import simbad.sonar.sensing.ReadingRow;
 
 /** At its neutral values every form, and any set of forms, is the nominal model to the last bit. */
 class NeutralFormsTest {

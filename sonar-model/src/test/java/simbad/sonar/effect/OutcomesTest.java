@@ -15,10 +15,10 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import simbad.sonar.fixture.Scenes;
 import simbad.sonar.fixture.Sonars;
-import simbad.sonar.format.ReadingRow;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.sensing.ReadingRow;
 
 /** What a ping may read adds up to 1, whatever is changed and whatever was read before. */
 class OutcomesTest {
