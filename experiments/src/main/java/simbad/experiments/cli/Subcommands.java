@@ -8,6 +8,11 @@ final class Subcommands {
 
   /** New instances, in the order in which the help lists them. */
   static List<Subcommand> all() {
-    return List.of(new RunCommand(), new TableCommand(), new TestCommand());
+    return List.of(
+        new RunCommand(),
+        new TableCommand(),
+        new DiagnoseCommand(),
+        new PredictCommand(),
+        new TestCommand());
   }
 }

@@ -1,0 +1,58 @@
+package simbad.experiments.diagnosis;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import simbad.gap.diagnosis.DataSet;
+import simbad.gap.diagnosis.DataSetFolder;
+import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.DiagnosisJson;
+import simbad.gap.diagnosis.Provenance;
+import simbad.sonar.effect.Change;
+import simbad.sonar.format.ReadingsWriter;
+
+/** Writes a diagnosis's folder. */
+public final class DiagnosisFolder {
+  /** The page's name in the folder. */
+  public static final String PAGE = "report.html";
+
+  private DiagnosisFolder() {}
+
+  /**
+   * Writes everything.
+   *
+   * @param folder exists and is empty
+   * @param source the data set's own folder, whose scene is copied
+   * @param data what was diagnosed
+   * @param diagnosis of it
+   * @param provenance what it was made by
+   * @throws IOException if something cannot be written
+   */
+  public static void write(
+      Path folder, Path source, DataSet data, Diagnosis diagnosis, Provenance provenance)
+      throws IOException {
+    Files.copy(source.resolve(DataSetFolder.SCENE), folder.resolve(DataSetFolder.SCENE));
+    save(folder, DiagnosisJson.FILE, DiagnosisJson.text(diagnosis, data, provenance));
+    if (diagnosis.nextExperiment().isPresent()) {
+      String poses = ReadingsWriter.posesText(diagnosis.nextExperiment().get().poses());
+      save(folder, DiagnosisJson.POSES, poses);
+    }
+    List<RowFinding> rows =
+        RowSurvey.of(data, changes(diagnosis), new SplittableRandom(provenance.seed()));
+    save(folder, PAGE, DiagnosisPage.of(diagnosis, data, rows, provenance));
+  }
+
+  private static List<Change> changes(Diagnosis diagnosis) {
+    List<Change> changes = new ArrayList<>(diagnosis.calibration().changes());
+    changes.addAll(diagnosis.fitted().changes());
+    return changes;
+  }
+
+  private static void save(Path folder, String name, String text) throws IOException {
+    Files.writeString(folder.resolve(name), text, StandardCharsets.UTF_8);
+  }
+}
