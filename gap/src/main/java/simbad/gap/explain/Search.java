@@ -6,7 +6,6 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import simbad.gap.fit.Evidence;
@@ -24,11 +23,12 @@ import simbad.sonar.effect.Forms;
  * worth it, every effect beside the best set, and every effect in the place of each of its members.
  */
 public final class Search {
-  private static final int MOST_EFFECTS = 4;
+  private static final int MOST_EFFECTS = 3;
   private static final int JOINT = 3;
+  private static final int PROMISING = 8;
 
   /** How many sets get a held-out score. */
-  private static final int SCORED = 14;
+  private static final int SCORED = 10;
 
   private final Evidence evidence;
   private final Blocks blocks;
@@ -57,43 +57,76 @@ public final class Search {
   public List<Scored> run() {
     Fit best = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
     keep(best);
-    for (int size = 1; size <= MOST_EFFECTS; size++) {
-      Optional<Fit> grown = grow(best);
-      if (grown.isEmpty()) {
-        break;
-      }
-      best = size == 1 ? grown.get() : swapped(grown.get());
+    List<Fit> singles = best(new Screen(evidence, best).all(forms).values());
+    singles.forEach(this::keep);
+    List<Fit> added = singles;
+    while (worth(added, best) && best.hypothesis().forms().size() < MOST_EFFECTS) {
+      best = swapped(added.get(0), singles);
+      // What gained nothing beside fewer effects gains nothing beside more.
+      List<Form> open =
+          best.hypothesis().forms().size() == 1 ? forms : promising(added, best.hypothesis());
+      added = grown(best, open);
     }
+    prune(best);
     return scored();
   }
 
-  /** The best set with one effect more, if it is worth it. */
-  private Optional<Fit> grow(Fit base) {
-    List<Fit> added = best(new Screen(evidence, base).all(forms).values());
-    added.forEach(this::keep);
-    if (!base.hypothesis().forms().isEmpty()) {
-      added = added.stream().limit(JOINT).toList().parallelStream().map(this::joint).toList();
-      added.forEach(this::keep);
-    }
-    return best(added).stream()
-        .findFirst()
-        .filter(fit -> fit.logLikelihood() - base.logLikelihood() > worthNats);
+  private boolean worth(List<Fit> added, Fit base) {
+    return !added.isEmpty()
+        && added.get(0).logLikelihood() - base.logLikelihood() > worthNats;
   }
 
-  /** Puts every effect in the place of each but the last, which was just chosen among all. */
-  private Fit swapped(Fit set) {
+  private List<Form> promising(List<Fit> added, Hypothesis base) {
+    Set<Effect> gained =
+        added.stream()
+            .limit(PROMISING)
+            .flatMap(fit -> fit.hypothesis().effects().stream())
+            .collect(java.util.stream.Collectors.toSet());
+    return forms.stream()
+        .filter(form -> gained.contains(form.effect()) && !base.has(form.effect()))
+        .toList();
+  }
+
+  /** The base with one effect more, the best first; the first few with all values refined. */
+  private List<Fit> grown(Fit base, List<Form> open) {
+    List<Fit> added = best(new Screen(evidence, base).all(open).values());
+    List<Fit> joint =
+        added.stream().limit(JOINT).toList().parallelStream().map(this::joint).toList();
+    added.forEach(this::keep);
+    joint.forEach(this::keep);
+    List<Fit> all = new ArrayList<>(joint);
+    all.addAll(added.subList(joint.size(), added.size()));
+    return best(all);
+  }
+
+  /**
+   * Puts what explains much alone in the place of each member but the last, which was just chosen
+   * among all: the first may have been taken because it soaks up what two others do.
+   */
+  private Fit swapped(Fit set, List<Fit> singles) {
     Fit best = set;
     List<Effect> members = set.hypothesis().effects();
     for (Effect member : members.subList(0, members.size() - 1)) {
       Hypothesis rest = best.hypothesis().without(member);
-      Fit base = new Fitter(evidence, Fold.ALL).refine(rest, 20 + 15 * rest.size());
+      Fit base = joint(new Fit(rest, best.logLikelihood()));
       keep(base);
-      Optional<Fit> other = grow(base);
-      if (other.isPresent() && other.get().logLikelihood() > best.logLikelihood()) {
-        best = other.get();
+      List<Form> strong = promising(singles, rest).stream().filter(form -> form.effect() != member).toList();
+      List<Fit> others = grown(base, strong);
+      if (!others.isEmpty() && others.get(0).logLikelihood() > best.logLikelihood()) {
+        best = others.get(0);
       }
     }
     return best;
+  }
+
+  /** Fits the best set without each of its members: what was added first may be superfluous. */
+  private void prune(Fit set) {
+    if (set.hypothesis().forms().size() > 1) {
+      set.hypothesis().effects().parallelStream()
+          .map(member -> joint(new Fit(set.hypothesis().without(member), set.logLikelihood())))
+          .toList()
+          .forEach(this::keep);
+    }
   }
 
   private Fit joint(Fit fit) {

@@ -19,6 +19,8 @@ public final class Screen {
   /** A table has so many values that moving them all by simplex leads nowhere. */
   private static final int TABLE = 8;
 
+  private static final int REFINED = 6;
+
   private final Evidence evidence;
   private final Fit base;
   private final Starts starts;
@@ -31,7 +33,8 @@ public final class Screen {
   }
 
   /**
-   * Fits the forms of all effects that the base does not have.
+   * Fits the forms of all effects that the base does not have: all of them roughly, the best few
+   * well.
    *
    * @param forms grouped by effect or not
    * @return the best of each effect
@@ -46,17 +49,34 @@ public final class Screen {
         .map(entry -> Map.entry(entry.getKey(), bestOf(entry.getValue())))
         .toList()
         .forEach(entry -> best.put(entry.getKey(), entry.getValue()));
+    best.entrySet().stream()
+        .filter(entry -> gain(entry.getValue()) > CHANCE_NATS)
+        .sorted(Comparator.comparingDouble(entry -> -entry.getValue().logLikelihood()))
+        .limit(REFINED)
+        .toList()
+        .parallelStream()
+        .map(entry -> Map.entry(entry.getKey(), refined(entry.getValue())))
+        .toList()
+        .forEach(entry -> best.put(entry.getKey(), entry.getValue()));
     return best;
   }
 
+  private Fit refined(Fit rough) {
+    int from = base.hypothesis().size();
+    int size = rough.hypothesis().size() - from;
+    return size > TABLE
+        ? rough
+        : new Fitter(evidence, Fold.ALL).refine(rough.hypothesis(), from, 20 + 20 * size);
+  }
+
   private Fit bestOf(List<Form> forms) {
-    Fit first = fit(forms.get(0));
+    Fit first = rough(forms.get(0));
     if (gain(first) < CHANCE_NATS) {
       return first;
     }
     return forms.stream()
         .skip(1)
-        .map(this::fit)
+        .map(this::rough)
         .reduce(first, (a, b) -> merit(b) > merit(a) ? b : a);
   }
 
@@ -69,30 +89,17 @@ public final class Screen {
     return fit.logLikelihood() - base.logLikelihood();
   }
 
-  private Fit fit(Form form) {
+  private Fit rough(Form form) {
     Fitter fitter = new Fitter(evidence, Fold.ALL);
-    List<Fit> tried =
+    Fit best =
         starts.of(form).stream()
             .map(values -> base.hypothesis().and(form, values))
             .map(start -> new Fit(start, fitter.logLikelihood(start)))
-            .sorted(Comparator.comparingDouble(fit -> -fit.logLikelihood()))
-            .toList();
+            .max(Comparator.comparingDouble(Fit::logLikelihood))
+            .orElseThrow();
     int size = form.parameters().size();
-    if (size > TABLE) {
-      return tried.get(0);
-    }
-    int from = base.hypothesis().size();
-    Fit best = fitter.refine(tried.get(0).hypothesis(), from, 14 + 10 * size);
-    if (gain(best) > CHANCE_NATS) {
-      best = better(best, fitter.refine(best.hypothesis(), from, 20 + 20 * size));
-      if (tried.size() > 1) {
-        best = better(best, fitter.refine(tried.get(1).hypothesis(), from, 20 + 20 * size));
-      }
-    }
-    return best;
-  }
-
-  private static Fit better(Fit a, Fit b) {
-    return a.logLikelihood() >= b.logLikelihood() ? a : b;
+    return size > TABLE
+        ? best
+        : fitter.refine(best.hypothesis(), base.hypothesis().size(), 14 + 10 * size);
   }
 }

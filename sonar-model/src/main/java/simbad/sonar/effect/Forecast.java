@@ -7,6 +7,9 @@ import simbad.sonar.model.ReadingDistribution;
 
 /** What is expected of each ping when no reading is known: memory runs forward by probabilities. */
 final class Forecast {
+  private static final double FOLLOWED = 0.01;
+  private static final double HARDLY = 1e-4;
+
   private final DiagnosedModel model;
   private final PingLog log;
   private final PingModel pings;
@@ -55,7 +58,9 @@ final class Forecast {
     pings.mix(ping, heard, before, burstLoss, mixture);
     heard = mixture.echoShare();
     Mixture read = stale == null ? mixture : repeat(stale, ping, mixture);
-    before = read;
+    // Echoes of echoes of echoes would fill any memory: what hardly ever happens is not followed.
+    before = new Mixture();
+    before.addGreater(read, FOLLOWED);
     return read;
   }
 
@@ -67,7 +72,7 @@ final class Forecast {
     for (int times = 0; times <= hold.last(); times++) {
       double share = hold.probability(times) * held.holds(log, ping, times) * miss;
       Mixture source = own.get(times);
-      if (share > 0 && source.echoShare() > 0) {
+      if (share > HARDLY && source.echoShare() > 0) {
         read.addAll(source, share / source.echoShare());
       }
     }

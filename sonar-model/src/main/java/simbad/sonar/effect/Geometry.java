@@ -127,7 +127,7 @@ public final class Geometry {
     }
   }
 
-  /** Of the centre, from the heading; of no interest to what is not in the cone. */
+  /** Of the centre, from the heading. */
   private double offAxis(int ping, Obstacle obstacle) {
     Placement place = obstacle.worldFromObstacle();
     double direction = Math.atan2(zM[ping] - place.zM(), place.xM() - xM[ping]);
@@ -189,12 +189,15 @@ public final class Geometry {
     return centreDistanceM[line];
   }
 
-  /** Returns the sensor's bearing in the obstacle's own frame, radians in [0, 2 pi). */
+  /**
+   * Returns the sensor's bearing in the obstacle's own frame, radians in [0, 2 pi); 0 where no
+   * point of the obstacle is in the cone.
+   */
   public double bearingRad(int line) {
     return bearingRad[line];
   }
 
-  /** Returns the believed threshold at that bearing, metres. */
+  /** Returns the believed threshold at that bearing, metres; 0 where none is in the cone. */
   public double thresholdM(int line) {
     return thresholdM[line];
   }

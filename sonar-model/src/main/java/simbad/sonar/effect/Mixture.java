@@ -111,6 +111,15 @@ public final class Mixture {
     }
   }
 
+  /** Takes over another mixture's parts that hold more than a share. */
+  void addGreater(Mixture other, double least) {
+    for (int i = 0; i < other.size; i++) {
+      if (other.share[i] > least) {
+        put(other.meanM[i], other.deviationM[i], other.halfWidthM[i], other.share[i]);
+      }
+    }
+  }
+
   /** Returns the probability that the measured range lies in [lowM, highM). */
   double within(double lowM, double highM) {
     double sum = 0;

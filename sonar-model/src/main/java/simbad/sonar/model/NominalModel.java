@@ -46,21 +46,25 @@ public final class NominalModel {
    * @param pose of the sensor
    */
   public Sight sight(int obstacle, Pose pose) {
-    SightLine line = new SightLine();
-    TransducerPose from = new TransducerPose();
-    from.aim(pose.position().xM(), pose.position().zM(), pose.heading().radians());
-    trace(obstacle, from, line);
-    double nearest = line.nearestM();
+    double xM = pose.position().xM();
+    double zM = pose.position().zM();
+    TransducerPose from = new TransducerPose().aim(xM, zM, pose.heading().radians());
+    PlacedObstacle placed = obstacles[obstacle];
+    double nearest = placed.nearestM(cone, from, Double.POSITIVE_INFINITY);
+    double distance = placed.centreDistanceM(xM, zM);
+    double bearing = placed.bearingRad(xM, zM);
+    double threshold = placed.detection().thresholdM(bearing);
     return new Sight(
-        line.centreDistanceM(),
-        line.bearingRad(),
-        line.thresholdM(),
+        distance,
+        bearing,
+        threshold,
         nearest < Double.POSITIVE_INFINITY ? OptionalDouble.of(nearest) : OptionalDouble.empty(),
-        echoProbability(nearest, line.centreDistanceM(), line.thresholdM()));
+        echoProbability(nearest, distance, threshold));
   }
 
   /**
-   * Traces the geometry of one obstacle without making garbage.
+   * Traces the geometry of one obstacle without making garbage; bearing and threshold are 0 where
+   * no point of the obstacle is in the cone.
    *
    * @param obstacle index in the scene, from 0
    * @param from where the sensor is and looks
@@ -68,12 +72,14 @@ public final class NominalModel {
    */
   public void trace(int obstacle, TransducerPose from, SightLine into) {
     PlacedObstacle placed = obstacles[obstacle];
+    double nearest = placed.nearestM(cone, from, Double.POSITIVE_INFINITY);
+    double distance = placed.centreDistanceM(from.xM, from.zM);
+    if (nearest == Double.POSITIVE_INFINITY) {
+      into.set(nearest, distance, 0, 0);
+      return;
+    }
     double bearing = placed.bearingRad(from.xM, from.zM);
-    into.set(
-        placed.nearestM(cone, from, Double.POSITIVE_INFINITY),
-        placed.centreDistanceM(from.xM, from.zM),
-        bearing,
-        placed.detection().thresholdM(bearing));
+    into.set(nearest, distance, bearing, placed.detection().thresholdM(bearing));
   }
 
   /**

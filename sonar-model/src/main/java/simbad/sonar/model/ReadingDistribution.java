@@ -122,6 +122,33 @@ public final class ReadingDistribution {
 
   /** The least range with echoUpTo(range) at or above a probability that echoes do reach. */
   private double echoQuantileM(double reached) {
+    return resolutionM > 0 ? stepQuantile(reached) * resolutionM : freeQuantileM(reached);
+  }
+
+  /** The least step that reaches it: a reading has no other values. */
+  private double stepQuantile(double reached) {
+    long low = -1;
+    long high = 1;
+    while (upToStep(high) < reached && high < Long.MAX_VALUE / 4) {
+      low = high;
+      high *= 2;
+    }
+    while (high - low > 1) {
+      long middle = (low + high) >>> 1;
+      if (upToStep(middle) >= reached) {
+        high = middle;
+      } else {
+        low = middle;
+      }
+    }
+    return high;
+  }
+
+  private double upToStep(long step) {
+    return echoUpTo(step * resolutionM);
+  }
+
+  private double freeQuantileM(double reached) {
     double low = 0;
     double high = 1;
     while (echoUpTo(high) < reached && high < Double.MAX_VALUE / 2) {

@@ -1,0 +1,136 @@
+package simbad.gap.explain;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Hypothesis;
+
+/** How far a hypothesis is off in any slice of a log. */
+public final class Misfit {
+  private static final double LEAST_SUPPORT = 2;
+  private static final int LEAST_ROWS = 12;
+
+  private final List<Slice> slices = new ArrayList<>();
+
+  /**
+   * A slice with one way of being off.
+   *
+   * @param name of the slice
+   * @param kind echo, range or scatter
+   * @param z standard normal where the hypothesis is right
+   * @param size share of echoes off, or normal scores off on average
+   * @param rows in the slice
+   */
+  public record Slice(String name, String kind, double z, double size, int rows) {}
+
+  /** Looks at all slices. */
+  public Misfit(Evidence evidence, Hypothesis hypothesis) {
+    Surprise surprise = new Surprise(evidence, hypothesis);
+    double[] spread = spread(surprise);
+    for (Slicing.Cut cut : new Slicing(surprise.log, surprise.geometry).all()) {
+      look(surprise, cut, spread);
+    }
+    slices.sort(Comparator.comparingDouble(slice -> -Math.abs(slice.z)));
+  }
+
+  /** Returns all slices, the most off first. */
+  public List<Slice> slices() {
+    return List.copyOf(slices);
+  }
+
+  /** Returns the mean of the greatest of a number of slices, each cut and kind counted once. */
+  public double top(int count) {
+    return slices.stream()
+        .map(slice -> slice.name.replaceAll("#.*", "") + slice.kind)
+        .distinct()
+        .limit(count)
+        .mapToDouble(
+            key ->
+                slices.stream()
+                    .filter(s -> key.equals(s.name.replaceAll("#.*", "") + s.kind))
+                    .findFirst()
+                    .map(s -> Math.abs(s.z))
+                    .orElse(0.0))
+        .average()
+        .orElse(0);
+  }
+
+  /** Mean square of the scores, and the spread of the squares. */
+  private static double[] spread(Surprise s) {
+    double sum = 0;
+    double squares = 0;
+    int count = 0;
+    for (int i = 0; i < s.score.length; i++) {
+      if (s.log.echo(i)) {
+        double square = s.score[i] * s.score[i];
+        sum += square;
+        squares += square * square;
+        count++;
+      }
+    }
+    double mean = count > 0 ? sum / count : 1;
+    double variance = count > 1 ? squares / count - mean * mean : 1;
+    return new double[] {Math.max(1e-6, mean), Math.sqrt(Math.max(1e-6, variance))};
+  }
+
+  private void look(Surprise s, Slicing.Cut cut, double[] spread) {
+    Tally[] tallies = new Tally[cut.count()];
+    for (int i = 0; i < cut.slice().length; i++) {
+      if (cut.slice()[i] >= 0) {
+        int at = cut.slice()[i];
+        if (tallies[at] == null) {
+          tallies[at] = new Tally();
+        }
+        tallies[at].add(s, i);
+      }
+    }
+    for (int at = 0; at < tallies.length; at++) {
+      if (tallies[at] != null) {
+        tallies[at].tell(cut.name() + "#" + at, spread, slices);
+      }
+    }
+  }
+
+  private static final class Tally {
+    private int rows;
+    private int echoes;
+    private double expected;
+    private double variance;
+    private double scores;
+    private double squares;
+
+    void add(Surprise s, int i) {
+      rows++;
+      expected += s.expected[i];
+      variance += s.expected[i] * (1 - s.expected[i]);
+      if (s.log.echo(i)) {
+        echoes++;
+        scores += s.score[i];
+        squares += s.score[i] * s.score[i];
+      }
+    }
+
+    void tell(String name, double[] spread, List<Slice> into) {
+      if (rows >= LEAST_ROWS && variance >= LEAST_SUPPORT) {
+        into.add(new Slice(name, "echo", echoZ(), (echoes - expected) / rows, rows));
+      }
+      if (echoes >= LEAST_ROWS) {
+        double shift = scores / Math.sqrt(echoes * Math.max(spread[0], 0.3));
+        into.add(new Slice(name, "range", shift, scores / echoes, rows));
+        double scatter = (squares - echoes * spread[0]) / (spread[1] * Math.sqrt(echoes));
+        into.add(new Slice(name, "scatter", scatter, squares / echoes, rows));
+      }
+    }
+
+    /** Root of the deviance of the rarer outcome, so that few events are not over-rated. */
+    private double echoZ() {
+      boolean rareEcho = expected < rows / 2.0;
+      double rare = rareEcho ? expected : rows - expected;
+      double seen = rareEcho ? echoes : rows - echoes;
+      double deviance = 2 * ((seen > 0 ? seen * Math.log(seen / rare) : 0) - (seen - rare));
+      double root = Math.signum(seen - rare) * Math.sqrt(Math.max(0, deviance));
+      return (rareEcho ? root : -root) / Math.sqrt(variance / rare);
+    }
+  }
+}

@@ -1,0 +1,50 @@
+package simbad.gap.explain;
+
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.DiagnosedModel;
+import simbad.sonar.effect.Expectation;
+import simbad.sonar.effect.Geometry;
+import simbad.sonar.effect.PingLog;
+
+/**
+ * What a hypothesis got wrong, ping by ping, given all readings before: whether there was an echo,
+ * and where in its expected distribution the range lay. If the hypothesis is right, neither hangs
+ * on anything.
+ */
+public final class Surprise {
+  private static final double SURE = 1e-4;
+  private static final double FARTHEST = 5;
+
+  final PingLog log;
+  final Geometry geometry;
+  final double[] expected;
+  final double[] score;
+
+  Surprise(Evidence evidence, Hypothesis hypothesis) {
+    DiagnosedModel model = evidence.model(hypothesis);
+    geometry = evidence.geometry(model);
+    log = evidence.log();
+    Expectation expectation = model.expectation(geometry);
+    expected = new double[log.size()];
+    score = new double[log.size()];
+    for (int i = 0; i < expected.length; i++) {
+      // As in the likelihood, nothing is held for certain.
+      expected[i] = Math.max(SURE, Math.min(1 - SURE, expectation.echo()[i]));
+      if (log.echo(i)) {
+        score[i] = score(expectation, i);
+      }
+    }
+  }
+
+  /** The normal score of the middle of the step that was read, among all echoes. */
+  private double score(Expectation expectation, int i) {
+    double echo = expectation.echo()[i];
+    if (!(echo > SURE)) {
+      return 0;
+    }
+    double share = (expectation.below()[i] + expectation.reading()[i] / 2) / echo;
+    double level = Math.max(1e-7, Math.min(1 - 1e-7, share));
+    return Math.max(-FARTHEST, Math.min(FARTHEST, NormalQuantile.of(level)));
+  }
+}
