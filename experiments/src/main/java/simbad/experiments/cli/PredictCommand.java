@@ -8,11 +8,13 @@ import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import simbad.experiments.diagnosis.DiagnosisFolder;
 import simbad.experiments.diagnosis.Predictions;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.sonar.effect.Change;
 import simbad.sonar.format.DataFormatException;
-import simbad.sonar.format.ReadingRow;
+import simbad.sonar.sensing.ReadingRow;
+import simbad.sonar.format.ModelFile;
 import simbad.sonar.format.ReadingsFile;
 import simbad.sonar.format.SceneFile;
 import simbad.sonar.format.TextFile;
@@ -83,7 +85,7 @@ final class PredictCommand extends Subcommand {
   }
 
   private List<? extends Change> changes(SensingSetup setup) throws DataFormatException {
-    throw DataFormatException.inFile(diagnosis.resolve("model.json"), "cannot be read yet");
+    return ModelFile.read(diagnosis.resolve(DiagnosisFolder.MODEL), setup).changes();
   }
 
   private Model model() {

@@ -4,21 +4,29 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.DiagnosisJson;
 import simbad.gap.diagnosis.Provenance;
-import simbad.sonar.effect.Change;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.FittedForm;
+import simbad.sonar.effect.FittedModel;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.format.ModelFile;
 import simbad.sonar.format.ReadingsWriter;
 
 /** Writes a diagnosis's folder. */
 public final class DiagnosisFolder {
   /** The page's name in the folder. */
   public static final String PAGE = "report.html";
+
+  /** The fitted model's name in the folder. */
+  public static final String MODEL = "model.json";
 
   private DiagnosisFolder() {}
 
@@ -41,15 +49,26 @@ public final class DiagnosisFolder {
       String poses = ReadingsWriter.posesText(diagnosis.nextExperiment().get().poses());
       save(folder, DiagnosisJson.POSES, poses);
     }
+    FittedModel model =
+        new FittedModel(
+            data.setup(),
+            new PingLog(data.readings()).sensors(),
+            fitted(diagnosis.calibration()),
+            fitted(diagnosis.fitted()));
+    ModelFile.write(folder.resolve(MODEL), model);
     List<RowFinding> rows =
-        RowSurvey.of(data, changes(diagnosis), new SplittableRandom(provenance.seed()));
+        RowSurvey.of(data, model.changes(), new SplittableRandom(provenance.seed()));
     save(folder, PAGE, DiagnosisPage.of(diagnosis, data, rows, provenance));
   }
 
-  private static List<Change> changes(Diagnosis diagnosis) {
-    List<Change> changes = new ArrayList<>(diagnosis.calibration().changes());
-    changes.addAll(diagnosis.fitted().changes());
-    return changes;
+  private static List<FittedForm> fitted(Hypothesis hypothesis) {
+    return IntStream.range(0, hypothesis.forms().size())
+        .mapToObj(
+            i ->
+                new FittedForm(
+                    hypothesis.forms().get(i),
+                    DoubleStream.of(hypothesis.valuesOf(i)).boxed().toList()))
+        .toList();
   }
 
   private static void save(Path folder, String name, String text) throws IOException {

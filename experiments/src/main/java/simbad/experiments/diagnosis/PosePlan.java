@@ -2,7 +2,7 @@ package simbad.experiments.diagnosis;
 
 import java.util.ArrayList;
 import java.util.List;
-import simbad.sonar.format.ReadingRow;
+import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.frame.Point;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.scene.Scene;

@@ -10,7 +10,7 @@ import simbad.gap.diagnosis.ForecastGap;
 import simbad.sonar.effect.Change;
 import simbad.sonar.effect.DiagnosedModel;
 import simbad.sonar.effect.PingLog;
-import simbad.sonar.format.ReadingRow;
+import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.scene.SensingSetup;
 

@@ -12,7 +12,7 @@ import simbad.sonar.effect.Change;
 import simbad.sonar.effect.DiagnosedModel;
 import simbad.sonar.effect.Geometry;
 import simbad.sonar.effect.PingLog;
-import simbad.sonar.format.ReadingRow;
+import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.Reading;
@@ -20,6 +20,9 @@ import simbad.sonar.sensing.Reading;
 /** All rows of a data set before and after, for the figures; in the order of the log. */
 final class RowSurvey {
   private static final double CM = 100;
+
+  /** Half of the finest step that recordings are rounded to. */
+  private static final double HALF_STEP_M = 5e-4;
 
   /** Below it, what an echo would have been says nothing about the one that came. */
   private static final double EXPECTED = 0.05;
@@ -63,7 +66,7 @@ final class RowSurvey {
     int line = ping * geometry.obstacles() + nearest;
     return new RowFinding(
         nearest,
-        any ? Math.toDegrees(geometry.bearingRad(line)) : 0,
+        any ? bearingDeg(geometry, ping, nearest) : 0,
         any ? OptionalDouble.of(geometry.centreDistanceM(line)) : OptionalDouble.empty(),
         any
             ? OptionalDouble.of(Math.abs(Math.toDegrees(geometry.offAxisRad(line))))
@@ -72,6 +75,17 @@ final class RowSurvey {
         log.speedMPerS(ping),
         before,
         after);
+  }
+
+  /** Not the line of sight's own, which knows the bearing of what is in the cone only. */
+  private static double bearingDeg(Geometry geometry, int ping, int obstacle) {
+    return Math.toDegrees(
+        geometry
+            .scene()
+            .obstacles()
+            .get(obstacle)
+            .worldFromObstacle()
+            .bearingRad(geometry.xM(ping), geometry.zM(ping)));
   }
 
   private static int nearest(Geometry geometry, int ping) {
@@ -105,8 +119,6 @@ final class RowSurvey {
     double upTo = forecast.echoUpTo(heard.rangeM() + HALF_STEP_M);
     return below + tie * (upTo - below);
   }
-
-  private static final double HALF_STEP_M = 5e-4;
 
   private static OptionalDouble residual(ReadingDistribution forecast, Reading reading) {
     double echo = 1 - forecast.noEchoProbability();

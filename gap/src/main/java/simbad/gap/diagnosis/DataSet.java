@@ -1,8 +1,8 @@
 package simbad.gap.diagnosis;
 
 import java.util.List;
-import simbad.sonar.format.ReadingRow;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.sensing.ReadingRow;
 
 /**
  * A gap data set: what the simulator believes and what was really read.

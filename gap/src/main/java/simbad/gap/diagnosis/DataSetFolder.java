@@ -10,7 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import simbad.sonar.format.DataFormatException;
-import simbad.sonar.format.ReadingRow;
+import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.format.ReadingsFile;
 import simbad.sonar.format.SceneFile;
 

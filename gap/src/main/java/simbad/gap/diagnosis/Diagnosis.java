@@ -11,8 +11,8 @@ import simbad.sonar.effect.Effect;
  * @param verdict what is concluded
  * @param explanation the effects concluded to be at work; empty for none
  * @param effects every name of the vocabulary, most probable first
- * @param unknownProbability that something outside the vocabulary is at work, alone or beside
- *     named effects
+ * @param unknownProbability that something outside the vocabulary is at work, alone or beside named
+ *     effects
  * @param gap its size before and after
  * @param where the places of the gap, largest share first
  * @param undetectable effects that these data could not have shown

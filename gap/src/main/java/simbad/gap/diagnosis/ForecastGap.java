@@ -13,8 +13,6 @@ public final class ForecastGap {
   /** How many quantiles a prediction has. */
   public static final int QUANTILES = 19;
 
-  private static final double STEP = 0.05;
-
   private ForecastGap() {}
 
   /**
@@ -23,8 +21,7 @@ public final class ForecastGap {
    * @param index from 0 to 18
    */
   public static double level(int index) {
-    // Of whole hundredths, so that 0.15 is 0.15 to the last digit.
-    return Math.round((index + 1) * STEP * 100) / 100.0;
+    return (index + 1) / (QUANTILES + 1.0);
   }
 
   /**

@@ -2,7 +2,7 @@ package simbad.gap.diagnosis;
 
 import java.util.List;
 import simbad.sonar.effect.Effect;
-import simbad.sonar.format.ReadingRow;
+import simbad.sonar.sensing.ReadingRow;
 
 /**
  * What to measure next so that effects that are tied come apart.

@@ -149,9 +149,7 @@ public final class Search {
 
   private List<Scored> scored() {
     List<Fit> ranked =
-        fits.values().stream()
-            .sorted(Comparator.comparingDouble(fit -> -promise(fit)))
-            .toList();
+        fits.values().stream().sorted(Comparator.comparingDouble(fit -> -promise(fit))).toList();
     List<Scored> scored =
         new ArrayList<>(
             ranked.stream().limit(SCORED).toList().parallelStream().map(this::score).toList());

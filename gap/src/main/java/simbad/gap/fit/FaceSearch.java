@@ -41,8 +41,7 @@ final class FaceSearch {
   private static double[] values(Form form, Face face) {
     return switch (form.name()) {
       case "post" -> new double[] {face.xM, face.zM, 0.95};
-      case "mirror" ->
-          new double[] {face.xM, face.zM, face.normalDeg, face.halfWidthM, 0.95};
+      case "mirror" -> new double[] {face.xM, face.zM, face.normalDeg, face.halfWidthM, 0.95};
       default -> new double[] {face.xM, face.zM, face.normalDeg, face.halfWidthM, 0.95, 25};
     };
   }
@@ -52,18 +51,13 @@ final class FaceSearch {
     double normalX = Math.cos(Math.toRadians(normalDeg));
     double normalZ = -Math.sin(Math.toRadians(normalDeg));
     double cone = clues.geometry.coneHalfAngleRad() + SPARE_RAD;
-    int[] facing =
-        Arrays.stream(strange)
-            .filter(i -> Math.abs(off(i, normalDeg)) < cone)
-            .toArray();
-    DoubleStream places =
-        Arrays.stream(facing).mapToDouble(i -> place(i, normalX, normalZ));
+    int[] facing = Arrays.stream(strange).filter(i -> Math.abs(off(i, normalDeg)) < cone).toArray();
+    DoubleStream places = Arrays.stream(facing).mapToDouble(i -> place(i, normalX, normalZ));
     for (double at : Modes.of(places, WINDOW_M, 1)) {
       double[] along =
           Arrays.stream(facing)
               .filter(i -> Math.abs(place(i, normalX, normalZ) - at) < WINDOW_M)
-              .mapToDouble(
-                  i -> clues.geometry.zM(i) * normalX - clues.geometry.xM(i) * normalZ)
+              .mapToDouble(i -> clues.geometry.zM(i) * normalX - clues.geometry.xM(i) * normalZ)
               .sorted()
               .toArray();
       double low = Modes.quantile(along, 0.02);
@@ -80,8 +74,7 @@ final class FaceSearch {
   }
 
   private double off(int ping, double normalDeg) {
-    return Angles.signed(
-        clues.geometry.headingRad(ping) - Math.toRadians(normalDeg) + Math.PI);
+    return Angles.signed(clues.geometry.headingRad(ping) - Math.toRadians(normalDeg) + Math.PI);
   }
 
   private double place(int ping, double normalX, double normalZ) {

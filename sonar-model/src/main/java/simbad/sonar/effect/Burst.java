@@ -4,14 +4,23 @@ package simbad.sonar.effect;
  * Pings are missed in bursts: a chain of two states, clear and silenced.
  *
  * @param share of the pings that are in a burst, in [0, 1); 0 is neutral
- * @param lengthPings mean length of a burst, at least 1
- * @param depth share of a burst's pings that are missed, in [0, 1]
+ * @param lengthPings mean length of a burst, at least 1; where so many pings are in bursts that
+ *     shorter ones would leave no pings between them, bursts are longer
+ * @param depth share of a burst's pings that are missed, in [0, 1]; 0 is neutral
  */
 public record Burst(double share, double lengthPings, double depth) implements MemoryChange {
-  /** The probability of being in a burst one ping later. */
-  double next(double inBurst) {
-    double ends = 1 / lengthPings;
-    double begins = Math.min(1, ends * share / (1 - share));
-    return inBurst * (1 - ends) + (1 - inBurst) * begins;
+  @Override
+  public boolean isNeutral() {
+    return share == 0 || depth == 0;
+  }
+
+  /** The chance that a burst ends with a ping. */
+  double ends() {
+    return Math.min(1 / lengthPings, (1 - share) / share);
+  }
+
+  /** The chance that a burst begins after a ping outside; keeps the share. */
+  double begins() {
+    return ends() * share / (1 - share);
   }
 }

@@ -27,18 +27,21 @@ public final class DiagnosedModel {
   private final List<Change> changes;
   private final SonarSpec sensor;
   private final Report report;
+  private final Memory memory;
 
   /**
    * Creates a model.
    *
    * @param believed the set-up as the simulator believes it
-   * @param changes what is different in the world, in any order
+   * @param changes what is different in the world, in any order; of bursts, hysteresis and stale
+   *     readings at most one each
    */
   public DiagnosedModel(SensingSetup believed, List<? extends Change> changes) {
     this.believed = believed;
     this.changes = List.copyOf(changes);
     sensor = Geometry.changedSensor(believed.sensor(), changes);
     report = report(PingModel.of(OutputChange.class, changes));
+    memory = Memory.of(changes);
   }
 
   private static Report report(List<OutputChange> outputs) {
@@ -78,7 +81,7 @@ public final class DiagnosedModel {
    * @param geometry of the log under this model's changes
    */
   public Expectation expectation(Geometry geometry) {
-    Expectation expectation = Expectation.of(geometry.log().size());
+    Expectation expectation = new Expectation(geometry.log().size());
     new Likelihood(this, geometry).into(expectation);
     return expectation;
   }
@@ -92,6 +95,22 @@ public final class DiagnosedModel {
    */
   public List<ReadingDistribution> forecast(Geometry geometry) {
     return new Forecast(this, geometry).all();
+  }
+
+  Memory memory() {
+    return memory;
+  }
+
+  /** Room for the geometry of pings that are yet to be sent. */
+  Geometry geometry(int pings) {
+    return new Geometry(pings, believed, changes);
+  }
+
+  /** What is reported for a measured range, in the sensor's steps. */
+  double reportedM(double measuredM) {
+    double reported = report.reported(measuredM);
+    double step = sensor.resolutionM();
+    return Math.max(0, step > 0 ? Math.floor(reported / step + ROUNDING) * step : reported);
   }
 
   PingModel pings(Geometry geometry) {

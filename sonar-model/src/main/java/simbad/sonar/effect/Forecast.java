@@ -2,85 +2,161 @@ package simbad.sonar.effect;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import simbad.sonar.model.ReadingDistribution;
 
-/** What is expected of each ping when no reading is known: memory runs forward by probabilities. */
+/**
+ * What is expected of each ping when no reading is known: memory runs forward by probabilities.
+ *
+ * <p>For each state of the burst and each slot of {@link HiddenState} it keeps what the ping before
+ * may have read in that state, with the probability of the state as the sum of the shares.
+ */
 final class Forecast {
-  private static final double FOLLOWED = 0.01;
-  private static final double HARDLY = 1e-4;
-
   private final DiagnosedModel model;
   private final PingLog log;
   private final PingModel pings;
-  private final double burstLoss;
-  private final @Nullable StaleReading stale;
-  private final HoldState hold = new HoldState();
-
-  /** What the last pings may have read for themselves, newest first. */
-  private final List<Mixture> own = new ArrayList<>();
-
-  private Mixture before = new Mixture();
-  private double heard;
+  private final Memory memory;
+  private final Mixture mixture = new Mixture();
+  private final Mixture one = new Mixture();
+  private Mixture[][] state = states();
+  private Mixture[][] next = states();
+  private final double[] nothing = new double[2];
+  private final double[] nextNothing = new double[2];
+  private int slots;
 
   Forecast(DiagnosedModel model, Geometry geometry) {
     this.model = model;
     log = geometry.log();
     pings = model.pings(geometry);
-    burstLoss =
-        PingModel.of(Burst.class, model.changes()).stream()
-            .mapToDouble(burst -> burst.share() * burst.depth())
-            .findFirst()
-            .orElse(0);
-    stale = PingModel.of(StaleReading.class, model.changes()).stream().findFirst().orElse(null);
+    memory = model.memory();
+  }
+
+  private static Mixture[][] states() {
+    Mixture[][] states = new Mixture[2][HiddenState.MOST + 2];
+    for (Mixture[] some : states) {
+      for (int slot = 0; slot < some.length; slot++) {
+        some[slot] = new Mixture();
+      }
+    }
+    return states;
   }
 
   List<ReadingDistribution> all() {
     List<ReadingDistribution> all = new ArrayList<>(log.size());
     for (int ping = 0; ping < log.size(); ping++) {
-      if (log.sequenceStart(ping) == ping) {
-        start();
+      if (memory.isNone()) {
+        pings.mix(ping, false, Mixture.EMPTY, 0, mixture);
+        all.add(model.distribution(mixture));
+      } else {
+        all.add(model.distribution(step(ping)));
       }
-      all.add(model.distribution(step(ping)));
     }
     return all;
   }
 
-  private void start() {
-    before = new Mixture();
-    heard = 0;
-    hold.start();
-    own.clear();
-  }
-
   private Mixture step(int ping) {
-    Mixture mixture = new Mixture();
-    pings.mix(ping, heard, before, burstLoss, mixture);
-    heard = mixture.echoShare();
-    Mixture read = stale == null ? mixture : repeat(stale, ping, mixture);
-    // Echoes of echoes of echoes would fill any memory: what hardly ever happens is not followed.
-    before = new Mixture();
-    before.addGreater(read, FOLLOWED);
-    return read;
-  }
-
-  /** Adds the readings of earlier pings that are repeated if this one is missed. */
-  private Mixture repeat(StaleReading held, int ping, Mixture mixture) {
-    double miss = Math.max(0, 1 - mixture.echoShare());
-    Mixture read = new Mixture();
-    read.addAll(mixture, 1);
-    for (int times = 0; times <= hold.last(); times++) {
-      double share = hold.probability(times) * held.holds(log, ping, times) * miss;
-      Mixture source = own.get(times);
-      if (share > HARDLY && source.echoShare() > 0) {
-        read.addAll(source, share / source.echoShare());
+    if (log.sequenceStart(ping) == ping) {
+      start();
+    } else if (memory.burst() != null) {
+      pass(memory.burst());
+    }
+    clear(next);
+    for (int inBurst = 0; inBurst < 2; inBurst++) {
+      nextNothing[inBurst] = 0;
+      advanceNothing(ping, inBurst);
+      for (int slot = 1; slot < slots; slot++) {
+        advance(ping, inBurst, slot);
       }
     }
-    hold.advance(held, log, ping, mixture.echoShare(), miss);
-    own.add(0, mixture);
-    if (own.size() > HoldState.MOST + 1) {
-      own.remove(HoldState.MOST + 1);
+    slots = memory.stale() == null ? 2 : Math.min(slots + 1, HiddenState.MOST + 2);
+    Mixture[][] spent = state;
+    state = next;
+    next = spent;
+    System.arraycopy(nextNothing, 0, nothing, 0, 2);
+    return read();
+  }
+
+  private void start() {
+    clear(state);
+    clear(next);
+    nothing[0] = 1 - memory.burstShare();
+    nothing[1] = memory.burstShare();
+    slots = 1;
+  }
+
+  private static void clear(Mixture[][] states) {
+    for (Mixture[] some : states) {
+      for (Mixture each : some) {
+        each.clear();
+      }
     }
-    return read;
+  }
+
+  private void pass(Burst burst) {
+    double clear = nothing[0];
+    nothing[0] = clear * (1 - burst.begins()) + nothing[1] * burst.ends();
+    nothing[1] = nothing[1] * (1 - burst.ends()) + clear * burst.begins();
+    clear(next);
+    for (int slot = 1; slot < slots; slot++) {
+      next[0][slot].merge(state[0][slot], 1 - burst.begins());
+      next[0][slot].merge(state[1][slot], burst.ends());
+      next[1][slot].merge(state[1][slot], 1 - burst.ends());
+      next[1][slot].merge(state[0][slot], burst.begins());
+    }
+    Mixture[][] spent = state;
+    state = next;
+    next = spent;
+  }
+
+  private void advanceNothing(int ping, int inBurst) {
+    if (nothing[inBurst] > 0) {
+      nextNothing[inBurst] += nothing[inBurst] * expect(ping, inBurst, 0, nothing[inBurst]);
+    }
+  }
+
+  private void advance(int ping, int inBurst, int slot) {
+    Mixture before = state[inBurst][slot];
+    if (before.size() == 0) {
+      return;
+    }
+    double repeats = memory.repeats(slot, log.timeS(ping) - log.timeS(ping - slot));
+    if (memory.ghosts()) {
+      for (int part = 0; part < before.size(); part++) {
+        one.clear();
+        one.add(before.meanM(part), before.evenSpreadM(part), 1);
+        double silent = expect(ping, inBurst, slot, before.share(part));
+        miss(inBurst, slot, part, before.share(part) * silent, repeats);
+      }
+    } else {
+      double silent = expect(ping, inBurst, slot, before.echoShare());
+      for (int part = 0; part < before.size(); part++) {
+        miss(inBurst, slot, part, before.share(part) * silent, repeats);
+      }
+    }
+  }
+
+  /** Adds what a ping reads after a state, times the state's share; returns the chance of none. */
+  private double expect(int ping, int inBurst, int slot, double share) {
+    Mixture before = slot > 0 && memory.ghosts() ? one : Mixture.EMPTY;
+    pings.mix(ping, slot == HiddenState.ECHO, before, memory.lost(inBurst), mixture);
+    next[inBurst][HiddenState.ECHO].merge(mixture, share);
+    return Math.max(0, 1 - mixture.echoShare());
+  }
+
+  private void miss(int inBurst, int slot, int part, double missed, double repeats) {
+    if (repeats > 0 && slot < HiddenState.MOST + 1) {
+      next[inBurst][slot + 1].addPart(state[inBurst][slot], part, missed * repeats);
+      nextNothing[inBurst] += missed * (1 - repeats);
+    } else {
+      nextNothing[inBurst] += missed;
+    }
+  }
+
+  private Mixture read() {
+    mixture.clear();
+    for (int slot = 1; slot < slots; slot++) {
+      mixture.merge(state[0][slot], 1);
+      mixture.merge(state[1][slot], 1);
+    }
+    return mixture;
   }
 }

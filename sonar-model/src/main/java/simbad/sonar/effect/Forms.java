@@ -284,7 +284,7 @@ public final class Forms {
     add(
         Effect.STALE_READING,
         "time",
-        v -> new StaleReading(HoldState.MOST, v[0]),
+        v -> new StaleReading(HiddenState.MOST, v[0]),
         Parameter.of(
             "hold_s",
             0,

@@ -1,10 +1,8 @@
 package simbad.sonar.effect;
 
-import org.jspecify.annotations.Nullable;
-
 /**
- * How probable each reading is, given the readings before it: a filter over what was not read, the
- * state of a burst and how often a reading was already repeated.
+ * How probable each reading is, given the readings before it: a filter over what is not read, the
+ * state of a burst, how often a reading was already repeated, and where it came from.
  */
 final class Likelihood {
   /** A reading that no part explains came from where it says. */
@@ -13,186 +11,218 @@ final class Likelihood {
   private static final double LEAST_SHARE = 0.01;
 
   private final DiagnosedModel model;
-  private final Geometry geometry;
   private final PingLog log;
   private final PingModel pings;
-  private final @Nullable Burst burst;
-  private final @Nullable StaleReading stale;
-  private final Mixture clear = new Mixture();
-  private final Mixture silenced = new Mixture();
+  private final Memory memory;
+  private final Mixture mixture = new Mixture();
+  private final Mixture one = new Mixture();
+  private final Mixture part = new Mixture();
+
+  /** What the ping may read, over all states. */
+  private final Mixture all = new Mixture();
+
+  /** What the reading before may have come from. */
   private final Mixture before = new Mixture();
-  private final HoldState hold = new HoldState();
-  private double inBurst;
-  private double heard;
+
+  // By the state of the burst, and whether the ping before was answered.
+  private final double[][] echo = new double[2][2];
+  private final double[][] silent = new double[2][2];
+  private final double[][] below = new double[2][2];
+
+  private HiddenState state = new HiddenState();
+  private HiddenState next = new HiddenState();
 
   Likelihood(DiagnosedModel model, Geometry geometry) {
     this.model = model;
-    this.geometry = geometry;
     log = geometry.log();
     pings = model.pings(geometry);
-    burst = PingModel.of(Burst.class, model.changes()).stream().findFirst().orElse(null);
-    stale = PingModel.of(StaleReading.class, model.changes()).stream().findFirst().orElse(null);
+    memory = model.memory();
   }
 
   void into(double[] probability) {
     for (int ping = 0; ping < log.size(); ping++) {
-      begin(ping);
-      probability[ping] = step(ping);
+      expect(ping);
+      probability[ping] = learn(ping);
     }
   }
 
   void into(Expectation expectation) {
     for (int ping = 0; ping < log.size(); ping++) {
-      begin(ping);
-      expect(ping, expectation);
-      expectation.reading()[ping] = step(ping);
+      expect(ping);
+      tell(ping, expectation);
+      expectation.reading()[ping] = learn(ping);
     }
   }
 
-  private void begin(int ping) {
+  private void expect(int ping) {
     if (log.sequenceStart(ping) == ping) {
-      start();
-    } else if (pings.remembersReading()) {
-      remember(ping - 1);
+      before.clear();
+      state.start(memory.burstShare());
+    } else {
+      if (memory.ghosts()) {
+        remember(ping - 1);
+      }
+      if (memory.burst() != null) {
+        state.pass(memory.burst());
+      }
     }
-  }
-
-  /** The same as a step, but before the reading is known. */
-  private void expect(int ping, Expectation expectation) {
-    pings.mix(ping, heard, before, 0, clear);
-    double burstNow = burst == null ? 0 : inBurst;
-    if (burst != null && log.sequenceStart(ping) != ping) {
-      burstNow = burst.next(inBurst);
-    }
-    double real = (1 - burstNow) * clear.echoShare();
-    double below = (1 - burstNow) * below(clear, ping);
-    double miss = (1 - burstNow) * silence(clear);
-    if (burst != null) {
-      pings.mix(ping, heard, before, burst.depth(), silenced);
-      real += burstNow * silenced.echoShare();
-      below += burstNow * below(silenced, ping);
-      miss += burstNow * silence(silenced);
-    }
-    double held = canRepeat(ping) ? miss * hold.repeats(requireStale(), log, ping) : 0;
-    boolean heldBelow =
-        held > 0 && model.stepEndM(log.rangeM(ping - 1)) <= model.stepStartM(log.rangeM(ping));
-    expectation.echo()[ping] = Math.min(1, real + held);
-    expectation.below()[ping] = below + (heldBelow ? held : 0);
-  }
-
-  private StaleReading requireStale() {
-    return java.util.Objects.requireNonNull(stale);
-  }
-
-  private double below(Mixture mixture, int ping) {
-    return log.echo(ping)
-        ? mixture.within(Double.NEGATIVE_INFINITY, model.stepStartM(log.rangeM(ping)))
-        : 0;
-  }
-
-  private void start() {
-    before.clear();
-    heard = 0;
-    hold.start();
-    inBurst = burst == null ? 0 : burst.share();
-  }
-
-  /** What the reading before may have come from, by how well each part explains it. */
-  private void remember(int previous) {
-    before.clear();
-    if (!log.echo(previous)) {
-      return;
-    }
-    double low = model.stepStartM(log.rangeM(previous));
-    double high = model.stepEndM(log.rangeM(previous));
-    double total = clear.within(low, high);
-    if (!(total > LEAST_EXPLAINED)) {
-      before.add(log.rangeM(previous), 0, 1);
-      return;
-    }
-    for (int part = 0; part < clear.size(); part++) {
-      double share = clear.within(part, low, high) / total;
-      if (share > LEAST_SHARE) {
-        boolean known = clear.halfWidthM(part) == 0;
-        before.add(known ? clear.meanM(part) : log.rangeM(previous), 0, share);
+    all.clear();
+    int bursts = memory.burst() == null ? 1 : 2;
+    for (int inBurst = 0; inBurst < bursts; inBurst++) {
+      expect(ping, inBurst, 0);
+      if (memory.hysteresis() != null) {
+        expect(ping, inBurst, 1);
       }
     }
   }
 
-  private double step(int ping) {
-    pings.mix(ping, heard, before, 0, clear);
-    if (burst == null && stale == null) {
-      heard = log.echo(ping) ? 1 : 0;
-      return log.echo(ping) ? within(clear, ping) : silence(clear);
+  private void expect(int ping, int inBurst, int heard) {
+    mix(ping, heard == 1, memory.lost(inBurst));
+    silent[inBurst][heard] = Math.max(0, 1 - mixture.echoShare());
+    if (log.echo(ping)) {
+      double from = model.stepStartM(log.rangeM(ping));
+      echo[inBurst][heard] = mixture.within(from, model.stepEndM(log.rangeM(ping)));
+      below[inBurst][heard] = mixture.within(Double.NEGATIVE_INFINITY, from);
     }
-    if (burst != null && log.sequenceStart(ping) != ping) {
-      inBurst = burst.next(inBurst);
+    if (memory.ghosts()) {
+      all.merge(mixture, weight(inBurst, heard));
     }
-    return filter(ping);
   }
 
-  private double filter(int ping) {
-    double echo = within(clear, ping);
-    double silent = silence(clear);
-    double burstEcho = 0;
-    double burstSilent = 0;
-    if (burst != null) {
-      pings.mix(ping, heard, before, burst.depth(), silenced);
-      burstEcho = within(silenced, ping);
-      burstSilent = silence(silenced);
+  /** How probable the states are that a mixture stands for. */
+  private double weight(int inBurst, int heard) {
+    double echoed = state.get(inBurst, HiddenState.ECHO);
+    double every = state.sum(inBurst);
+    if (memory.hysteresis() == null) {
+      return every;
     }
-    double real = (1 - inBurst) * echo + inBurst * burstEcho;
-    double miss = (1 - inBurst) * silent + inBurst * burstSilent;
-    double repeated = repeats(ping);
-    double total = log.echo(ping) ? real + miss * repeated : miss * (1 - repeated);
-    if (!(total > 0)) {
+    return heard == 1 ? echoed : every - echoed;
+  }
+
+  /** Mixes what a ping may read, over all that the reading before may have come from. */
+  private void mix(int ping, boolean heard, double lost) {
+    if (before.size() < 2) {
+      pings.mix(ping, heard, before, lost, mixture);
+      return;
+    }
+    mixture.clear();
+    for (int source = 0; source < before.size(); source++) {
+      one.clear();
+      one.add(before.meanM(source), 0, 1);
+      pings.mix(ping, heard, one, lost, part);
+      mixture.merge(part, before.share(source));
+    }
+  }
+
+  /** What the reading before may have come from, by how well each part explains it. */
+  private void remember(int previous) {
+    boolean again = log.echo(previous) && before.size() > 0 && repeatsReading(previous);
+    if (!log.echo(previous)) {
+      before.clear();
+      return;
+    }
+    double low = model.stepStartM(log.rangeM(previous));
+    double high = model.stepEndM(log.rangeM(previous));
+    double total = all.within(low, high);
+    if (!(total > LEAST_EXPLAINED)) {
+      if (!again) {
+        before.clear();
+        before.add(log.rangeM(previous), 0, 1);
+      }
+      return;
+    }
+    before.clear();
+    for (int i = 0; i < all.size(); i++) {
+      double share = all.within(i, low, high) / total;
+      if (share > LEAST_SHARE) {
+        boolean known = all.halfWidthM(i) == 0;
+        before.add(known ? all.meanM(i) : log.rangeM(previous), 0, share);
+      }
+    }
+    before.scaleShares(1 / before.echoShare());
+  }
+
+  private boolean repeatsReading(int ping) {
+    return memory.stale() != null
+        && log.sequenceStart(ping) != ping
+        && log.echo(ping - 1)
+        && log.rangeM(ping - 1) == log.rangeM(ping);
+  }
+
+  private void tell(int ping, Expectation expectation) {
+    double heard = 0;
+    double nearer = 0;
+    for (int inBurst = 0; inBurst < 2; inBurst++) {
+      for (int slot = 0; slot < state.slots(); slot++) {
+        double probability = state.get(inBurst, slot);
+        if (probability > 0) {
+          int answered = answered(slot);
+          double repeated = silent[inBurst][answered] * repeats(ping, slot);
+          heard += probability * (1 - silent[inBurst][answered] + repeated);
+          if (log.echo(ping)) {
+            nearer += probability * below[inBurst][answered];
+            nearer += probability * (repeated > 0 && isBelow(ping - 1, ping) ? repeated : 0);
+          }
+        }
+      }
+    }
+    expectation.echo()[ping] = Math.min(1, heard);
+    expectation.below()[ping] = nearer;
+  }
+
+  /** Whether one ping's reading lies in a nearer step than another one's. */
+  private boolean isBelow(int ping, int other) {
+    return model.stepEndM(log.rangeM(ping)) <= model.stepStartM(log.rangeM(other));
+  }
+
+  private int answered(int slot) {
+    return slot == HiddenState.ECHO && memory.hysteresis() != null ? 1 : 0;
+  }
+
+  private double repeats(int ping, int slot) {
+    return slot == 0 ? 0 : memory.repeats(slot, log.timeS(ping) - log.timeS(ping - slot));
+  }
+
+  /** Moves the states on to those that explain the reading; returns its probability. */
+  private double learn(int ping) {
+    next.clear();
+    double total = 0;
+    for (int inBurst = 0; inBurst < 2; inBurst++) {
+      for (int slot = 0; slot < state.slots(); slot++) {
+        if (state.get(inBurst, slot) > 0) {
+          total += learn(ping, inBurst, slot);
+        }
+      }
+    }
+    if (total > 0) {
+      next.divide(total);
+    } else {
       // Impossible under this model: what is hidden stays as it was expected to be.
-      hold.start();
-      heard = log.echo(ping) ? 1 : 0;
-      return 0;
+      next.clear();
+      double inBurst = state.sum(1);
+      next.add(0, log.echo(ping) ? HiddenState.ECHO : 0, 1 - inBurst);
+      next.add(1, log.echo(ping) ? HiddenState.ECHO : 0, inBurst);
     }
-    if (burst != null) {
-      double within =
-          log.echo(ping) ? burstEcho + burstSilent * repeated : burstSilent * (1 - repeated);
-      inBurst *= within / total;
-    }
-    heard = log.echo(ping) ? real / total : 0;
-    update(ping, real / total, repeated);
+    HiddenState spent = state;
+    state = next;
+    next = spent;
     return total;
   }
 
-  /** How probable it is that a miss at this ping shows the last reading once more. */
-  private double repeats(int ping) {
-    if (!canRepeat(ping) || log.echo(ping) && log.rangeM(ping) != log.rangeM(ping - 1)) {
-      return 0;
-    }
-    return hold.repeats(requireStale(), log, ping);
-  }
-
-  private boolean canRepeat(int ping) {
-    return stale != null && ping > log.sequenceStart(ping) && log.echo(ping - 1);
-  }
-
-  private void update(int ping, double real, double repeated) {
-    if (stale == null) {
-      return;
-    }
-    if (log.echo(ping)) {
-      hold.advance(stale, log, ping, real, repeated > 0 ? (1 - real) / repeated : 0);
-    } else {
-      hold.start();
-    }
-  }
-
-  private double within(Mixture mixture, int ping) {
+  private double learn(int ping, int inBurst, int slot) {
+    double probability = state.get(inBurst, slot);
+    double missed = probability * silent[inBurst][answered(slot)];
+    double repeats = repeats(ping, slot);
     if (!log.echo(ping)) {
-      return 0;
+      next.add(inBurst, 0, missed * (1 - repeats));
+      return missed * (1 - repeats);
     }
-    double range = log.rangeM(ping);
-    return mixture.within(model.stepStartM(range), model.stepEndM(range));
-  }
-
-  private static double silence(Mixture mixture) {
-    return Math.max(0, 1 - mixture.echoShare());
+    double real = probability * echo[inBurst][answered(slot)];
+    next.add(inBurst, HiddenState.ECHO, real);
+    if (repeats > 0 && log.rangeM(ping) == log.rangeM(ping - 1)) {
+      next.add(inBurst, slot + 1, missed * repeats);
+      return real + missed * repeats;
+    }
+    return real;
   }
 }

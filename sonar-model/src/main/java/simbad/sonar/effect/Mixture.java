@@ -1,6 +1,7 @@
 package simbad.sonar.effect;
 
 import java.util.Arrays;
+import java.util.random.RandomGenerator;
 
 /**
  * What a reading is drawn from: parts, each with its share, Gaussian or evenly spread; the share
@@ -12,6 +13,12 @@ public final class Mixture {
 
   /** Further from its mean a Gaussian holds less than 1e-18. */
   private static final double REACH = 9;
+
+  /** A range that is so little below a step lies in it: sums of ranges are that inexact. */
+  private static final double ROUNDING_M = 1e-11;
+
+  /** Where mixtures are merged: of a smaller share no quantile can tell. */
+  private static final double NEGLIGIBLE = 1e-11;
 
   private int size;
   private double[] meanM = new double[8];
@@ -104,20 +111,57 @@ public final class Mixture {
     }
   }
 
-  /** Takes over another mixture's parts, their shares multiplied. */
-  void addAll(Mixture other, double factor) {
+  /** Returns the standard deviation of an evenly spread part in metres; 0 for a Gaussian one. */
+  double evenSpreadM(int part) {
+    return halfWidthM[part] / Math.sqrt(3);
+  }
+
+  /** Takes over one part of another mixture with a share of its own. */
+  void addPart(Mixture other, int part, double newShare) {
+    put(other.meanM[part], other.deviationM[part], other.halfWidthM[part], newShare);
+  }
+
+  /** Takes over another mixture's parts, their shares multiplied; equal parts become one. */
+  void merge(Mixture other, double factor) {
     for (int i = 0; i < other.size; i++) {
-      put(other.meanM[i], other.deviationM[i], other.halfWidthM[i], factor * other.share[i]);
+      double more = factor * other.share[i];
+      int same = find(other, i);
+      if (same < size) {
+        share[same] += more;
+      } else if (more > NEGLIGIBLE) {
+        addPart(other, i, more);
+      }
     }
   }
 
-  /** Takes over another mixture's parts that hold more than a share. */
-  void addGreater(Mixture other, double least) {
-    for (int i = 0; i < other.size; i++) {
-      if (other.share[i] > least) {
-        put(other.meanM[i], other.deviationM[i], other.halfWidthM[i], other.share[i]);
-      }
+  private int find(Mixture other, int part) {
+    int i = 0;
+    while (i < size
+        && (meanM[i] != other.meanM[part]
+            || deviationM[i] != other.deviationM[part]
+            || halfWidthM[i] != other.halfWidthM[part])) {
+      i++;
     }
+    return i;
+  }
+
+  /** Draws a part by the shares; the size of the mixture stands for no echo. */
+  int draw(RandomGenerator random) {
+    double draw = random.nextDouble();
+    int part = 0;
+    while (part < size && draw >= share[part]) {
+      draw -= share[part];
+      part++;
+    }
+    return part;
+  }
+
+  /** Draws a range from a part. */
+  double drawM(int part, RandomGenerator random) {
+    double half = halfWidthM[part];
+    return half > 0
+        ? meanM[part] + half * (2 * random.nextDouble() - 1)
+        : meanM[part] + deviationM[part] * random.nextGaussian();
   }
 
   /** Returns the probability that the measured range lies in [lowM, highM). */
@@ -145,7 +189,8 @@ public final class Mixture {
     }
     double deviation = deviationM[part];
     if (!(deviation > 0)) {
-      return meanM[part] >= lowM && meanM[part] < highM ? 1 : 0;
+      double mean = meanM[part] + ROUNDING_M;
+      return mean >= lowM && mean < highM ? 1 : 0;
     }
     double low = (lowM - meanM[part]) / deviation;
     double high = (highM - meanM[part]) / deviation;

@@ -27,6 +27,17 @@ public record Parameter(String name, double neutral, double low, double high, Li
     return new Parameter(name, neutral, low, high, java.util.Arrays.stream(tries).boxed().toList());
   }
 
+  /** Tells whether it may have a value: a sensible one, or the neutral one. */
+  public boolean permits(double value) {
+    return (value >= low && value <= high) || value == neutral;
+  }
+
+  /** Returns in words which values it may have. */
+  public String domain() {
+    boolean inside = neutral >= low && neutral <= high;
+    return "in [" + low + ", " + high + "]" + (inside ? "" : " or " + neutral);
+  }
+
   /** Returns the nearest value that makes sense. */
   public double clamp(double value) {
     return Math.max(low, Math.min(high, value));

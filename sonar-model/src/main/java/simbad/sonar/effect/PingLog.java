@@ -2,13 +2,13 @@ package simbad.sonar.effect;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.LinkedHashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
-import simbad.sonar.format.ReadingRow;
 import simbad.sonar.sensing.Echo;
+import simbad.sonar.sensing.ReadingRow;
 
 /**
  * Pings with what was read, in the order in which each sensor sent them.
@@ -37,9 +37,14 @@ public final class PingLog {
    * @param rows in any order
    */
   public PingLog(List<ReadingRow> rows) {
-    runs = names(rows.stream().map(ReadingRow::run).toList());
-    sensors = names(rows.stream().map(ReadingRow::sensor).toList());
-    row = order(rows);
+    Map<String, Integer> runIndex = numbered(rows.stream().map(ReadingRow::run).toList());
+    Map<String, Integer> sensorIndex = numbered(rows.stream().map(ReadingRow::sensor).toList());
+    runs = List.copyOf(runIndex.keySet());
+    sensors = List.copyOf(sensorIndex.keySet());
+    int[] rowRun = rows.stream().mapToInt(one -> runIndex.getOrDefault(one.run(), 0)).toArray();
+    int[] rowSensor =
+        rows.stream().mapToInt(one -> sensorIndex.getOrDefault(one.sensor(), 0)).toArray();
+    row = order(rows, rowRun, rowSensor);
     int size = row.length;
     sequenceStart = new int[size];
     run = new int[size];
@@ -53,13 +58,13 @@ public final class PingLog {
     runStartS = new double[size];
     Map<String, Double> starts = runStarts(rows);
     for (int i = 0; i < size; i++) {
+      run[i] = rowRun[row[i]];
+      sensor[i] = rowSensor[row[i]];
       fill(i, rows.get(row[i]), starts);
     }
   }
 
   private void fill(int i, ReadingRow from, Map<String, Double> starts) {
-    run[i] = runs.indexOf(from.run());
-    sensor[i] = sensors.indexOf(from.sensor());
     boolean follows = i > 0 && run[i - 1] == run[i] && sensor[i - 1] == sensor[i];
     sequenceStart[i] = follows ? sequenceStart[i - 1] : i;
     timeS[i] = from.timeS();
@@ -73,17 +78,21 @@ public final class PingLog {
     }
   }
 
-  private static List<String> names(List<String> all) {
-    return List.copyOf(new LinkedHashSet<>(all));
+  /** Each label with its place among the labels, in the order in which they come first. */
+  private static Map<String, Integer> numbered(List<String> all) {
+    Map<String, Integer> numbers = new LinkedHashMap<>();
+    for (String label : all) {
+      numbers.putIfAbsent(label, numbers.size());
+    }
+    return numbers;
   }
 
-  private int[] order(List<ReadingRow> rows) {
-    Comparator<Integer> byRun = Comparator.comparingInt(i -> runs.indexOf(rows.get(i).run()));
+  private static int[] order(List<ReadingRow> rows, int[] run, int[] sensor) {
     return IntStream.range(0, rows.size())
         .boxed()
         .sorted(
-            byRun
-                .thenComparingInt(i -> sensors.indexOf(rows.get(i).sensor()))
+            Comparator.<Integer>comparingInt(i -> run[i])
+                .thenComparingInt(i -> sensor[i])
                 .thenComparingDouble(i -> rows.get(i).timeS()))
         .mapToInt(Integer::intValue)
         .toArray();

@@ -2,7 +2,7 @@ package simbad.sonar.effect;
 
 import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import simbad.sonar.model.NominalModel;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SonarSpec;
@@ -23,8 +23,10 @@ final class PingModel {
   private final MixtureChange[] detours;
   private final RangeChange[] ranges;
   private final MixtureChange[] strangers;
-  private final Optional<Hysteresis> hysteresis;
+  private final @Nullable Hysteresis hysteresis;
+  private final boolean ghosts;
   private final Arrivals arrivals = new Arrivals();
+  private final Mixture origin = new Mixture();
   private final Moment moment;
 
   PingModel(Geometry geometry, SonarSpec sensor, List<? extends Change> changes) {
@@ -47,7 +49,9 @@ final class PingModel {
         of(RangeChange.class, changes).stream()
             .sorted(Comparator.comparingInt(RangeChange::order))
             .toArray(RangeChange[]::new);
-    hysteresis = of(Hysteresis.class, changes).stream().findFirst();
+    Memory memory = Memory.of(changes);
+    hysteresis = memory.hysteresis();
+    ghosts = memory.ghosts();
     moment = new Moment(geometry);
   }
 
@@ -55,24 +59,20 @@ final class PingModel {
     return changes.stream().filter(kind::isInstance).map(kind::cast).toList();
   }
 
-  boolean remembersEcho() {
-    return hysteresis.isPresent();
-  }
-
-  boolean remembersReading() {
-    return arrivalChanges.length > 0;
+  Geometry geometry() {
+    return geometry;
   }
 
   /**
    * Mixes what a ping may read.
    *
    * @param ping index
-   * @param heardBefore probability that the ping before was answered
-   * @param before what was read before
+   * @param heardBefore whether the ping before was answered
+   * @param before what was read before: one part, or none for a no-echo
    * @param lost share of pings that are lost beside the losses of the changes
    * @param into takes the mixture, in measured ranges
    */
-  void mix(int ping, double heardBefore, Mixture before, double lost, Mixture into) {
+  void mix(int ping, boolean heardBefore, Mixture before, double lost, Mixture into) {
     arrivals.clear();
     int end = (ping + 1) * geometry.obstacles();
     for (int line = ping * geometry.obstacles(); line < end; line++) {
@@ -80,7 +80,7 @@ final class PingModel {
         arrivals.add(geometry.nearestM(line), 0, echoProbability(line, heardBefore));
       }
     }
-    moment.set(ping, before);
+    moment.set(ping, ghosts ? origin(before) : before);
     for (ArrivalChange change : arrivalChanges) {
       change.add(moment, arrivals);
     }
@@ -89,25 +89,33 @@ final class PingModel {
     read(into);
   }
 
-  private double echoProbability(int line, double heardBefore) {
+  private double echoProbability(int line, boolean heardBefore) {
     double threshold = geometry.thresholdM(line);
     for (ThresholdChange change : thresholds) {
       threshold *= change.factor(geometry, line);
     }
+    if (hysteresis != null) {
+      threshold *= hysteresis.factor(heardBefore);
+    }
     double probability =
-        hysteresis.isPresent()
-            ? heardBefore * plain(line, threshold * hysteresis.get().holdFactor())
-                + (1 - heardBefore) * plain(line, threshold * hysteresis.get().pickUpFactor())
-            : plain(line, threshold);
+        nominal.echoProbability(geometry.nearestM(line), geometry.centreDistanceM(line), threshold);
     for (EchoChange change : echoes) {
       probability *= change.share(geometry, line);
     }
     return probability;
   }
 
-  private double plain(int line, double thresholdM) {
-    return nominal.echoProbability(
-        geometry.nearestM(line), geometry.centreDistanceM(line), thresholdM);
+  /** The distance that a reading belongs to: its echo's, before it was scaled and shifted. */
+  private Mixture origin(Mixture reading) {
+    origin.clear();
+    for (int part = 0; part < reading.size(); part++) {
+      double range = reading.meanM(part);
+      for (int i = ranges.length - 1; i >= 0; i--) {
+        range = ranges[i].rangeM(range);
+      }
+      origin.add(range, reading.deviationM(part), reading.share(part));
+    }
+    return origin;
   }
 
   private void lose(int ping, double lost, Mixture into) {

@@ -8,7 +8,8 @@ package simbad.sonar.effect;
  * @param shiftM what is taken from it then, metres
  * @param spreadM standard deviation of that, metres
  */
-public record PreviousPing(double share, double factor, double shiftM, double spreadM) implements ArrivalChange {
+public record PreviousPing(double share, double factor, double shiftM, double spreadM)
+    implements ArrivalChange {
   /** A ghost that is this near cannot be told from the ping itself. */
   private static final double LEAST_RANGE_M = 0.02;
 
@@ -20,8 +21,9 @@ public record PreviousPing(double share, double factor, double shiftM, double sp
     Mixture before = moment.before();
     for (int part = 0; part < before.size(); part++) {
       double range = before.meanM(part) * factor - shiftM;
-      if (range > LEAST_RANGE_M && before.halfWidthM(part) == 0) {
-        arrivals.add(range, spreadM, share * before.share(part));
+      if (range > LEAST_RANGE_M) {
+        double deviation = Math.hypot(spreadM, factor * before.deviationM(part));
+        arrivals.add(range, deviation, share * before.share(part));
       }
     }
   }

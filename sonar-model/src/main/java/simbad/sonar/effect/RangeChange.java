@@ -13,6 +13,13 @@ public non-sealed interface RangeChange extends Change {
   double meanM(double rangeM);
 
   /**
+   * Returns the range that is read as another on average: undoes {@link #meanM}.
+   *
+   * @param meanM metres
+   */
+  double rangeM(double meanM);
+
+  /**
    * Returns the standard deviation of the range.
    *
    * @param rangeM metres

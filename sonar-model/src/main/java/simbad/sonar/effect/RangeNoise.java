@@ -18,6 +18,11 @@ public record RangeNoise(double addedM, double addedPerM) implements RangeChange
   }
 
   @Override
+  public double rangeM(double meanM) {
+    return meanM;
+  }
+
+  @Override
   public double deviationM(double rangeM, double deviationM) {
     double growing = addedPerM * rangeM;
     double added = addedM * addedM + growing * growing;

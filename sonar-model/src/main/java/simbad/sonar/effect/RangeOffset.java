@@ -15,4 +15,9 @@ public record RangeOffset(double offsetM) implements RangeChange {
   public double meanM(double rangeM) {
     return rangeM + offsetM;
   }
+
+  @Override
+  public double rangeM(double meanM) {
+    return meanM - offsetM;
+  }
 }

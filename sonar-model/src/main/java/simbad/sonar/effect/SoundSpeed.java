@@ -15,4 +15,9 @@ public record SoundSpeed(double scale) implements RangeChange {
   public double meanM(double rangeM) {
     return rangeM * scale;
   }
+
+  @Override
+  public double rangeM(double meanM) {
+    return meanM / scale;
+  }
 }

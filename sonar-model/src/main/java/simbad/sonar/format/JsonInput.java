@@ -109,12 +109,33 @@ final class JsonInput {
     return items;
   }
 
-  String text(String field) throws DataFormatException {
-    JsonInput value = field(field);
-    if (!value.node.isTextual()) {
-      throw value.fault(value.node + " is no text");
+  boolean has(String field) {
+    return node.has(field);
+  }
+
+  /** The names of the fields of an object. */
+  List<String> names() throws DataFormatException {
+    if (!node.isObject()) {
+      throw fault(node + " is no object");
     }
-    return value.node.textValue();
+    List<String> names = new ArrayList<>();
+    node.fieldNames().forEachRemaining(names::add);
+    return names;
+  }
+
+  String text(String field) throws DataFormatException {
+    return field(field).text();
+  }
+
+  String text() throws DataFormatException {
+    if (!node.isTextual()) {
+      throw fault(node + " is no text");
+    }
+    return node.textValue();
+  }
+
+  boolean isText(String text) {
+    return text.equals(node.textValue());
   }
 
   double number(String field, DoublePredicate valid, String expected) throws DataFormatException {

@@ -9,6 +9,7 @@ import simbad.sonar.frame.Pose;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.Reading;
+import simbad.sonar.sensing.ReadingRow;
 
 /**
  * Rows of readings as csv files: {@code run,sensor,t_s,x_m,z_m,heading_deg,range_m}; an empty range

@@ -10,6 +10,7 @@ import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import simbad.sonar.sensing.Echo;
+import simbad.sonar.sensing.ReadingRow;
 
 /** Writes what {@link ReadingsFile} reads, rounded to what a bench can tell. */
 public final class ReadingsWriter {

@@ -13,6 +13,7 @@ import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import simbad.sonar.scene.SensingSetup;
 
 /**
  * Good files with random damage: each is read or refused by a {@link DataFormatException} of the
@@ -127,6 +128,13 @@ class FileFuzzTest {
   @Test
   void scenes() throws IOException {
     check(SceneFile::read, Samples.scene());
+  }
+
+  @Test
+  void models() throws Exception {
+    Path scene = Faults.file(directory, Samples.scene());
+    SensingSetup setup = SceneFile.read(scene);
+    check(file -> ModelFile.read(file, setup), Samples.MODEL);
   }
 
   @Test

@@ -18,6 +18,7 @@ import simbad.sonar.frame.Angles;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.ReadingRow;
 
 class ReadingsFileTest {
   private static final String HEADER = "run,sensor,t_s,x_m,z_m,heading_deg,range_m\n";

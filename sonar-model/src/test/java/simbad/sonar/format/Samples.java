@@ -26,6 +26,27 @@ final class Samples {
       b,"r,1",0,0,0,-180,0
       """;
 
+  /** A model for the scene of {@link #scene()}. */
+  static final String MODEL =
+      """
+      {
+        "format": "sonar-model/1",
+        "sensors": ["left", "right"],
+        "setup": [
+          {"form": "tails", "parameters": {"share": 0.25, "deviation_m": 0.04}},
+          {"form": "threshold:post", "parameters": {
+            "constant": 0.01, "cos_1": 0.02, "sin_1": 0, "cos_2": 0, "sin_2": -0.03,
+            "cos_3": 0, "sin_3": 0, "cos_4": 0, "sin_4": 0, "cos_5": 0, "sin_5": 0}}
+        ],
+        "changes": [
+          {"effect": "gain", "form": "factor", "parameters": {"factor": 0.8}},
+          {"effect": "early-timeout", "form": "soft",
+            "parameters": {"start_m": "infinity", "soft_m": 0.05}},
+          {"effect": "beam-misalignment", "form": "only:right", "parameters": {"turn_deg": 5}}
+        ]
+      }
+      """;
+
   private Samples() {}
 
   static String scene() throws IOException {

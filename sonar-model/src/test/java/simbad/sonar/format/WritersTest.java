@@ -12,6 +12,7 @@ import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.ReadingRow;
 
 /** What is written is read again. */
 class WritersTest {

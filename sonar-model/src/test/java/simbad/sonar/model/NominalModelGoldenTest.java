@@ -13,12 +13,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simbad.sonar.format.DataFormatException;
-import simbad.sonar.format.ReadingRow;
 import simbad.sonar.format.ReadingsFile;
 import simbad.sonar.format.SceneFile;
 import simbad.sonar.frame.Angles;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.sensing.ReadingRow;
 
 /** The nominal model against values of a program that shares no code with it. */
 class NominalModelGoldenTest {

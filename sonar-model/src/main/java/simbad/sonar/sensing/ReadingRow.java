@@ -1,7 +1,6 @@
-package simbad.sonar.format;
+package simbad.sonar.sensing;
 
 import simbad.sonar.frame.Pose;
-import simbad.sonar.sensing.Reading;
 
 /**
  * One reading of one sensor, with the pose that the bench or the odometry believed.

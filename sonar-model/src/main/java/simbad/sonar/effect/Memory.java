@@ -1,0 +1,62 @@
+package simbad.sonar.effect;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The changes of a model that have memory, without those that change nothing.
+ *
+ * @param burst if pings are missed in bursts
+ * @param hysteresis if what is heard hangs on whether the ping before was
+ * @param stale if readings are repeated
+ * @param ghosts whether what is read hangs on the reading before
+ */
+record Memory(
+    @Nullable Burst burst,
+    @Nullable Hysteresis hysteresis,
+    @Nullable StaleReading stale,
+    boolean ghosts) {
+
+  static Memory of(List<? extends Change> changes) {
+    return new Memory(
+        only(Burst.class, changes),
+        only(Hysteresis.class, changes),
+        only(StaleReading.class, changes),
+        PingModel.of(PreviousPing.class, changes).stream().anyMatch(ping -> ping.share() > 0));
+  }
+
+  private static <T extends MemoryChange> @Nullable T only(
+      Class<T> kind, List<? extends Change> changes) {
+    List<T> active =
+        PingModel.of(kind, changes).stream().filter(change -> !change.isNeutral()).toList();
+    if (active.size() > 1) {
+      throw new IllegalArgumentException(
+          "changes hold " + active.get(0) + " and " + active.get(1) + "; at most one of a kind");
+    }
+    return active.isEmpty() ? null : active.get(0);
+  }
+
+  boolean isNone() {
+    return burst == null && hysteresis == null && stale == null && !ghosts;
+  }
+
+  /** Whether all that counts of the pings before can be read off them. */
+  boolean isSeen() {
+    return burst == null && stale == null;
+  }
+
+  /** The share of pings in bursts. */
+  double burstShare() {
+    return burst == null ? 0 : burst.share();
+  }
+
+  /** The share of pings that a state of the burst loses. */
+  double lost(int inBurst) {
+    return burst == null ? 0 : inBurst * burst.depth();
+  }
+
+  /** The chance that a missed ping repeats the last echo; 0 in slot 0, where there is none. */
+  double repeats(int slot, double sinceS) {
+    return stale == null || slot == 0 ? 0 : stale.holds(slot - HiddenState.ECHO, sinceS);
+  }
+}

@@ -1,0 +1,81 @@
+package simbad.sonar.effect;
+
+import java.net.URISyntaxException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.OptionalDouble;
+import java.util.random.RandomGenerator;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.ReadingsFile;
+import simbad.sonar.format.SceneFile;
+import simbad.sonar.frame.Pose;
+import simbad.sonar.model.NominalModel;
+import simbad.sonar.model.ReadingDistribution;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.sensing.Echo;
+import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.Reading;
+import simbad.sonar.sensing.ReadingRow;
+
+/** Rows, logs and what a model says of them. */
+final class Logs {
+  static final OptionalDouble SILENCE = OptionalDouble.empty();
+
+  private Logs() {}
+
+  static Path golden(String name) {
+    try {
+      return Path.of(Objects.requireNonNull(Logs.class.getResource("/golden/" + name)).toURI());
+    } catch (URISyntaxException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  static SensingSetup setup(String golden) throws DataFormatException {
+    return SceneFile.read(golden(golden + ".scene.json"));
+  }
+
+  /** The golden poses, each with a reading that the nominal model draws there. */
+  static List<ReadingRow> rows(String golden, SensingSetup setup, RandomGenerator random)
+      throws DataFormatException {
+    NominalModel nominal = new NominalModel(setup.sensor(), setup.scene());
+    List<ReadingRow> rows = new ArrayList<>();
+    for (ReadingRow row : ReadingsFile.readPoses(golden(golden + ".rows.csv"))) {
+      rows.add(read(row, nominal.distribution(row.pose()).sample(random)));
+    }
+    return rows;
+  }
+
+  static ReadingRow read(ReadingRow row, Reading reading) {
+    return new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), reading);
+  }
+
+  static ReadingRow row(double timeS, Pose pose, OptionalDouble rangeM) {
+    Reading reading = rangeM.isPresent() ? new Echo(rangeM.getAsDouble()) : NoEcho.NO_ECHO;
+    return new ReadingRow("run", "sonar", timeS, pose, reading);
+  }
+
+  static double[] likelihood(
+      SensingSetup setup, List<ReadingRow> rows, List<? extends Change> changes) {
+    PingLog log = new PingLog(rows);
+    DiagnosedModel model = new DiagnosedModel(setup, changes);
+    double[] probability = new double[log.size()];
+    model.likelihood(model.geometry(log), probability);
+    return probability;
+  }
+
+  static List<ReadingDistribution> forecast(
+      SensingSetup setup, List<ReadingRow> rows, List<? extends Change> changes) {
+    DiagnosedModel model = new DiagnosedModel(setup, changes);
+    return model.forecast(model.geometry(new PingLog(rows)));
+  }
+
+  /** All forms of effects and all calibrations. */
+  static List<Form> forms(SensingSetup setup, List<String> sensors) {
+    List<Form> forms = new ArrayList<>(Forms.all(setup, sensors));
+    forms.addAll(SetupForms.all(setup));
+    return forms;
+  }
+}
