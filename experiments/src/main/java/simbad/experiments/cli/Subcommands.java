@@ -11,6 +11,7 @@ final class Subcommands {
     return List.of(
         new RunCommand(),
         new TableCommand(),
+        new DatasetCommand(),
         new DiagnoseCommand(),
         new PredictCommand(),
         new TestCommand());

@@ -76,10 +76,10 @@ final class DiagnosisPage {
     for (int i = 0; i < Math.min(MOST_MAPS, obstacles.size()); i++) {
       maps(i, obstacles.get(i));
     }
-    graph("By distance", "distance to the nearest obstacle's centre, m", RowFinding::distanceM);
-    graph("By off-axis angle", "angle off the axis, degrees", RowFinding::offAxisDeg);
-    graph("By time", "time since the run's begin, s", row -> OptionalDouble.of(row.timeS()));
-    graph("By speed", "speed of the sensor, m/s", row -> OptionalDouble.of(row.speedMPerS()));
+    graph("By distance", "distance to the nearest obstacle's centre, m", 0.02, RowFinding::distanceM);
+    graph("By off-axis angle", "angle off the axis, degrees", 0.5, RowFinding::offAxisDeg);
+    graph("By time", "time since the run's begin, s", 0.5, row -> OptionalDouble.of(row.timeS()));
+    graph("By speed", "sensor's speed, m/s", 0.02, row -> OptionalDouble.of(row.speedMPerS()));
     page.append("</div>\n");
     if (obstacles.size() > MOST_MAPS) {
       page.append(
@@ -97,7 +97,7 @@ final class DiagnosisPage {
         Math.max(
             map.greatestCm(row -> row.before().gapCm()), map.greatestCm(row -> row.after().gapCm()));
     AxisScale scale = AxisScale.over(0, Math.max(most, LEAST_SCALE_CM), 4);
-    String round = " round " + obstacle.name();
+    String round = ": round the obstacle " + obstacle.name();
     figure(
         "Before" + round,
         map.draw("Gap before" + round, row -> row.before().gapCm(), scale),
@@ -110,8 +110,11 @@ final class DiagnosisPage {
   }
 
   private void graph(
-      String heading, String axis, Function<RowFinding, OptionalDouble> quantity) {
-    Optional<String> graph = GapGraph.of(axis, rows, quantity);
+      String heading,
+      String axis,
+      double least,
+      Function<RowFinding, OptionalDouble> quantity) {
+    Optional<String> graph = GapGraph.of(axis, least, rows, quantity);
     graph.ifPresent(svg -> figure(heading, svg, "Bins of fewer than three rows are left out."));
   }
 

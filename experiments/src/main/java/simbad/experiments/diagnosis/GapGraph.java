@@ -23,16 +23,20 @@ final class GapGraph {
    * Draws the graph.
    *
    * @param title of the x axis with its unit
+   * @param least below which a difference in the quantity says nothing
    * @param rows to draw
    * @param quantity of a row; rows without it are left out
    * @return nothing where the quantity is the same in all rows
    */
   static Optional<String> of(
-      String title, List<RowFinding> rows, Function<RowFinding, OptionalDouble> quantity) {
+      String title,
+      double least,
+      List<RowFinding> rows,
+      Function<RowFinding, OptionalDouble> quantity) {
     List<RowFinding> with = rows.stream().filter(row -> quantity.apply(row).isPresent()).toList();
     double[] values =
         with.stream().mapToDouble(row -> quantity.apply(row).getAsDouble()).sorted().toArray();
-    if (values.length == 0 || values[values.length - 1] - values[0] < 1e-6) {
+    if (values.length == 0 || values[values.length - 1] - values[0] < least) {
       return Optional.empty();
     }
     double width = AxisScale.roundStep((values[values.length - 1] - values[0]) / BINS);

@@ -5,7 +5,7 @@ final class Graph {
   private static final int WIDTH = 420;
   private static final int HEIGHT = 250;
   private static final int LEFT = 58;
-  private static final int RIGHT = 404;
+  private static final int RIGHT = 396;
   private static final int TOP = 12;
   private static final int BOTTOM = 200;
 

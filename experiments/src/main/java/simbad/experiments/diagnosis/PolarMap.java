@@ -1,5 +1,6 @@
 package simbad.experiments.diagnosis;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import simbad.sonar.scene.Obstacle;
@@ -15,10 +16,11 @@ final class PolarMap {
   private static final int SIZE = 420;
   private static final int HEIGHT = 478;
   private static final int CENTRE = 210;
-  private static final int RADIUS = 172;
+  private static final int RADIUS = 160;
   private static final int SECTORS = 36;
   private static final int RINGS = 10;
   private static final int LABEL_GAP = 16;
+  private static final double USUAL = 0.98;
   private static final double SECTOR_DEG = 360.0 / SECTORS;
 
   private final Obstacle obstacle;
@@ -42,15 +44,14 @@ final class PolarMap {
     radius = new AxisScale(0, rings * step, step);
   }
 
-  /** The greatest mean gap of a cell in centimetres. */
+  /** The mean gap in centimetres that 98 of 100 cells do not exceed. */
   double greatestCm(ToDoubleFunction<RowFinding> gapCm) {
-    double most = 0;
-    for (double[] ring : cells(gapCm)) {
-      for (double cell : ring) {
-        most = Math.max(most, Double.isNaN(cell) ? 0 : cell);
-      }
-    }
-    return most;
+    double[] known =
+        Arrays.stream(cells(gapCm))
+            .flatMapToDouble(Arrays::stream)
+            .filter(cell -> !Double.isNaN(cell))
+            .toArray();
+    return RowSurvey.quantile(known, USUAL);
   }
 
   /**
@@ -185,6 +186,6 @@ final class PolarMap {
       double x = left + scale.share(tick) * width * SHADES;
       svg.words(x, top + 27, "middle", scale.label(tick));
     }
-    svg.words(SIZE / 2.0, HEIGHT - 10, "middle", "mean gap, cm");
+    svg.words(SIZE / 2.0, HEIGHT - 10, "middle", "mean gap, cm (and above)");
   }
 }

@@ -47,8 +47,8 @@ final class Style {
       figure { margin: 0; min-width: 0; background: var(--panel); border-radius: 8px; padding: .7rem; }
       figcaption { font-size: .9rem; color: var(--soft); }
       figure h3 { margin: 0 0 .3rem; }
-      svg { display: block; width: 100%; max-width: 560px; height: auto; margin: 0 auto;
-        font: 13px system-ui, "DejaVu Sans", sans-serif; }
+      svg { display: block; width: 100%; max-width: 440px; height: auto; margin: 0 auto;
+        font: 14px system-ui, "DejaVu Sans", sans-serif; }
       svg text { fill: var(--ink); }
       svg .grid { stroke: var(--rule); fill: none; } svg .axis { stroke: var(--soft); fill: none; }
       svg .before { fill: var(--before); } svg .after { fill: var(--after); }

@@ -21,7 +21,7 @@ final class VerdictWords {
           "<strong>No gap beyond chance:</strong> these readings are what the simulator expects"
               + withinFigures(diagnosis.gap())
               + ".";
-      case EXPLAINED -> named + explains(diagnosis) + ": " + shrinkage(diagnosis.gap()) + ".";
+      case EXPLAINED -> named + explains(diagnosis) + ": " + shrinkage(diagnosis) + ".";
       case UNEXPLAINED ->
           diagnosis.explanation().isEmpty()
               ? "<strong>There is a gap, and no effect that has a name here accounts for it</strong>"
@@ -30,7 +30,7 @@ final class VerdictWords {
               : named
                   + (diagnosis.explanation().size() == 1 ? " is" : " are")
                   + " at work, <strong>but a gap is left that no named effect accounts for</strong>: "
-                  + shrinkage(diagnosis.gap())
+                  + shrinkage(diagnosis)
                   + ".";
     };
   }
@@ -49,8 +49,11 @@ final class VerdictWords {
         + " is scatter that no model could remove)";
   }
 
-  private static String shrinkage(GapFigures gap) {
-    return "with it in the simulator the gap shrinks from "
+  private static String shrinkage(Diagnosis diagnosis) {
+    GapFigures gap = diagnosis.gap();
+    return "with "
+        + (diagnosis.explanation().size() == 1 ? "it" : "them")
+        + " in the simulator the gap shrinks from "
         + Html.centimetres(gap.beforeCm())
         + " to "
         + Html.centimetres(gap.afterCm())
