@@ -73,7 +73,11 @@ final class Slicing {
     cuts.add(quantiles("turn", 5, this::turn));
     cuts.add(quantiles("reading before", 6, this::before));
     cuts.add(quantiles("step since reading before", 6, this::change));
-    cuts.add(new Cut("echo before", slices(i -> i == log.sequenceStart(i) ? -1 : log.echo(i - 1) ? 1 : 0), 2));
+    cuts.add(
+        new Cut(
+            "echo before",
+            slices(i -> i == log.sequenceStart(i) ? -1 : log.echo(i - 1) ? 1 : 0),
+            2));
     cuts.add(new Cut("parity", slices(i -> (i - log.sequenceStart(i)) % 2), 2));
     Cut sensor = new Cut("sensor", slices(log::sensor), log.sensors().size());
     Cut run = new Cut("run", slices(log::run), log.runs().size());

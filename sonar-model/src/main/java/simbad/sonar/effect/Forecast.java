@@ -11,6 +11,12 @@ import simbad.sonar.model.ReadingDistribution;
  * may have read in that state, with the probability of the state as the sum of the shares.
  */
 final class Forecast {
+  /** Ghosts of ghosts of ghosts would fill any memory: what hardly ever happens is not followed. */
+  private static final double FOLLOWED = 1e-8;
+
+  /** The least share that is worth a part in a distribution, which is asked for quantiles. */
+  private static final double TOLD = 1e-5;
+
   private final DiagnosedModel model;
   private final PingLog log;
   private final PingModel pings;
@@ -97,10 +103,10 @@ final class Forecast {
     nothing[1] = nothing[1] * (1 - burst.ends()) + clear * burst.begins();
     clear(next);
     for (int slot = 1; slot < slots; slot++) {
-      next[0][slot].merge(state[0][slot], 1 - burst.begins());
-      next[0][slot].merge(state[1][slot], burst.ends());
-      next[1][slot].merge(state[1][slot], 1 - burst.ends());
-      next[1][slot].merge(state[0][slot], burst.begins());
+      next[0][slot].merge(state[0][slot], 1 - burst.begins(), FOLLOWED);
+      next[0][slot].merge(state[1][slot], burst.ends(), FOLLOWED);
+      next[1][slot].merge(state[1][slot], 1 - burst.ends(), FOLLOWED);
+      next[1][slot].merge(state[0][slot], burst.begins(), FOLLOWED);
     }
     Mixture[][] spent = state;
     state = next;
@@ -138,7 +144,7 @@ final class Forecast {
   private double expect(int ping, int inBurst, int slot, double share) {
     Mixture before = slot > 0 && memory.ghosts() ? one : Mixture.EMPTY;
     pings.mix(ping, slot == HiddenState.ECHO, before, memory.lost(inBurst), mixture);
-    next[inBurst][HiddenState.ECHO].merge(mixture, share);
+    next[inBurst][HiddenState.ECHO].merge(mixture, share, FOLLOWED);
     return Math.max(0, 1 - mixture.echoShare());
   }
 
@@ -154,8 +160,8 @@ final class Forecast {
   private Mixture read() {
     mixture.clear();
     for (int slot = 1; slot < slots; slot++) {
-      mixture.merge(state[0][slot], 1);
-      mixture.merge(state[1][slot], 1);
+      mixture.merge(state[0][slot], 1, TOLD);
+      mixture.merge(state[1][slot], 1, TOLD);
     }
     return mixture;
   }

@@ -85,7 +85,7 @@ final class Likelihood {
       below[inBurst][heard] = mixture.within(Double.NEGATIVE_INFINITY, from);
     }
     if (memory.ghosts()) {
-      all.merge(mixture, weight(inBurst, heard));
+      all.merge(mixture, weight(inBurst, heard), 0);
     }
   }
 
@@ -110,7 +110,7 @@ final class Likelihood {
       one.clear();
       one.add(before.meanM(source), 0, 1);
       pings.mix(ping, heard, one, lost, part);
-      mixture.merge(part, before.share(source));
+      mixture.merge(part, before.share(source), 0);
     }
   }
 

@@ -17,9 +17,6 @@ public final class Mixture {
   /** A range that is so little below a step lies in it: sums of ranges are that inexact. */
   private static final double ROUNDING_M = 1e-11;
 
-  /** Where mixtures are merged: of a smaller share no quantile can tell. */
-  private static final double NEGLIGIBLE = 1e-11;
-
   private int size;
   private double[] meanM = new double[8];
   private double[] deviationM = new double[8];
@@ -121,14 +118,18 @@ public final class Mixture {
     put(other.meanM[part], other.deviationM[part], other.halfWidthM[part], newShare);
   }
 
-  /** Takes over another mixture's parts, their shares multiplied; equal parts become one. */
-  void merge(Mixture other, double factor) {
+  /**
+   * Takes over another mixture's parts, their shares multiplied; equal parts become one.
+   *
+   * @param least a part of a smaller share is left out, as a no-echo
+   */
+  void merge(Mixture other, double factor, double least) {
     for (int i = 0; i < other.size; i++) {
       double more = factor * other.share[i];
       int same = find(other, i);
       if (same < size) {
         share[same] += more;
-      } else if (more > NEGLIGIBLE) {
+      } else if (more > least) {
         addPart(other, i, more);
       }
     }

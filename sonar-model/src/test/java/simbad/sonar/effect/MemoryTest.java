@@ -112,6 +112,7 @@ class MemoryTest {
     }
   }
 
+  /** To 1e-4: a forecast leaves out what hardly ever happens. */
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15})
   void forecast_isTheAverageOverHistories(int bits) {
@@ -131,10 +132,10 @@ class MemoryTest {
             silent += one.getValue();
           }
         }
-        assertEquals(silent, forecast.get(ping).noEchoProbability(), 1e-8, bits + " " + ping);
+        assertEquals(silent, forecast.get(ping).noEchoProbability(), 1e-4, bits + " " + ping);
         for (Map.Entry<Double, Double> one : read.entrySet()) {
           double step = forecast.get(ping).probabilityOfStep(one.getKey());
-          assertEquals(one.getValue(), step, 1e-8, bits + " ping " + ping + " " + one.getKey());
+          assertEquals(one.getValue(), step, 1e-4, bits + " ping " + ping + " " + one.getKey());
         }
       }
     }
