@@ -34,6 +34,13 @@ final class Progress implements AutoCloseable {
     }
   }
 
+  /** Makes room for a line on the same terminal; the bar comes back below it. */
+  void clearLine() {
+    if (bar != null) {
+      System.err.print("\r\u001b[K");
+    }
+  }
+
   @Override
   public void close() {
     if (bar != null) {

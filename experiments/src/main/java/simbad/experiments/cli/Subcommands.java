@@ -15,6 +15,9 @@ final class Subcommands {
         new TableCommand(),
         new BoardCommand(),
         new FlashInfoCommand(),
+        new DatasetCommand(),
+        new DiagnoseCommand(),
+        new PredictCommand(),
         new TestCommand());
   }
 }

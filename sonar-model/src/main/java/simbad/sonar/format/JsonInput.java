@@ -20,6 +20,11 @@ import java.util.function.DoublePredicate;
 
 /** A value of a JSON file that knows where it stands, so that a fault can be named to the line. */
 final class JsonInput {
+  /** In any unit of these files, what is more is a slip. */
+  static final double GREATEST = 1e6;
+
+  private static final String UP_TO = ", up to 1e6";
+
   private static final ObjectMapper MAPPER =
       JsonMapper.builder()
           .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
@@ -145,17 +150,16 @@ final class JsonInput {
   }
 
   double finite(String field) throws DataFormatException {
-    return number(field, value -> Math.abs(value) < Double.POSITIVE_INFINITY, "a finite number");
+    return number(field, value -> Math.abs(value) <= GREATEST, "a finite number" + UP_TO);
   }
 
   double notNegative(String field) throws DataFormatException {
     return number(
-        field, value -> value >= 0 && value < Double.POSITIVE_INFINITY, "a number of at least 0");
+        field, value -> value >= 0 && value <= GREATEST, "a number of at least 0" + UP_TO);
   }
 
   double positive(String field) throws DataFormatException {
-    return number(
-        field, value -> value > 0 && value < Double.POSITIVE_INFINITY, "a number above 0");
+    return number(field, value -> value > 0 && value <= GREATEST, "a number above 0" + UP_TO);
   }
 
   DataFormatException isNot(String expected) {

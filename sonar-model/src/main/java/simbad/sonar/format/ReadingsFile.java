@@ -2,7 +2,9 @@ package simbad.sonar.format;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
@@ -14,10 +16,14 @@ import simbad.sonar.sensing.ReadingRow;
  * is a no-echo, further columns are ignored.
  */
 public final class ReadingsFile {
-  private static final String RANGE = "range_m";
-  private static final String[] POSE_COLUMNS = {
-    "run", "sensor", "t_s", "x_m", "z_m", "heading_deg"
-  };
+  static final String RANGE = "range_m";
+  static final String[] POSE_COLUMNS = {"run", "sensor", "t_s", "x_m", "z_m", "heading_deg"};
+
+  /** Further than any sonar hears and longer ago than any log: what is more is a slip. */
+  private static final double GREATEST_M = 1e7;
+
+  private static final double GREATEST_S = 1e12;
+  private static final double GREATEST_DEG = 1e9;
 
   private ReadingsFile() {}
 
@@ -25,14 +31,16 @@ public final class ReadingsFile {
    * Reads rows with their readings.
    *
    * @param file csv
-   * @return the rows in the file's order
+   * @return the rows in the file's order; no two of one run and sensor have the same time
    * @throws DataFormatException naming file, line and field of the first fault
    */
   public static List<ReadingRow> read(Path file) throws DataFormatException {
     CsvTable csv = CsvTable.parse(file, TextFile.read(file));
     csv.requireColumns(POSE_COLUMNS);
     csv.requireColumns(RANGE);
-    return rows(csv, true);
+    List<ReadingRow> rows = rows(csv, true);
+    requireDistinctTimes(csv, rows);
+    return rows;
   }
 
   /**
@@ -53,14 +61,14 @@ public final class ReadingsFile {
     for (int row = 0; row < csv.size(); row++) {
       Pose pose =
           Pose.of(
-              finite(csv, row, "x_m"),
-              finite(csv, row, "z_m"),
-              Math.toRadians(finite(csv, row, "heading_deg")));
+              within(GREATEST_M, csv, row, "x_m"),
+              within(GREATEST_M, csv, row, "z_m"),
+              Math.toRadians(within(GREATEST_DEG, csv, row, "heading_deg")));
       rows.add(
           new ReadingRow(
               csv.text(row, "run"),
               csv.text(row, "sensor"),
-              finite(csv, row, "t_s"),
+              within(GREATEST_S, csv, row, "t_s"),
               pose,
               withRange ? reading(csv, row) : NoEcho.NO_ECHO));
     }
@@ -75,12 +83,36 @@ public final class ReadingsFile {
         csv.number(
             row,
             RANGE,
-            range -> range >= 0 && range < Double.POSITIVE_INFINITY,
-            "a range of at least 0 m (empty for a no-echo)"));
+            range -> range >= 0 && range <= GREATEST_M,
+            "a range of at least 0 m (empty for a no-echo), at most " + GREATEST_M));
   }
 
-  private static double finite(CsvTable csv, int row, String column) throws DataFormatException {
+  private static double within(double greatest, CsvTable csv, int row, String column)
+      throws DataFormatException {
     return csv.number(
-        row, column, value -> Math.abs(value) < Double.POSITIVE_INFINITY, "a finite number");
+        row,
+        column,
+        value -> Math.abs(value) <= greatest,
+        "a finite number of at most " + greatest);
+  }
+
+  /** Times order the rows of a run and sensor: two equal ones would leave that to chance. */
+  private static void requireDistinctTimes(CsvTable csv, List<ReadingRow> rows)
+      throws DataFormatException {
+    record Ping(String run, String sensor, double timeS) {}
+    Map<Ping, Integer> seen = new HashMap<>();
+    for (int row = 0; row < rows.size(); row++) {
+      ReadingRow one = rows.get(row);
+      Integer before = seen.put(new Ping(one.run(), one.sensor(), one.timeS()), row);
+      if (before != null) {
+        throw csv.fault(
+            row,
+            "t_s",
+            csv.text(row, "t_s")
+                + " stands in line "
+                + csv.line(before)
+                + " already, for the same run and sensor");
+      }
+    }
   }
 }

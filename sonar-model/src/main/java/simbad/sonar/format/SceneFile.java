@@ -16,7 +16,7 @@ import simbad.sonar.shape.ThresholdTable;
 
 /** Scene files: what a simulator believes, {@code format} "sonar-gap/1". */
 public final class SceneFile {
-  private static final String FORMAT = "sonar-gap/1";
+  static final String FORMAT = "sonar-gap/1";
 
   private SceneFile() {}
 
@@ -63,7 +63,8 @@ public final class SceneFile {
   }
 
   private static double coordinate(JsonInput number) throws DataFormatException {
-    return number.number(value -> Math.abs(value) < Double.POSITIVE_INFINITY, "a finite number");
+    return number.number(
+        value -> Math.abs(value) <= JsonInput.GREATEST, "a finite number, up to 1e6");
   }
 
   private static Detection detection(JsonInput item) throws DataFormatException {

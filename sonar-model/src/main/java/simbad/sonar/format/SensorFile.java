@@ -44,8 +44,8 @@ public final class SensorFile {
         minRangeM,
         sensor.number(
             "max_range_m",
-            range -> range > minRangeM && range < Double.POSITIVE_INFINITY,
-            "a range above min_range_m = " + minRangeM),
+            range -> range > minRangeM && range <= JsonInput.GREATEST,
+            "a range above min_range_m = " + minRangeM + ", up to 1e6"),
         sensor.notNegative("mount_height_m"),
         sensor.positive("assumed_sound_speed_m_s"),
         sensor.notNegative("resolution_m"),

@@ -1,0 +1,148 @@
+package simbad.experiments.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import simbad.experiments.diagnosis.DiagnosisFolder;
+import simbad.gap.diagnosis.DataSet;
+import simbad.gap.diagnosis.DataSetFolder;
+import simbad.gap.diagnosis.Diagnoser;
+import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.Provenance;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.format.DataFormatException;
+
+/** {@code simbad diagnose}: where simulation and reality part, why, how far the gap shrinks. */
+@Command(
+    name = "diagnose",
+    description = {
+      "Say where simulated and real readings part, which unmodelled effect causes it, and how far the"
+          + " gap shrinks once that effect is in the simulator.",
+      "A data set is a folder with scene.json and readings.csv, and perhaps reference.csv; each gets a"
+          + " folder of its name in --out with diagnosis.json, model.json and report.html."
+    },
+    footer = {
+      "",
+      "Exit status 0 when every data set was diagnosed, whatever the verdicts; 2 when one could not be"
+          + " read: the others are diagnosed all the same.",
+      "",
+      "Example: simbad diagnose my-bench --out diagnoses",
+      "Example: simbad diagnose data/gap/* --out diagnoses --json"
+    })
+final class DiagnoseCommand extends Subcommand {
+  @Parameters(paramLabel = "DATASET", arity = "1..*", description = "Folders with a data set each.")
+  private List<Path> folders = List.of();
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      required = true,
+      description = "Where each data set's diagnosis becomes a folder that does not exist yet.")
+  private Path out = Path.of("");
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description =
+          "Of what is resampled; the same seed gives the same files. Default: ${DEFAULT-VALUE}.")
+  private long seed = 1;
+
+  @Option(names = "--json", description = "Print one line of JSON per data set.")
+  private boolean json;
+
+  @Option(
+      names = "--withhold",
+      paramLabel = "EFFECT",
+      split = ",",
+      hidden = true,
+      description = "Effects that the diagnosis shall not know, to check what it calls unknown.")
+  private List<String> withhold = List.of();
+
+  @Override
+  protected void run() throws Exception {
+    Diagnoser diagnoser = new Diagnoser(seed, withheld());
+    String version = BuildVersion.text();
+    refuseTwins();
+    List<Callable<DiagnoseSummary>> tasks = new ArrayList<>();
+    folders.forEach(folder -> tasks.add(() -> diagnose(folder, diagnoser, version)));
+    ExecutorService threads =
+        Executors.newFixedThreadPool(
+            Math.min(tasks.size(), Runtime.getRuntime().availableProcessors()));
+    try (Progress progress = Progress.of("diagnosing", tasks.size())) {
+      // In the order of the arguments, whichever is done first.
+      List<Future<DiagnoseSummary>> results = tasks.stream().map(threads::submit).toList();
+      for (Future<DiagnoseSummary> result : results) {
+        await(result, progress);
+      }
+    } finally {
+      threads.shutdownNow();
+    }
+  }
+
+  private void await(Future<DiagnoseSummary> result, Progress progress)
+      throws InterruptedException {
+    try {
+      DiagnoseSummary summary = result.get();
+      progress.clearLine();
+      out().println(json ? summary.json() : summary.line());
+      out().flush();
+    } catch (ExecutionException fault) {
+      progress.clearLine();
+      complain(fault);
+    }
+    progress.step();
+  }
+
+  private DiagnoseSummary diagnose(Path folder, Diagnoser diagnoser, String version)
+      throws IOException, DataFormatException {
+    DataSetFolder source = new DataSetFolder(folder);
+    Path target = out.resolve(source.name());
+    DataSet data = source.read();
+    try (StagedDirectory staged = StagedDirectory.beside(target)) {
+      Provenance provenance = new Provenance(source.sha256(), version, seed);
+      Diagnosis diagnosis = diagnoser.diagnose(data);
+      DiagnosisFolder.write(staged.path(), folder, data, diagnosis, provenance);
+      staged.publish();
+      return new DiagnoseSummary(data.name(), diagnosis, target);
+    }
+  }
+
+  private Set<Effect> withheld() {
+    Set<Effect> effects = new LinkedHashSet<>();
+    for (String word : withhold) {
+      effects.add(
+          Effect.find(word)
+              .orElseThrow(() -> wrongUsage("--withhold: '" + word + "' is the name of no effect")));
+    }
+    return effects;
+  }
+
+  /** Two data sets of one name would go to one place. */
+  private void refuseTwins() throws DataFormatException {
+    Map<String, Path> byName = new HashMap<>();
+    for (Path folder : folders) {
+      Path twin = byName.put(new DataSetFolder(folder).name(), folder);
+      if (twin != null) {
+        throw wrongUsage(
+            "DATASET: " + twin + " and " + folder + " are called the same and would share a folder");
+      }
+    }
+    if (Files.exists(out) && !Files.isDirectory(out)) {
+      throw wrongUsage("--out: " + out + " is a file, expected a folder");
+    }
+  }
+}

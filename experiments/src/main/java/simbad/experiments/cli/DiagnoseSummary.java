@@ -1,0 +1,82 @@
+package simbad.experiments.cli;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.EffectFinding;
+import simbad.sonar.effect.Effect;
+
+/**
+ * A diagnosis in one line.
+ *
+ * @param dataset the data set's name
+ * @param diagnosis of it
+ * @param folder where it was written
+ */
+record DiagnoseSummary(String dataset, Diagnosis diagnosis, Path folder) {
+
+  /** For people: verdict, explanation with probabilities, shrinkage. */
+  String line() {
+    String gap =
+        String.format(
+            Locale.ROOT,
+            "gap %.2f -> %.2f cm (shrink %.0f %%, floor %.2f cm)",
+            diagnosis.gap().beforeCm(),
+            diagnosis.gap().afterCm(),
+            100 * diagnosis.gap().shrink(),
+            diagnosis.gap().floorCm());
+    return dataset
+        + ": "
+        + diagnosis.verdict().word()
+        + explanation()
+        + String.format(Locale.ROOT, ", unknown %.2f; ", diagnosis.unknownProbability())
+        + gap;
+  }
+
+  private String explanation() {
+    return diagnosis.explanation().isEmpty()
+        ? ""
+        : diagnosis.explanation().stream()
+            .map(effect -> String.format(Locale.ROOT, "%s %.2f", effect, finding(effect).probability()))
+            .collect(Collectors.joining(" + ", ", ", ""))
+            + ties();
+  }
+
+  private String ties() {
+    String others =
+        diagnosis.explanation().stream()
+            .flatMap(effect -> finding(effect).indistinguishableFrom().stream())
+            .distinct()
+            .map(Effect::word)
+            .collect(Collectors.joining(", "));
+    return others.isEmpty() ? "" : " (or " + others + ")";
+  }
+
+  private EffectFinding finding(Effect effect) {
+    return diagnosis.effects().stream()
+        .filter(finding -> finding.effect() == effect)
+        .findFirst()
+        .orElseThrow(() -> new IllegalStateException(effect + " has no finding"));
+  }
+
+  /** For programs: one object on one line. */
+  String json() {
+    ObjectNode node = new ObjectMapper().createObjectNode();
+    node.put("dataset", dataset);
+    node.put("verdict", diagnosis.verdict().word());
+    ObjectNode probabilities = node.putObject("explanation");
+    diagnosis
+        .explanation()
+        .forEach(effect -> probabilities.put(effect.word(), finding(effect).probability()));
+    node.put("unknown_probability", diagnosis.unknownProbability());
+    node.put("before_cm", diagnosis.gap().beforeCm());
+    node.put("after_cm", diagnosis.gap().afterCm());
+    node.put("floor_cm", diagnosis.gap().floorCm());
+    node.put("shrink", diagnosis.gap().shrink());
+    node.put("folder", folder.toString());
+    return node.toString();
+  }
+}

@@ -1,0 +1,69 @@
+package simbad.experiments.dataset;
+
+import de.siegmar.fastcsv.reader.CsvParseException;
+import de.siegmar.fastcsv.reader.CsvReader;
+import de.siegmar.fastcsv.reader.NamedCsvRecord;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.TextFile;
+
+/** Somebody's log as a csv file with a header. */
+final class LogTable {
+  private final Path file;
+  private final List<NamedCsvRecord> rows;
+
+  private LogTable(Path file, List<NamedCsvRecord> rows) {
+    this.file = file;
+    this.rows = rows;
+  }
+
+  static LogTable read(Path file, String... columns) throws DataFormatException {
+    String text = TextFile.read(file);
+    try (CsvReader<NamedCsvRecord> reader = CsvReader.builder().ofNamedCsvRecord(text)) {
+      List<NamedCsvRecord> rows = reader.stream().toList();
+      for (String column : columns) {
+        if (!rows.isEmpty() && !rows.get(0).getHeader().contains(column)) {
+          throw DataFormatException.inField(file, 1, column, "column is missing");
+        }
+      }
+      if (rows.isEmpty()) {
+        throw DataFormatException.inFile(file, "has no rows");
+      }
+      return new LogTable(file, rows);
+    } catch (CsvParseException | IOException e) {
+      throw DataFormatException.inFile(file, "is not a csv file: " + e.getMessage());
+    }
+  }
+
+  int size() {
+    return rows.size();
+  }
+
+  String text(int row, String column) {
+    return rows.get(row).getField(column);
+  }
+
+  /** A number of at least 0. */
+  double number(int row, String column) throws DataFormatException {
+    String text = text(row, column);
+    try {
+      double value = Double.parseDouble(text);
+      if (value >= 0 && value < Double.POSITIVE_INFINITY) {
+        return value;
+      }
+    } catch (NumberFormatException e) {
+      // Said below.
+    }
+    throw DataFormatException.inField(
+        file,
+        rows.get(row).getStartingLineNumber(),
+        column,
+        "'" + text + "' is not a number of at least 0");
+  }
+
+  DataFormatException fault(String problem) {
+    return DataFormatException.inFile(file, problem);
+  }
+}

@@ -1,0 +1,40 @@
+package simbad.experiments.dataset;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import simbad.gap.diagnosis.DataSetFolder;
+import simbad.sonar.format.ReadingsWriter;
+import simbad.sonar.format.SceneWriter;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.sensing.ReadingRow;
+
+/**
+ * A data set that is not yet in a folder.
+ *
+ * @param setup what the simulator believes
+ * @param readings what was read
+ */
+public record MadeDataSet(SensingSetup setup, List<ReadingRow> readings) {
+  /** Copies the list. */
+  public MadeDataSet {
+    readings = List.copyOf(readings);
+  }
+
+  /**
+   * Writes its files.
+   *
+   * @param folder exists and is empty
+   * @throws IOException if something cannot be written
+   */
+  public void write(Path folder) throws IOException {
+    save(folder.resolve(DataSetFolder.SCENE), SceneWriter.text(setup));
+    save(folder.resolve(DataSetFolder.READINGS), ReadingsWriter.text(readings));
+  }
+
+  private static void save(Path file, String text) throws IOException {
+    Files.writeString(file, text, StandardCharsets.UTF_8);
+  }
+}

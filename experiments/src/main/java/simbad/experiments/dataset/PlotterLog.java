@@ -1,0 +1,96 @@
+package simbad.experiments.dataset;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.frame.Pose;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.sensing.Echo;
+import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.ReadingRow;
+
+/**
+ * A sensor on a pen plotter before a ball: columns {@code x, y} in millimetres on the plotter, {@code
+ * ultra} in whole centimetres, 765 for no target.
+ *
+ * <p>Seen from above the plane of the drawing is the line z = ball's radius + distance, x is the
+ * world's, and the sensor looks along -z. Lines of the plotter within 12 mm of the ball's height are
+ * taken as at its height; the others are left out, for a scene seen from above has no height. What
+ * the log does not say: pings follow every 0.1 s, the sensor's quickest; its cone is 20 degrees to
+ * each side; the backdrop is 1 m wide. The simulator believes neither a near limit nor a backdrop
+ * that it is not told of.
+ */
+public final class PlotterLog {
+  /** The MB1213's number for no target, centimetres. */
+  public static final double NO_TARGET_CM = 765;
+
+  private static final double CM = 100;
+  private static final double MM = 1000;
+  private static final double PERIOD_S = 0.1;
+  private static final double BAND_MM = 12;
+  private static final double BALL_RADIUS_M = 0.0375;
+  private static final double BACKDROP_M = 1;
+  private static final double HEARD_M = 7.65;
+  private static final double LOOKS_DOWN_THE_Z_AXIS = Math.PI / 2;
+
+  private PlotterLog() {}
+
+  /**
+   * What was set up before the plotter.
+   *
+   * @param ballXMm where on the plotter the ball is
+   * @param ballYMm likewise
+   * @param distanceMm from the plane to the ball's front
+   * @param backdropMm from the plane to a board behind; empty where there is none
+   */
+  public record Setup(
+      double ballXMm, double ballYMm, double distanceMm, OptionalDouble backdropMm) {}
+
+  /**
+   * Converts a log.
+   *
+   * @param file csv
+   * @param setup what was before the plotter
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public static MadeDataSet read(Path file, Setup setup) throws DataFormatException {
+    LogTable log = LogTable.read(file, "x", "y", "ultra");
+    double zM = BALL_RADIUS_M + setup.distanceMm() / MM;
+    List<ReadingRow> rows = new ArrayList<>();
+    for (int row = 0; row < log.size(); row++) {
+      if (Math.abs(log.number(row, "y") - setup.ballYMm()) <= BAND_MM) {
+        double xM = (log.number(row, "x") - setup.ballXMm()) / MM;
+        double ultra = log.number(row, "ultra");
+        rows.add(
+            new ReadingRow(
+                "scan",
+                "MB1213",
+                row * PERIOD_S,
+                Pose.of(xM, zM, LOOKS_DOWN_THE_Z_AXIS),
+                ultra >= NO_TARGET_CM ? NoEcho.NO_ECHO : new Echo(ultra / CM)));
+      }
+    }
+    if (rows.isEmpty()) {
+      throw log.fault("has no row within " + BAND_MM + " mm of y = " + setup.ballYMm());
+    }
+    return new MadeDataSet(believed(setup, zM), rows);
+  }
+
+  private static SensingSetup believed(Setup setup, double zM) {
+    SonarSpec sensor =
+        new SonarSpec(
+            "MB1213", Math.toRadians(20), 0, 7.65, 0.2, 343, 0.01, 0.005, 0.005, 0.05, PERIOD_S);
+    List<Obstacle> obstacles = new ArrayList<>();
+    obstacles.add(Shapes.ball("apple", BALL_RADIUS_M, HEARD_M));
+    setup
+        .backdropMm()
+        .ifPresent(
+            mm -> obstacles.add(Shapes.board("backdrop", zM - mm / MM, BACKDROP_M, HEARD_M)));
+    return new SensingSetup(sensor, new Scene(obstacles), HEARD_M);
+  }
+}

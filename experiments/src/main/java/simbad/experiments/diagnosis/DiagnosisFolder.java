@@ -1,0 +1,77 @@
+package simbad.experiments.diagnosis;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import simbad.gap.diagnosis.DataSet;
+import simbad.gap.diagnosis.DataSetFolder;
+import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.DiagnosisJson;
+import simbad.gap.diagnosis.Provenance;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.FittedForm;
+import simbad.sonar.effect.FittedModel;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.format.ModelFile;
+import simbad.sonar.format.ReadingsWriter;
+
+/** Writes a diagnosis's folder. */
+public final class DiagnosisFolder {
+  /** The page's name in the folder. */
+  public static final String PAGE = "report.html";
+
+  /** The fitted model's name in the folder. */
+  public static final String MODEL = "model.json";
+
+  private DiagnosisFolder() {}
+
+  /**
+   * Writes everything.
+   *
+   * @param folder exists and is empty
+   * @param source the data set's own folder, whose scene is copied
+   * @param data what was diagnosed
+   * @param diagnosis of it
+   * @param provenance what it was made by
+   * @throws IOException if something cannot be written
+   */
+  public static void write(
+      Path folder, Path source, DataSet data, Diagnosis diagnosis, Provenance provenance)
+      throws IOException {
+    Files.copy(source.resolve(DataSetFolder.SCENE), folder.resolve(DataSetFolder.SCENE));
+    save(folder, DiagnosisJson.FILE, DiagnosisJson.text(diagnosis, data, provenance));
+    if (diagnosis.nextExperiment().isPresent()) {
+      String poses = ReadingsWriter.posesText(diagnosis.nextExperiment().get().poses());
+      save(folder, DiagnosisJson.POSES, poses);
+    }
+    FittedModel model =
+        new FittedModel(
+            data.setup(),
+            new PingLog(data.readings()).sensors(),
+            fitted(diagnosis.calibration()),
+            fitted(diagnosis.fitted()));
+    ModelFile.write(folder.resolve(MODEL), model);
+    List<RowFinding> rows =
+        RowSurvey.of(data, model.changes(), new SplittableRandom(provenance.seed()));
+    save(folder, PAGE, DiagnosisPage.of(diagnosis, data, rows, provenance));
+  }
+
+  private static List<FittedForm> fitted(Hypothesis hypothesis) {
+    return IntStream.range(0, hypothesis.forms().size())
+        .mapToObj(
+            i ->
+                new FittedForm(
+                    hypothesis.forms().get(i),
+                    DoubleStream.of(hypothesis.valuesOf(i)).boxed().toList()))
+        .toList();
+  }
+
+  private static void save(Path folder, String name, String text) throws IOException {
+    Files.writeString(folder.resolve(name), text, StandardCharsets.UTF_8);
+  }
+}

@@ -1,0 +1,127 @@
+package simbad.experiments.diagnosis;
+
+import java.util.Comparator;
+import java.util.List;
+import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.EffectFinding;
+import simbad.gap.diagnosis.GapFigures;
+import simbad.sonar.effect.Effect;
+
+/** The verdict in one sentence, and those that follow from it. */
+final class VerdictWords {
+  private static final double WORTH_SAYING = 0.005;
+
+  private VerdictWords() {}
+
+  /** The verdict in a sentence of HTML. */
+  static String sentence(Diagnosis diagnosis) {
+    String named = "<strong>" + Html.list(diagnosis.explanation()) + "</strong>";
+    return switch (diagnosis.verdict()) {
+      case NONE ->
+          "<strong>No gap beyond chance:</strong> these readings are what the simulator expects"
+              + withinFigures(diagnosis.gap())
+              + ".";
+      case EXPLAINED -> named + explains(diagnosis) + ": " + shrinkage(diagnosis) + ".";
+      case UNEXPLAINED ->
+          diagnosis.explanation().isEmpty()
+              ? "<strong>There is a gap, and no effect that has a name here accounts for it</strong>"
+                  + withinFigures(diagnosis.gap())
+                  + "."
+              : named
+                  + (diagnosis.explanation().size() == 1 ? " is" : " are")
+                  + " at work, <strong>but a gap is left that no named effect accounts for</strong>: "
+                  + shrinkage(diagnosis)
+                  + ".";
+    };
+  }
+
+  private static String explains(Diagnosis diagnosis) {
+    return diagnosis.explanation().size() == 1
+        ? " accounts for the gap"
+        : " together account for the gap";
+  }
+
+  private static String withinFigures(GapFigures gap) {
+    return " (the gap is "
+        + Html.centimetres(gap.beforeCm())
+        + ", of which "
+        + Html.centimetres(gap.floorCm())
+        + " is scatter that no model could remove)";
+  }
+
+  private static String shrinkage(Diagnosis diagnosis) {
+    GapFigures gap = diagnosis.gap();
+    return "with "
+        + (diagnosis.explanation().size() == 1 ? "it" : "them")
+        + " in the simulator the gap shrinks from "
+        + Html.centimetres(gap.beforeCm())
+        + " to "
+        + Html.centimetres(gap.afterCm())
+        + ", by <strong>"
+        + Html.percent(gap.shrink())
+        + "</strong>; no model could come below "
+        + Html.centimetres(gap.floorCm());
+  }
+
+  /** What stands under the verdict: ties and the chance of something unknown, where worth saying. */
+  static String second(Diagnosis diagnosis) {
+    StringBuilder words = new StringBuilder();
+    for (EffectFinding finding : named(diagnosis)) {
+      if (!finding.indistinguishableFrom().isEmpty()) {
+        words.append(
+            "<p class=\"note\">These data cannot tell "
+                + finding.effect().word()
+                + " from "
+                + Html.list(finding.indistinguishableFrom())
+                + ".</p>\n");
+      }
+    }
+    if (diagnosis.unknownProbability() >= WORTH_SAYING) {
+      words.append(
+          "<p>That something without a name here is at work as well has a probability of "
+              + Html.probability(diagnosis.unknownProbability())
+              + ".</p>\n");
+    }
+    return words.toString();
+  }
+
+  /** The findings of the effects concluded to be at work. */
+  static List<EffectFinding> named(Diagnosis diagnosis) {
+    return diagnosis.effects().stream()
+        .filter(finding -> diagnosis.explanation().contains(finding.effect()))
+        .sorted(Comparator.comparingInt(f -> diagnosis.explanation().indexOf(f.effect())))
+        .toList();
+  }
+
+  /** What an effect means, in a few words. */
+  static String meaning(Effect effect) {
+    return switch (effect) {
+      case SOUND_SPEED -> "sound is faster or slower than assumed";
+      case RANGE_OFFSET -> "every range is too long or too short by the same amount";
+      case COARSE_RESOLUTION -> "readings come in coarser steps than believed";
+      case RANGE_NOISE -> "ranges scatter more than believed";
+      case CROSSTALK -> "now and then a reading has nothing to do with the scene";
+      case MULTIPATH -> "some echoes arrive by a longer way";
+      case DROPOUT -> "echoes are missed, whatever the geometry";
+      case GAIN -> "every echo is weaker or stronger";
+      case ABSORPTION -> "echoes lose strength with the length of their way";
+      case BEAM_PATTERN -> "sensitivity tapers off the axis";
+      case BEAM_WIDTH -> "the cone is wider or narrower than believed";
+      case BEAM_MISALIGNMENT -> "the sensor looks to one side of its heading";
+      case FLOOR_ECHO -> "the floor answers when nothing nearer does";
+      case UNMODELLED_OBJECT -> "something that is not in the scene answers";
+      case LATENCY -> "a reading belongs to an earlier pose";
+      case STALE_READING -> "the last reading is repeated when an echo is missed";
+      case HYSTERESIS -> "picked up at a shorter distance than lost at";
+      case OBSTACLE_TURN -> "an obstacle is turned otherwise than believed";
+      case OBSTACLE_OFFSET -> "an obstacle stands elsewhere than believed";
+      case ODOMETRY_SCALE -> "distances travelled are believed too long or too short";
+      case HEADING_DRIFT -> "the believed heading drifts with time";
+      case DEAD_ZONE -> "near echoes are lost";
+      case EARLY_TIMEOUT -> "far echoes are lost";
+      case NEAR_CLAMP -> "short ranges are reported as one least value";
+      case PREVIOUS_PING -> "an echo of the ping before is taken for one of this";
+      case ORIENTATION_SHADOW -> "the threshold depends on the bearing";
+    };
+  }
+}

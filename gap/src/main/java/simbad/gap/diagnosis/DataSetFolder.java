@@ -1,0 +1,106 @@
+package simbad.gap.diagnosis;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.sensing.ReadingRow;
+import simbad.sonar.format.ReadingsFile;
+import simbad.sonar.format.SceneFile;
+
+/**
+ * A folder with a gap data set: scene.json, readings.csv and, where there is one, reference.csv.
+ */
+public final class DataSetFolder {
+  /** What the simulator believes. */
+  public static final String SCENE = "scene.json";
+
+  /** What was really read. */
+  public static final String READINGS = "readings.csv";
+
+  /** What was read while the simulation was trusted. */
+  public static final String REFERENCE = "reference.csv";
+
+  private final Path folder;
+
+  /**
+   * Names a folder.
+   *
+   * @param folder that need not exist yet
+   */
+  public DataSetFolder(Path folder) {
+    this.folder = folder;
+  }
+
+  /**
+   * Returns the folder's own name, whatever path leads there.
+   *
+   * @throws DataFormatException for the root of the file system, which has none
+   */
+  public String name() throws DataFormatException {
+    Path name = folder.toAbsolutePath().normalize().getFileName();
+    if (name == null) {
+      throw DataFormatException.inFile(folder, "has no name of its own, expected a data set");
+    }
+    return name.toString();
+  }
+
+  /**
+   * Reads the data set.
+   *
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public DataSet read() throws DataFormatException {
+    if (!Files.exists(folder)) {
+      throw DataFormatException.inFile(folder, "no such folder");
+    }
+    if (!Files.isDirectory(folder)) {
+      throw DataFormatException.inFile(
+          folder, "is no folder, expected one with " + SCENE + " and " + READINGS);
+    }
+    Path reference = folder.resolve(REFERENCE);
+    return new DataSet(
+        name(),
+        SceneFile.read(folder.resolve(SCENE)),
+        rows(folder.resolve(READINGS)),
+        Files.exists(reference) ? rows(reference) : List.of());
+  }
+
+  private static List<ReadingRow> rows(Path file) throws DataFormatException {
+    List<ReadingRow> rows = ReadingsFile.read(file);
+    if (rows.isEmpty()) {
+      throw DataFormatException.inFile(file, "has no rows, expected readings");
+    }
+    return rows;
+  }
+
+  /**
+   * Returns the SHA-256 of every file of the data set, by its name.
+   *
+   * @throws IOException if one cannot be read
+   */
+  public Map<String, String> sha256() throws IOException {
+    Map<String, String> hashes = new LinkedHashMap<>();
+    for (String name : List.of(SCENE, READINGS, REFERENCE)) {
+      Path file = folder.resolve(name);
+      if (Files.exists(file)) {
+        hashes.put(name, sha256(Files.readAllBytes(file)));
+      }
+    }
+    return hashes;
+  }
+
+  private static String sha256(byte[] bytes) {
+    try {
+      return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every Java has SHA-256", e);
+    }
+  }
+}

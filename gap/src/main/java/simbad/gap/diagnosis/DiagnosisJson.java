@@ -1,0 +1,186 @@
+package simbad.gap.diagnosis;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.util.DefaultIndenter;
+import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.UncheckedIOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.Collection;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.Form;
+
+/**
+ * A diagnosis as the text of diagnosis.json, {@code format} "sonar-diagnosis/1", rounded to six
+ * digits; the ends of an interval that the data do not bound are null.
+ */
+public final class DiagnosisJson {
+  /** The file's name in a diagnosis's folder. */
+  public static final String FILE = "diagnosis.json";
+
+  /** The name of the file with the poses to measure next, beside it. */
+  public static final String POSES = "next-experiment.csv";
+
+  private static final ObjectMapper MAPPER = new ObjectMapper();
+  private static final MathContext DIGITS = new MathContext(6);
+
+  private DiagnosisJson() {}
+
+  /**
+   * Returns the text.
+   *
+   * @param diagnosis what was found
+   * @param data what it was found in
+   * @param provenance what it was made by
+   */
+  public static String text(Diagnosis diagnosis, DataSet data, Provenance provenance) {
+    DefaultIndenter lines = new DefaultIndenter("  ", "\n");
+    try {
+      return MAPPER
+              .writer(new DefaultPrettyPrinter().withObjectIndenter(lines))
+              .writeValueAsString(tree(diagnosis, data, provenance))
+          + "\n";
+    } catch (JsonProcessingException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /**
+   * Returns what {@link #text} writes.
+   *
+   * @param diagnosis what was found
+   * @param data what it was found in
+   * @param provenance what it was made by
+   */
+  static ObjectNode tree(Diagnosis diagnosis, DataSet data, Provenance provenance) {
+    ObjectNode root = MAPPER.createObjectNode();
+    root.put("format", "sonar-diagnosis/1");
+    root.put("dataset", data.name());
+    root.put("verdict", diagnosis.verdict().word());
+    words(root.putArray("explanation"), diagnosis.explanation());
+    put(root, "unknown_probability", diagnosis.unknownProbability());
+    gap(root.putObject("gap"), diagnosis.gap());
+    diagnosis.effects().forEach(finding -> effect(root.withArray("effects").addObject(), finding));
+    ArrayNode where = root.putArray("where");
+    diagnosis.where().forEach(place -> place(where.addObject(), place));
+    ArrayNode undetectable = root.putArray("undetectable");
+    diagnosis.undetectable().forEach(one -> undetectable(undetectable.addObject(), one));
+    diagnosis.nextExperiment().ifPresent(next -> next(root.putObject("next_experiment"), next));
+    calibration(root.putObject("calibration"), diagnosis.calibration());
+    ArrayNode tried = root.putArray("tried");
+    diagnosis.tried().forEach(attempt -> attempt(tried.addObject(), attempt));
+    provenance(root.putObject("provenance"), diagnosis, data, provenance);
+    return root;
+  }
+
+  private static void gap(ObjectNode node, GapFigures gap) {
+    node.put("rows_held_out", gap.rowsHeldOut());
+    put(node, "before_cm", gap.beforeCm());
+    put(node, "after_cm", gap.afterCm());
+    put(node, "floor_cm", gap.floorCm());
+    put(node, "shrink", gap.shrink());
+    interval(node.putArray("shrink_ci95"), gap.shrinkCi95());
+  }
+
+  private static void effect(ObjectNode node, EffectFinding finding) {
+    node.put("name", finding.effect().word());
+    put(node, "probability", finding.probability());
+    finding.form().ifPresent(form -> node.put("form", form));
+    ObjectNode values = node.putObject("parameters");
+    ObjectNode intervals = node.putObject("ci95");
+    for (FittedParameter parameter : finding.parameters()) {
+      put(values, parameter.name(), parameter.value());
+      interval(intervals.putArray(parameter.name()), parameter.ci95());
+    }
+    words(node.putArray("indistinguishable_from"), finding.indistinguishableFrom());
+  }
+
+  private static void place(ObjectNode node, Place place) {
+    ObjectNode slice = node.putObject("slice");
+    for (Place.Condition condition : place.conditions()) {
+      condition.name().ifPresent(name -> slice.put(condition.variable(), name));
+      condition.interval().ifPresent(ends -> interval(slice.putArray(condition.variable()), ends));
+    }
+    node.put("rows", place.rows());
+    put(node, "share_of_gap", place.shareOfGap());
+    put(node, "before_cm", place.beforeCm());
+    put(node, "after_cm", place.afterCm());
+    node.put("kind", place.kind().words());
+    put(node, "q_value", place.qValue());
+  }
+
+  private static void undetectable(ObjectNode node, Undetectable one) {
+    node.put("name", one.effect().word());
+    node.put("parameter", one.parameter());
+    if (one.leastSize().isPresent()) {
+      put(node, "least_size", one.leastSize().getAsDouble());
+    } else {
+      node.putNull("least_size");
+    }
+  }
+
+  private static void next(ObjectNode node, NextExperiment next) {
+    words(node.putArray("separates"), next.separates());
+    node.put("poses", POSES);
+    put(node, "expected_log_odds", next.expectedLogOdds());
+  }
+
+  /** What the reference showed of the set-up: by form, its values by name. */
+  private static void calibration(ObjectNode node, Hypothesis calibration) {
+    for (int i = 0; i < calibration.forms().size(); i++) {
+      Form form = calibration.forms().get(i);
+      double[] values = calibration.valuesOf(i);
+      ObjectNode own = node.putObject(form.name());
+      for (int p = 0; p < values.length; p++) {
+        put(own, form.parameters().get(p).name(), values[p]);
+      }
+    }
+  }
+
+  private static void attempt(ObjectNode node, Diagnosis.Attempt attempt) {
+    words(node.putArray("effects"), attempt.effects());
+    put(node, "held_out_nats", attempt.heldOutNats());
+  }
+
+  private static void provenance(
+      ObjectNode node, Diagnosis diagnosis, DataSet data, Provenance provenance) {
+    ObjectNode hashes = node.putObject("sha256");
+    provenance.sha256().forEach(hashes::put);
+    node.put("version", provenance.version());
+    node.put("seed", provenance.seed());
+    ObjectNode rows = node.putObject("rows");
+    rows.put("readings", data.readings().size());
+    rows.put("reference", data.reference().size());
+    rows.put("held_out", diagnosis.gap().rowsHeldOut());
+  }
+
+  private static void words(ArrayNode array, Collection<Effect> effects) {
+    effects.forEach(effect -> array.add(effect.word()));
+  }
+
+  private static void interval(ArrayNode array, Interval interval) {
+    for (double end : new double[] {interval.low(), interval.high()}) {
+      if (Double.isFinite(end)) {
+        array.add(rounded(end));
+      } else {
+        array.addNull();
+      }
+    }
+  }
+
+  private static void put(ObjectNode node, String field, double value) {
+    if (Double.isFinite(value)) {
+      node.put(field, rounded(value));
+    } else {
+      node.putNull(field);
+    }
+  }
+
+  private static double rounded(double value) {
+    return new BigDecimal(value).round(DIGITS).doubleValue();
+  }
+}

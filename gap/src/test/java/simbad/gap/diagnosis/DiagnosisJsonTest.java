@@ -1,0 +1,108 @@
+package simbad.gap.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import com.networknt.schema.JsonSchema;
+import com.networknt.schema.JsonSchemaFactory;
+import com.networknt.schema.SpecVersion;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import simbad.sonar.effect.Effect;
+
+class DiagnosisJsonTest {
+  private static final Path SCHEMA = Path.of("..", "docs", "schema", "diagnosis.schema.json");
+
+  private static ObjectNode sample() {
+    return DiagnosisJson.tree(Samples.diagnosis(), Samples.DATA, Samples.PROVENANCE);
+  }
+
+  private static JsonSchema schema() throws IOException {
+    return JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012)
+        .getSchema(Files.readString(SCHEMA));
+  }
+
+  @Test
+  void sample_fitsTheSchema() throws IOException {
+    assertEquals(Set.of(), schema().validate(sample()));
+  }
+
+  @Test
+  void text_isTheTree() throws IOException {
+    String text = DiagnosisJson.text(Samples.diagnosis(), Samples.DATA, Samples.PROVENANCE);
+    // Through text, because 1 and 1.0 are different nodes of one number.
+    assertEquals(
+        new ObjectMapper().readTree(sample().toString()), new ObjectMapper().readTree(text));
+    assertTrue(text.endsWith("}\n"), text);
+  }
+
+  @Test
+  void schema_namesTheWholeVocabulary() throws IOException {
+    Set<String> words = new TreeSet<>();
+    schema().getSchemaNode().at("/$defs/effect/enum").forEach(word -> words.add(word.asText()));
+    Set<String> vocabulary = new TreeSet<>();
+    Arrays.stream(Effect.values()).map(Effect::word).forEach(vocabulary::add);
+    assertEquals(vocabulary, words);
+  }
+
+  /** The schema refuses what is none: otherwise fitting it would say nothing. */
+  static Stream<Arguments> spoilt() {
+    return Map.<String, Consumer<ObjectNode>>of(
+            "verdict", root -> root.put("verdict", "maybe"),
+            "format", root -> root.put("format", "sonar-diagnosis/2"),
+            "unknown", root -> root.put("unknown_probability", 1.01),
+            "gap", root -> root.withObject("gap").remove("floor_cm"),
+            "effects", root -> root.withArray("effects").remove(3),
+            "name", root -> root.withArray("explanation").add("ghosts"),
+            "slice", root -> root.withObject("/where/0/slice").put("colour", "red"),
+            "interval", root -> root.withArray("/gap/shrink_ci95").add(1),
+            "hash", root -> root.withObject("/provenance/sha256").put("scene.json", "?"))
+        .entrySet()
+        .stream()
+        .map(entry -> Arguments.of(entry.getKey(), entry.getValue()));
+  }
+
+  @ParameterizedTest(name = "{0}")
+  @MethodSource("spoilt")
+  void spoilt_doesNotFit(String what, Consumer<ObjectNode> spoil) throws IOException {
+    ObjectNode root = sample();
+    spoil.accept(root);
+    assertFalse(schema().validate(root).isEmpty(), what);
+  }
+
+  @Test
+  void figures_standWhereTheFormatSays() {
+    JsonNode root = sample();
+    assertEquals("explained", root.at("/verdict").asText());
+    assertEquals("range-offset", root.at("/explanation/0").asText());
+    assertEquals(0.333333, root.at("/effects/0/parameters/offset_m").asDouble());
+    assertEquals(0.04, root.at("/effects/0/ci95/offset_m/0").asDouble());
+    assertTrue(root.at("/effects/0/ci95/offset_m/1").isNull(), "not bounded");
+    assertTrue(root.at("/gap/shrink_ci95/0").isNull(), "not bounded");
+    assertEquals(20, root.at("/where/0/slice/bearing_deg/1").asDouble());
+    assertEquals("a", root.at("/where/0/slice/run").asText());
+    assertEquals("missed echo", root.at("/where/0/kind").asText());
+    assertTrue(root.at("/undetectable/0/least_size").isNull());
+    assertEquals(0.25, root.at("/undetectable/1/least_size").asDouble());
+    assertEquals("next-experiment.csv", root.at("/next_experiment/poses").asText());
+    assertEquals(0.03, root.at("/calibration/tails/deviation_m").asDouble());
+    assertEquals(123.456, root.at("/tried/0/held_out_nats").asDouble());
+    assertEquals(7, root.at("/provenance/seed").asInt());
+    assertEquals(2, root.at("/provenance/rows/readings").asInt());
+  }
+}
