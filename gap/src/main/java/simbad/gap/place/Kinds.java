@@ -1,0 +1,39 @@
+package simbad.gap.place;
+
+import java.util.Comparator;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import simbad.gap.diagnosis.GapKind;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.model.ReadingDistribution;
+
+/**
+ * Tells in what way simulation and reality part in a place.
+ *
+ * <p>An excess with no echo read is a missed one; with an echo read it is a phantom where none was
+ * expected and an error of the range where one was, in proportion to how far it was.
+ *
+ * @param log what was read
+ * @param forecast what the nominal model expects of each ping
+ * @param excess of each ping's gap
+ */
+record Kinds(PingLog log, List<ReadingDistribution> forecast, double[] excess) {
+  /** Returns the kind that carries most of the excess of some pings. */
+  GapKind of(int[] pings) {
+    Map<GapKind, Double> carried = new EnumMap<>(GapKind.class);
+    for (int ping : pings) {
+      if (log.echo(ping)) {
+        double none = forecast.get(ping).noEchoProbability();
+        carried.merge(GapKind.PHANTOM_ECHO, none * excess[ping], Double::sum);
+        carried.merge(GapKind.RANGE_ERROR, (1 - none) * excess[ping], Double::sum);
+      } else {
+        carried.merge(GapKind.MISSED_ECHO, excess[ping], Double::sum);
+      }
+    }
+    return carried.entrySet().stream()
+        .max(Comparator.comparingDouble(Map.Entry::getValue))
+        .map(Map.Entry::getKey)
+        .orElse(GapKind.RANGE_ERROR);
+  }
+}
