@@ -1,0 +1,8 @@
+/**
+ * What a sonar reads in a world that may differ from what its scene says: geometry, pings,
+ * forecasts by repeated simulation. Knows no effect by name and no files.
+ */
+@NullMarked
+package simbad.blindworld.world;
+
+import org.jspecify.annotations.NullMarked;
