@@ -5,7 +5,7 @@ import java.io.PrintStream;
 import java.util.Arrays;
 import simbad.blindworld.file.FormatException;
 
-/** The command line: {@code generate ...} and {@code score ...}. */
+/** The command line: {@code generate}, {@code baseline} and {@code score}. */
 public final class Main {
 
   private Main() {}
@@ -23,7 +23,10 @@ public final class Main {
     try {
       switch (command) {
         case "generate" -> GenerateCommand.run(rest, err);
-        default -> throw new FormatException("'" + command + "': expected generate or score");
+        case "score" -> ScoreCommand.run(rest, out);
+        case "baseline" -> BaselineCommand.run(rest);
+        default ->
+            throw new FormatException("'" + command + "': expected generate, baseline or score");
       }
       return 0;
     } catch (FormatException e) {

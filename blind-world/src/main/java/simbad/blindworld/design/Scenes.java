@@ -67,7 +67,7 @@ public final class Scenes {
         random.nextDouble(2.5, 5),
         random.nextDouble(0, 0.35),
         new Setup.Ripple(
-            random.nextDouble(0.008, 0.025),
+            random.nextDouble(0.005, 0.018),
             random.nextInt(1, 5),
             random.nextDouble(0, 2 * Math.PI)),
         Math.toRadians(random.nextDouble(0.2, 1.2)),

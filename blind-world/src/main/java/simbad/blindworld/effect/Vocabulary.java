@@ -43,7 +43,7 @@ public final class Vocabulary {
           Map.entry("unmodelled-object", Stage.MAP),
           Map.entry("latency", Stage.POSE),
           Map.entry("stale-reading", Stage.OUTPUT),
-          Map.entry("hysteresis", Stage.ENERGY),
+          Map.entry("hysteresis", Stage.ARRIVAL),
           Map.entry("obstacle-turn", Stage.MAP),
           Map.entry("obstacle-offset", Stage.MAP),
           Map.entry("odometry-scale", Stage.POSE),
@@ -90,6 +90,12 @@ public final class Vocabulary {
   public static boolean isFairPair(String first, String second) {
     Stage a = STAGES.get(first);
     return a != null && a != STAGES.get(second);
+  }
+
+  /** True when both are names of the vocabulary and act at the same stage. */
+  public static boolean isSameStage(String first, String second) {
+    Stage a = STAGES.get(first);
+    return a != null && a == STAGES.get(second);
   }
 
   /** The labels of the forms of an effect. */

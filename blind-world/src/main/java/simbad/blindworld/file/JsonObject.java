@@ -102,6 +102,15 @@ public record JsonObject(String where, Map<String, Object> fields) {
     return listOf(name, Double.class, "a list of numbers");
   }
 
+  /** A field's list of lists of numbers. */
+  public List<List<Double>> numberLists(String name) throws FormatException {
+    List<List<Double>> lists = new ArrayList<>();
+    for (Object each : field(name, List.class, "a list of lists")) {
+      lists.add(new JsonObject(where, Map.of(name, each)).numbers(name));
+    }
+    return lists;
+  }
+
   private <T> List<T> listOf(String name, Class<T> kind, String expected) throws FormatException {
     List<T> values = new ArrayList<>();
     for (Object each : field(name, List.class, expected)) {

@@ -21,6 +21,7 @@ import simbad.blindworld.world.Setup;
  * @param sealed fresh rows of the same world
  * @param oracle the world's own forecast of the sealed rows
  * @param gaps of the sealed rows, in centimetres
+ * @param draws how many draws it took until every effect showed
  */
 record Case(
     Plan.Assignment assignment,
@@ -32,7 +33,8 @@ record Case(
     Optional<Sheet> reference,
     Sheet sealed,
     Forecast oracle,
-    Gaps gaps) {
+    Gaps gaps,
+    int draws) {
 
   /** Rows with what was read on them; an infinite reading is a no-echo. */
   record Sheet(Recording recording, List<Double> rangesM) {

@@ -13,9 +13,9 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import simbad.blindworld.effect.Effect;
 import simbad.blindworld.effect.Vocabulary;
+import simbad.blindworld.file.Decimals;
 import simbad.blindworld.file.Json;
 import simbad.blindworld.file.Seal;
-import simbad.blindworld.world.Forecast;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Row;
 import simbad.blindworld.world.Scene;
@@ -42,13 +42,13 @@ final class CaseFiles {
     Path sealed = Files.createDirectories(directory.resolve("truth").resolve(id));
     Map<String, Object> files = new LinkedHashMap<>();
     files.put("scene.json", put(open, "scene.json", Json.write(scene(drawn.scene()))));
-    files.put("readings.csv", put(open, "readings.csv", sheet(drawn.readings())));
+    files.put("readings.csv", put(open, "readings.csv", sheet(drawn.readings(), true)));
     if (drawn.reference().isPresent()) {
-      files.put("reference.csv", put(open, "reference.csv", sheet(drawn.reference().get())));
+      files.put("reference.csv", put(open, "reference.csv", sheet(drawn.reference().get(), true)));
     }
     Map<String, Object> truth = truth(drawn);
-    truth.put("sealed_sha256", put(sealed, "sealed.csv", sheet(drawn.sealed())));
-    truth.put("oracle_sha256", put(sealed, "oracle.csv", quantiles(drawn.oracle())));
+    truth.put("sealed_sha256", put(sealed, "sealed.csv", sheet(drawn.sealed(), true)));
+    truth.put("oracle_sha256", put(sealed, "oracle.csv", drawn.oracle().csv()));
     String text = Json.write(truth);
     put(sealed, "truth.json", text);
     byte[] salt = salt(drawn.assignment().seed());
@@ -57,6 +57,8 @@ final class CaseFiles {
     Map<String, Object> entry = new LinkedHashMap<>();
     entry.put("case", id);
     entry.put("files", files);
+    Path rows = Files.createDirectories(directory.resolve("rows").resolve(id));
+    entry.put("rows_sha256", put(rows, "rows.csv", sheet(drawn.sealed(), false)));
     entry.put("commitment", Seal.commitment(salt, text.getBytes(StandardCharsets.UTF_8)));
     return entry;
   }
@@ -138,6 +140,7 @@ final class CaseFiles {
     json.put("rows", drawn.readings().recording().size());
     json.put("echo_share", drawn.readings().echoShare());
     json.put("no_echo_m", drawn.scene().noEchoM());
+    json.put("draws", drawn.draws());
     json.put("setup", drawn.setup().toString());
     json.put("sealed_gap_nominal_cm", drawn.gaps().nominalCm());
     json.put("sealed_gap_setup_cm", drawn.gaps().setupCm());
@@ -145,49 +148,24 @@ final class CaseFiles {
     return json;
   }
 
-  private static String sheet(Case.Sheet sheet) {
-    StringBuilder text = new StringBuilder("run,sensor,t_s,x_m,z_m,heading_deg,range_m\n");
+  private static String sheet(Case.Sheet sheet, boolean withRanges) {
+    StringBuilder text = new StringBuilder("run,sensor,t_s,x_m,z_m,heading_deg");
+    text.append(withRanges ? ",range_m\n" : "\n");
     List<Row> rows = sheet.recording().rows();
     for (int i = 0; i < rows.size(); i++) {
       Row row = rows.get(i);
       text.append(row.run()).append(',').append(row.sensor()).append(',');
-      decimal(text, row.tS(), 3).append(',');
-      decimal(text, row.pose().xM(), 4).append(',');
-      decimal(text, row.pose().zM(), 4).append(',');
-      decimal(text, Math.toDegrees(row.pose().headingRad()), 3).append(',');
+      Decimals.append(text, row.tS(), 3).append(',');
+      Decimals.append(text, row.pose().xM(), 4).append(',');
+      Decimals.append(text, row.pose().zM(), 4).append(',');
+      Decimals.append(text, Math.toDegrees(row.pose().headingRad()), 3);
       double range = sheet.rangesM().get(i);
-      if (range < Double.POSITIVE_INFINITY) {
-        decimal(text, range, 4);
+      text.append(withRanges ? "," : "");
+      if (withRanges && range < Double.POSITIVE_INFINITY) {
+        Decimals.append(text, range, 4);
       }
       text.append('\n');
     }
     return text.toString();
-  }
-
-  private static String quantiles(Forecast forecast) {
-    StringBuilder text = new StringBuilder();
-    for (int q = 1; q <= Forecast.LEVELS; q++) {
-      text.append(String.format(Locale.ROOT, q == 1 ? "q%02d" : ",q%02d", 5 * q));
-    }
-    text.append('\n');
-    for (int row = 0; row < forecast.size(); row++) {
-      double[] quantiles = forecast.row(row);
-      for (int q = 0; q < quantiles.length; q++) {
-        decimal(q == 0 ? text : text.append(','), quantiles[q], 4);
-      }
-      text.append('\n');
-    }
-    return text.toString();
-  }
-
-  /** Rounded to so many decimals, all of them written. */
-  static StringBuilder decimal(StringBuilder text, double value, int decimals) {
-    long scale = Math.round(Math.pow(10, decimals));
-    long units = Math.round(value * scale);
-    String digits = Long.toString(scale + Math.abs(units % scale)).substring(1);
-    return text.append(units < 0 ? "-" : "")
-        .append(Math.abs(units / scale))
-        .append('.')
-        .append(digits);
   }
 }

@@ -26,37 +26,54 @@ final class Drawing {
   private static final double MOST_ECHO_SHARE = 0.8;
   private static final double LEAST_STANDARD_ERRORS = 5;
   private static final double LEAST_OUTSIDE_GAIN_CM = 0.8;
-  private static final int DRAWS = 400;
+  private static final double LEAST_OUTSIDE_SEALED_CM = 0.5;
+
+  /** After so many draws in vain sizes begin to grow: some pairs hide each other. */
+  private static final int PATIENCE = 60;
+
+  /** After so many draws a pair is given up for another one with the same first effect. */
+  private static final int OTHER_PAIR = 200;
+
+  private static final int DRAWS = 1000;
   private static final int CHECK_REPEATS = 80;
 
   private final Plan.Assignment assignment;
   private final Order order;
   private final SplittableRandom random;
+  private List<String> names;
+  private int draws;
 
   Drawing(Plan.Assignment assignment, Order order) {
     this.assignment = assignment;
     this.order = order;
     this.random = new SplittableRandom(assignment.seed());
+    this.names = assignment.names();
   }
 
   /** A design with a scene, a set-up and rows before them. */
   private record Ground(Design design, Scene scene, Setup setup, Recording recording) {}
 
   Case draw() {
-    for (int i = 0; i < DRAWS; i++) {
+    while (draws < DRAWS) {
+      draws++;
+      if (draws % OTHER_PAIR == 0 && assignment.kind() == Kind.PAIR) {
+        names = Plan.otherPair(order, names.get(0), random);
+      }
       Ground ground = ground();
       Circumstances circumstances = circumstances(ground);
       double share = circumstances.echoShare();
       boolean fits =
           share >= LEAST_ECHO_SHARE
               && share <= MOST_ECHO_SHARE
-              && assignment.names().stream()
-                  .allMatch(name -> Vocabulary.applies(name, circumstances));
+              && names.stream().allMatch(name -> Vocabulary.applies(name, circumstances));
       if (fits) {
         List<Effect> effects = effects(ground);
         double[] readings = world(ground, effects).at(ground.recording).read(random.nextLong());
         if (shows(ground, effects, readings)) {
-          return complete(ground, effects, readings);
+          Case drawn = complete(ground, effects, readings);
+          if (matters(drawn)) {
+            return drawn;
+          }
         }
       }
     }
@@ -77,7 +94,8 @@ final class Drawing {
   }
 
   private Circumstances circumstances(Ground ground) {
-    double size = Math.pow(2, random.nextDouble(-1, 1));
+    double grown = Math.min(1.5, Math.max(0, (double) (draws - PATIENCE) / PATIENCE));
+    double size = Math.pow(2, random.nextDouble(-1, 1) + grown);
     boolean driven = ground.design.kind().equals("run");
     return new Circumstances(ground.scene, ground.recording, driven, random.split(), size);
   }
@@ -85,7 +103,7 @@ final class Drawing {
   /** Each with a size of its own. */
   private List<Effect> effects(Ground ground) {
     List<Effect> effects = new ArrayList<>();
-    for (String name : assignment.names()) {
+    for (String name : names) {
       effects.add(Vocabulary.draw(name, circumstances(ground)));
     }
     return Vocabulary.inOrder(effects);
@@ -101,13 +119,26 @@ final class Drawing {
         world(ground, effects).at(rows), ground.scene.noEchoM(), repeats, random.nextLong());
   }
 
+  /** What has to show: what is outside the vocabulary, where something is. */
+  private static List<Effect> asked(List<Effect> effects) {
+    List<Effect> outside =
+        effects.stream().filter(effect -> !Vocabulary.contains(effect.name())).toList();
+    return outside.isEmpty() ? effects : outside;
+  }
+
+  /** True when what is outside the vocabulary costs enough on the sealed rows, too. */
+  private boolean matters(Case drawn) {
+    return assignment.kind() != Kind.UNKNOWN
+        || drawn.gaps().setupCm() - drawn.gaps().oracleCm() >= LEAST_OUTSIDE_SEALED_CM;
+  }
+
   /** True when leaving out any one effect makes the forecast plainly worse. */
   private boolean shows(Ground ground, List<Effect> effects, double[] readings) {
     if (effects.isEmpty()) {
       return true;
     }
     Forecast whole = forecast(ground, effects, ground.recording, CHECK_REPEATS);
-    for (Effect effect : effects) {
+    for (Effect effect : asked(effects)) {
       List<Effect> others =
           effects.stream().filter(other -> !other.name().equals(effect.name())).toList();
       Forecast without = forecast(ground, others, ground.recording, CHECK_REPEATS);
@@ -149,7 +180,8 @@ final class Drawing {
         new Case.Gaps(
             nominal.gapCm(truth, noEchoM),
             setup.gapCm(truth, noEchoM),
-            oracle.gapCm(truth, noEchoM)));
+            oracle.gapCm(truth, noEchoM)),
+        draws);
   }
 
   private Case.Sheet read(Ground ground, List<Effect> effects, int rows) {

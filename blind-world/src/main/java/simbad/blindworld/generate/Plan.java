@@ -98,6 +98,16 @@ final class Plan {
     throw new IllegalArgumentException("no effect that " + first + " makes a fair pair with");
   }
 
+  /** A pair of an effect with any other that is fair beside it. */
+  static List<String> otherPair(Order order, String first, SplittableRandom random) {
+    Wheel wheel = wheel(order, Vocabulary.names(), random);
+    String second = wheel.next();
+    while (!Vocabulary.isFairPair(first, second)) {
+      second = wheel.next();
+    }
+    return List.of(first, second);
+  }
+
   private static Wheel wheel(Order order, List<String> all, SplittableRandom random) {
     List<String> wanted =
         order.effects().isEmpty() ? all : all.stream().filter(order.effects()::contains).toList();

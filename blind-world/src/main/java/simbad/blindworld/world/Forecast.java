@@ -2,6 +2,7 @@ package simbad.blindworld.world;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import simbad.blindworld.file.Decimals;
 
 /** The 19 quantiles q05..q95 of each row's reading, no-echo counted as the scene says. */
 public final class Forecast {
@@ -78,5 +79,21 @@ public final class Forecast {
       sum += lossCm(row, readingsM[row] < Double.POSITIVE_INFINITY ? readingsM[row] : noEchoM);
     }
     return sum / readingsM.length;
+  }
+
+  /** The forecast as a predictions file. */
+  public String csv() {
+    StringBuilder text = new StringBuilder();
+    for (int q = 0; q < LEVELS; q++) {
+      text.append(q == 0 ? "" : ",").append("q%02d".formatted(5 * (q + 1)));
+    }
+    text.append('\n');
+    for (double[] row : quantilesM) {
+      for (int q = 0; q < LEVELS; q++) {
+        Decimals.append(q == 0 ? text : text.append(','), row[q], 4);
+      }
+      text.append('\n');
+    }
+    return text.toString();
   }
 }
