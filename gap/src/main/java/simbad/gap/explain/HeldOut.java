@@ -76,8 +76,7 @@ final class HeldOut {
     for (int i = 0; i < smallFirst.size(); i++) {
       Fit fit = smallFirst.get(i);
       scored.add(
-          new Scored(
-              fit.hypothesis(), fit.logLikelihood(), halves.get(0)[i] + halves.get(1)[i]));
+          new Scored(fit.hypothesis(), fit.logLikelihood(), halves.get(0)[i] + halves.get(1)[i]));
     }
     return scored;
   }
@@ -123,9 +122,7 @@ final class HeldOut {
     Hypothesis joined = Hypothesis.NONE;
     for (int i = 0; i < whole.forms().size(); i++) {
       int at = subset.forms().indexOf(whole.forms().get(i));
-      joined =
-          joined.and(
-              whole.forms().get(i), at >= 0 ? subset.valuesOf(at) : whole.valuesOf(i));
+      joined = joined.and(whole.forms().get(i), at >= 0 ? subset.valuesOf(at) : whole.valuesOf(i));
     }
     return joined;
   }

@@ -74,8 +74,7 @@ public final class Search {
   }
 
   private boolean worth(List<Fit> added, Fit base) {
-    return !added.isEmpty()
-        && added.get(0).logLikelihood() - base.logLikelihood() > worthNats;
+    return !added.isEmpty() && added.get(0).logLikelihood() - base.logLikelihood() > worthNats;
   }
 
   private List<Form> promising(List<Fit> added, Hypothesis base) {
@@ -112,7 +111,8 @@ public final class Search {
       Hypothesis rest = best.hypothesis().without(member);
       Fit base = joint(new Fit(rest, best.logLikelihood()));
       keep(base);
-      List<Form> strong = promising(singles, rest).stream().filter(form -> form.effect() != member).toList();
+      List<Form> strong =
+          promising(singles, rest).stream().filter(form -> form.effect() != member).toList();
       List<Fit> others = grown(base, strong);
       if (!others.isEmpty() && others.get(0).logLikelihood() > best.logLikelihood()) {
         best = others.get(0);
@@ -155,9 +155,7 @@ public final class Search {
 
   private List<Scored> scored() {
     List<Fit> ranked =
-        fits.values().stream()
-            .sorted(Comparator.comparingDouble(fit -> -promise(fit)))
-            .toList();
+        fits.values().stream().sorted(Comparator.comparingDouble(fit -> -promise(fit))).toList();
     HeldOut heldOut = new HeldOut(evidence, blocks);
     List<Scored> again = heldOut.score(ranked.subList(0, Math.min(SCORED, ranked.size())));
     List<Scored> scored = new ArrayList<>(again);

@@ -14,8 +14,8 @@ import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.DiagnosedModel;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.PingLog;
-import simbad.sonar.format.ReadingRow;
 import simbad.sonar.model.ReadingDistribution;
+import simbad.sonar.sensing.ReadingRow;
 
 /**
  * Chooses what to measure next so that two hypotheses come apart: of a library of manoeuvres the

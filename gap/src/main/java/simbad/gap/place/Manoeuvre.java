@@ -2,9 +2,9 @@ package simbad.gap.place;
 
 import java.util.ArrayList;
 import java.util.List;
-import simbad.sonar.format.ReadingRow;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.ReadingRow;
 
 /**
  * Poses to ping from, one after the other at an even pace.

@@ -12,7 +12,7 @@ import simbad.gap.diagnosis.NextExperiment;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Effect;
-import simbad.sonar.format.ReadingRow;
+import simbad.sonar.sensing.ReadingRow;
 
 class ExperimentsTest {
   /** One distance only, where 343/353 of 1 m and 2.8 cm less are the same to a step. */

@@ -19,10 +19,10 @@ import simbad.gap.explain.GapMeter;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Effect;
-import simbad.sonar.format.ReadingRow;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.Reading;
+import simbad.sonar.sensing.ReadingRow;
 
 class PlacesTest {
   private static final Placing POST = new Placing();

@@ -14,7 +14,7 @@ import simbad.gap.diagnosis.Undetectable;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Effect;
-import simbad.sonar.format.ReadingRow;
+import simbad.sonar.sensing.ReadingRow;
 
 class UndetectablesTest {
   private static final double NATS = 8;

@@ -10,7 +10,6 @@ import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.effect.PingLog;
-import simbad.sonar.format.ReadingRow;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Point;
 import simbad.sonar.frame.Pose;
@@ -21,6 +20,7 @@ import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.scene.UniformDetection;
 import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.shape.Outline;
 
 /** A sensor round a square post of 10 cm at the origin, and logs that models themselves draw. */

@@ -32,7 +32,7 @@ public record UnmodelledObject(
     double along = dz * normalX - dx * normalZ;
     double beside = along - Math.max(-halfWidthM, Math.min(halfWidthM, along));
     boolean post = halfWidthM == 0;
-    if (!post && (before <= 0 || beside != 0 && squareRad == 0)) {
+    if (!post && (before <= 0 || (beside != 0 && squareRad == 0))) {
       return;
     }
     double toX = -before * normalX + beside * normalZ;
