@@ -315,7 +315,8 @@ class RangerTest {
   void build_isTheOneThatIsInTheProgramsFile()
       throws IOException, DataFormatException, InterruptedException {
     try (TestBoard test = TestBoard.start(folder, n -> at(1))) {
-      String text = test.serial.await(came -> came.contains("power-on*"));
+      String text =
+          test.serial.await(came -> SerialReader.of(Identity.class, came).findFirst().isPresent());
       FrameLine.Identity identity = SerialReader.of(Identity.class, text).findFirst().orElseThrow();
       String program = GpsimImage.read(TestBoard.KIT.program());
       StringBuilder bytes = new StringBuilder();

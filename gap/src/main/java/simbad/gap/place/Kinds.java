@@ -18,6 +18,7 @@ import simbad.sonar.model.ReadingDistribution;
  * @param forecast what the nominal model expects of each ping
  * @param excess of each ping's gap
  */
+@SuppressWarnings("ArrayRecordComponent") // one value for each ping; read only
 record Kinds(PingLog log, List<ReadingDistribution> forecast, double[] excess) {
   /** Returns the kind that carries most of the excess of some pings. */
   GapKind of(int[] pings) {

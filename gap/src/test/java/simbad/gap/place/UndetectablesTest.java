@@ -32,7 +32,7 @@ class UndetectablesTest {
   void farReadings_showNoDeadZone_butOneThatReachesThem() {
     Map<Effect, Undetectable> far = of(read(400, 1.0, 1.6), Hypothesis.NONE);
     Undetectable zone = far.get(Effect.DEAD_ZONE);
-    assertEquals("end_m", zone.parameter());
+    assertEquals("end_m", java.util.Objects.requireNonNull(zone).parameter());
     // The nearest surface that the sensor met is 0.95 m away.
     assertEquals(0.97, zone.leastSize().orElseThrow(), 0.05);
     assertFalse(far.containsKey(Effect.RANGE_OFFSET), far::toString);
@@ -49,7 +49,7 @@ class UndetectablesTest {
     List<ReadingRow> rows = read(60, 0.3, 1.6);
     Evidence evidence = Worlds.evidence(rows);
     Undetectable dropout = of(rows, Hypothesis.NONE).get(Effect.DROPOUT);
-    double size = dropout.leastSize().orElseThrow();
+    double size = java.util.Objects.requireNonNull(dropout).leastSize().orElseThrow();
     assertTrue(size > 0.05, dropout::toString);
     double fall =
         Arrays.stream(evidence.logLikelihood(Hypothesis.NONE)).sum()
