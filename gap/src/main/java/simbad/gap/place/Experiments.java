@@ -67,7 +67,7 @@ public final class Experiments {
 
   private static Optional<Trial> beside(Trial first, List<Trial> trials) {
     return trials.stream()
-        .filter(trial -> trial != first)
+        .filter(trial -> !trial.equals(first))
         .max(Comparator.comparingDouble(trial -> both(first, trial)))
         .filter(trial -> both(first, trial) > (1 + WORTH_SHARE) * first.nats().least());
   }

@@ -95,7 +95,7 @@ public final class Places {
               .toList();
       Optional<Scan.Found> chosen =
           best.stream().reduce((one, other) -> other.merit() > one.merit() ? other : one);
-      best.forEach(each -> looked.add(candidate(each, each == chosen.orElseThrow())));
+      best.forEach(each -> looked.add(candidate(each, each.equals(chosen.orElseThrow()))));
       if (chosen.isEmpty() || open(chosen.get().slice(), found) < LEAST_SHARE * gap(found)) {
         return;
       }

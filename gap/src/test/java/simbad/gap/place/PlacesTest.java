@@ -87,7 +87,7 @@ class PlacesTest {
 
     private static boolean holds(
         @org.jspecify.annotations.Nullable Interval interval, double value) {
-      return interval == null || value >= interval.low() && value < interval.high();
+      return interval == null || (value >= interval.low() && value < interval.high());
     }
   }
 
