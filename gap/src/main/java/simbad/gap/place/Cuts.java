@@ -40,7 +40,8 @@ final class Cuts {
       boolean unseen =
           geometry.nearestM(here) == Double.POSITIVE_INFINITY
               && geometry.nearestM(there) == Double.POSITIVE_INFINITY;
-      if (nearer || (unseen && geometry.centreDistanceM(there) < geometry.centreDistanceM(here))) {
+      boolean closer = geometry.centreDistanceM(there) < geometry.centreDistanceM(here);
+      if (nearer || (unseen && closer)) {
         best = other;
       }
     }

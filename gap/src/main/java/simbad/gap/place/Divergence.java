@@ -15,7 +15,7 @@ final class Divergence {
   private static final double FINEST_STEP_M = 5e-3;
 
   /** What holds less than this in both says nothing. */
-  private static final double HARDLY = 1e-7;
+  private static final double HARDLY = 1e-5;
 
   private final double stepM;
   private final int steps;

@@ -13,13 +13,25 @@ import simbad.sonar.model.ReadingDistribution;
  *
  * <p>An excess with no echo read is a missed one; with an echo read it is a phantom where none was
  * expected and an error of the range where one was, in proportion to how far it was.
- *
- * @param log what was read
- * @param forecast what the nominal model expects of each ping
- * @param excess of each ping's gap
  */
-@SuppressWarnings("ArrayRecordComponent") // one value for each ping; read only
-record Kinds(PingLog log, List<ReadingDistribution> forecast, double[] excess) {
+final class Kinds {
+  private final PingLog log;
+  private final List<ReadingDistribution> forecast;
+  private final double[] excess;
+
+  /**
+   * Creates them.
+   *
+   * @param log what was read
+   * @param forecast what the nominal model expects of each ping
+   * @param excess of each ping's gap
+   */
+  Kinds(PingLog log, List<ReadingDistribution> forecast, double[] excess) {
+    this.log = log;
+    this.forecast = forecast;
+    this.excess = excess;
+  }
+
   /** Returns the kind that carries most of the excess of some pings. */
   GapKind of(int[] pings) {
     Map<GapKind, Double> carried = new EnumMap<>(GapKind.class);

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
@@ -31,8 +32,8 @@ class UndetectablesTest {
   @Test
   void farReadings_showNoDeadZone_butOneThatReachesThem() {
     Map<Effect, Undetectable> far = of(read(400, 1.0, 1.6), Hypothesis.NONE);
-    Undetectable zone = far.get(Effect.DEAD_ZONE);
-    assertEquals("end_m", java.util.Objects.requireNonNull(zone).parameter());
+    Undetectable zone = Objects.requireNonNull(far.get(Effect.DEAD_ZONE));
+    assertEquals("end_m", zone.parameter());
     // The nearest surface that the sensor met is 0.95 m away.
     assertEquals(0.97, zone.leastSize().orElseThrow(), 0.05);
     assertFalse(far.containsKey(Effect.RANGE_OFFSET), far::toString);
@@ -48,8 +49,8 @@ class UndetectablesTest {
   void leastSize_isWhereTheLikelihoodFallsByTheNats() {
     List<ReadingRow> rows = read(60, 0.3, 1.6);
     Evidence evidence = Worlds.evidence(rows);
-    Undetectable dropout = of(rows, Hypothesis.NONE).get(Effect.DROPOUT);
-    double size = java.util.Objects.requireNonNull(dropout).leastSize().orElseThrow();
+    Undetectable dropout = Objects.requireNonNull(of(rows, Hypothesis.NONE).get(Effect.DROPOUT));
+    double size = dropout.leastSize().orElseThrow();
     assertTrue(size > 0.05, dropout::toString);
     double fall =
         Arrays.stream(evidence.logLikelihood(Hypothesis.NONE)).sum()
