@@ -32,16 +32,29 @@ final class Kinds {
     this.excess = excess;
   }
 
-  /** Returns the kind that carries most of the excess of some pings. */
+  /**
+   * Returns the kind that carries most of the excess of some pings. Of the misses those that were
+   * to be expected are taken away, and what they were expected to cost is given back to the echoes.
+   */
   GapKind of(int[] pings) {
+    double misses = 0;
+    double expectedMisses = 0;
+    double missed = 0;
+    for (int ping : pings) {
+      expectedMisses += forecast.get(ping).noEchoProbability();
+      if (!log.echo(ping)) {
+        misses++;
+        missed += excess[ping];
+      }
+    }
+    double each = misses > 0 ? missed / misses : 0;
     Map<GapKind, Double> carried = new EnumMap<>(GapKind.class);
+    carried.put(GapKind.MISSED_ECHO, each * Math.max(0, misses - expectedMisses));
     for (int ping : pings) {
       if (log.echo(ping)) {
         double none = forecast.get(ping).noEchoProbability();
         carried.merge(GapKind.PHANTOM_ECHO, none * excess[ping], Double::sum);
-        carried.merge(GapKind.RANGE_ERROR, (1 - none) * excess[ping], Double::sum);
-      } else {
-        carried.merge(GapKind.MISSED_ECHO, excess[ping], Double::sum);
+        carried.merge(GapKind.RANGE_ERROR, (1 - none) * (excess[ping] + none * each), Double::sum);
       }
     }
     return carried.entrySet().stream()
