@@ -1,10 +1,36 @@
 package simbad.gap.diagnosis;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import simbad.gap.explain.Blocks;
+import simbad.gap.explain.Calibration;
+import simbad.gap.explain.Gain;
+import simbad.gap.explain.Misfit;
+import simbad.gap.explain.Probabilities;
+import simbad.gap.explain.Scored;
+import simbad.gap.explain.Search;
+import simbad.gap.explain.Uncertainty;
+import simbad.gap.explain.Unknown;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.PingLog;
 
 /** Diagnoses data sets. Deterministic: the same data set and seed give the same diagnosis. */
 public final class Diagnoser {
+  /** What a further effect must gain for each row, so that more rows do not find what is tiny. */
+  private static final double WORTH_NATS_PER_ROW = 0.0025;
+
+  private static final double TIE_NATS = 3;
+  private static final double NORMAL_95 = 1.96;
+  private static final int TABLE = 12;
+
   private final long seed;
   private final Set<Effect> withheld;
 
@@ -21,6 +47,149 @@ public final class Diagnoser {
 
   /** Diagnoses a data set. */
   public Diagnosis diagnose(DataSet data) {
-    throw new UnsupportedOperationException("seed " + seed + ", without " + withheld + ": " + data);
+    PingLog log = new PingLog(data.readings());
+    Calibration calibration =
+        data.reference().isEmpty()
+            ? Calibration.NONE
+            : Calibration.of(data.setup(), new PingLog(data.reference()));
+    Evidence evidence = new Evidence(data.setup(), calibration.setup().changes(), log);
+    double worth =
+        Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size()) * calibration.clumping();
+    List<Scored> sets = new Search(evidence, withheld, worth).run();
+    Probabilities probabilities = new Probabilities(sets, worth, calibration.clumping());
+    return conclude(evidence, calibration, sets, probabilities);
+  }
+
+  private Diagnosis conclude(
+      Evidence evidence, Calibration calibration, List<Scored> sets, Probabilities probabilities) {
+    Hypothesis best = probabilities.best().hypothesis();
+    Blocks blocks = new Blocks(evidence.log());
+    Gain gain = Gain.of(evidence, blocks, best);
+    double unknown =
+        Unknown.probability(
+            new Misfit(evidence, best), gain, best.forms().size(), calibration.clumping());
+    return new Diagnosis(
+        verdict(best, unknown),
+        best.effects(),
+        new Findings(evidence, sets, probabilities, calibration.clumping()).all(),
+        unknown,
+        figures(gain, blocks),
+        List.of(),
+        List.of(),
+        Optional.empty(),
+        best,
+        calibration.setup(),
+        attempts(sets));
+  }
+
+  private static Verdict verdict(Hypothesis best, double unknown) {
+    if (unknown > 0.5) {
+      return Verdict.UNEXPLAINED;
+    }
+    return best.forms().isEmpty() ? Verdict.NONE : Verdict.EXPLAINED;
+  }
+
+  private GapFigures figures(Gain gain, Blocks blocks) {
+    double[] shrinks = gain.resampled(blocks, seed);
+    int tail = (int) (0.025 * shrinks.length);
+    return new GapFigures(
+        gain.before().observedM().length,
+        100 * gain.beforeM(),
+        100 * gain.afterM(),
+        100 * gain.floorM(),
+        gain.beforeM() > 0 ? 1 - gain.afterM() / gain.beforeM() : 0,
+        new Interval(shrinks[tail], shrinks[shrinks.length - 1 - tail]));
+  }
+
+  private static List<Diagnosis.Attempt> attempts(List<Scored> sets) {
+    double nominal =
+        sets.stream()
+            .filter(set -> set.hypothesis().forms().isEmpty())
+            .mapToDouble(Scored::heldOut)
+            .findFirst()
+            .orElse(0);
+    return sets.stream()
+        .map(set -> new Diagnosis.Attempt(set.hypothesis().effects(), set.heldOut() - nominal))
+        .toList();
+  }
+
+  /** What is said of each effect. */
+  private record Findings(
+      Evidence evidence, List<Scored> sets, Probabilities probabilities, double clumping) {
+
+    List<EffectFinding> all() {
+      Map<Effect, Double> probability = probabilities.ofEffects();
+      Hypothesis best = probabilities.best().hypothesis();
+      double[] deviations =
+          best.size() > TABLE
+              ? infinite(best.size())
+              : new Uncertainty(evidence, clumping).deviations(best);
+      List<EffectFinding> findings = new ArrayList<>();
+      for (Effect effect : Effect.values()) {
+        findings.add(
+            best.has(effect)
+                ? named(effect, best, deviations, probability.getOrDefault(effect, 0.0))
+                : other(effect, probability.getOrDefault(effect, 0.0)));
+      }
+      findings.sort(Comparator.comparingDouble(finding -> -finding.probability()));
+      return findings;
+    }
+
+    private static double[] infinite(int size) {
+      double[] all = new double[size];
+      Arrays.fill(all, Double.POSITIVE_INFINITY);
+      return all;
+    }
+
+    private EffectFinding named(
+        Effect effect, Hypothesis best, double[] deviations, double probability) {
+      int at = best.effects().indexOf(effect);
+      int from = 0;
+      for (int i = 0; i < at; i++) {
+        from += best.forms().get(i).parameters().size();
+      }
+      Form form = best.forms().get(at);
+      double[] own = Arrays.copyOfRange(deviations, from, from + form.parameters().size());
+      return new EffectFinding(
+          effect,
+          probability,
+          Optional.of(form.name()),
+          fitted(form, best.valuesOf(at), own),
+          probabilities.inPlaceOf(effect, TIE_NATS * clumping));
+    }
+
+    /** Of an effect that is not in the explanation: its values when it is fitted alone. */
+    private EffectFinding other(Effect effect, double probability) {
+      Optional<Hypothesis> alone =
+          sets.stream()
+              .map(Scored::hypothesis)
+              .filter(set -> set.effects().equals(List.of(effect)))
+              .findFirst();
+      List<Effect> tied =
+          probabilities.best().hypothesis().effects().stream()
+              .filter(in -> probabilities.inPlaceOf(in, TIE_NATS * clumping).contains(effect))
+              .toList();
+      return new EffectFinding(
+          effect,
+          probability,
+          alone.map(set -> set.forms().get(0).name()),
+          alone
+              .map(set -> fitted(set.forms().get(0), set.values(), infinite(set.size())))
+              .orElse(List.of()),
+          tied);
+    }
+
+    private static List<FittedParameter> fitted(Form form, double[] values, double[] deviations) {
+      List<FittedParameter> parameters = new ArrayList<>();
+      for (int i = 0; i < values.length; i++) {
+        double half = NORMAL_95 * deviations[i];
+        parameters.add(
+            new FittedParameter(
+                form.parameters().get(i).name(),
+                values[i],
+                new Interval(values[i] - half, values[i] + half)));
+      }
+      return parameters;
+    }
   }
 }

@@ -17,7 +17,11 @@ public final class GapMeter {
   /** Number of predicted quantiles. */
   public static final int QUANTILES = 19;
 
-  private static final int FLOOR_POINTS = 20;
+  private static final int FLOOR_POINTS = 12;
+  private static final double LEAST = 1e-6;
+
+  /** Further than any echo: quantiles below it are those of the echoes alone. */
+  private static final double BEYOND_M = 1e4;
 
   private final PingLog log;
   private final double noEchoM;
@@ -63,14 +67,14 @@ public final class GapMeter {
   }
 
   private double expected(ReadingDistribution forecast, double[] quantiles) {
-    if (quantiles[0] == quantiles[QUANTILES - 1] && forecast.noEchoProbability() >= 1) {
-      return 0;
+    double silent = forecast.noEchoProbability();
+    double sum = silent * loss(quantiles, noEchoM);
+    double each = (1 - silent) / FLOOR_POINTS;
+    // Echoes and misses apart: a rare one of either costs much and would fall between quantiles.
+    for (int i = 0; i < FLOOR_POINTS && each > LEAST; i++) {
+      sum += each * loss(quantiles, forecast.quantileM((i + 0.5) * each, BEYOND_M));
     }
-    double sum = 0;
-    for (int i = 0; i < FLOOR_POINTS; i++) {
-      sum += loss(quantiles, forecast.quantileM((i + 0.5) / FLOOR_POINTS, noEchoM));
-    }
-    return sum / FLOOR_POINTS;
+    return sum;
   }
 
   static double loss(double[] quantiles, double read) {

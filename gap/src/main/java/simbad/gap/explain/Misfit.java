@@ -116,7 +116,7 @@ public final class Misfit {
         into.add(new Slice(name, "echo", echoZ(), (echoes - expected) / rows, rows));
       }
       if (echoes >= LEAST_ROWS) {
-        double shift = scores / Math.sqrt(echoes * Math.max(spread[0], 0.3));
+        double shift = scores / Math.sqrt(echoes * Math.max(spread[0], 0.5));
         into.add(new Slice(name, "range", shift, scores / echoes, rows));
         double scatter = (squares - echoes * spread[0]) / (spread[1] * Math.sqrt(echoes));
         into.add(new Slice(name, "scatter", scatter, squares / echoes, rows));

@@ -37,14 +37,24 @@ public final class Surprise {
     }
   }
 
-  /** The normal score of the middle of the step that was read, among all echoes. */
+  /**
+   * The normal score of a place in the step that was read, among all echoes. The place is drawn, so
+   * that scores are standard normal however coarse the steps are (Dunn and Smyth 1996).
+   */
   private double score(Expectation expectation, int i) {
     double echo = expectation.echo()[i];
     if (!(echo > SURE)) {
       return 0;
     }
-    double share = (expectation.below()[i] + expectation.reading()[i] / 2) / echo;
+    double share = (expectation.below()[i] + expectation.reading()[i] * place(i)) / echo;
     double level = Math.max(1e-7, Math.min(1 - 1e-7, share));
     return Math.max(-FARTHEST, Math.min(FARTHEST, NormalQuantile.of(level)));
+  }
+
+  /** Even in (0, 1), the same for the same ping at any time: a multiplicative hash of its index. */
+  private static double place(int ping) {
+    long mixed = (ping + 1) * 0x9E3779B97F4A7C15L;
+    mixed = (mixed ^ (mixed >>> 32)) * 0xD6E8FEB86659FD93L;
+    return ((mixed >>> 11) + 0.5) * 0x1.0p-53;
   }
 }

@@ -1,0 +1,88 @@
+package simbad.gap.explain;
+
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import simbad.sonar.effect.Effect;
+
+/** How probable each set of effects is among those that were fitted, and each effect. */
+public final class Probabilities {
+  /** What a further effect must gain held-out at least, whatever the number of rows. */
+  public static final double COST_NATS = 10;
+
+  /** Likelihoods of models that are all a little wrong are taken for less than they say. */
+  private static final double TEMPERATURE = 2;
+
+  private final List<Scored> sets;
+  private final double[] weight;
+
+  /**
+   * Weighs sets.
+   *
+   * @param sets with their held-out scores
+   * @param costNats what a further effect must gain to be as probable as its absence
+   * @param clumping by how much the readings hang together; 1 for independent ones
+   */
+  public Probabilities(List<Scored> sets, double costNats, double clumping) {
+    this.sets = List.copyOf(sets);
+    weight = new double[sets.size()];
+    double most = Double.NEGATIVE_INFINITY;
+    for (int i = 0; i < weight.length; i++) {
+      Scored set = sets.get(i);
+      double nats = set.heldOut() - costNats * set.hypothesis().forms().size();
+      weight[i] = nats / (TEMPERATURE * clumping);
+      most = Math.max(most, weight[i]);
+    }
+    double sum = 0;
+    for (int i = 0; i < weight.length; i++) {
+      weight[i] = Math.exp(weight[i] - most);
+      sum += weight[i];
+    }
+    for (int i = 0; i < weight.length; i++) {
+      weight[i] /= sum;
+    }
+  }
+
+  /** Returns the most probable set. */
+  public Scored best() {
+    int best = 0;
+    for (int i = 1; i < weight.length; i++) {
+      best = weight[i] > weight[best] ? i : best;
+    }
+    return sets.get(best);
+  }
+
+  /** Returns the probability that an effect is at work, for each that was fitted. */
+  public Map<Effect, Double> ofEffects() {
+    Map<Effect, Double> sums = new EnumMap<>(Effect.class);
+    for (int i = 0; i < weight.length; i++) {
+      for (Effect effect : sets.get(i).hypothesis().effects()) {
+        sums.merge(effect, weight[i], Double::sum);
+      }
+    }
+    return sums;
+  }
+
+  /**
+   * Returns, for an effect of the best set, the effects that could stand in its place with less
+   * than some evidence against it.
+   *
+   * @param effect of the best set
+   * @param nats how much evidence still leaves the two alike
+   */
+  public List<Effect> inPlaceOf(Effect effect, double nats) {
+    Set<Effect> rest = new TreeSet<>(best().hypothesis().effects());
+    rest.remove(effect);
+    int size = rest.size() + 1;
+    return sets.stream()
+        .filter(set -> set.hypothesis().forms().size() == size)
+        .filter(set -> set.hypothesis().effects().containsAll(rest))
+        .filter(set -> set.heldOut() > best().heldOut() - nats)
+        .flatMap(set -> set.hypothesis().effects().stream())
+        .filter(other -> other != effect && !rest.contains(other))
+        .distinct()
+        .toList();
+  }
+}

@@ -1,0 +1,53 @@
+package simbad.gap.explain;
+
+import java.util.List;
+
+/**
+ * How probable it is that something is at work that the best set of effects does not account for.
+ */
+public final class Unknown {
+  private static final int TOP = 5;
+
+  /** Mean of the five greatest misfits at which it is as probable as not, and how fast it turns. */
+  private static final double EVEN = 4.4;
+
+  private static final double WIDTH = 0.35;
+
+  /** A gap that is left and is a smaller share of the gap before does not matter. */
+  private static final double SMALL_SHARE = 0.05;
+
+  private static final double PRACTICAL_M = 0.002;
+
+  /** Three effects at once are rarer than one thing that has no name. */
+  private static final double THIRD = 2;
+
+  private Unknown() {}
+
+  /**
+   * Estimates the probability.
+   *
+   * @param misfit of the best set
+   * @param gain of the best set
+   * @param effects number of effects in it
+   * @param clumping by how much readings hang together; 1 for independent ones
+   */
+  public static double probability(Misfit misfit, Gain gain, int effects, double clumping) {
+    double off = misfit.top(TOP) / Math.sqrt(clumping);
+    double logit = (off - EVEN) / WIDTH + (effects > 2 ? THIRD : 0);
+    double left = gain.afterM() - mean(gain.after().expectedM());
+    boolean small = left < Math.max(PRACTICAL_M, SMALL_SHARE * (gain.beforeM() - gain.floorM()));
+    if (small && effects > 0) {
+      logit -= THIRD;
+    }
+    return 1 / (1 + Math.exp(-logit));
+  }
+
+  private static double mean(double[] values) {
+    return java.util.Arrays.stream(values).average().orElse(0);
+  }
+
+  /** Returns the slices that are most off, for the report. */
+  public static List<Misfit.Slice> worst(Misfit misfit) {
+    return misfit.slices().stream().limit(TOP).toList();
+  }
+}
