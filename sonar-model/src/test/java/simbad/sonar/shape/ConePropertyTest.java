@@ -1,6 +1,7 @@
 package simbad.sonar.shape;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -9,6 +10,7 @@ import java.util.List;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.constraints.DoubleRange;
+import org.junit.jupiter.api.Test;
 import simbad.sonar.fixture.Reference;
 import simbad.sonar.fixture.Seeded;
 import simbad.sonar.fixture.Shapes;
@@ -94,5 +96,34 @@ class ConePropertyTest {
     Collections.reverse(corners);
     Collections.rotate(corners, 2);
     assertEquals(before, nearest(Outline.of(corners), tip, heading, 27.5), 1e-12);
+  }
+
+  /** Where a cone misses the disc round an outline it meets nothing of the outline. */
+  @Seeded
+  void misses_isNeverTrueOfADiscWithAPointInTheCone(
+      @ForAll Random random, @ForAll @DoubleRange(min = 0.1, max = 180) double halfDeg) {
+    Outline outline = Shapes.any(random, 0.3);
+    double radius = outline.reachM(0, 0);
+    Point tip = anyTip(random);
+    double heading = random.nextDouble(-3, 3);
+    double cos = Math.cos(heading);
+    double sin = Math.sin(heading);
+    double along = -tip.xM() * cos + tip.zM() * sin;
+    double across = tip.xM() * sin + tip.zM() * cos;
+    if (new Cone(Math.toRadians(halfDeg)).misses(along, across, radius)) {
+      assertEquals(Double.POSITIVE_INFINITY, nearest(outline, tip, heading, halfDeg));
+    }
+  }
+
+  /** A centre at 45 degrees is 15 degrees beyond a border of 30, sin 15 of its distance away. */
+  @Test
+  void misses_inClosedForm() {
+    Cone cone = new Cone(Math.toRadians(30));
+    assertFalse(cone.misses(3, 0, 0.01));
+    assertTrue(cone.misses(3, 3, 3 * Math.sin(Math.toRadians(15)) * Math.sqrt(2) - 0.01));
+    assertFalse(cone.misses(3, -3, 3 * Math.sin(Math.toRadians(15)) * Math.sqrt(2) + 0.01));
+    assertTrue(cone.misses(-1, 0, 0.9));
+    assertFalse(cone.misses(-1, 0, 1.1));
+    assertFalse(new Cone(Math.toRadians(90)).misses(-5, 0, 0.1));
   }
 }

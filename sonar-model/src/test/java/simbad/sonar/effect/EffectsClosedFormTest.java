@@ -1,0 +1,373 @@
+package simbad.sonar.effect;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import simbad.sonar.fixture.Scenes;
+import simbad.sonar.fixture.Sonars;
+import simbad.sonar.frame.Placement;
+import simbad.sonar.frame.Pose;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.TableDetection;
+import simbad.sonar.shape.ThresholdTable;
+
+/**
+ * Each effect on one ping at one box, with figures that can be worked out on paper.
+ *
+ * <p>The box is 0.25 m wide, its centre 1 m ahead of the sensor, its face 0.875 m; it is lost at
+ * 1.2 m. The sensor hears 27.5 degrees either side, from 0.03 m to 6 m, misses a tenth of all
+ * echoes, loses them over 0.1 m, scatters by 0.02 m and reports steps of 0.05 m: the face lies in
+ * the middle of the step from 0.85 m to 0.9 m, 1.25 standard deviations from both ends.
+ */
+class EffectsClosedFormTest {
+  private static final SensingSetup SETUP = setup(1.2);
+
+  /** Of a standard normal variable: 2 F(1.25) - 1, from a table of F. */
+  private static final double WITHIN_1_25 = 0.788700;
+
+  private static final double P = echo(1, 1.2);
+
+  private static SensingSetup setup(double thresholdM) {
+    return setup(Scenes.of(Scenes.box(1, 0, thresholdM)));
+  }
+
+  private static SensingSetup setup(Scene scene) {
+    return new SensingSetup(Sonars.noisy(0.05, 0.02, 0.1, 0.1), scene, 6.5);
+  }
+
+  private static double echo(double distanceM, double thresholdM) {
+    return 0.9 / (1 + Math.exp((distanceM - thresholdM) / 0.1));
+  }
+
+  private static double probability(
+      SensingSetup setup, Pose pose, OptionalDouble rangeM, Change... changes) {
+    return Logs.likelihood(setup, List.of(Logs.row(0, pose, rangeM)), List.of(changes))[0];
+  }
+
+  private static void assertEcho(double expected, Change... changes) {
+    double silent = probability(SETUP, Pose.of(0, 0, 0), Logs.SILENCE, changes);
+    assertEquals(1 - expected, silent, 1e-6, List.of(changes).toString());
+  }
+
+  private static void assertReads(double expected, double rangeM, Change... changes) {
+    OptionalDouble range = OptionalDouble.of(rangeM);
+    double found = probability(SETUP, Pose.of(0, 0, 0), range, changes);
+    assertEquals(expected, found, 1e-6, rangeM + " " + List.of(changes));
+  }
+
+  @Test
+  void withoutChange() {
+    assertEcho(P);
+    assertReads(P * WITHIN_1_25, 0.85);
+    // Beyond 1.25 deviations, up to 3.75: F(3.75) = 0.9999116.
+    assertReads(P * (0.9999116 - 0.8943502), 0.9);
+  }
+
+  /**
+   * Scaled by 343/unknown so that the face moves from 0.875 m to 0.975 m, again a step's middle.
+   */
+  @Test
+  void soundSpeed_scales() {
+    assertReads(P * WITHIN_1_25, 0.95, new SoundSpeed(0.975 / 0.875));
+    Form form = Forms.find(Effect.SOUND_SPEED, "scale", SETUP, List.of()).orElseThrow();
+    // Time is right, range is what the assumed 343 m/s make of it: slower sound reads longer.
+    assertReads(P * WITHIN_1_25, 0.95, form.with(343 * 0.875 / 0.975));
+  }
+
+  @Test
+  void rangeOffset_shifts_afterTheScale() {
+    assertReads(P * WITHIN_1_25, 0.8, new RangeOffset(-0.05));
+    // 0.875 doubled is 1.75, and 0.025 more is the middle of a step; the sum doubled were 1.8.
+    assertReads(P * WITHIN_1_25, 1.75, new RangeOffset(0.025), new SoundSpeed(2));
+    assertEcho(P, new RangeOffset(-0.05));
+  }
+
+  /** A range that would fall below 0 is 0. */
+  @Test
+  void rangeOffset_belowZero_readsZero() {
+    assertReads(P, 0, new RangeOffset(-1));
+  }
+
+  @Test
+  void rangeNoise_addsInSquares() {
+    // 0.02 and 0.015 make 0.025: the step's ends are 1 deviation away.
+    assertReads(P * 0.6826895, 0.85, new RangeNoise(0.015, 0));
+    assertReads(P * 0.6826895, 0.85, new RangeNoise(0, 0.015 / 0.875));
+    // 0.02, 0.012 and 0.009 make 0.025 too.
+    assertReads(P * 0.6826895, 0.85, new RangeNoise(0.012, 0.009 / 0.875));
+    assertEcho(P, new RangeNoise(0.3, 0.1));
+  }
+
+  @Test
+  void noiseTails_areAShare() {
+    double mixed = 0.7 * WITHIN_1_25 + 0.3 * 0.6826895;
+    assertReads(P * mixed, 0.85, new NoiseTails(0.3, 0.015));
+    assertEcho(P, new NoiseTails(0.3, 0.1));
+  }
+
+  /** Steps of 0.25 m: the face lies in the one from 0.75 m, its ends 6.25 deviations away. */
+  @Test
+  void coarseResolution_readsTheStartOrTheCentre() {
+    assertReads(P, 0.75, new CoarseResolution(0.25, false));
+    assertReads(0, 0.85, new CoarseResolution(0.25, false));
+    // The centre, 0.875 m, is rounded down to the sensor's own steps.
+    assertReads(P, 0.85, new CoarseResolution(0.25, true));
+  }
+
+  @Test
+  void nearClamp_readsTheLeast() {
+    // What is below 1 m, which all is, reads 1 m.
+    assertReads(P, 1, new NearClamp(1));
+    // Below the face's middle half of it: half reads 0.875 m itself, in the same step.
+    double above = P * (0.9999116 - 0.8943502);
+    assertReads(above, 0.9, new NearClamp(0.875));
+    assertReads(P * 0.8943502, 0.85, new NearClamp(0.875));
+    // Clamped first, then in steps of 0.25 m.
+    assertReads(P, 1, new CoarseResolution(0.25, false), new NearClamp(1.1));
+  }
+
+  @Test
+  void crosstalk_ofAnyPing_hidesTheEcho() {
+    Change crosstalk = new Crosstalk(0.2, 0.5, 4.5, false);
+    assertEcho(0.8 * P + 0.2, crosstalk);
+    assertReads(0.8 * P * WITHIN_1_25 + 0.2 * 0.05 / 4, 0.85, crosstalk);
+    assertReads(0.2 * 0.05 / 4, 3, crosstalk);
+    assertReads(0, 4.55, crosstalk);
+  }
+
+  @Test
+  void crosstalk_ofSilentPings_leavesTheEcho() {
+    Change crosstalk = new Crosstalk(0.2, 0.5, 4.5, true);
+    assertEcho(P + 0.2 * (1 - P), crosstalk);
+    assertReads(P * WITHIN_1_25 + 0.2 * (1 - P) * 0.05 / 4, 0.85, crosstalk);
+  }
+
+  @Test
+  void crosstalk_thatComesEarlier_hidesTheEcho() {
+    Change crosstalk = new EarlyCrosstalk(0.2, 0, 3.5);
+    // A quarter of the span lies before the face.
+    assertEcho(P + 0.2 * (1 - P), crosstalk);
+    double density = 0.2 / 3.5;
+    assertReads(0.05 * density, 0.5, crosstalk);
+    assertReads((1 - P) * 0.05 * density, 2, crosstalk);
+    double half = 0.025 * density;
+    assertReads(P * (0.95 * WITHIN_1_25 + half) + (1 - P) * 0.05 * density, 0.85, crosstalk);
+  }
+
+  @Test
+  void multipath_isAShareOfTheEchoes() {
+    Change added = new Multipath(0.4, 1, 0.3, 0);
+    assertReads(0.6 * P * WITHIN_1_25, 0.85, added);
+    assertReads(0.4 * P * WITHIN_1_25, 1.15, added);
+    assertReads(0.4 * P * WITHIN_1_25, 1.75, new Multipath(0.4, 2, 0.025, 0));
+    assertReads(0.4 * P * 0.6826895, 1.15, new Multipath(0.4, 1, 0.3, 0.015));
+    assertEcho(P, added);
+  }
+
+  @Test
+  void dropout_losesPings() {
+    assertEcho(0.7 * P, new Dropout(0.3));
+    assertEcho(P * (1 - 0.4 * 0.5), new Burst(0.4, 5, 0.5));
+    assertEcho(0.7 * P * (1 - 0.4 * 0.5), new Dropout(0.3), new Burst(0.4, 5, 0.5));
+  }
+
+  @Test
+  void gain_scalesTheThreshold() {
+    assertEcho(echo(1, 0.96), new Gain(0.8));
+    assertReads(echo(1, 0.96) * WITHIN_1_25, 0.85, new Gain(0.8));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0.3, EXPONENTIAL", "0.3, HYPERBOLIC", "0.3, BALANCED", "-0.1, HYPERBOLIC"})
+  void absorption_shrinksTheThreshold(double perM, Absorption.Law law) {
+    double threshold =
+        switch (law) {
+          case EXPONENTIAL -> 1.2 * Math.exp(-0.36);
+          case HYPERBOLIC -> 1.2 / (1 + 1.2 * perM);
+          case BALANCED -> balanced(perM);
+        };
+    assertEcho(echo(1, threshold), new Absorption(perM, law));
+  }
+
+  /** The t of t exp(a t) = 1.2, by halving. */
+  private static double balanced(double perM) {
+    double low = 0;
+    double high = 1.2;
+    for (int i = 0; i < 60; i++) {
+      double middle = (low + high) / 2;
+      if (middle * Math.exp(perM * middle) < 1.2) {
+        low = middle;
+      } else {
+        high = middle;
+      }
+    }
+    return low;
+  }
+
+  /** Newton's steps are enough for the strongest loss over the farthest threshold of a table. */
+  @Test
+  void absorption_balance_isReached() {
+    double threshold = 100;
+    SensingSetup far = setup(threshold);
+    PingLog log = new PingLog(List.of(Logs.row(0, Pose.of(0, 0, 0), Logs.SILENCE)));
+    double factor =
+        new Absorption(1.5, Absorption.Law.BALANCED).factor(new Geometry(log, far, List.of()), 0);
+    double t = factor * threshold;
+    assertEquals(threshold, t * Math.exp(1.5 * t), 1e-6);
+  }
+
+  /** The sensor looks 10 degrees past the box. */
+  @ParameterizedTest
+  @CsvSource({"BELL, 20, 1.5, 0.882497", "COSINE, 20, 2, 0.5", "RAMP, 20, 2, 0.25"})
+  void beamPattern_tapers(BeamPattern.Law law, double widthDeg, double power, double factor) {
+    // exp(-0.5^3), cos^2(45 degrees), (1 - 0.5)^2.
+    Pose aside = Pose.of(0, 0, Math.toRadians(-10));
+    Change taper = new BeamPattern(Math.toRadians(widthDeg), power, law);
+    double silent = probability(SETUP, aside, Logs.SILENCE, taper);
+    assertEquals(1 - echo(1, 1.2 * factor), silent, 1e-6);
+    Change narrow = new BeamPattern(Math.toRadians(5), 1, law);
+    if (law != BeamPattern.Law.BELL) {
+      assertEquals(1, probability(SETUP, aside, Logs.SILENCE, narrow), 1e-12);
+    }
+  }
+
+  /** 40 degrees aside the near corner is at 40 - atan(0.125 / 0.875) = 31.87 degrees. */
+  @Test
+  void beamWidth_movesTheBorder() {
+    Pose aside = Pose.of(0, 0, Math.toRadians(40));
+    assertEquals(1, probability(SETUP, aside, Logs.SILENCE));
+    Change wider = new BeamWidth(Math.toRadians(10));
+    assertEquals(1 - P, probability(SETUP, aside, Logs.SILENCE, wider), 1e-12);
+    Pose lessAside = Pose.of(0, 0, Math.toRadians(30));
+    Change narrower = new BeamWidth(Math.toRadians(-10));
+    assertEquals(1 - P, probability(SETUP, lessAside, Logs.SILENCE), 1e-12);
+    assertEquals(1, probability(SETUP, lessAside, Logs.SILENCE, narrower));
+  }
+
+  @Test
+  void beamEdge_isHalfAtTheBorder() {
+    // The corner at 0.875, 0.125 lies atan(1/7) to the right; here 27.5 degrees from the heading.
+    Pose atBorder = Pose.of(0, 0, -Math.toRadians(27.5) - Math.atan2(0.125, 0.875));
+    Change soft = new BeamEdge(Math.toRadians(2));
+    assertEquals(1 - P / 2, probability(SETUP, atBorder, Logs.SILENCE, soft), 1e-9);
+    Pose ahead = Pose.of(0, 0, 0);
+    double inside = 1 / (1 + Math.exp(-27.5 / 2));
+    assertEquals(1 - P * inside, probability(SETUP, ahead, Logs.SILENCE, soft), 1e-9);
+    Pose beyond = Pose.of(0, 0, -Math.toRadians(27.5 + 2 * Math.log(9)) - Math.atan2(0.125, 0.875));
+    assertEquals(1 - P / 10, probability(SETUP, beyond, Logs.SILENCE, soft), 1e-9);
+  }
+
+  @Test
+  void beamMisalignment_turnsTheCone() {
+    Change left = new BeamMisalignment(Math.toRadians(40), Optional.empty());
+    assertEcho(0, left);
+    Pose right = Pose.of(0, 0, Math.toRadians(-40));
+    assertEquals(1 - P, probability(SETUP, right, Logs.SILENCE, left), 1e-12);
+    assertEcho(P, new BeamMisalignment(Math.toRadians(40), Optional.of("another")));
+    assertEcho(0, new BeamMisalignment(Math.toRadians(40), Optional.of("sonar")));
+  }
+
+  @Test
+  void floorEcho_answersWhenNothingNearerDoes() {
+    Change beyond = new FloorEcho(1.475, 0, 0.6);
+    assertReads(P * WITHIN_1_25, 0.85, beyond);
+    assertReads((1 - P) * 0.6 * WITHIN_1_25, 1.45, beyond);
+    Change before = new FloorEcho(0.475, 0.015, 0.6);
+    assertReads(0.6 * 0.6826895, 0.45, before);
+    assertReads(0.4 * P * WITHIN_1_25, 0.85, before);
+    assertEcho(P + (1 - P) * 0.6, beyond);
+  }
+
+  /** A board across the heading 2.975 m ahead, its normal towards the sensor. */
+  @Test
+  void unmodelledObject_answersWhereItIsSeenSquarely() {
+    Change face = new UnmodelledObject(2.975, 0, Math.PI, 0.5, Math.toRadians(20), 0.8);
+    assertReads((1 - P) * 0.8 * WITHIN_1_25, 2.95, face);
+    // Beside the board a mirror shows nothing, a face its end: hypot(2.975, 0.6 - 0.5).
+    Pose beside = Pose.of(0, 0.6, 0);
+    Change mirror = new UnmodelledObject(2.975, 0, Math.PI, 0.5, 0, 0.8);
+    SensingSetup empty = setup(Scenes.of());
+    assertEquals(1, probability(empty, beside, Logs.SILENCE, mirror));
+    assertEquals(0.2, probability(empty, beside, Logs.SILENCE, face), 1e-12);
+    assertEquals(0.2, probability(empty, Pose.of(0, 0.4, 0), Logs.SILENCE, mirror), 1e-12);
+    // Looked at 25 degrees askew it is not square enough for a face, but for a post.
+    Pose askew = Pose.of(0, 0, Math.toRadians(25));
+    assertEquals(1, probability(empty, askew, Logs.SILENCE, face));
+    Change post = new UnmodelledObject(2.975, 0, 0, 0, 0, 0.8);
+    assertEquals(0.2, probability(empty, askew, Logs.SILENCE, post), 1e-12);
+    // Out of the cone, out of range, from behind.
+    Pose away = Pose.of(0, 0, Math.toRadians(30));
+    assertEquals(1, probability(empty, away, Logs.SILENCE, post));
+    assertEquals(1, probability(empty, Pose.of(-3.1, 0, 0), Logs.SILENCE, post));
+    assertEquals(1, probability(empty, Pose.of(4, 0, Math.PI), Logs.SILENCE, face));
+  }
+
+  @Test
+  void deadZone_losesNearEchoes() {
+    assertEcho(0, new DeadZone(0.9, 0));
+    assertEcho(P, new DeadZone(0.87, 0));
+    assertEcho(P / (1 + Math.exp((0.9 - 0.875) / 0.05)), new DeadZone(0.9, 0.05));
+  }
+
+  @Test
+  void earlyTimeout_losesFarEchoes() {
+    assertEcho(0, new EarlyTimeout(0.87, 0));
+    assertEcho(P, new EarlyTimeout(0.88, 0));
+    assertEcho(P / (1 + Math.exp((0.875 - 0.85) / 0.05)), new EarlyTimeout(0.85, 0.05));
+  }
+
+  @Test
+  void obstacleOffset_movesTheBox() {
+    assertEcho(echo(1.1, 1.2), new ObstacleOffset(0.1, 0, Optional.empty()));
+    assertReads(echo(1.1, 1.2) * WITHIN_1_25, 0.95, new ObstacleOffset(0.1, 0, Optional.of("box")));
+    assertEcho(P, new ObstacleOffset(0.1, 0, Optional.of("post")));
+    // Moved towards the eye's lower edge of the page the centre is hypot(1, 0.3) away.
+    assertEcho(echo(Math.hypot(1, 0.3), 1.2), new ObstacleOffset(0, 0.3, Optional.empty()));
+  }
+
+  /** Turned by a quarter clockwise the bearing of the sensor grows by 90 degrees. */
+  @Test
+  void obstacleTurn_showsAnotherSide() {
+    ThresholdTable four = ThresholdTable.of(0.9, 1.0, 1.1, 1.3);
+    Obstacle box = Scenes.box(new Placement(1, 0, 0), new TableDetection(four));
+    SensingSetup sided = setup(Scenes.of(box));
+    Pose pose = Pose.of(0, 0, 0);
+    // The sensor stands on the box's -x side: bearing 270 degrees.
+    assertEquals(1 - echo(1, 1.3), probability(sided, pose, Logs.SILENCE), 1e-9);
+    Change clockwise = new ObstacleTurn(-Math.PI / 2, Optional.empty());
+    assertEquals(1 - echo(1, 0.9), probability(sided, pose, Logs.SILENCE, clockwise), 1e-9);
+    Change counter = new ObstacleTurn(Math.PI / 2, Optional.of("box"));
+    assertEquals(1 - echo(1, 1.1), probability(sided, pose, Logs.SILENCE, counter), 1e-9);
+  }
+
+  @Test
+  void orientationShadow_replacesTheUniformThreshold() {
+    ThresholdTable four = ThresholdTable.of(0.9, 1.0, 1.1, 1.3);
+    assertEcho(echo(1, 1.3), new OrientationShadow(Optional.of("box"), four));
+    assertEcho(P, new OrientationShadow(Optional.of("post"), four));
+    assertEcho(
+        echo(1, 1.1), new OrientationShadow(Optional.empty(), ThresholdTable.uniform(4, 1.1)));
+  }
+
+  /**
+   * Calibrations of the set-up: absolute scatter, and a factor that goes round with the bearing.
+   */
+  @Test
+  void calibration() {
+    double softer = 0.8 / (1 + Math.exp((1 - 1.2) / 0.2));
+    assertEcho(softer, new SensorScatter(0.2, 0.02, 0.2));
+    assertReads(softer * 0.6826895, 0.85, new SensorScatter(0.2, 0.025, 0.2));
+    // At bearing 270: cos is 0, sin -1, cos 2b is -1, sin 2b 0.
+    List<Double> series = List.of(0.1, 9.0, 0.02, 0.05, 9.0);
+    assertEcho(echo(1, 1.2 * (1 + 0.1 - 0.02 - 0.05)), new BearingFactor("box", series));
+    assertEcho(P, new BearingFactor("post", series));
+    assertEcho(0, new BearingFactor("box", List.of(-2.0)));
+  }
+}
