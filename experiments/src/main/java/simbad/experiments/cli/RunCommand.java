@@ -40,7 +40,8 @@ import simbad.sonar.shape.ThresholdTable;
     footer = {
       "",
       "Example: simbad run",
-      "Example: simbad run angle my-table.csv --sensor original,shadow,ray --out results"
+      "Example: simbad run angle my-table.csv --sensor original,shadow,ray --out results",
+      "Example: simbad run angle --sensor shadow,diagnosed:diagnoses/bench-3"
     })
 final class RunCommand extends Subcommand {
   private static final String DEFAULT_OUT = "simbad-run";
@@ -56,7 +57,8 @@ final class RunCommand extends Subcommand {
       paramLabel = "SENSOR",
       split = ",",
       description =
-          "original (cone, 2.5 m), ray (Simbad's thin rays), shadow, overlap, noisy."
+          "original (cone, 2.5 m), ray (Simbad's thin rays), shadow, overlap, noisy,"
+              + " diagnosed:DIR (a diagnosis' folder with model.json and scene.json)."
               + " Default: original,shadow.")
   private List<String> sensors = List.of("original", "shadow");
 
@@ -155,11 +157,11 @@ final class RunCommand extends Subcommand {
     return new RunSettings(types(), kinds, sonar, speedMPerS, place, seed);
   }
 
-  private List<SensorKind> kinds() {
+  private List<SensorKind> kinds() throws DataFormatException {
     Set<SensorKind> kinds = new LinkedHashSet<>();
     for (String word : sensors) {
       SensorKind kind =
-          SensorKind.find(word)
+          SensorArgument.parse(word)
               .orElseThrow(
                   () -> wrongUsage("--sensor: '" + word + "' is not one of " + SensorKind.words()));
       if (!kinds.add(kind)) {

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.TraceErrors;
+import simbad.experiments.run.TraceMove;
 
 /** The figures of a run for the console. */
 final class RunSummary {
@@ -43,6 +44,7 @@ final class RunSummary {
     out.println(
         "mean, RMS, max: radial error |r - T| over the bearings; beside: mean distance from");
     out.println("the shadow's edge; reduction: of the mean against the original sensor.");
+    TraceMove.of(results).forEach(move -> out.println(move.sentence()));
   }
 
   private static String name(RunResult result) {

@@ -1,5 +1,7 @@
 package simbad.experiments.report;
 
+import static java.util.stream.Collectors.joining;
+
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -10,7 +12,9 @@ import java.util.OptionalDouble;
 import simbad.experiments.run.DetectionMap;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.SensorKind;
+import simbad.experiments.run.TraceMove;
 import simbad.obstacles.ObstacleType;
+import simbad.sonar.effect.FittedForm;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.shape.DetectionShadow;
 
@@ -135,6 +139,8 @@ final class ReportPage {
         .filter(result -> !result.trace().isClosed())
         .forEach(result -> addLost(page, result));
     results.forEach(result -> addMissed(page, result));
+    TraceMove.of(results).forEach(move -> note(page, escaped(move.sentence())));
+    results.forEach(result -> addIdle(page, result));
     figure(
         page,
         name + "/polar",
@@ -185,6 +191,24 @@ final class ReportPage {
     }
   }
 
+  /** What was found of one obstacle holds for those of its name only. */
+  private static void addIdle(StringBuilder page, RunResult result) {
+    List<FittedForm> idle = result.idleForms();
+    if (!idle.isEmpty()) {
+      note(
+          page,
+          "Of the "
+              + result.sensor().word()
+              + " sensor's model "
+              + escaped(idle.stream().map(one -> one.form().toString()).collect(joining(", ")))
+              + " is about an obstacle that is not in this world, and changes nothing in it.");
+    }
+  }
+
+  private static void note(StringBuilder page, String text) {
+    page.append("<p class=\"note\">" + text + "</p>\n");
+  }
+
   private static void figure(StringBuilder page, String name, String caption) {
     page.append(
         "<figure><a href=\""
@@ -222,7 +246,7 @@ final class ReportPage {
             + sonar.maxRangeM()
             + " m");
     for (SensorKind kind : origin.settings().sensors()) {
-      item(page, kind.word() + " sensor: " + kind.meaning());
+      item(page, kind.word() + " sensor: " + escaped(kind.meaning()));
     }
     hashes.forEach(
         (name, hash) ->

@@ -19,7 +19,8 @@ import simbad.sonar.shape.DetectionShadow;
  * How often a belt disagrees with the table, over a square of places round the obstacle.
  *
  * <p>The table says of a place whether the obstacle is heard there by a sensor that looks at it; a
- * belt that looks all round should hear it there and nowhere else, whatever its heading.
+ * belt that looks all round should hear it there and nowhere else, whatever its heading. A sensor
+ * with memory forgets from place to place.
  *
  * @param disagreement per place, share of the belt's headings
  * @param agreement over all places and headings, in [0, 1]
@@ -57,7 +58,7 @@ public record DetectionMap(ShareGrid disagreement, double agreement) {
   static DetectionMap of(ObstacleType type, SensorKind sensor, RunSettings settings) {
     SplittableRandom random =
         new SplittableRandom(~Circumnavigation.seed(type, sensor, settings.seed()));
-    RangeSensorBelt belt = sensor.belt(settings.sonar(), random);
+    RangeSensorBelt belt = sensor.beltWithoutMemory(settings.sonar(), random);
     Probe probe = new Probe(type, belt, settings.sonar().mountHeightM());
     DetectionShadow shadow = new DetectionShadow(type.thresholds().table());
     double reachM = Math.max(type.thresholds().table().greatestM(), DetectionRule.ORIGINAL_RANGE_M);

@@ -50,7 +50,7 @@ public final class Experiment {
   private static RunResult compared(RunResult result, List<RunResult> all) {
     Optional<RunResult> original =
         all.stream()
-            .filter(other -> other.sensor() == SensorKind.ORIGINAL)
+            .filter(other -> other.sensor().equals(SensorKind.ORIGINAL))
             .filter(other -> other.type().equals(result.type()))
             .findFirst();
     return original.map(other -> result.against(other.errors())).orElse(result);

@@ -1,7 +1,13 @@
 package simbad.experiments.run;
 
+import java.util.List;
 import java.util.OptionalDouble;
 import simbad.obstacles.ObstacleType;
+import simbad.sonar.effect.FittedForm;
+import simbad.sonar.frame.Placement;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.TableDetection;
 
 /**
  * What one robot made of one obstacle with one sensor.
@@ -25,6 +31,19 @@ public record RunResult(
   /** Tells whether there is an edge, and the robot found it: else lateral errors mean nothing. */
   public boolean hasLateralErrors() {
     return trace.firstOnEdge() < trace.size() && type.thresholds().table().greatestM() > 0;
+  }
+
+  /** Returns the forms of a diagnosed sensor's model that say nothing of this obstacle. */
+  public List<FittedForm> idleForms() {
+    Scene world =
+        new Scene(
+            List.of(
+                new Obstacle(
+                    type.name(),
+                    Placement.IDENTITY,
+                    type.outline(),
+                    new TableDetection(type.thresholds().table()))));
+    return sensor.model().map(model -> model.idleIn(world)).orElse(List.of());
   }
 
   /** The same with the reduction against a run of the original sensor. */

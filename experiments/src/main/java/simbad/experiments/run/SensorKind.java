@@ -1,43 +1,116 @@
 package simbad.experiments.run;
 
-import java.util.Arrays;
-import java.util.Locale;
+import java.util.List;
 import java.util.Optional;
 import java.util.random.RandomGenerator;
 import java.util.stream.Collectors;
 import simbad.experiments.plot.SeriesRole;
 import simbad.obstacles.SonarBelt;
 import simbad.sim.RangeSensorBelt;
+import simbad.sonar.effect.FittedModel;
 import simbad.sonar.model.DetectionRule;
+import simbad.sonar.model.SensorModel;
 import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.sensing.Sensor;
 
-/** The sensors that a run compares, by the names of the command line. */
-public enum SensorKind {
-  /** Simbad's sensor as the thesis describes it: every obstacle is heard up to 2.5 m. */
-  ORIGINAL(SeriesRole.ORIGINAL, "cone, every obstacle heard up to 2.5 m"),
-  /** Simbad's sensor as its program has it: thin rays of 2.5 m. */
-  RAY(SeriesRole.RAY, "Simbad's thin rays of 2.5 m"),
-  /** Cone and shadow, the sensor inside the shadow. */
-  SHADOW(SeriesRole.SHADOW, "obstacle in the cone, sensor in the detection shadow"),
-  /** Cone and shadow overlap anywhere. */
-  OVERLAP(SeriesRole.OVERLAP, "cone and detection shadow overlap"),
-  /** The shadow sensor with the nominal model's noise. */
-  NOISY(SeriesRole.NOISY, "nominal model: misses, soft threshold, range noise");
-
+/**
+ * The sensors that a run compares, by the names of the command line; equal when their names are.
+ */
+public final class SensorKind {
   /** Number of sonars on the belt; with half angles over 15 degrees their cones look all round. */
   public static final int SONARS = 12;
 
+  /** Simbad's sensor as the thesis describes it: every obstacle is heard up to 2.5 m. */
+  public static final SensorKind ORIGINAL =
+      new SensorKind(
+          "original",
+          SeriesRole.ORIGINAL,
+          "cone, every obstacle heard up to 2.5 m",
+          belt(DetectionRule.ORIGINAL));
+
+  /** Simbad's sensor as its program has it: thin rays of 2.5 m. */
+  public static final SensorKind RAY =
+      new SensorKind("ray", SeriesRole.RAY, "Simbad's thin rays of 2.5 m", SensorKind::rays);
+
+  /** Cone and shadow, the sensor inside the shadow. */
+  public static final SensorKind SHADOW =
+      new SensorKind(
+          "shadow",
+          SeriesRole.SHADOW,
+          "obstacle in the cone, sensor in the detection shadow",
+          belt(DetectionRule.SHADOW));
+
+  /** Cone and shadow overlap anywhere. */
+  public static final SensorKind OVERLAP =
+      new SensorKind(
+          "overlap",
+          SeriesRole.OVERLAP,
+          "cone and detection shadow overlap",
+          belt(DetectionRule.OVERLAP));
+
+  /** The shadow sensor with the nominal model's noise. */
+  public static final SensorKind NOISY =
+      new SensorKind(
+          "noisy",
+          SeriesRole.NOISY,
+          "nominal model: misses, soft threshold, range noise",
+          belt(DetectionRule.NOISY));
+
+  private final String word;
   private final SeriesRole role;
   private final String meaning;
+  private final BeltMaker maker;
+  private final Optional<FittedModel> model;
 
-  SensorKind(SeriesRole role, String meaning) {
-    this.role = role;
-    this.meaning = meaning;
+  /** Makes the belt of a sensor, all transducers at its centre. */
+  @FunctionalInterface
+  private interface BeltMaker {
+    RangeSensorBelt belt(SonarSpec spec, RandomGenerator random);
   }
 
-  /** Returns the name on the command line and in files. */
+  private SensorKind(String word, SeriesRole role, String meaning, BeltMaker maker) {
+    this.word = word;
+    this.role = role;
+    this.meaning = meaning;
+    this.maker = maker;
+    model = Optional.empty();
+  }
+
+  private SensorKind(String word, FittedModel fitted) {
+    this.word = word;
+    role = SeriesRole.OTHER;
+    meaning = DiagnosedMeaning.of(fitted);
+    maker = (spec, random) -> new SonarBelt(SONARS, fitted.setup().sensor(), fitted, random);
+    model = Optional.of(fitted);
+  }
+
+  private static BeltMaker belt(DetectionRule rule) {
+    return (spec, random) -> new SonarBelt(SONARS, spec, rule, random);
+  }
+
+  private static RangeSensorBelt rays(SonarSpec spec, RandomGenerator random) {
+    return new RangeSensorBelt(
+        0, 0, (float) DetectionRule.ORIGINAL_RANGE_M, SONARS, RangeSensorBelt.TYPE_SONAR, 0);
+  }
+
+  /** Returns the sensors that need no further word, in the order in which help lists them. */
+  public static List<SensorKind> plain() {
+    return List.of(ORIGINAL, RAY, SHADOW, OVERLAP, NOISY);
+  }
+
+  /**
+   * Makes the sensor of a fitted model.
+   *
+   * @param name of the model; what cannot stand in a file's name becomes a hyphen
+   * @param model which brings its own sensor's figures along
+   */
+  public static SensorKind diagnosed(String name, FittedModel model) {
+    return new SensorKind("diagnosed-" + name.replaceAll("[^A-Za-z0-9_.-]", "-"), model);
+  }
+
+  /** Returns the name in files and tables. */
   public String word() {
-    return name().toLowerCase(Locale.ROOT);
+    return word;
   }
 
   /** Returns in a few words when this sensor hears an obstacle. */
@@ -50,30 +123,60 @@ public enum SensorKind {
     return role;
   }
 
+  /** Returns the fitted model of a diagnosed sensor. */
+  public Optional<FittedModel> model() {
+    return model;
+  }
+
   /**
-   * Finds a sensor by its name.
+   * Finds a sensor that needs no further word.
    *
    * @param word as on the command line
    */
   public static Optional<SensorKind> find(String word) {
-    return Arrays.stream(values()).filter(kind -> kind.word().equals(word)).findFirst();
+    return plain().stream().filter(kind -> kind.word.equals(word)).findFirst();
   }
 
-  /** Returns all names, separated by commas. */
+  /** Returns all names of the command line, separated by commas. */
   public static String words() {
-    return Arrays.stream(values()).map(SensorKind::word).collect(Collectors.joining(", "));
+    return plain().stream().map(SensorKind::word).collect(Collectors.joining(", "))
+        + ", diagnosed:DIR";
   }
 
-  /** The belt of this sensor, all transducers at its centre. */
   RangeSensorBelt belt(SonarSpec spec, RandomGenerator random) {
-    return switch (this) {
-      case RAY ->
-          new RangeSensorBelt(
-              0, 0, (float) DetectionRule.ORIGINAL_RANGE_M, SONARS, RangeSensorBelt.TYPE_SONAR, 0);
-      case ORIGINAL -> new SonarBelt(SONARS, spec, DetectionRule.ORIGINAL, random);
-      case SHADOW -> new SonarBelt(SONARS, spec, DetectionRule.SHADOW, random);
-      case OVERLAP -> new SonarBelt(SONARS, spec, DetectionRule.OVERLAP, random);
-      case NOISY -> new SonarBelt(SONARS, spec, DetectionRule.NOISY, random);
+    return maker.belt(spec, random);
+  }
+
+  /** The same for single pings at places that have nothing to do with each other. */
+  RangeSensorBelt beltWithoutMemory(SonarSpec spec, RandomGenerator random) {
+    return model
+        .<RangeSensorBelt>map(
+            fitted -> new SonarBelt(SONARS, fitted.setup().sensor(), forgetful(fitted), random))
+        .orElseGet(() -> belt(spec, random));
+  }
+
+  private static SensorModel forgetful(SensorModel model) {
+    return (spec, scene, random) -> {
+      Sensor sensor = model.bind(spec, scene, random);
+      return (poses, timeS, readings) -> {
+        sensor.reset();
+        sensor.ping(poses, timeS, readings);
+      };
     };
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof SensorKind that && word.equals(that.word);
+  }
+
+  @Override
+  public int hashCode() {
+    return word.hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return word;
   }
 }

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
-import simbad.sonar.frame.Angles;
 import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.ThresholdTable;
 
@@ -33,48 +32,19 @@ public record TraceErrors(
   static TraceErrors of(Trace trace, ThresholdTable table) {
     double[] sum = new double[table.size()];
     int[] crossings = new int[table.size()];
-    for (int i = trace.firstOnEdge() + 1; i < trace.size(); i++) {
-      addCrossings(trace, i, table, sum, crossings);
-    }
-    OptionalDouble[] radial = new OptionalDouble[table.size()];
-    for (int k = 0; k < radial.length; k++) {
-      radial[k] =
-          crossings[k] == 0 ? OptionalDouble.empty() : OptionalDouble.of(sum[k] / crossings[k]);
-    }
+    Crossings.visit(
+        trace,
+        table,
+        (bearing, radiusM) -> {
+          sum[bearing] += Math.abs(radiusM - table.valueM(bearing));
+          crossings[bearing]++;
+        });
     double[] lateral = lateral(trace, table);
     return new TraceErrors(
-        Arrays.asList(radial),
+        Arrays.asList(Crossings.means(sum, crossings)),
         Arrays.stream(lateral).average().orElse(0),
         lateral.length == 0 ? 0 : lateral[(int) (SHARE_OF_P95 * (lateral.length - 1))],
         lateral.length == 0 ? 0 : lateral[lateral.length - 1]);
-  }
-
-  /** Every bearing that the way from the place before to this one crosses. */
-  private static void addCrossings(
-      Trace trace, int place, ThresholdTable table, double[] sum, int[] crossings) {
-    double fromX = trace.xM(place - 1);
-    double fromZ = trace.zM(place - 1);
-    double toX = trace.xM(place);
-    double toZ = trace.zM(place);
-    double from = Angles.positive(Math.atan2(fromX, fromZ));
-    double to = Angles.positive(Math.atan2(toX, toZ));
-    boolean rising = Angles.signed(to - from) >= 0;
-    // Whole cells, each from its place alone: the way that ends at a place and the way that begins
-    // there agree on which side of a bearing it lies, so that each crossing is counted once.
-    int first = (int) ((rising ? from : to) / table.spacingRad());
-    int last = (int) ((rising ? to : from) / table.spacingRad());
-    last += last < first ? table.size() : 0;
-    for (int k = first + 1; k <= last; k++) {
-      int index = Math.floorMod(k, table.size());
-      double sin = Math.sin(table.bearingRad(index));
-      double cos = Math.cos(table.bearingRad(index));
-      double before = fromX * cos - fromZ * sin;
-      double after = toX * cos - toZ * sin;
-      double share = before == after ? 0 : before / (before - after);
-      double radius = Math.hypot(fromX + share * (toX - fromX), fromZ + share * (toZ - fromZ));
-      sum[index] += Math.abs(radius - table.valueM(index));
-      crossings[index]++;
-    }
   }
 
   private static double[] lateral(Trace trace, ThresholdTable table) {

@@ -54,8 +54,7 @@ public final class Diagnoser {
             : Calibration.of(data.setup(), new PingLog(data.reference()));
     Evidence evidence = new Evidence(data.setup(), calibration.setup().changes(), log);
     double worth =
-        Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size())
-            * calibration.clumping();
+        Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size()) * calibration.clumping();
     List<Scored> sets = new Search(evidence, withheld, worth).run();
     Probabilities probabilities = new Probabilities(sets, worth, calibration.clumping());
     return conclude(evidence, calibration, sets, probabilities);

@@ -29,7 +29,7 @@ public record Gain(GapMeter.Gaps before, GapMeter.Gaps after) {
           explanation.size() > 12
               ? explanation
               : new Fitter(evidence, blocks.half(1 - half))
-                  .refine(explanation, 20 + 20 * explanation.size())
+                  .polish(explanation, 20 + 20 * explanation.size())
                   .hypothesis();
       GapMeter.Gaps gaps = meter.measure(evidence, fitted);
       for (int i = 0; i < observed.length; i++) {

@@ -10,7 +10,7 @@ import simbad.sonar.effect.Effect;
 /** How probable each set of effects is among those that were fitted, and each effect. */
 public final class Probabilities {
   /** What a further effect must gain held-out at least, whatever the number of rows. */
-  public static final double COST_NATS = 8;
+  public static final double COST_NATS = 10;
 
   /** Likelihoods of models that are all a little wrong are taken for less than they say. */
   private static final double TEMPERATURE = 2;

@@ -26,6 +26,7 @@ public final class Search {
   private static final int MOST_EFFECTS = 3;
   private static final int JOINT = 3;
   private static final int PROMISING = 8;
+  private static final int TABLE = 12;
 
   /** How many sets get a held-out score. */
   private static final int SCORED = 10;
@@ -61,7 +62,8 @@ public final class Search {
     singles.forEach(this::keep);
     List<Fit> added = singles;
     while (worth(added, best) && best.hypothesis().forms().size() < MOST_EFFECTS) {
-      best = swapped(added.get(0), singles);
+      best = joint(swapped(added.get(0), singles));
+      keep(best);
       // What gained nothing beside fewer effects gains nothing beside more.
       List<Form> open =
           best.hypothesis().forms().size() == 1 ? forms : promising(added, best.hypothesis());
@@ -129,11 +131,15 @@ public final class Search {
     }
   }
 
+  /** Refines all values of a set together, first by long steps, then by short ones. */
   private Fit joint(Fit fit) {
     int size = fit.hypothesis().size();
-    return size > 12
-        ? fit
-        : new Fitter(evidence, Fold.ALL).refine(fit.hypothesis(), 30 + 25 * size);
+    if (size == 0 || size > TABLE) {
+      return new Fitter(evidence, Fold.ALL).refine(fit.hypothesis(), 0);
+    }
+    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    Hypothesis far = fitter.refine(fit.hypothesis(), 20 + 20 * size).hypothesis();
+    return fitter.polish(far, 20 + 15 * size);
   }
 
   private static List<Fit> best(Collection<Fit> all) {
@@ -150,10 +156,10 @@ public final class Search {
   private List<Scored> scored() {
     List<Fit> ranked =
         fits.values().stream().sorted(Comparator.comparingDouble(fit -> -promise(fit))).toList();
-    List<Scored> scored =
-        new ArrayList<>(
-            ranked.stream().limit(SCORED).toList().parallelStream().map(this::score).toList());
-    ranked.stream().skip(SCORED).map(this::guess).forEach(scored::add);
+    HeldOut heldOut = new HeldOut(evidence, blocks);
+    List<Scored> again = heldOut.score(ranked.subList(0, Math.min(SCORED, ranked.size())));
+    List<Scored> scored = new ArrayList<>(again);
+    ranked.stream().skip(SCORED).map(fit -> HeldOut.guess(fit, again)).forEach(scored::add);
     scored.sort(Comparator.comparingDouble(one -> -one.heldOut()));
     return List.copyOf(scored);
   }
@@ -161,25 +167,5 @@ public final class Search {
   /** What a set may reach held-out: each effect more costs what chance would gain. */
   private double promise(Fit fit) {
     return fit.logLikelihood() - worthNats * fit.hypothesis().forms().size();
-  }
-
-  private Scored guess(Fit fit) {
-    return new Scored(
-        fit.hypothesis(), fit.logLikelihood(), fit.logLikelihood() - fit.hypothesis().size());
-  }
-
-  private Scored score(Fit fit) {
-    Hypothesis hypothesis = fit.hypothesis();
-    if (hypothesis.size() == 0) {
-      return guess(fit);
-    }
-    double heldOut = 0;
-    for (int half = 0; half < 2; half++) {
-      Fitter fitter = new Fitter(evidence, blocks.half(half));
-      int evaluations = hypothesis.size() > 12 ? 0 : 10 + 12 * hypothesis.size();
-      Fit fitted = fitter.refine(hypothesis, evaluations);
-      heldOut += new Fitter(evidence, blocks.half(1 - half)).logLikelihood(fitted.hypothesis());
-    }
-    return new Scored(hypothesis, fit.logLikelihood(), heldOut);
   }
 }

@@ -51,7 +51,10 @@ public final class Uncertainty {
   /** Such a step that the likelihood falls by about half a nat. */
   private double step(Hypothesis fit, int i, double here) {
     Parameter parameter = fit.parameters().get(i);
-    double step = 0.25 * Math.min(parameter.high() - parameter.low(), Math.max(0.05, Math.abs(fit.values()[i])));
+    double step =
+        0.25
+            * Math.min(
+                parameter.high() - parameter.low(), Math.max(0.05, Math.abs(fit.values()[i])));
     for (int k = 0; k < HALVINGS; k++) {
       if (here - at(fit, i, step) < 4 * DROP_NATS && here - at(fit, i, -step) < 4 * DROP_NATS) {
         break;
@@ -67,8 +70,7 @@ public final class Uncertainty {
     return fitter.logLikelihood(fit.with(values));
   }
 
-  private double curvature(
-      Hypothesis fit, double[] values, double[] step, double here, int[] at) {
+  private double curvature(Hypothesis fit, double[] values, double[] step, double here, int[] at) {
     double sum = 0;
     for (int a = -1; a <= 1; a += 2) {
       for (int b = -1; b <= 1; b += 2) {

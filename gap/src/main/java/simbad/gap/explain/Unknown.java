@@ -2,7 +2,9 @@ package simbad.gap.explain;
 
 import java.util.List;
 
-/** How probable it is that something is at work that the best set of effects does not account for. */
+/**
+ * How probable it is that something is at work that the best set of effects does not account for.
+ */
 public final class Unknown {
   private static final int TOP = 5;
 

@@ -15,9 +15,11 @@ final class Clues {
   final Geometry geometry;
   private final double[] logLikelihood;
   private final double[] nearest;
+  private final double edgeWidthM;
 
   Clues(Evidence evidence, Hypothesis hypothesis) {
     log = evidence.log();
+    edgeWidthM = evidence.setup().sensor().edgeWidthM();
     DiagnosedModel model = evidence.model(hypothesis);
     geometry = evidence.geometry(model);
     logLikelihood = new double[log.size()];
@@ -29,6 +31,11 @@ final class Clues {
         nearest[ping] = Math.min(nearest[ping], geometry.nearestM(ping * geometry.obstacles() + o));
       }
     }
+  }
+
+  /** Softness of the threshold as believed, metres. */
+  double edgeWidthM() {
+    return edgeWidthM;
   }
 
   /** Echoes that the hypothesis cannot explain. */

@@ -21,6 +21,7 @@ import simbad.sonar.effect.Parameter;
 /** Finds the values of a hypothesis that make the readings most probable. For one thread. */
 public final class Fitter {
   private static final double ENOUGH_NATS = 0.02;
+  private static final double SMALL = 0.03;
   private static final int REMEMBERED = 4;
 
   private final Evidence evidence;
@@ -96,12 +97,26 @@ public final class Fitter {
    * @param most number of evaluations
    */
   public Fit refine(Hypothesis start, int from, int most) {
+    return climb(start, from, most, 1);
+  }
+
+  /**
+   * Refines all values of a fit that is good already, by small steps.
+   *
+   * @param start whose values all parameters are moved from
+   * @param most number of evaluations
+   */
+  public Fit polish(Hypothesis start, int most) {
+    return climb(start, 0, most, SMALL);
+  }
+
+  private Fit climb(Hypothesis start, int from, int most, double stride) {
     Climb climb = new Climb(start, from);
     if (start.size() == from || most <= 0) {
       return climb.best();
     }
     double[] steps = new double[start.size() - from];
-    Arrays.fill(steps, 1);
+    Arrays.fill(steps, stride);
     try {
       PointValuePair ignored =
           new SimplexOptimizer(0, ENOUGH_NATS)

@@ -30,8 +30,7 @@ final class TableSearch {
     double greatest = greatestDistance();
     int candidates = (int) (greatest / STEP_M) + 2;
     double[][] score = new double[size][candidates];
-    double[] weight = new double[size];
-    tally(score, weight);
+    tally(score);
     double[] table = new double[size];
     Arrays.fill(table, Math.min(uniformM, greatest));
     for (int round = 0; round < ROUNDS; round++) {
@@ -41,6 +40,7 @@ final class TableSearch {
         table[i] = bestOf(score[i], left, right);
       }
     }
+    new TableSweep(clues, obstacle).improve(table, greatest);
     return table;
   }
 
@@ -56,13 +56,12 @@ final class TableSearch {
     return greatest;
   }
 
-  private void tally(double[][] score, double[] weight) {
+  private void tally(double[][] score) {
     Geometry g = clues.geometry;
     for (int ping = 0; ping < clues.log.size(); ping++) {
       int line = ping * g.obstacles() + obstacle;
       if (g.nearestM(line) < Double.POSITIVE_INFINITY) {
         int cell = (int) Math.rint(g.bearingRad(line) / (2 * Math.PI) * size) % size;
-        weight[cell]++;
         for (int k = 0; k < score[cell].length; k++) {
           double beyond = (g.centreDistanceM(line) - k * STEP_M) / SOFT_M;
           double echo = 0.01 + 0.98 / (1 + Math.exp(beyond));

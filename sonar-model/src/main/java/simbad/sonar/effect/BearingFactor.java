@@ -1,6 +1,7 @@
 package simbad.sonar.effect;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * An obstacle's threshold is off by a factor that varies smoothly with the bearing: 1 + c + the sum
@@ -9,7 +10,8 @@ import java.util.List;
  * @param obstacle label of the one whose threshold it is
  * @param series c, a_1, b_1, a_2, b_2, ...; all 0 is neutral
  */
-public record BearingFactor(String obstacle, List<Double> series) implements ThresholdChange {
+public record BearingFactor(String obstacle, List<Double> series)
+    implements ThresholdChange, ObstacleChange {
   /** Copies the series and checks that its waves are whole. */
   public BearingFactor {
     series = List.copyOf(series);
@@ -17,6 +19,11 @@ public record BearingFactor(String obstacle, List<Double> series) implements Thr
       throw new IllegalArgumentException(
           "series has " + series.size() + " values; a constant and pairs take an odd number");
     }
+  }
+
+  @Override
+  public Optional<String> only() {
+    return Optional.of(obstacle);
   }
 
   @Override

@@ -15,6 +15,7 @@ final class DiagnosedSensor implements Sensor {
   private final List<String> labels;
   private final RandomGenerator random;
   private final TruePose pose = new TruePose();
+  private PingModel pings;
   private Transducer[] transducers = {};
 
   /**
@@ -28,6 +29,7 @@ final class DiagnosedSensor implements Sensor {
     this.model = model;
     this.labels = List.copyOf(labels);
     this.random = random;
+    pings = model.pings(model.geometry(labels.size()));
   }
 
   @Override
@@ -47,8 +49,9 @@ final class DiagnosedSensor implements Sensor {
   }
 
   private void start(int size, double startS) {
-    Geometry geometry = model.geometry(size);
-    PingModel pings = model.pings(geometry);
+    if (pings.geometry().pings() != size) {
+      pings = model.pings(model.geometry(size));
+    }
     transducers = new Transducer[size];
     for (int i = 0; i < size; i++) {
       String label = i < labels.size() ? labels.get(i) : "";

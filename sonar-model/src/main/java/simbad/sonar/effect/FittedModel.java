@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.random.RandomGenerator;
+import java.util.stream.Stream;
 import simbad.sonar.model.SensorModel;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
@@ -64,6 +65,21 @@ public record FittedModel(
     calibration.forEach(fitted -> changes.add(fitted.change()));
     effects.forEach(fitted -> changes.add(fitted.change()));
     return changes;
+  }
+
+  /**
+   * Returns the forms that say nothing of a scene, because it lacks the one obstacle they are of.
+   */
+  public List<FittedForm> idleIn(Scene scene) {
+    List<String> labels = Scenes.labels(scene);
+    return Stream.concat(calibration.stream(), effects.stream())
+        .filter(fitted -> fitted.change() instanceof ObstacleChange)
+        .filter(fitted -> isIdle((ObstacleChange) fitted.change(), labels))
+        .toList();
+  }
+
+  private static boolean isIdle(ObstacleChange change, List<String> labels) {
+    return change.only().filter(only -> !labels.contains(only)).isPresent();
   }
 
   /** Returns the model with its effects. */

@@ -20,6 +20,10 @@ public final class Forms {
 
   private static final Parameter SHARE = Parameter.of("share", 0, 0, 1, 0.05, 0.2, 0.5);
   private static final Parameter SMALL_SHARE = Parameter.of("share", 0, 0, 0.7, 0.03, 0.1, 0.3);
+
+  /** Fewer ghosts than these are no effect: a form as free as this one finds some in any log. */
+  private static final Parameter GHOSTS = Parameter.of("share", 0, 0.03, 1, 0.1, 0.4);
+
   private static final double FOREVER_S = 1e9;
 
   private final SensingSetup setup;
@@ -303,14 +307,14 @@ public final class Forms {
         Effect.PREVIOUS_PING,
         "shift",
         v -> new PreviousPing(v[0], 1, v[1], v[2]),
-        SHARE,
+        GHOSTS,
         Parameter.of("shift_m", 0, 0.02, 5, 0.2, 0.5, 1),
         spread);
     add(
         Effect.PREVIOUS_PING,
         "factor",
         v -> new PreviousPing(v[0], v[1], 0, v[2]),
-        SHARE,
+        GHOSTS,
         Parameter.of("factor", 1, 0.05, 0.96, 0.3, 0.5, 0.8),
         spread);
   }

@@ -154,6 +154,11 @@ public final class Geometry {
     return sensor.coneHalfAngleRad();
   }
 
+  /** The number of pings that there is room for. */
+  int pings() {
+    return xM.length;
+  }
+
   /** Returns the number of obstacles. */
   public int obstacles() {
     return obstacles;

@@ -10,7 +10,8 @@ import simbad.sonar.scene.Scene;
  * @param zM by how much, metres; 0 is neutral
  * @param only label of the one obstacle that does; empty for all
  */
-public record ObstacleOffset(double xM, double zM, Optional<String> only) implements SceneChange {
+public record ObstacleOffset(double xM, double zM, Optional<String> only)
+    implements SceneChange, ObstacleChange {
   @Override
   public Scene apply(Scene believed) {
     return Scenes.placed(believed, only, place -> place.moved(xM, zM));

@@ -9,7 +9,8 @@ import simbad.sonar.scene.Scene;
  * @param turnRad counter-clockwise seen from above; 0 is neutral
  * @param only label of the one obstacle that is; empty for all
  */
-public record ObstacleTurn(double turnRad, Optional<String> only) implements SceneChange {
+public record ObstacleTurn(double turnRad, Optional<String> only)
+    implements SceneChange, ObstacleChange {
   @Override
   public Scene apply(Scene believed) {
     return Scenes.placed(believed, only, place -> place.turned(turnRad));

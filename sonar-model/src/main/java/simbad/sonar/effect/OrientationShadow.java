@@ -14,7 +14,7 @@ import simbad.sonar.shape.ThresholdTable;
  * @param table its thresholds
  */
 public record OrientationShadow(Optional<String> only, ThresholdTable table)
-    implements SceneChange {
+    implements SceneChange, ObstacleChange {
   @Override
   public Scene apply(Scene believed) {
     return Scenes.detected(believed, only, this::seen);

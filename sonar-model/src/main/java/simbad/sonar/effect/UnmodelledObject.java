@@ -5,7 +5,7 @@ package simbad.sonar.effect;
  *
  * <p>It is heard when its nearest point lies in the cone and the sensor's heading is near enough to
  * the face's normal. A mirror answers only from where its nearest point is the foot of the
- * perpendicular. From behind the face answers as well.
+ * perpendicular. From behind, against its normal, the face is not heard.
  *
  * @param xM middle of the face, metres
  * @param zM middle of the face, metres
@@ -31,7 +31,8 @@ public record UnmodelledObject(
     double before = dx * normalX + dz * normalZ;
     double along = dz * normalX - dx * normalZ;
     double beside = along - Math.max(-halfWidthM, Math.min(halfWidthM, along));
-    if (beside != 0 && squareRad == 0 && halfWidthM > 0) {
+    boolean post = halfWidthM == 0;
+    if (!post && (before <= 0 || (beside != 0 && squareRad == 0))) {
       return;
     }
     double toX = -before * normalX + beside * normalZ;
@@ -40,13 +41,13 @@ public record UnmodelledObject(
     double heading = geometry.headingRad(ping);
     double facing = (toX * Math.cos(heading) - toZ * Math.sin(heading)) / distance;
     boolean inCone = facing >= Math.cos(geometry.coneHalfAngleRad());
-    if (inCone && distance <= geometry.sensor().maxRangeM() && isSquare(heading, before)) {
+    if (inCone && distance <= geometry.sensor().maxRangeM() && isSquare(heading)) {
       arrivals.add(distance, 0, share);
     }
   }
 
-  private boolean isSquare(double heading, double before) {
-    double against = -Math.cos(heading - normalRad) * Math.signum(before);
+  private boolean isSquare(double heading) {
+    double against = -Math.cos(heading - normalRad);
     return halfWidthM == 0 || squareRad == 0 || against >= Math.cos(squareRad);
   }
 }

@@ -1,0 +1,105 @@
+package simbad.gap.explain;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Fit;
+import simbad.gap.fit.Fitter;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.Effect;
+
+/**
+ * Scores sets of effects on rows that they were not fitted on: values fitted on every other block
+ * of time predict the blocks between, and the other way round.
+ */
+final class HeldOut {
+  private static final int TABLE = 12;
+
+  private final Evidence evidence;
+  private final Blocks blocks;
+
+  HeldOut(Evidence evidence, Blocks blocks) {
+    this.evidence = evidence;
+    this.blocks = blocks;
+  }
+
+  /**
+   * Guesses the score of a set that was not fitted again: each parameter is taken to have fitted
+   * one nat of chance, and it loses as much as the worst of those that were fitted again.
+   */
+  static Scored guess(Fit fit, List<Scored> scored) {
+    double loss =
+        scored.stream()
+            .mapToDouble(one -> one.inSample() - one.hypothesis().size() - one.heldOut())
+            .max()
+            .orElse(0);
+    double guess = fit.logLikelihood() - fit.hypothesis().size() - Math.max(0, loss);
+    return new Scored(fit.hypothesis(), fit.logLikelihood(), guess);
+  }
+
+  List<Scored> score(List<Fit> fits) {
+    List<Fit> smallFirst =
+        fits.stream().sorted(Comparator.comparingInt(fit -> fit.hypothesis().size())).toList();
+    List<double[]> halves =
+        IntStream.range(0, 2).parallel().mapToObj(half -> scores(smallFirst, half)).toList();
+    List<Scored> scored = new ArrayList<>();
+    for (int i = 0; i < smallFirst.size(); i++) {
+      Fit fit = smallFirst.get(i);
+      scored.add(
+          new Scored(fit.hypothesis(), fit.logLikelihood(), halves.get(0)[i] + halves.get(1)[i]));
+    }
+    return scored;
+  }
+
+  private double[] scores(List<Fit> smallFirst, int half) {
+    Fitter fitter = new Fitter(evidence, blocks.half(half));
+    Fitter other = new Fitter(evidence, blocks.half(1 - half));
+    Map<Set<Effect>, Hypothesis> fitted = new HashMap<>();
+    double[] scores = new double[smallFirst.size()];
+    for (int i = 0; i < scores.length; i++) {
+      Hypothesis own = refit(fitter, smallFirst.get(i).hypothesis(), fitted);
+      fitted.put(new TreeSet<>(own.effects()), own);
+      scores[i] = other.logLikelihood(own);
+    }
+    return scores;
+  }
+
+  private static Hypothesis refit(
+      Fitter fitter, Hypothesis whole, Map<Set<Effect>, Hypothesis> fitted) {
+    if (whole.size() == 0 || whole.size() > TABLE) {
+      return whole;
+    }
+    // From where its best subset was fitted on this half: else a set would seem to predict better
+    // than its subset only because its values moved less.
+    Hypothesis start = whole;
+    double best = fitter.logLikelihood(whole);
+    for (Effect effect : whole.effects()) {
+      Hypothesis subset = fitted.get(new TreeSet<>(whole.without(effect).effects()));
+      if (subset != null && subset.size() > 0) {
+        Hypothesis joined = joined(whole, subset);
+        double there = fitter.logLikelihood(joined);
+        if (there > best) {
+          best = there;
+          start = joined;
+        }
+      }
+    }
+    return fitter.polish(start, 15 + 15 * start.size()).hypothesis();
+  }
+
+  /** A set with the values of a subset where both have the same forms. */
+  private static Hypothesis joined(Hypothesis whole, Hypothesis subset) {
+    Hypothesis joined = Hypothesis.NONE;
+    for (int i = 0; i < whole.forms().size(); i++) {
+      int at = subset.forms().indexOf(whole.forms().get(i));
+      joined = joined.and(whole.forms().get(i), at >= 0 ? subset.valuesOf(at) : whole.valuesOf(i));
+    }
+    return joined;
+  }
+}

@@ -1,0 +1,94 @@
+package simbad.gap.fit;
+
+import java.util.ArrayList;
+import java.util.List;
+import simbad.sonar.effect.Geometry;
+import simbad.sonar.shape.ThresholdTable;
+
+/**
+ * Improves a table of thresholds value by value: each is moved to where the echoes and misses of
+ * the bearings on both sides of it are most probable, the table being straight between its points.
+ */
+final class TableSweep {
+  private static final int SWEEPS = 4;
+  private static final double[] MOVES_M = {
+    -0.8, -0.4, -0.2, -0.1, -0.05, -0.02, -0.01, 0.01, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8
+  };
+
+  /** Against needless zigzag, nats for each metre that a value stands off its neighbours. */
+  private static final double HOLD = 0.3;
+
+  private static final double LEAST_ECHO = 0.01;
+
+  private final Clues clues;
+  private final int obstacle;
+  private final double edgeM;
+
+  TableSweep(Clues clues, int obstacle) {
+    this.clues = clues;
+    this.obstacle = obstacle;
+    edgeM = Math.max(0.01, clues.edgeWidthM());
+  }
+
+  void improve(double[] table, double greatestM) {
+    List<List<Integer>> cells = cells(table.length);
+    for (int sweep = 0; sweep < SWEEPS; sweep++) {
+      for (int i = 0; i < table.length; i++) {
+        improve(table, i, greatestM, cells);
+      }
+    }
+  }
+
+  /** Pings by the cell between two bearings that theirs lies in. */
+  private List<List<Integer>> cells(int size) {
+    List<List<Integer>> cells = new ArrayList<>();
+    for (int i = 0; i < size; i++) {
+      cells.add(new ArrayList<>());
+    }
+    Geometry g = clues.geometry;
+    for (int ping = 0; ping < clues.log.size(); ping++) {
+      int line = ping * g.obstacles() + obstacle;
+      if (g.nearestM(line) < Double.POSITIVE_INFINITY) {
+        cells.get((int) (g.bearingRad(line) / (2 * Math.PI) * size) % size).add(ping);
+      }
+    }
+    return cells;
+  }
+
+  private void improve(double[] table, int i, double greatestM, List<List<Integer>> cells) {
+    int before = (i + table.length - 1) % table.length;
+    double start = table[i];
+    double bestValue = start;
+    double best = merit(table, before, i, cells);
+    for (double move : MOVES_M) {
+      table[i] = Math.max(0, Math.min(greatestM + 0.5, start + move));
+      double merit = merit(table, before, i, cells);
+      if (merit > best) {
+        best = merit;
+        bestValue = table[i];
+      }
+    }
+    table[i] = bestValue;
+  }
+
+  private double merit(double[] table, int before, int at, List<List<Integer>> cells) {
+    ThresholdTable thresholds = ThresholdTable.of(table);
+    int after = (at + 1) % table.length;
+    double away = Math.abs(table[at] - table[before]) + Math.abs(table[at] - table[after]);
+    return likelihood(thresholds, cells.get(before))
+        + likelihood(thresholds, cells.get(at))
+        - HOLD * away;
+  }
+
+  private double likelihood(ThresholdTable thresholds, List<Integer> pings) {
+    double sum = 0;
+    Geometry g = clues.geometry;
+    for (int ping : pings) {
+      int line = ping * g.obstacles() + obstacle;
+      double beyond = g.centreDistanceM(line) - thresholds.thresholdM(g.bearingRad(line));
+      double echo = LEAST_ECHO + (1 - 2 * LEAST_ECHO) / (1 + Math.exp(beyond / edgeM));
+      sum += Math.log(clues.log.echo(ping) ? echo : 1 - echo);
+    }
+    return sum;
+  }
+}

@@ -1,0 +1,9 @@
+package simbad.sonar.effect;
+
+import java.util.Optional;
+
+/** What a change says may be of one obstacle only. */
+interface ObstacleChange {
+  /** Returns the label of the one obstacle that the change is about; empty for all obstacles. */
+  Optional<String> only();
+}
