@@ -67,7 +67,7 @@ public final class Diagnoser {
     Gain gain = Gain.of(evidence, blocks, best);
     double unknown =
         Unknown.probability(
-            new Misfit(evidence, best), gain, best.forms().size(), calibration.clumping());
+            new Misfit(evidence, calibration.loosened(evidence, best)), gain, best.forms().size(), calibration.clumping());
     return new Diagnosis(
         verdict(best, unknown),
         best.effects(),

@@ -55,6 +55,28 @@ public record Calibration(Hypothesis setup, double clumping) {
     return new Calibration(best, clumping(evidence, best));
   }
 
+  /**
+   * Lets the thresholds move a little from where the reference left them: the bearings of a log are
+   * not those of its reference, and what a set-up is off by is no effect.
+   *
+   * @param evidence of the log, calibrated
+   * @param explanation that stays as it is
+   * @return the explanation and the thresholds' waves
+   */
+  public Hypothesis loosened(Evidence evidence, Hypothesis explanation) {
+    if (setup.forms().isEmpty()) {
+      return explanation;
+    }
+    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    Hypothesis loose = explanation;
+    for (Form form : SetupForms.all(evidence.setup())) {
+      if (form.name().startsWith("threshold")) {
+        loose = waved(fitter, waved(fitter, loose, form), form);
+      }
+    }
+    return loose;
+  }
+
   private static Hypothesis tried(Fitter fitter, Hypothesis base, Form form) {
     double[] start =
         form.parameters().stream().mapToDouble(p -> p.tries().get(p.tries().size() - 1)).toArray();

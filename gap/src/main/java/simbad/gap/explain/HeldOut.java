@@ -43,6 +43,30 @@ final class HeldOut {
     return new Scored(fit.hypothesis(), fit.logLikelihood(), guess);
   }
 
+  /**
+   * Takes from each set what it cannot have learnt: it predicts no better than a subset by more
+   * than it fits better. Where edges are sharp a single row that flips would else decide.
+   */
+  static List<Scored> capped(List<Scored> sets) {
+    Map<Set<Effect>, Scored> capped = new HashMap<>();
+    sets.stream()
+        .sorted(Comparator.comparingInt(set -> set.hypothesis().forms().size()))
+        .forEach(set -> capped.put(new TreeSet<>(set.hypothesis().effects()), cap(set, capped)));
+    return List.copyOf(capped.values());
+  }
+
+  private static Scored cap(Scored set, Map<Set<Effect>, Scored> capped) {
+    double most = set.heldOut();
+    for (Effect effect : set.hypothesis().effects()) {
+      Scored subset = capped.get(new TreeSet<>(set.hypothesis().without(effect).effects()));
+      if (subset != null) {
+        double fitsBetter = Math.max(0, set.inSample() - subset.inSample());
+        most = Math.min(most, subset.heldOut() + fitsBetter);
+      }
+    }
+    return new Scored(set.hypothesis(), set.inSample(), most);
+  }
+
   List<Scored> score(List<Fit> fits) {
     List<Fit> smallFirst =
         fits.stream().sorted(Comparator.comparingInt(fit -> fit.hypothesis().size())).toList();

@@ -160,8 +160,9 @@ public final class Search {
     List<Scored> again = heldOut.score(ranked.subList(0, Math.min(SCORED, ranked.size())));
     List<Scored> scored = new ArrayList<>(again);
     ranked.stream().skip(SCORED).map(fit -> HeldOut.guess(fit, again)).forEach(scored::add);
-    scored.sort(Comparator.comparingDouble(one -> -one.heldOut()));
-    return List.copyOf(scored);
+    return HeldOut.capped(scored).stream()
+        .sorted(Comparator.comparingDouble(one -> -one.heldOut()))
+        .toList();
   }
 
   /** What a set may reach held-out: each effect more costs what chance would gain. */

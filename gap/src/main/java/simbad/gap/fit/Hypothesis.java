@@ -52,7 +52,7 @@ public record Hypothesis(List<Form> forms, double[] values) {
 
   /** Returns whether a form of an effect is among the forms. */
   public boolean has(Effect effect) {
-    return forms.stream().anyMatch(form -> form.effect() == effect);
+    return forms.stream().anyMatch(form -> form.of().filter(effect::equals).isPresent());
   }
 
   /** Returns the same forms with other values. */
