@@ -265,7 +265,7 @@ END
 
 tests_like_ci() {
   new_project
-  for tool in Xvfb xauth shellcheck; do fake "$work/tools" "$tool" </dev/null; done
+  for tool in Xvfb xauth shellcheck chromium; do fake "$work/tools" "$tool" </dev/null; done
   touch "$work/jvm/jdk-17/lib/libawt_xawt.so"
   simbad test -- -pl sonar-model
   check "test: verify, with what follows --" calls 'mvn -B -ntp verify .*-pl sonar-model'

@@ -41,6 +41,7 @@ class ArchitectureTest {
   private static final String KERNEL = "simbad.kernel..";
   private static final String OBSTACLES = "simbad.obstacles..";
   private static final String EXPERIMENTS = "simbad.experiments..";
+  private static final String GAP = "simbad.gap..";
   private static final String CLI = "simbad.experiments.cli..";
   private static final String[] WORLD = {KERNEL, "simbad.sim..", "simbad.gui..", "simbad.demo.."};
   private static final String[] TOOLKITS = {
@@ -57,6 +58,8 @@ class ArchitectureTest {
         "simbad.gui, 1",
         "simbad.obstacles, 9",
         "simbad.experiments, 60",
+        "simbad.experiments.diagnosis, 15",
+        "simbad.gap, 30",
         "simbad.experiments.control, 8",
         "simbad, 160"
       })
@@ -87,6 +90,11 @@ class ArchitectureTest {
         Arguments.of("simbad.sim..", new String[] {OBSTACLES, EXPERIMENTS}),
         Arguments.of("simbad.gui..", new String[] {OBSTACLES, EXPERIMENTS}),
         Arguments.of(OBSTACLES, new String[] {EXPERIMENTS}),
+        Arguments.of(GAP, WORLD),
+        Arguments.of(GAP, new String[] {OBSTACLES, EXPERIMENTS}),
+        Arguments.of(GAP, TOOLKITS),
+        Arguments.of(MODEL, new String[] {GAP}),
+        Arguments.of(OBSTACLES, new String[] {GAP}),
         Arguments.of("simbad.experiments.plot..", new String[] {MODEL, OBSTACLES}),
         Arguments.of("simbad.experiments.plot..", WORLD),
         Arguments.of("simbad.experiments.run..", new String[] {"simbad.experiments.report.."}));
@@ -180,7 +188,8 @@ class ArchitectureTest {
     outsideTheCommandLine().callMethodWhere(callOf(java.time.Instant.class, "now")).check(CLASSES);
     clockless("simbad.sonar..").check(CLASSES);
     clockless("simbad.obstacles..").check(CLASSES);
-    clockless("simbad.experiments.(run|control|report|table|plot)..").check(CLASSES);
+    clockless("simbad.gap..").check(CLASSES);
+    clockless("simbad.experiments.(run|control|report|table|plot|diagnosis|dataset)..").check(CLASSES);
   }
 
   private static ArchRule clockless(String from) {
