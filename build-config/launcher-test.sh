@@ -101,6 +101,7 @@ new_project() {
 simbad() {
   : >"$work/calls.log"
   output=$(cd "${from:-$work}" && env -i HOME="$work" PATH="$work/tools:$work/bin" SIMBAD_JVM_DIRECTORY="$work/jvm" \
+    SIMBAD_INCLUDE_DIRECTORY="$work/include" \
     FAKE_UID="${FAKE_UID:-1000}" FAKE_COMMIT="${FAKE_COMMIT:-1234}" FAKE_STATUS="${FAKE_STATUS:-0}" \
     FAKE_MAVEN="${FAKE_MAVEN:-}" FAKE_SKIPPED="${FAKE_SKIPPED:-}" FAKE_WORK="$work" CI="${ci:-}" DISPLAY=:7 \
     SIMBAD_TESTING="${testing:-}" bash "${launcher:-$project/simbad}" "$@" </dev/null 2>&1)
@@ -207,6 +208,12 @@ runs_from_anywhere() {
   check "without a window: headless" prints 'headless=true'
   simbad demo one --headless
   check "a demo without a window: headless" prints 'headless=true'
+  simbad demo
+  check "no demo named: headless" prints 'headless=true'
+  simbad demo one
+  check "a demo: not headless" prints_not 'headless=true'
+  simbad demo --list
+  check "the list of demos: headless" prints 'headless=true'
   simbad view
   check "with a window: not headless" prints_not 'headless=true'
 }
@@ -265,7 +272,9 @@ END
 
 tests_like_ci() {
   new_project
-  for tool in Xvfb xauth shellcheck chromium; do fake "$work/tools" "$tool" </dev/null; done
+  mkdir -p "$work/include/gpsim"
+  touch "$work/include/cmocka.h" "$work/include/gpsim/modules.h"
+  for tool in Xvfb xauth shellcheck chromium cppcheck gpsim g++ make; do fake "$work/tools" "$tool" </dev/null; done
   touch "$work/jvm/jdk-17/lib/libawt_xawt.so"
   simbad test -- -pl sonar-model
   check "test: verify, with what follows --" calls 'mvn -B -ntp verify .*-pl sonar-model'

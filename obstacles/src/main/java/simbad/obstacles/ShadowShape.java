@@ -1,11 +1,13 @@
 package simbad.obstacles;
 
+import java.awt.Color;
 import java.awt.GraphicsEnvironment;
 import java.util.Optional;
 import javax.media.j3d.Appearance;
 import javax.media.j3d.ColoringAttributes;
 import javax.media.j3d.GeometryArray;
 import javax.media.j3d.PolygonAttributes;
+import javax.media.j3d.RenderingAttributes;
 import javax.media.j3d.Shape3D;
 import javax.media.j3d.TransparencyAttributes;
 import javax.media.j3d.TriangleArray;
@@ -15,14 +17,27 @@ import simbad.sonar.shape.DetectionShadow;
 /**
  * A detection shadow for the world view: the very triangles of the plain shadow, seen through.
  *
- * <p>Java 3D makes shapes only where there is a display.
+ * <p>Java 3D makes shapes only where there is a display; elsewhere the constructors fail.
  */
-public final class ShadowShape {
-  private static final Color3f SAND = new Color3f(0.87f, 0.72f, 0.53f);
+public class ShadowShape extends Shape3D {
+  private static final Color3f BURLYWOOD = new Color3f(new Color(222, 184, 135));
   private static final float TRANSPARENCY = 0.6f;
   private static final int COORDINATES = 3;
 
-  private ShadowShape() {}
+  /**
+   * Creates the shape of a shadow, in the obstacle's own frame.
+   *
+   * @param shadow to draw
+   * @param heightM of the prism that stands on the floor, metres, positive
+   */
+  public ShadowShape(DetectionShadow shadow, double heightM) {
+    super(geometry(shadow, heightM), appearance());
+  }
+
+  /** Creates the shape of a type's shadow, as high as its body. */
+  ShadowShape(ObstacleType type) {
+    this(new DetectionShadow(type.thresholds().table()), SonarObstacle.BODY_HEIGHT_M);
+  }
 
   /**
    * Makes the shape of a shadow, in the obstacle's own frame.
@@ -34,7 +49,7 @@ public final class ShadowShape {
   public static Optional<Shape3D> find(DetectionShadow shadow, double heightM) {
     return GraphicsEnvironment.isHeadless()
         ? Optional.empty()
-        : Optional.of(new Shape3D(geometry(shadow, heightM), appearance()));
+        : Optional.of(new ShadowShape(shadow, heightM));
   }
 
   /**
@@ -57,9 +72,16 @@ public final class ShadowShape {
     Appearance appearance = new Appearance();
     appearance.setTransparencyAttributes(
         new TransparencyAttributes(TransparencyAttributes.BLENDED, TRANSPARENCY));
-    appearance.setColoringAttributes(new ColoringAttributes(SAND, ColoringAttributes.SHADE_FLAT));
+    appearance.setColoringAttributes(
+        new ColoringAttributes(BURLYWOOD, ColoringAttributes.SHADE_FLAT));
     PolygonAttributes bothSides = new PolygonAttributes();
     bothSides.setCullFace(PolygonAttributes.CULL_NONE);
+    // Its base lies in the floor, and has to win over it everywhere.
+    bothSides.setPolygonOffset(-1);
+    bothSides.setPolygonOffsetFactor(-1);
+    RenderingAttributes hidesNothing = new RenderingAttributes();
+    hidesNothing.setDepthBufferWriteEnable(false);
+    appearance.setRenderingAttributes(hidesNothing);
     appearance.setPolygonAttributes(bothSides);
     return appearance;
   }

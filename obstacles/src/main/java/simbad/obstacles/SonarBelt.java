@@ -1,5 +1,6 @@
 package simbad.obstacles;
 
+import java.util.OptionalDouble;
 import java.util.random.RandomGenerator;
 import simbad.sim.RangeSensorBelt;
 import simbad.sim.World;
@@ -31,14 +32,22 @@ public class SonarBelt extends RangeSensorBelt {
    */
   public SonarBelt(int sonars, SonarSpec spec, SensorModel model, RandomGenerator random) {
     super(0, (float) spec.minRangeM(), (float) spec.maxRangeM(), sonars, TYPE_SONAR, 0);
+    setName("sonars");
     this.spec = spec;
     this.model = model;
     this.random = random;
+    setName("sonars");
   }
 
   @Override
   protected Sensor createSensor(World world) {
     return new WorldSensor(world, this::bind);
+  }
+
+  /** Returns the half angle of the cone in which the sonars hear. */
+  @Override
+  protected OptionalDouble findConeHalfAngleRad() {
+    return OptionalDouble.of(spec.coneHalfAngleRad());
   }
 
   private Sensor bind(World world) {

@@ -5,6 +5,7 @@ import javax.media.j3d.Transform3D;
 import javax.vecmath.Vector3d;
 import simbad.kernel.geometry.PrismShape;
 import simbad.kernel.geometry.Shape;
+import simbad.scene3d.Figure;
 import simbad.sim.BlockWorldObject;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.scene.Obstacle;
@@ -61,6 +62,12 @@ public class SonarObstacle extends BlockWorldObject {
         worldFromObstacle(),
         type.outline(),
         new TableDetection(type.thresholds().table()));
+  }
+
+  /** Adds the shadow to what the window shows. */
+  @Override
+  protected void decorate(Figure figure) {
+    ShadowShape.find(shadow(), BODY_HEIGHT_M).ifPresent(figure::add);
   }
 
   @Override

@@ -1,13 +1,17 @@
 package simbad.obstacles;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Color;
 import java.awt.GraphicsEnvironment;
+import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import javax.media.j3d.Shape3D;
 import javax.media.j3d.TriangleArray;
+import javax.vecmath.Color3f;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -67,7 +71,34 @@ class ShadowShapeTest {
     assertEquals(false, GraphicsEnvironment.isHeadless(), "this test needs a display");
     Shape3D shape = ShadowShape.find(shadow(name), HEIGHT_M).orElseThrow();
     checkVertices(shadow(name), (TriangleArray) shape.getGeometry());
-    assertNotEquals(
-        0f, shape.getAppearance().getTransparencyAttributes().getTransparency(), "transparency");
+    checkLooks(shape);
+  }
+
+  /** Burlywood, of which six tenths are let through: the thesis, appendix A.2. */
+  private static void checkLooks(Shape3D shape) {
+    assertEquals(0.6f, shape.getAppearance().getTransparencyAttributes().getTransparency());
+    Color3f colour = new Color3f();
+    shape.getAppearance().getColoringAttributes().getColor(colour);
+    assertEquals(new Color(222, 184, 135), colour.get());
+  }
+
+  @Test
+  @Tag("display")
+  void namedShadows_areThoseOfTheirObstacles_oneMetreHigh() {
+    for (ShadowShape shape : List.of(new SquareShadow(), new RoundShadow(), new AngleShadow())) {
+      String name = shape.getClass().getSimpleName().replace("Shadow", "").toLowerCase(Locale.ROOT);
+      checkLooks(shape);
+      TriangleArray mesh = (TriangleArray) shape.getGeometry();
+      assertEquals(shadow(name).triangles(1).length / 3, mesh.getVertexCount());
+      float[] vertices = new float[3 * mesh.getVertexCount()];
+      mesh.getCoordinates(0, vertices);
+      double greatest = 0;
+      for (int i = 0; i < vertices.length; i += 3) {
+        assertTrue(vertices[i + 1] == 0 || vertices[i + 1] == 1, "height " + vertices[i + 1]);
+        greatest = Math.max(greatest, Math.hypot(vertices[i], vertices[i + 2]));
+      }
+      assertEquals(
+          Catalogue.find(name).orElseThrow().thresholds().table().greatestM(), greatest, 1e-6);
+    }
   }
 }

@@ -1,7 +1,9 @@
 /**
- * Environments that show what robots can do; so far only their base class.
+ * Environments that show what robots can do, and the list of all that there are: those here and
+ * those that other jars provide as services of the type {@link simbad.demo.Demo}.
  *
- * <p>May not know: how they are run.
+ * <p>The names are Simbad's; what happens in the demos is this project's own. May not know: how
+ * they are run.
  */
 @NullMarked
 package simbad.demo;

@@ -1,15 +1,23 @@
 package simbad.sim;
 
+import java.util.ArrayList;
+import java.util.List;
 import javax.media.j3d.Transform3D;
 import javax.swing.JPanel;
 import javax.vecmath.Color3f;
 import javax.vecmath.Vector3d;
 import org.jspecify.annotations.Nullable;
+import simbad.gui.AgentInspector;
+import simbad.kernel.drawing.Facets;
+import simbad.kernel.drawing.Rgb;
+import simbad.kernel.geometry.PrismShape;
 
 /**
  * A robot with motors: the base class of users' robots. By default 0.3 m in radius and 0.5 m high.
  */
 public class Agent extends SimpleAgent {
+  private static final Rgb NOSE = new Rgb(0.8f, 0, 0);
+
   /** Turns commands into displacements. */
   protected KinematicModel kinematicModel = new DefaultKinematic();
 
@@ -23,6 +31,7 @@ public class Agent extends SimpleAgent {
   protected FrameMeter frameMeter = new FrameMeter();
 
   private @Nullable JPanel uiPanel;
+  private @Nullable AgentInspector agentInspector;
   private final Transform3D rotation = new Transform3D();
 
   /**
@@ -54,13 +63,39 @@ public class Agent extends SimpleAgent {
     super.create3D();
   }
 
-  /** Asks the kinematic model for this step's displacement, as velocities. */
+  /** Returns the body with a red nose on top, which points ahead. */
+  @Override
+  protected List<Facets> drawing() {
+    double[] x = {radius, 0, 0};
+    double[] z = {0, -radius / 2, radius / 2};
+    double top = height / 2;
+    List<Facets> look = new ArrayList<>(super.drawing());
+    if (look.isEmpty()) {
+      return look;
+    }
+    look.add(Facets.lit(new PrismShape(x, z, top, top + radius / 30), NOSE));
+    return look;
+  }
+
+  @Override
+  boolean hasMotors() {
+    return true;
+  }
+
+  /**
+   * Asks the kinematic model for this step's displacement, as velocities. What falls goes on
+   * falling.
+   */
   @Override
   protected void setMotorsAcceleration(double elapsedSecond) {
+    double upwardsMPerS = linearVelocity.y;
     getRotationTransform(rotation);
     kinematicModel.update(elapsedSecond, rotation, linearVelocity, angularVelocity);
     linearVelocity.scale(1 / elapsedSecond);
     angularVelocity.scale(1 / elapsedSecond);
+    if (isFalling()) {
+      linearVelocity.y = upwardsMPerS;
+    }
   }
 
   @Override
@@ -137,6 +172,16 @@ public class Agent extends SimpleAgent {
     return uiPanel;
   }
 
+  /** Returns the window that shows this agent's state, or null if there is none. */
+  public @Nullable AgentInspector getAgentInspector() {
+    return agentInspector;
+  }
+
+  /** Says which window shows this agent's state. */
+  public void setAgentInspector(@Nullable AgentInspector inspector) {
+    agentInspector = inspector;
+  }
+
   @Override
   protected void dispose() {
     super.dispose();
@@ -145,6 +190,6 @@ public class Agent extends SimpleAgent {
   @Override
   @SuppressWarnings("UnsynchronizedOverridesSynchronized") // The modifiers are Simbad's.
   public String asString() {
-    return super.asString() + "\nodometer: " + odometer;
+    return super.asString() + "\n" + AgentText.ofRobot(this);
   }
 }

@@ -23,6 +23,15 @@ final class AgentPair {
     return approaches(agent, other) && (touchStanding(agent, other) || touchAfter(agent, other));
   }
 
+  /**
+   * Returns true if an agent moves towards another one and touches it when both have moved; a
+   * static object may keep the other one where it is.
+   */
+  static boolean runsInto(SimpleAgent agent, SimpleAgent other) {
+    return approaches(agent, other)
+        && (touchAfter(agent, other) || (touchStanding(agent, other) && other.runsIntoObject()));
+  }
+
   private static boolean approaches(SimpleAgent agent, SimpleAgent other) {
     Placement from = agent.placement();
     Placement to = other.placement();

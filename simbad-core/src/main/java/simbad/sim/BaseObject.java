@@ -1,16 +1,24 @@
 package simbad.sim;
 
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.media.j3d.Bounds;
+import javax.media.j3d.Node;
 import javax.media.j3d.Transform3D;
 import javax.vecmath.Color3f;
 import javax.vecmath.Vector3d;
 import org.jspecify.annotations.Nullable;
+import simbad.kernel.drawing.Facets;
+import simbad.kernel.drawing.Rgb;
+import simbad.kernel.drawing.Visual;
 import simbad.kernel.geometry.Placement;
 import simbad.kernel.geometry.Shape;
 import simbad.kernel.scene.Solid;
+import simbad.scene3d.Attachment;
+import simbad.scene3d.Figure;
 
 /** Anything that has a place in the world: static objects, agents and their devices. */
 public abstract class BaseObject {
@@ -25,8 +33,10 @@ public abstract class BaseObject {
 
   private final Placement placement = new Placement();
   private final List<BaseObject> children = new ArrayList<>();
+  private final List<Attachment> nodes = new ArrayList<>();
   private final Vector3d translation = new Vector3d();
   private final double[] matrix = new double[16];
+  private final Visual visual = new Visual(placement, this::drawing);
   private @Nullable Solid solid;
   private boolean canBeTraversed;
   private Color3f color = new Color3f(0.8f, 0.8f, 0.8f);
@@ -45,6 +55,26 @@ public abstract class BaseObject {
    */
   protected List<Shape> bodyShapes() {
     return List.of();
+  }
+
+  /**
+   * Says how this object looks, in its own frame: by default its body's shapes in its colour.
+   * Override it to look different; the body that rays and collisions meet stays as it is. Asked
+   * when the object is first drawn, and again after {@link #lookChanged()}.
+   */
+  protected List<Facets> drawing() {
+    Rgb rgb = Surroundings.rgb(color());
+    return bodyShapes().stream().map(shape -> Facets.lit(shape, rgb)).toList();
+  }
+
+  /** Says that {@link #drawing()} has another answer now. */
+  protected void lookChanged() {
+    visual.lookChanged();
+  }
+
+  /** Returns how this object looks and where it is, with its parts. */
+  Visual visual() {
+    return visual;
   }
 
   /** Adds this object's shapes to a body, given where this object is in that body. */
@@ -103,6 +133,41 @@ public abstract class BaseObject {
   /** Makes another object part of this one: it is then placed in this object's frame. */
   protected void addChild(BaseObject child) {
     children.add(child);
+    visual.add(child.visual());
+  }
+
+  /**
+   * Adds a Java 3D node that is drawn with this object, in its own frame. Nodes with geometry can
+   * be made only where there is a display. To be called before the object enters a world.
+   */
+  protected void addChild(Node node) {
+    nodes.add(new Attachment(node));
+  }
+
+  /** Returns what {@link #addChild(Node)} was given. */
+  List<Attachment> nodes() {
+    return nodes;
+  }
+
+  /**
+   * Adds to a scene what Java 3D shall show of this object beyond its body: sensor rays, a shadow.
+   * Override it; called once for each display scene that is built, and never without a display.
+   *
+   * @param figure takes nodes in the object's own frame
+   */
+  protected void decorate(Figure figure) {
+    // Most objects are seen as their body alone.
+  }
+
+  /** Lets looks be made; those of Java 3D nodes are left out where no display could draw them. */
+  static void createLooks(Runnable looks) {
+    try {
+      looks.run();
+    } catch (HeadlessException | ExceptionInInitializerError | NoClassDefFoundError e) {
+      if (!GraphicsEnvironment.isHeadless()) {
+        throw e;
+      }
+    }
   }
 
   /** Returns the objects that are part of this one. */
@@ -164,6 +229,7 @@ public abstract class BaseObject {
 
   private void setDetached(boolean detached) {
     detachedFromSceneGraph = detached;
+    visual.setPresent(!detached);
     if (solid != null) {
       solid.setPresent(!detached);
     }
@@ -200,9 +266,10 @@ public abstract class BaseObject {
   /** Sets the colour; the argument is copied. */
   public void setColor(Color3f newColor) {
     color = new Color3f(newColor);
+    lookChanged();
   }
 
-  /** Returns the colour, for the window. */
+  /** Returns the colour. */
   Color3f color() {
     return color;
   }

@@ -25,7 +25,16 @@ public enum Compatibility {
   NO_ECHO_IS_INFINITE,
 
   /** Boxes and walls change the vector and the colour that they are made from. */
-  ARGUMENTS_CHANGE;
+  ARGUMENTS_CHANGE,
+
+  /**
+   * With physics on, weight and friction accelerate a body in proportion to its mass, and a step's
+   * displacement is that of the velocity at its end.
+   */
+  GRAVITY_GROWS_WITH_MASS,
+
+  /** With physics on, friction drives a body back and forth instead of stopping it. */
+  FRICTION_NEVER_STOPS;
 
   /**
    * The system property: names of switches in lower case with hyphens, separated by commas, or

@@ -87,7 +87,7 @@ public class EnvironmentDescription {
   /** How boxes are shaded. */
   public int normalsStyle = NORMALS_SIMPLE;
 
-  /** Whether bodies shall fall and bounce; kept, but without effect so far. */
+  /** Whether bodies shall fall, slide, push each other and bounce. */
   public boolean usePhysics;
 
   /** Side of the drawn floor, metres. Nothing stops at its edge. */

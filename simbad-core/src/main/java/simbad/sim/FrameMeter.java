@@ -6,6 +6,9 @@ public class FrameMeter {
   private int frames;
   private long sinceNs;
   private float framesPerSecond;
+  private long totalFrames;
+  private long startNs;
+  private float meanFramesPerSecond;
 
   FrameMeter() {}
 
@@ -13,6 +16,8 @@ public class FrameMeter {
   void reset() {
     frames = 0;
     framesPerSecond = 0;
+    totalFrames = 0;
+    meanFramesPerSecond = 0;
   }
 
   /** Sets over how many steps to measure; at least 1. */
@@ -27,12 +32,25 @@ public class FrameMeter {
   void countFrame() {
     if (frames == 0) {
       sinceNs = System.nanoTime();
+      startNs = totalFrames == 0 ? sinceNs : startNs;
     }
     frames++;
+    totalFrames++;
     if (frames > rate) {
-      framesPerSecond = (float) (rate * 1e9 / Math.max(1, System.nanoTime() - sinceNs));
+      long nowNs = System.nanoTime();
+      framesPerSecond = perSecond(rate, nowNs - sinceNs);
+      meanFramesPerSecond = perSecond(totalFrames - 1, nowNs - startNs);
       frames = 0;
     }
+  }
+
+  private static float perSecond(long count, long elapsedNs) {
+    return (float) (count * 1e9 / Math.max(1, elapsedNs));
+  }
+
+  /** Returns the mean steps per second since the reset; 0 before the first measurement. */
+  float meanFramesPerSecond() {
+    return meanFramesPerSecond;
   }
 
   /** Returns the last measured steps per second; 0 before the first measurement. */

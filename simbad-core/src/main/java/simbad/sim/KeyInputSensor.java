@@ -1,5 +1,6 @@
 package simbad.sim;
 
+import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.event.KeyEvent;
 import java.awt.event.KeyListener;
@@ -45,8 +46,12 @@ public class KeyInputSensor extends SensorDevice implements KeyListener {
 
   /** Shows the last key. */
   public class KeyInputSensorJPanel extends JPanel {
+    private static final int WIDTH = 100;
+    private static final int HEIGHT = 30;
+
     /** Creates a panel that passes keys to a listener. */
     public KeyInputSensorJPanel(KeyListener listener) {
+      setPreferredSize(new Dimension(WIDTH, HEIGHT));
       setFocusable(true);
       addKeyListener(listener);
     }

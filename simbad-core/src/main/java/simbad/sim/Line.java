@@ -3,6 +3,7 @@ package simbad.sim;
 import java.util.List;
 import javax.vecmath.Color3f;
 import javax.vecmath.Vector3d;
+import simbad.kernel.drawing.Facets;
 import simbad.kernel.geometry.BoxShape;
 import simbad.kernel.geometry.Placement;
 import simbad.kernel.geometry.Shape;
@@ -59,6 +60,13 @@ public class Line extends BlockWorldObject {
     Placement bodyFromMiddle = new Placement();
     bodyFromMiddle.compose(bodyFromThis, thisFromMiddle);
     super.addShapesTo(body, bodyFromMiddle);
+  }
+
+  @Override
+  protected List<Facets> drawing() {
+    return super.drawing().stream()
+        .map(strip -> strip.movedBy(0, HEIGHT_M / 2, length / 2))
+        .toList();
   }
 
   @Override

@@ -1,12 +1,16 @@
 package simbad.sim;
 
 import java.util.Arrays;
+import java.util.OptionalDouble;
 import javax.swing.JPanel;
+import javax.vecmath.Color3f;
 import javax.vecmath.Vector3d;
 import org.jspecify.annotations.Nullable;
 import simbad.kernel.belt.BeltLayout;
 import simbad.kernel.belt.RaySensor;
 import simbad.kernel.geometry.Placement;
+import simbad.scene3d.Beams;
+import simbad.scene3d.Figure;
 import simbad.sonar.sensing.Readings;
 import simbad.sonar.sensing.TransducerPoses;
 
@@ -124,6 +128,17 @@ public class LineSensor extends PickSensor {
   /** Returns the flags given to the constructor. */
   public int getFlags() {
     return flags;
+  }
+
+  /** The rays are too short to be shortened, whatever the flags say. */
+  @Override
+  protected void decorate(Figure figure) {
+    figure.add(
+        new Beams(
+            new Beams.Style(new Color3f(1, 0.5f, 0.25f), OptionalDouble.empty()),
+            SensorBeams.poses(layout),
+            SensorBeams.idleLengthsM(layout, true),
+            readings));
   }
 
   /** Returns a row of lamps, one for each ray, lit where there is a hit. */

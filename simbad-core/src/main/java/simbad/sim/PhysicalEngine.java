@@ -1,46 +1,107 @@
 package simbad.sim;
 
 import java.util.ArrayList;
+import java.util.List;
 import javax.media.j3d.BoundingBox;
 import javax.media.j3d.BoundingSphere;
 import javax.vecmath.Point3d;
+import javax.vecmath.Vector3d;
 import simbad.kernel.geometry.Extent;
 import simbad.kernel.scene.NearPairs;
 
-/** Finds which agents are close to each other, which stop each other and which are stopped. */
+/**
+ * Finds which agents are close to each other, which stop each other and which are stopped; with
+ * physics on, also lets them fall, slide, push each other and bounce off walls.
+ *
+ * <p>Physics is that of rigid spheres: weight, friction on the floor, elastic central impacts. A
+ * body comes down on the floor without bouncing. Within a step accelerations are constant, and
+ * displacements are exact for that.
+ */
 public class PhysicalEngine {
   /** Acceleration of a falling body, metres per second squared. */
   protected static final float g = 9.8f;
 
   private final NearPairs pairs = new NearPairs();
   private final NearPairs.Receiver receiver = this::near;
+  private final AgentImpact impact = new AgentImpact();
+  private final WallImpact wallImpact = new WallImpact(this);
   private ArrayList<SimpleAgent> agents = new ArrayList<>();
+  private double elapsed;
+  private boolean pushing;
   private boolean stopping;
 
   PhysicalEngine() {}
 
   /**
-   * Tells every two agents whose spheres will touch after this step about each other, and finds
-   * which agents are stopped by others.
+   * Sets an agent's acceleration to what weight and friction give it in this step.
    *
-   * <p>An agent is stopped by another one that cannot be traversed if this step leads towards it
-   * and the spheres would touch, wherever the other one ends up in this step. So spheres that do
-   * not overlap never will, and those that do can part.
+   * <p>Above the floor that is {@link #g} downwards; on it, friction against the motion, at most as
+   * much as stops the agent. The friction coefficient is the dynamic one, or the static one where
+   * that is 0; what has motors is not slowed. Without mass, or detached, nothing accelerates.
+   *
+   * @param elapsedSecond how long the step takes, simulated seconds
+   * @param agent whose velocity is that at the start of the step
+   */
+  protected void computeForces(double elapsedSecond, SimpleAgent agent) {
+    agent.setInteracted(false);
+    agent.linearAcceleration.set(0, 0, 0);
+    if (agent.getMass() <= 0 || agent.detachedFromSceneGraph) {
+      return;
+    }
+    double weight = agent.restores(Compatibility.GRAVITY_GROWS_WITH_MASS) ? agent.getMass() : 1;
+    if (agent.isAboveGround()) {
+      agent.linearAcceleration.y = -g * weight;
+    } else if (!agent.hasMotors()) {
+      slow(agent, g * weight * agent.frictionCoefficient(), elapsedSecond);
+    }
+  }
+
+  private static void slow(SimpleAgent agent, double brakingMPerS2, double elapsedSecond) {
+    Vector3d velocity = agent.linearVelocity;
+    double speedMPerS = Math.hypot(velocity.x, velocity.z);
+    if (speedMPerS == 0) {
+      return;
+    }
+    double most =
+        agent.restores(Compatibility.FRICTION_NEVER_STOPS)
+            ? Double.POSITIVE_INFINITY
+            : speedMPerS / elapsedSecond;
+    double share = Math.min(brakingMPerS2, most) / speedMPerS;
+    agent.linearAcceleration.x = -velocity.x * share;
+    agent.linearAcceleration.z = -velocity.z * share;
+  }
+
+  /** Lets agents that would sink below the floor in this step come down on it. */
+  void land(List<SimpleAgent> all) {
+    for (int i = 0; i < all.size(); i++) {
+      all.get(i).land();
+    }
+  }
+
+  /**
+   * Tells every two agents whose spheres touch in this step about each other, and finds which
+   * agents push each other or are stopped by others.
+   *
+   * <p>Without physics an agent is stopped by another one that cannot be traversed if this step
+   * leads towards it and the spheres would touch, wherever the other one ends up in this step. So
+   * spheres that do not overlap never will, and those that do can part. With physics it is stopped
+   * only if the spheres would touch when both have moved: what can give way is pushed.
    *
    * @param elapsedSecond how long the step takes, simulated seconds
    * @param all the agents
-   * @param push accepted for old programs; agents do not push each other so far
+   * @param push whether agents that meet exchange momentum
    * @param stop whether agents stop each other
    */
   @SuppressWarnings("NonApiType") // The type is Simbad's.
   protected void checkAgentAgentPairs(
       double elapsedSecond, ArrayList<SimpleAgent> all, boolean push, boolean stop) {
     agents = all;
+    elapsed = elapsedSecond;
+    pushing = push;
     stopping = stop;
     pairs.resize(agents.size());
     for (int i = 0; i < agents.size(); i++) {
       SimpleAgent agent = agents.get(i);
-      agent.clearVeryNear();
       agent.setStoppedByAgent(false);
       pairs.setCentre(i, agent.nextX(), agent.nextY(), agent.nextZ());
       pairs.setRadius(i, agent.getRadius() + agent.instantTranslation.length());
@@ -54,35 +115,43 @@ public class PhysicalEngine {
     if (one.detachedFromSceneGraph || other.detachedFromSceneGraph) {
       return;
     }
-    if (AgentPair.touchAfter(one, other)) {
+    boolean solid = !one.getCanBeTraversed() && !other.getCanBeTraversed();
+    boolean met = pushing && solid && impact.apply(one, other, elapsed);
+    if (met || (stopping && AgentPair.touchAfter(one, other))) {
       one.veryNear(other);
       other.veryNear(one);
     }
-    if (stopping && !one.getCanBeTraversed() && !other.getCanBeTraversed()) {
+    if (stopping && solid) {
       stop(one, other);
       stop(other, one);
     }
   }
 
-  private static void stop(SimpleAgent agent, SimpleAgent other) {
-    if (!agent.restores(Compatibility.ROBOTS_PASS_ROBOTS) && AgentPair.isStopped(agent, other)) {
+  private void stop(SimpleAgent agent, SimpleAgent other) {
+    boolean stopped =
+        pushing ? AgentPair.runsInto(agent, other) : AgentPair.isStopped(agent, other);
+    if (stopped && !agent.restores(Compatibility.ROBOTS_PASS_ROBOTS)) {
       agent.setStoppedByAgent(true);
     }
   }
 
   /**
-   * Sets every agent's collision flag.
+   * Lets agents bounce off static objects, or sets every agent's collision flag.
    *
    * @param all the agents
    * @param objects accepted for old programs; the world knows its objects
-   * @param push accepted for old programs
+   * @param push true: what has no motors bounces; false: collision flags are set
    * @param checkGeometry is handed to the agents
    */
   @SuppressWarnings("NonApiType") // The types are Simbad's.
   protected void checkAgentObjectPairs(
       ArrayList<SimpleAgent> all, ArrayList<Object> objects, boolean push, boolean checkGeometry) {
     for (int i = 0; i < all.size(); i++) {
-      all.get(i).checkCollision(null, checkGeometry);
+      if (push) {
+        wallImpact.apply(all.get(i), elapsed);
+      } else {
+        all.get(i).checkCollision(null, checkGeometry);
+      }
     }
   }
 
@@ -102,5 +171,71 @@ public class PhysicalEngine {
     Point3d centre = new Point3d();
     sphere.getCenter(centre);
     return extent.touchesBall(centre.x, centre.y, centre.z, sphere.getRadius());
+  }
+
+  /**
+   * Computes the direction in which a box pushes a sphere: from the nearest point of the box to the
+   * sphere's centre, or out of the nearest face if the centre is inside.
+   *
+   * @param sphere in the frame of the box
+   * @param box where it stands
+   * @param normal receives the unit vector
+   */
+  protected void computeContactNormal(BoundingSphere sphere, BoundingBox box, Vector3d normal) {
+    Point3d lower = new Point3d();
+    Point3d upper = new Point3d();
+    Point3d centre = new Point3d();
+    box.getLower(lower);
+    box.getUpper(upper);
+    sphere.getCenter(centre);
+    normal.set(
+        beyond(centre.x, lower.x, upper.x),
+        beyond(centre.y, lower.y, upper.y),
+        beyond(centre.z, lower.z, upper.z));
+    if (normal.lengthSquared() > 0) {
+      normal.normalize();
+    } else {
+      leaveByNearestFace(centre, lower, upper, normal);
+    }
+  }
+
+  private static double beyond(double at, double lower, double upper) {
+    return at < lower ? at - lower : Math.max(0, at - upper);
+  }
+
+  private void leaveByNearestFace(Point3d at, Point3d lower, Point3d upper, Vector3d normal) {
+    double nearest = Double.NEGATIVE_INFINITY;
+    for (int face = 0; face < 6; face++) {
+      Point3d onFace = face % 2 == 0 ? lower : upper;
+      double side = face % 2 == 0 ? -1 : 1;
+      double x = face / 2 == 0 ? side : 0;
+      double y = face / 2 == 1 ? side : 0;
+      double z = face / 2 == 2 ? side : 0;
+      double height = projNormal(at.x, at.y, at.z, onFace.x, onFace.y, onFace.z, x, y, z);
+      if (height > nearest) {
+        nearest = height;
+        normal.set(x, y, z);
+      }
+    }
+  }
+
+  /**
+   * Returns how far a point lies above a plane.
+   *
+   * @param x the point's x; y and z follow
+   * @param planeX x of a point of the plane; y and z follow
+   * @param normalX x of the plane's unit normal; y and z follow
+   */
+  protected double projNormal(
+      double x,
+      double y,
+      double z,
+      double planeX,
+      double planeY,
+      double planeZ,
+      double normalX,
+      double normalY,
+      double normalZ) {
+    return (x - planeX) * normalX + (y - planeY) * normalY + (z - planeZ) * normalZ;
   }
 }

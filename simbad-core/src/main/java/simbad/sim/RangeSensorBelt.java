@@ -1,7 +1,9 @@
 package simbad.sim;
 
 import java.util.Arrays;
+import java.util.OptionalDouble;
 import javax.swing.JPanel;
+import javax.vecmath.Color3f;
 import javax.vecmath.Vector3d;
 import org.jspecify.annotations.Nullable;
 import simbad.kernel.belt.BeltLayout;
@@ -9,6 +11,8 @@ import simbad.kernel.belt.Quadrant;
 import simbad.kernel.belt.RaySensor;
 import simbad.kernel.belt.Sectors;
 import simbad.kernel.geometry.Placement;
+import simbad.scene3d.Beams;
+import simbad.scene3d.Figure;
 import simbad.sonar.sensing.Readings;
 import simbad.sonar.sensing.Sensor;
 import simbad.sonar.sensing.TransducerPoses;
@@ -293,6 +297,23 @@ public class RangeSensorBelt extends PickSensor {
   @Override
   public JPanel createInspectorPanel() {
     return new BeltPanel(this);
+  }
+
+  /** Returns the half angle of the cones that are drawn for the sensors; empty for thin rays. */
+  protected OptionalDouble findConeHalfAngleRad() {
+    return OptionalDouble.empty();
+  }
+
+  @Override
+  protected void decorate(Figure figure) {
+    boolean full = type == TYPE_BUMPER || (flags & FLAG_SHOW_FULL_SENSOR_RAY) != 0;
+    Color3f color = type == TYPE_BUMPER ? new Color3f(1, 0, 0) : new Color3f(1, 0.5f, 0.25f);
+    figure.add(
+        new Beams(
+            new Beams.Style(color, findConeHalfAngleRad()),
+            SensorBeams.poses(layout),
+            SensorBeams.idleLengthsM(layout, full),
+            readings));
   }
 
   /** Returns the type given to the constructor, for the window. */

@@ -12,6 +12,10 @@ public class RobotFactory extends Factory {
   private static final float LINE_RANGE_M = 0.025f;
   private static final float LINE_CLEARANCE_M = 0.001f;
   private static final float LAMP_SIZE_M = 0.15f;
+  private static final float CAMERA_RADIUS_M = 0.1f;
+  private static final int CAMERA_SIDE_PX = 100;
+  private static final double CAMERA_ABOVE_TOP_M = 0.075;
+  private static final double LIGHT_CLEARANCE_M = 0.5;
 
   /** Creates a factory; its methods are static. */
   public RobotFactory() {}
@@ -69,6 +73,59 @@ public class RobotFactory extends Factory {
     sensor.setUpdatePerSecond(20);
     sensor.setName("line sensor");
     agent.addSensorDevice(sensor, new Vector3d(0, LINE_RANGE_M - agent.getHeight() / 2, 0), 0);
+    return sensor;
+  }
+
+  /** Adds a camera on top of an agent, 100 by 100 pixels, 3 updates per second. */
+  public static CameraSensor addCameraSensor(Agent agent) {
+    CameraSensor camera = new CameraSensor(CAMERA_RADIUS_M, CAMERA_SIDE_PX, CAMERA_SIDE_PX);
+    camera.setUpdatePerSecond(3);
+    camera.setName("Camera");
+    double y = agent.getHeight() / 2 + CAMERA_ABOVE_TOP_M;
+    agent.addSensorDevice(camera, new Vector3d(0, y, 0), 0);
+    return camera;
+  }
+
+  /** Adds a light sensor at the top of an agent that faces right, 3 updates per second. */
+  public static LightSensor addLightSensor(Agent agent) {
+    return addLightSensor(
+        agent, new Vector3d(0, agent.getHeight() / 2, 0), -Math.PI / 2, "Light Sensor");
+  }
+
+  /**
+   * Adds a light sensor, 3 updates per second.
+   *
+   * @param position where it sits, metres from the agent's middle; copied
+   * @param angle where it faces, radians; it sees what is behind it
+   * @param label the last part of its name
+   */
+  public static LightSensor addLightSensor(
+      Agent agent, Vector3d position, float angle, String label) {
+    return addLightSensor(agent, position, (double) angle, "Light Sensor " + label);
+  }
+
+  /** Adds a light sensor half a metre off the front left of an agent that sees its body there. */
+  public static LightSensor addLightSensorLeft(Agent agent) {
+    return addLightSensorAside(agent, Math.PI / 4, "left");
+  }
+
+  /** Adds a light sensor half a metre off the front right of an agent that sees its body there. */
+  public static LightSensor addLightSensorRight(Agent agent) {
+    return addLightSensorAside(agent, -Math.PI / 4, "right");
+  }
+
+  private static LightSensor addLightSensorAside(Agent agent, double angle, String label) {
+    double away = agent.getRadius() + LIGHT_CLEARANCE_M;
+    Vector3d position = new Vector3d(away * Math.cos(angle), 0, -away * Math.sin(angle));
+    return addLightSensor(agent, position, angle, "Light Sensor " + label);
+  }
+
+  private static LightSensor addLightSensor(
+      Agent agent, Vector3d position, double angle, String name) {
+    LightSensor sensor = new LightSensor();
+    sensor.setUpdatePerSecond(3);
+    sensor.setName(name);
+    agent.addSensorDevice(sensor, position, angle);
     return sensor;
   }
 

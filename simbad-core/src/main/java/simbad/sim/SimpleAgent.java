@@ -8,6 +8,7 @@ import javax.media.j3d.Transform3D;
 import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
 import org.jspecify.annotations.Nullable;
+import simbad.kernel.drawing.Facets;
 import simbad.kernel.geometry.CylinderShape;
 import simbad.kernel.geometry.Shape;
 
@@ -19,6 +20,9 @@ import simbad.kernel.geometry.Shape;
  */
 public class SimpleAgent extends BaseObject {
   private static final int DEFAULT_FRAMES_PER_SECOND = 20;
+
+  /** Room for the rounding of a floating-point height. */
+  private static final double ON_GROUND_M = 1e-6;
 
   /** The agent's name. */
   protected String name;
@@ -48,7 +52,9 @@ public class SimpleAgent extends BaseObject {
   /** Mass, kilograms. */
   protected float mass = 50;
 
-  /** Friction at rest, for physics. */
+  /**
+   * Friction at rest, for physics; also in motion where {@link #dynamicFrictionCoefficient} is 0.
+   */
   protected float staticFrictionCoefficient;
 
   /** Friction in motion, for physics. */
@@ -81,6 +87,7 @@ public class SimpleAgent extends BaseObject {
   private final DeviceRack devices = new DeviceRack();
   private @Nullable Simulator simulator;
   private @Nullable SimpleAgent veryNearAgent;
+  private boolean bodyIsDrawn;
   private boolean collided;
   private boolean stoppedByAgent;
   private boolean interacted;
@@ -103,14 +110,25 @@ public class SimpleAgent extends BaseObject {
     return List.of(new CylinderShape(radius, height));
   }
 
-  /** Gives the agent its looks; the window builds what is drawn. */
+  /**
+   * Gives the agent its looks. Programs that override it without calling this method, and add nodes
+   * of their own, are drawn as these nodes alone.
+   */
   protected void create3D() {
-    // Nothing is drawn without a window.
+    bodyIsDrawn = true;
+  }
+
+  /**
+   * Returns the body's shapes, unless {@link #create3D()} was overridden to draw something else.
+   */
+  @Override
+  protected List<Facets> drawing() {
+    return bodyIsDrawn || nodes().isEmpty() ? super.drawing() : List.of();
   }
 
   /** Prepares the agent for its world; called once, by the simulator. */
   protected void create() {
-    create3D();
+    createLooks(this::create3D);
   }
 
   /** Returns to the start: position, counters, devices. */
@@ -126,6 +144,7 @@ public class SimpleAgent extends BaseObject {
 
   /** Returns to the start position, heading along +x. */
   protected void resetPosition() {
+    stop();
     v1.set(startPosition);
     v1.y += height / 2;
     resetPositionAt(v1);
@@ -137,6 +156,12 @@ public class SimpleAgent extends BaseObject {
     placement().resetTurn();
     collided = false;
     placementChanged();
+  }
+
+  /** Takes away the speed that physics gave. */
+  private void stop() {
+    linearVelocity.set(0, 0, 0);
+    angularVelocity.set(0, 0, 0);
   }
 
   /** Resets every device. */
@@ -165,9 +190,16 @@ public class SimpleAgent extends BaseObject {
     angularVelocity.scaleAdd(elapsedSecond, angularAcceleration, angularVelocity);
   }
 
-  /** Computes the displacement and turn that the velocities give in a step. */
+  /**
+   * Computes the displacement and turn that the velocities at the end of a step give. The
+   * displacement is that of the mean velocity, exact while the acceleration is constant.
+   */
   protected void integratesPositionChange(double elapsedSecond) {
     instantTranslation.scale(elapsedSecond, linearVelocity);
+    if (!restores(Compatibility.GRAVITY_GROWS_WITH_MASS)) {
+      instantTranslation.scaleAdd(
+          -elapsedSecond * elapsedSecond / 2, linearAcceleration, instantTranslation);
+    }
     instantRotation.scale(elapsedSecond, angularVelocity);
   }
 
@@ -192,6 +224,15 @@ public class SimpleAgent extends BaseObject {
     if (positionChanged) {
       placementChanged();
     }
+    if (collided && hasPhysics()) {
+      loseVelocity();
+    }
+  }
+
+  /** What cannot move has no momentum; motors go on turning. */
+  private void loseVelocity() {
+    double share = hasMotors() ? 1 : 0;
+    linearVelocity.set(share * linearVelocity.x, 0, share * linearVelocity.z);
   }
 
   /**
@@ -202,9 +243,50 @@ public class SimpleAgent extends BaseObject {
    * @param checkGeometry accepted for old programs
    */
   protected void checkCollision(@Nullable BranchGroup pickableSceneBranch, boolean checkGeometry) {
-    collided =
-        !detachedFromSceneGraph
-            && (stoppedByAgent || isStoppedAt(nextX(), nextY(), nextZ(), radius));
+    collided = !detachedFromSceneGraph && (stoppedByAgent || runsIntoObject());
+  }
+
+  /** Returns true if this step would lead into a static object. */
+  boolean runsIntoObject() {
+    return isStoppedAt(nextX(), nextY(), nextZ(), radius);
+  }
+
+  /** Returns true if the agent drives, so that it is stopped by walls and does not bounce. */
+  boolean hasMotors() {
+    return false;
+  }
+
+  /** Returns true if there is air under the agent. */
+  boolean isAboveGround() {
+    return distanceToGround() > ON_GROUND_M;
+  }
+
+  /** Returns true if physics governs the agent's height now. */
+  boolean isFalling() {
+    return hasPhysics() && mass > 0 && isAboveGround();
+  }
+
+  private boolean hasPhysics() {
+    return simulator != null && simulator.getUsePhysics();
+  }
+
+  /** Returns the coefficient of friction on the floor. */
+  double frictionCoefficient() {
+    return dynamicFrictionCoefficient > 0 ? dynamicFrictionCoefficient : staticFrictionCoefficient;
+  }
+
+  /** Ends this step's way down at the floor. */
+  void land() {
+    if (distanceToGround() >= 0 && distanceToGround() + instantTranslation.y < 0) {
+      instantTranslation.y = -distanceToGround();
+      linearVelocity.y = 0;
+      linearAcceleration.y = 0;
+    }
+  }
+
+  /** Says whether the agent has pushed something or bounced in this step. */
+  void setInteracted(boolean newInteracted) {
+    interacted = newInteracted;
   }
 
   /** Says whether another agent stops this one in this step. */
@@ -256,7 +338,7 @@ public class SimpleAgent extends BaseObject {
     return collided;
   }
 
-  /** Returns true if physics let the agent push another one in the last step. */
+  /** Returns true if in the last step physics let the agent push another one or bounce. */
   public boolean interactionDetected() {
     return interacted;
   }
@@ -314,14 +396,9 @@ public class SimpleAgent extends BaseObject {
     // For subclasses.
   }
 
-  /** Describes the agent's state in several lines. */
+  /** Describes the agent's state in several lines: metres, seconds. */
   public synchronized String asString() {
-    return String.join(
-        "\n",
-        getClass().getSimpleName() + " " + name,
-        "counter: " + counter + ", lifetime: " + lifeTime + " s",
-        "collision: " + collided,
-        "placement: " + placement());
+    return AgentText.of(this);
   }
 
   /** Says which simulator steps the agent. */

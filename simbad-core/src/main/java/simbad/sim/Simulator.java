@@ -1,6 +1,9 @@
 package simbad.sim;
 
+import java.awt.event.KeyListener;
 import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
 import javax.swing.JComponent;
 import org.jspecify.annotations.Nullable;
 import simbad.kernel.run.Pacer;
@@ -18,9 +21,10 @@ public class Simulator {
   private final ArrayList<SimpleAgent> agents;
   private final PhysicalEngine engine = new PhysicalEngine();
   private final ArrayList<Object> noObjects = new ArrayList<>();
-  private final Lock lock = new Lock();
+  private final Lock lock;
   private final Pacer pacer = new Pacer("simulation");
   private boolean usePhysics;
+  private volatile boolean flatOut;
   private int framesPerSecond = DEFAULT_FRAMES_PER_SECOND;
   private float virtualTimeFactor = 1;
   private @Nullable JComponent applicationComponent;
@@ -35,9 +39,11 @@ public class Simulator {
   public Simulator(
       @Nullable JComponent application, World world, EnvironmentDescription environment) {
     applicationComponent = application;
+    lock = world.stepLock();
     usePhysics = environment.usePhysics;
     agents = new ArrayList<>(environment.list(SimpleAgent.class));
     agents.forEach(agent -> admit(agent, world));
+    keyListeners().forEach(added -> withComponent(c -> c.addKeyListener(added)));
   }
 
   private void admit(SimpleAgent agent, World world) {
@@ -48,9 +54,27 @@ public class Simulator {
   }
 
   /** Stops and frees what the agents hold. */
-  public synchronized void dispose() {
+  public void dispose() {
     pacer.stop();
-    agents.forEach(SimpleAgent::dispose);
+    keyListeners().forEach(removed -> withComponent(c -> c.removeKeyListener(removed)));
+    synchronized (this) {
+      agents.forEach(SimpleAgent::dispose);
+    }
+  }
+
+  /** Returns the sensors that listen to the keys of the application. */
+  private List<KeyListener> keyListeners() {
+    return agents.stream()
+        .flatMap(agent -> agent.getSensorList().stream())
+        .filter(KeyListener.class::isInstance)
+        .map(KeyListener.class::cast)
+        .toList();
+  }
+
+  private void withComponent(Consumer<JComponent> action) {
+    if (applicationComponent != null) {
+      action.accept(applicationComponent);
+    }
   }
 
   /** Does one step. */
@@ -73,12 +97,23 @@ public class Simulator {
       agents.get(i).performBehavior();
     }
     for (int i = 0; i < agents.size(); i++) {
+      agents.get(i).clearVeryNear();
       agents.get(i).setMotorsAcceleration(elapsedSecond);
+      if (usePhysics) {
+        engine.computeForces(elapsedSecond, agents.get(i));
+      }
       agents.get(i).integratesVelocities(elapsedSecond);
       agents.get(i).integratesPositionChange(elapsedSecond);
     }
-    engine.checkAgentAgentPairs(elapsedSecond, agents, usePhysics, !usePhysics);
-    engine.checkAgentObjectPairs(agents, noObjects, usePhysics, false);
+    if (usePhysics) {
+      engine.checkAgentAgentPairs(elapsedSecond, agents, true, false);
+      engine.checkAgentObjectPairs(agents, noObjects, true, false);
+    }
+    engine.checkAgentAgentPairs(elapsedSecond, agents, usePhysics, true);
+    if (usePhysics) {
+      engine.land(agents);
+    }
+    engine.checkAgentObjectPairs(agents, noObjects, false, false);
     for (int i = 0; i < agents.size(); i++) {
       agents.get(i).updatePosition();
       agents.get(i).updateCounters(elapsedSecond);
@@ -94,30 +129,58 @@ public class Simulator {
   }
 
   /** Prepares the behaviours and steps on a thread of its own, in time with the wall clock. */
-  public synchronized void startSimulation() {
-    initBehaviors();
-    pacer.start(1 / ((double) framesPerSecond * virtualTimeFactor), this::simulateOneStep);
+  public void startSimulation() {
+    pacer.stop();
+    synchronized (this) {
+      initBehaviors();
+      startPacing();
+    }
   }
 
-  /** Stops stepping. */
-  public synchronized void stopSimulation() {
+  private void startPacing() {
+    flatOut = false;
+    pacer.start(1 / ((double) framesPerSecond * virtualTimeFactor), this::pacedStep);
+  }
+
+  /** Does a step, unless stepping was stopped while this one waited for its turn. */
+  private synchronized void pacedStep() {
+    if (isRunning()) {
+      simulateOneStep();
+    }
+  }
+
+  /** Returns true while the simulation steps on a thread of its own. */
+  public boolean isRunning() {
+    return pacer.isStarted();
+  }
+
+  /** Stops stepping; a step that is under way is waited for. */
+  public void stopSimulation() {
     pacer.stop();
+    awaitStep();
+  }
+
+  /** Returns when no step is under way; a step itself may ask, too. */
+  private synchronized void awaitStep() {
+    // Steps hold the monitor that this method needs.
   }
 
   /** Resets and starts. */
-  public synchronized void restartSimulation() {
+  public void restartSimulation() {
     resetSimulation();
     startSimulation();
   }
 
   /** Stops and puts every agent back to its start. */
-  public synchronized void resetSimulation() {
+  public void resetSimulation() {
     pacer.stop();
-    agents.forEach(SimpleAgent::reset);
+    synchronized (this) {
+      agents.forEach(SimpleAgent::reset);
+    }
   }
 
   /** Stops and does one step. */
-  public synchronized void performSimulationStep() {
+  public void performSimulationStep() {
     pacer.stop();
     simulateOneStep();
   }
@@ -151,12 +214,15 @@ public class Simulator {
     return framesPerSecond;
   }
 
-  /** Sets how much faster than the wall clock to step, from the next start on; above 0. */
+  /** Sets how much faster than the wall clock to step, also while running; above 0. */
   public void setVirtualTimeFactor(float factor) {
     if (!(factor > 0)) {
       throw new IllegalArgumentException("factor = " + factor + " is not in (0, infinity)");
     }
     virtualTimeFactor = factor;
+    if (isRunning() && !flatOut) {
+      startPacing();
+    }
   }
 
   /** Returns how much faster than the wall clock the simulation steps. */
@@ -185,13 +251,17 @@ public class Simulator {
   }
 
   /** Prepares the behaviours and steps on a thread of its own, as fast as it can. */
-  public synchronized void startBackgroundMode() {
-    initBehaviors();
-    pacer.start(0, this::simulateOneStep);
+  public void startBackgroundMode() {
+    pacer.stop();
+    synchronized (this) {
+      initBehaviors();
+      flatOut = true;
+      pacer.start(0, this::pacedStep);
+    }
   }
 
-  /** Stops stepping. */
-  public synchronized void stopBackgroundMode() {
-    pacer.stop();
+  /** Stops stepping; a step that is under way is waited for. */
+  public void stopBackgroundMode() {
+    stopSimulation();
   }
 }

@@ -4,9 +4,17 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
+import javax.media.j3d.Canvas3D;
 import org.jspecify.annotations.Nullable;
+import simbad.kernel.drawing.PointLight;
+import simbad.kernel.drawing.Stage;
+import simbad.kernel.geometry.Placement;
+import simbad.kernel.render.Picture;
 import simbad.kernel.scene.Scene;
+import simbad.scene3d.DisplayException;
 
 /** The static objects and agents of an environment, and the scene in which sensors see them. */
 public class World {
@@ -33,18 +41,36 @@ public class World {
 
   private final Set<Compatibility> habits = EnumSet.noneOf(Compatibility.class);
   private final Scene scene = new Scene();
+  private final Stage stage;
+  private final WorldCameras cameras;
+  private final Optional<PointLight> light1;
+  private final Optional<PointLight> light2;
   private final List<StaticObject> standing = new ArrayList<>();
+  private final List<BaseObject> objects = new ArrayList<>();
+  private final Lock stepLock = new Lock();
   private long staticRevision;
+  private final int surroundings;
+  private int viewPoint;
+  private @Nullable SimpleAgent viewedAgent;
+  private volatile @Nullable WorldView view;
+  private @Nullable DisplayException noView;
 
   /** Creates a world with the environment's static objects; the simulator adds the agents. */
   public World(EnvironmentDescription environment) {
     worldSize = environment.worldSize;
+    viewPoint = environment.worldViewPoint;
     habits.addAll(environment.compatibility);
+    stage = Surroundings.stage(environment);
+    cameras = new WorldCameras(stage);
+    light1 = Surroundings.light1(environment);
+    light2 = Surroundings.light2(environment);
+    surroundings = stage.visuals().size();
     environment.list(StaticObject.class).forEach(this::enter);
   }
 
   private void enter(BaseObject object) {
     object.setWorld(this);
+    stage.add(object.visual());
     if (object instanceof StaticObject fixed) {
       scene.addFixed(fixed.getSolid());
       standing.add(fixed);
@@ -52,6 +78,19 @@ public class World {
     } else {
       scene.addMoving(object.getSolid());
     }
+    show(object);
+  }
+
+  private synchronized void show(BaseObject object) {
+    objects.add(object);
+    if (view != null) {
+      view.add(object);
+    }
+  }
+
+  /** Returns the lock that is held during a step. */
+  Lock stepLock() {
+    return stepLock;
   }
 
   /** Puts an object into the world, where sensors see it. */
@@ -103,33 +142,102 @@ public class World {
     return scene;
   }
 
+  /** Returns what there is to see: this world's objects, floor, axes and lamps. */
+  public Stage getStage() {
+    return stage;
+  }
+
+  /** Takes a picture of this world as it is now; see {@link CameraKind} by whom. */
+  void takePicture(Placement worldFromEye, Picture picture) {
+    cameras.take(view != null, worldFromEye, picture);
+  }
+
+  /** Returns the first lamp, if it was lit when the world was made. */
+  public Optional<PointLight> getLight1() {
+    return light1;
+  }
+
+  /** Returns the second lamp, if it was lit when the world was made. */
+  public Optional<PointLight> getLight2() {
+    return light2;
+  }
+
   /**
-   * Moves the window's view; without a window, nothing.
+   * Returns the canvas that shows this world, the same one every time. It belongs into one window.
    *
-   * @param viewPoint a VIEW constant
+   * @throws simbad.scene3d.DisplayException if there is no display or Java 3D cannot draw on it
+   */
+  public synchronized Canvas3D getCanvas3D() {
+    if (noView != null) {
+      throw noView;
+    }
+    if (view == null) {
+      view = openView();
+    }
+    return view.canvas();
+  }
+
+  private WorldView openView() {
+    try {
+      WorldView opened = new WorldView(stage, worldSize, stepLock);
+      stage.visuals().subList(0, surroundings).forEach(opened::add);
+      objects.forEach(opened::add);
+      opened.look(viewPoint, viewedAgent);
+      return opened;
+    } catch (DisplayException e) {
+      // What is missing will not come: whoever asks again gets the same answer, without the wait.
+      noView = e;
+      throw e;
+    }
+  }
+
+  /**
+   * Moves the view of this world; before there is a canvas, the view that it will have first.
+   *
+   * @param newViewPoint a VIEW constant
    * @param agent whom to follow, for the views that follow
    */
-  public void changeViewPoint(int viewPoint, @Nullable SimpleAgent agent) {
-    // Only the window has a view.
+  public synchronized void changeViewPoint(int newViewPoint, @Nullable SimpleAgent agent) {
+    viewPoint = newViewPoint;
+    viewedAgent = agent;
+    ifShown(shown -> shown.look(newViewPoint, agent));
   }
 
-  /** Stops drawing; without a window, nothing. */
+  /** Returns from where the world is viewed, a VIEW constant. */
+  public synchronized int getViewPoint() {
+    return viewPoint;
+  }
+
+  /** Stops drawing; without a canvas, nothing. */
   public void stopRendering() {
-    // Only the window draws.
+    ifShown(WorldView::stop);
   }
 
-  /** Goes on drawing; without a window, nothing. */
+  /** Goes on drawing; without a canvas, nothing. */
   public void startRendering() {
-    // Only the window draws.
+    ifShown(WorldView::start);
   }
 
-  /** Draws once; without a window, nothing. */
+  /** Draws once while drawing is stopped; without a canvas, nothing. */
   public void renderOnce() {
-    // Only the window draws.
+    ifShown(WorldView::drawOnce);
   }
 
-  /** Frees what the window holds; without one, nothing. */
-  public void dispose() {
-    // Only the window holds resources.
+  /** Says who is told, on any thread, why the canvas cannot be drawn any more. */
+  public void whenDrawingFails(Consumer<String> listener) {
+    ifShown(shown -> shown.whenFailed(listener));
+  }
+
+  private synchronized void ifShown(Consumer<WorldView> action) {
+    if (view != null) {
+      action.accept(view);
+    }
+  }
+
+  /** Frees what cameras and the canvas hold. */
+  public synchronized void dispose() {
+    ifShown(WorldView::dispose);
+    view = null;
+    cameras.dispose();
   }
 }

@@ -124,7 +124,6 @@ class SimulatorTest {
     assertFalse(lamp.isLit());
     lamp.update();
     assertTrue(lamp.isLit());
-    assertEquals(0.15f, lamp.size());
   }
 
   @Test

@@ -22,7 +22,7 @@ class AllocationTest {
   private static final double BYTES_PER_STEP = 4;
 
   /** Circles in place. */
-  private static final class Circler extends Agent {
+  private static class Circler extends Agent {
     Circler(double x, double z) {
       super(new Vector3d(x, 0, z), "circler");
       RobotFactory.addSonarBeltSensor(this, 12).setUpdateOnEachFrame(true);
@@ -36,6 +36,15 @@ class AllocationTest {
     }
   }
 
+  /** Circles in place and films. */
+  private static final class Filmer extends Circler {
+    Filmer(double x, double z) {
+      super(x, z);
+      RobotFactory.addCameraSensor(this);
+      RobotFactory.addLightSensorLeft(this).setUpdateOnEachFrame(true);
+    }
+  }
+
   private static Simbatch crowd() {
     EnvironmentDescription environment = new EnvironmentDescription();
     for (double x = 0; x < 12; x += 2.5) {
@@ -44,6 +53,7 @@ class AllocationTest {
         environment.add(new Circler(x + 1.25, z + 1.25));
       }
     }
+    environment.add(new Filmer(-1.25, -1.25));
     Simbatch simulation = new Simbatch(environment, false);
     simulation.reset();
     return simulation;

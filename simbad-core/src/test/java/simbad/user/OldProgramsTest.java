@@ -42,7 +42,7 @@ class OldProgramsTest {
     try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null);
         Stream<Path> sources = Files.list(SOURCES)) {
       List<Path> programs = sources.sorted().toList();
-      assertEquals(11, programs.size());
+      assertEquals(14, programs.size());
       List<String> options =
           List.of("-nowarn", "-proc:none", "-d", classes.toString(), "-cp", classPath);
       var units = files.getJavaFileObjectsFromPaths(programs);
@@ -138,6 +138,25 @@ class OldProgramsTest {
   void potentialField_leadsToTheGoal() throws ReflectiveOperationException {
     Agent seeker = agent(run("PotentialField", 800), "seeker");
     assertTrue(coords(seeker).distance(new Point3d(4, 0.25, 0)) < 0.35, "at " + coords(seeker));
+  }
+
+  @Test
+  void lightSeeker_findsTheLamp() throws ReflectiveOperationException {
+    assertTrue(number(agent(run("LightSeeker", 900), "seeker"), "nearest") < 1);
+  }
+
+  @Test
+  void luxClimber_stopsAtTheLamp() throws ReflectiveOperationException {
+    Agent climber = agent(run("LuxClimber", 800), "climber");
+    assertTrue(coords(climber).distance(new Point3d(3, 0.25, 2)) < 0.5, "at " + coords(climber));
+  }
+
+  @Test
+  void ballWatcher_seesTheCherryAndGetsIt() throws ReflectiveOperationException {
+    Agent watcher = agent(run("BallWatcher", 500), "watcher");
+    assertTrue(number(watcher, "found") > 50);
+    assertEquals(0.8, number(watcher, "brightness"), 1e-6);
+    assertTrue(coords(watcher).distance(new Point3d(3, 0.25, -2)) < 0.5, "at " + coords(watcher));
   }
 
   @Test

@@ -18,7 +18,11 @@ import simbad.obstacles.Catalogue;
 @Command(
     name = "dataset",
     description = "Make data sets for simbad diagnose: of a threshold table, of others' logs.",
-    subcommands = {DatasetCommand.Grid.class, DatasetCommand.Ladder.class, DatasetCommand.Plotter.class},
+    subcommands = {
+      DatasetCommand.Grid.class,
+      DatasetCommand.Ladder.class,
+      DatasetCommand.Plotter.class
+    },
     footer = {"", "Example: simbad dataset grid angle --out angle-against-uniform"})
 final class DatasetCommand extends CommandGroup {
 
@@ -151,7 +155,9 @@ final class DatasetCommand extends CommandGroup {
         throw wrongUsage("--ball: expected X,Y in millimetres, such as 88,76");
       }
       OptionalDouble backdrop =
-          backdropMm == null ? OptionalDouble.empty() : OptionalDouble.of(length("--backdrop", backdropMm));
+          backdropMm == null
+              ? OptionalDouble.empty()
+              : OptionalDouble.of(length("--backdrop", backdropMm));
       publish(
           PlotterLog.read(
               log,

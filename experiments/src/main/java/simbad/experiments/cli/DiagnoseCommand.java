@@ -18,9 +18,9 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.diagnosis.DiagnosisFolder;
+import simbad.gap.Diagnoser;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.DataSetFolder;
-import simbad.gap.diagnosis.Diagnoser;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Provenance;
 import simbad.sonar.effect.Effect;
@@ -126,7 +126,8 @@ final class DiagnoseCommand extends Subcommand {
     for (String word : withhold) {
       effects.add(
           Effect.find(word)
-              .orElseThrow(() -> wrongUsage("--withhold: '" + word + "' is the name of no effect")));
+              .orElseThrow(
+                  () -> wrongUsage("--withhold: '" + word + "' is the name of no effect")));
     }
     return effects;
   }
@@ -138,7 +139,11 @@ final class DiagnoseCommand extends Subcommand {
       Path twin = byName.put(new DataSetFolder(folder).name(), folder);
       if (twin != null) {
         throw wrongUsage(
-            "DATASET: " + twin + " and " + folder + " are called the same and would share a folder");
+            "DATASET: "
+                + twin
+                + " and "
+                + folder
+                + " are called the same and would share a folder");
       }
     }
     if (Files.exists(out) && !Files.isDirectory(out)) {

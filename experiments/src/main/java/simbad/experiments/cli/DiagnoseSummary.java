@@ -40,8 +40,11 @@ record DiagnoseSummary(String dataset, Diagnosis diagnosis, Path folder) {
     return diagnosis.explanation().isEmpty()
         ? ""
         : diagnosis.explanation().stream()
-            .map(effect -> String.format(Locale.ROOT, "%s %.2f", effect, finding(effect).probability()))
-            .collect(Collectors.joining(" + ", ", ", ""))
+                .map(
+                    effect ->
+                        String.format(
+                            Locale.ROOT, "%s %.2f", effect, finding(effect).probability()))
+                .collect(Collectors.joining(" + ", ", ", ""))
             + ties();
   }
 

@@ -13,12 +13,12 @@ import simbad.experiments.diagnosis.Predictions;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.sonar.effect.Change;
 import simbad.sonar.format.DataFormatException;
-import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.format.ModelFile;
 import simbad.sonar.format.ReadingsFile;
 import simbad.sonar.format.SceneFile;
 import simbad.sonar.format.TextFile;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.sensing.ReadingRow;
 
 /** {@code simbad predict}: the distribution of readings on rows never seen. */
 @Command(
@@ -70,8 +70,7 @@ final class PredictCommand extends Subcommand {
       throw new FileAlreadyExistsException(out.toString());
     }
     SensingSetup setup = SceneFile.read(diagnosis.resolve(DataSetFolder.SCENE));
-    List<? extends Change> changes =
-        chosen == Model.NOMINAL ? List.of() : changes(setup);
+    List<? extends Change> changes = chosen == Model.NOMINAL ? List.of() : changes(setup);
     List<ReadingRow> poses = ReadingsFile.readPoses(rows);
     write(Predictions.text(setup, changes, poses));
   }

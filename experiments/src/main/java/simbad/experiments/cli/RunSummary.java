@@ -51,7 +51,7 @@ final class RunSummary {
     return result.type().name() + " (" + result.type().thresholds().provenanceWord() + ")";
   }
 
-  private static String centimetres(OptionalDouble metres) {
+  static String centimetres(OptionalDouble metres) {
     return metres.isPresent() ? text("%.2f", 100 * metres.getAsDouble()) : "-";
   }
 

@@ -10,7 +10,11 @@ final class Subcommands {
   static List<Subcommand> all() {
     return List.of(
         new RunCommand(),
+        new ViewCommand(),
+        new DemoCommand(),
         new TableCommand(),
+        new BoardCommand(),
+        new FlashInfoCommand(),
         new DatasetCommand(),
         new DiagnoseCommand(),
         new PredictCommand(),

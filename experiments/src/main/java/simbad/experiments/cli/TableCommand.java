@@ -6,12 +6,16 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.plot.Figure;
 import simbad.experiments.report.TablePicture;
+import simbad.experiments.run.PositionLog;
+import simbad.experiments.run.TraceErrors;
 import simbad.experiments.table.Reconstruction;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
@@ -62,8 +66,15 @@ final class TableCommand extends CommandGroup {
   /** {@code simbad table plot}. */
   @Command(
       name = "plot",
-      description = "Draw a table as a polar plot, PNG or SVG by the ending of --out.",
-      footer = {"", "Example: simbad table plot angle --out angle.svg"})
+      description = {
+        "Draw a table as a polar plot, PNG or SVG by the ending of --out.",
+        "With --log, draw a robot's logged positions over it and print their errors."
+      },
+      footer = {
+        "",
+        "Example: simbad table plot angle --out angle.svg",
+        "Example: simbad table plot angle --log AngleRobot.log --out trace.png"
+      })
   static final class Plot extends Subcommand {
     @Parameters(paramLabel = "OBSTACLE", description = "square, round, angle, or TABLE.csv.")
     private String obstacle = "";
@@ -71,14 +82,54 @@ final class TableCommand extends CommandGroup {
     @Option(names = "--out", paramLabel = "FILE", required = true, description = "*.png or *.svg")
     private Path file = Path.of("");
 
+    @Option(
+        names = "--log",
+        paramLabel = "LOG",
+        description =
+            "Text with lines such as INFO: 0.025,-2.5 (java.util.logging): x and z in metres, the"
+                + " obstacle at 0,0. Other lines are passed over.")
+    private @Nullable Path log;
+
     @Override
     protected void run() throws Exception {
       String name = file.toString().toLowerCase(Locale.ROOT);
       if (!name.endsWith(".png") && !name.endsWith(".svg")) {
         throw wrongUsage("--out: '" + file + "' ends neither in .png nor in .svg");
       }
-      Figure figure = TablePicture.of(ObstacleArgument.parse(obstacle));
+      ObstacleType type = ObstacleArgument.parse(obstacle);
+      Optional<PositionLog> positions =
+          log == null ? Optional.empty() : Optional.of(PositionLog.read(log));
       refuseExisting(file);
+      draw(
+          positions
+              .map(known -> TablePicture.of(type, "trace, " + log, known.trace()))
+              .orElseGet(() -> TablePicture.of(type)));
+      positions.ifPresent(known -> print(known, known.errors(type.thresholds().table())));
+    }
+
+    private void print(PositionLog positions, TraceErrors errors) {
+      out()
+          .printf(
+              Locale.ROOT,
+              "%s: %d positions, %d other lines%n",
+              log,
+              positions.trace().size(),
+              positions.otherLines());
+      out()
+          .printf(
+              Locale.ROOT,
+              "radial error mean %s, RMS %s, max %s cm; beside the edge %s cm in the mean;"
+                  + " %d of %d bearings not crossed%n",
+              RunSummary.centimetres(errors.meanM()),
+              RunSummary.centimetres(errors.rmsM()),
+              RunSummary.centimetres(errors.maxM()),
+              RunSummary.centimetres(OptionalDouble.of(errors.lateralMeanM())),
+              errors.unreachedBearings(),
+              errors.radialM().size());
+    }
+
+    private void draw(Figure figure) throws IOException {
+      String name = file.toString().toLowerCase(Locale.ROOT);
       if (name.endsWith(".png")) {
         figure.writePng(file, Figure.PRINT_DPI);
       } else {

@@ -38,8 +38,7 @@ public final class LadderLog {
    * @param soundSpeedMPerS with which its author computed ranges
    * @throws DataFormatException naming file, line and field of the first fault
    */
-  public static MadeDataSet read(
-      Path file, String set, String skip, double soundSpeedMPerS)
+  public static MadeDataSet read(Path file, String set, String skip, double soundSpeedMPerS)
       throws DataFormatException {
     LogTable log = LogTable.read(file, "set", "note", "true_cm", "reading_cm");
     List<ReadingRow> rows = new ArrayList<>();

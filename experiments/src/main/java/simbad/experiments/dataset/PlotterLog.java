@@ -15,15 +15,15 @@ import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
 
 /**
- * A sensor on a pen plotter before a ball: columns {@code x, y} in millimetres on the plotter, {@code
- * ultra} in whole centimetres, 765 for no target.
+ * A sensor on a pen plotter before a ball: columns {@code x, y} in millimetres on the plotter,
+ * {@code ultra} in whole centimetres, 765 for no target.
  *
  * <p>Seen from above the plane of the drawing is the line z = ball's radius + distance, x is the
- * world's, and the sensor looks along -z. Lines of the plotter within 12 mm of the ball's height are
- * taken as at its height; the others are left out, for a scene seen from above has no height. What
- * the log does not say: pings follow every 0.1 s, the sensor's quickest; its cone is 20 degrees to
- * each side; the backdrop is 1 m wide. The simulator believes neither a near limit nor a backdrop
- * that it is not told of.
+ * world's, and the sensor looks along -z. Lines of the plotter within 12 mm of the ball's height
+ * are taken as at its height; the others are left out, for a scene seen from above has no height.
+ * What the log does not say: pings follow every 0.1 s, the sensor's quickest; its cone is 20
+ * degrees to each side; the backdrop is 1 m wide. The simulator believes neither a near limit nor a
+ * backdrop that it is not told of.
  */
 public final class PlotterLog {
   /** The MB1213's number for no target, centimetres. */

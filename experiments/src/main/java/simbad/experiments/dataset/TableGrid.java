@@ -23,8 +23,8 @@ import simbad.sonar.sensing.ReadingRow;
  * range for all bearings: that of Simbad's original sensor, 2.5 m.
  *
  * <p>The sensor looks at the obstacle's centre from every fifth degree and 42 distances, and reads
- * what the nominal model draws with the table. The places are visited in an order drawn by chance, 5
- * s apart, so that nothing else changes along with the place.
+ * what the nominal model draws with the table. The places are visited in an order drawn by chance,
+ * 5 s apart, so that nothing else changes along with the place.
  */
 public final class TableGrid {
   /** What the original sensor hears. */

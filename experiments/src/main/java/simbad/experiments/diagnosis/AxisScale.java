@@ -53,8 +53,7 @@ record AxisScale(double low, double high, double step) {
   /** A tick as text, with as many decimals as the step needs and a true minus. */
   String label(double tick) {
     int decimals = Math.max(0, (int) Math.ceil(-Math.log10(step) - 1e-9));
-    BigDecimal rounded =
-        new BigDecimal(tick).setScale(decimals, java.math.RoundingMode.HALF_EVEN);
+    BigDecimal rounded = new BigDecimal(tick).setScale(decimals, java.math.RoundingMode.HALF_EVEN);
     String text = rounded.signum() == 0 ? "0" : rounded.toPlainString();
     return text.replace('-', '\u2212');
   }

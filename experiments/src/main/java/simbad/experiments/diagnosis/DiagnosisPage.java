@@ -12,7 +12,9 @@ import simbad.gap.diagnosis.Provenance;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.scene.Obstacle;
 
-/** A diagnosis's page: the answer on the first screen, then where, how well, what next, from what. */
+/**
+ * A diagnosis's page: the answer on the first screen, then where, how well, what next, from what.
+ */
 final class DiagnosisPage {
   private static final int MOST_MAPS = 4;
   private static final double LEAST_SCALE_CM = 0.5;
@@ -76,7 +78,8 @@ final class DiagnosisPage {
     for (int i = 0; i < Math.min(MOST_MAPS, obstacles.size()); i++) {
       maps(i, obstacles.get(i));
     }
-    graph("By distance", "distance to the nearest obstacle's centre, m", 0.02, RowFinding::distanceM);
+    graph(
+        "By distance", "distance to the nearest obstacle's centre, m", 0.02, RowFinding::distanceM);
     graph("By off-axis angle", "angle off the axis, degrees", 0.5, RowFinding::offAxisDeg);
     graph("By time", "time since the run's begin, s", 0.5, row -> OptionalDouble.of(row.timeS()));
     graph("By speed", "sensor's speed, m/s", 0.02, row -> OptionalDouble.of(row.speedMPerS()));
@@ -95,7 +98,8 @@ final class DiagnosisPage {
     PolarMap map = new PolarMap(obstacle, near);
     double most =
         Math.max(
-            map.greatestCm(row -> row.before().gapCm()), map.greatestCm(row -> row.after().gapCm()));
+            map.greatestCm(row -> row.before().gapCm()),
+            map.greatestCm(row -> row.after().gapCm()));
     AxisScale scale = AxisScale.over(0, Math.max(most, LEAST_SCALE_CM), 4);
     String round = ": round the obstacle " + obstacle.name();
     figure(
@@ -110,10 +114,7 @@ final class DiagnosisPage {
   }
 
   private void graph(
-      String heading,
-      String axis,
-      double least,
-      Function<RowFinding, OptionalDouble> quantity) {
+      String heading, String axis, double least, Function<RowFinding, OptionalDouble> quantity) {
     Optional<String> graph = GapGraph.of(axis, least, rows, quantity);
     graph.ifPresent(svg -> figure(heading, svg, "Bins of fewer than three rows are left out."));
   }
@@ -154,7 +155,8 @@ final class DiagnosisPage {
   private void next() {
     page.append("<h2>What to measure next</h2>\n");
     if (diagnosis.nextExperiment().isEmpty()) {
-      page.append("<p>Nothing is tied: no further measurement is needed to tell effects apart.</p>\n");
+      page.append(
+          "<p>Nothing is tied: no further measurement is needed to tell effects apart.</p>\n");
       return;
     }
     NextExperiment next = diagnosis.nextExperiment().get();
@@ -198,7 +200,9 @@ final class DiagnosisPage {
     item(
         data.readings().size()
             + " readings, "
-            + (data.reference().isEmpty() ? "no reference" : data.reference().size() + " reference readings"));
+            + (data.reference().isEmpty()
+                ? "no reference"
+                : data.reference().size() + " reference readings"));
     provenance
         .sha256()
         .forEach((name, hash) -> item(Html.escaped(name) + ", SHA-256 <code>" + hash + "</code>"));

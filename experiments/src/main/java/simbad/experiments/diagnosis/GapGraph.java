@@ -70,14 +70,14 @@ final class GapGraph {
             .mapToDouble(bin -> Math.max(bin.beforeCm(), bin.afterCm()))
             .max()
             .orElse(1);
-    Graph graph =
-        new Graph("Mean gap by " + title, x, AxisScale.over(0, Math.max(most, 1e-3), 4));
+    Graph graph = new Graph("Mean gap by " + title, x, AxisScale.over(0, Math.max(most, 1e-3), 4));
     graph.axes(title, "mean gap, cm");
     for (int i = 0; i < bins.size(); i++) {
       Bin bin = bins.get(i);
       if (bin.rows() >= LEAST_ROWS) {
         double from = x.low() + i * width;
-        String where = x.label(from) + " to " + x.label(from + width) + ", " + bin.rows() + " rows: ";
+        String where =
+            x.label(from) + " to " + x.label(from + width) + ", " + bin.rows() + " rows: ";
         graph.bar(
             from + BARS[0] * width,
             from + BARS[1] * width,

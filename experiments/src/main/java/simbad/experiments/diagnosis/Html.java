@@ -54,10 +54,8 @@ final class Html {
     if (!Double.isFinite(value)) {
       return number(value);
     }
-    BigDecimal rounded =
-        new BigDecimal(value).setScale(decimals, java.math.RoundingMode.HALF_EVEN);
-    String text =
-        rounded.signum() == 0 ? rounded.abs().toPlainString() : rounded.toPlainString();
+    BigDecimal rounded = new BigDecimal(value).setScale(decimals, java.math.RoundingMode.HALF_EVEN);
+    String text = rounded.signum() == 0 ? rounded.abs().toPlainString() : rounded.toPlainString();
     return text.replace('-', '\u2212');
   }
 

@@ -37,8 +37,7 @@ final class PolarMap {
   PolarMap(Obstacle obstacle, List<RowFinding> rows) {
     this.obstacle = obstacle;
     this.rows = rows;
-    double most =
-        rows.stream().mapToDouble(row -> row.distanceM().orElse(0)).max().orElse(1);
+    double most = rows.stream().mapToDouble(row -> row.distanceM().orElse(0)).max().orElse(1);
     double step = AxisScale.roundStep(most / RINGS);
     rings = (int) Math.ceil(most / step - 1e-9);
     radius = new AxisScale(0, rings * step, step);
@@ -172,7 +171,11 @@ final class PolarMap {
         SIZE - 4,
         16,
         "end",
-        "rim " + radius.label(radius.high()) + " m, rings " + radius.label(every * radius.step()) + " m");
+        "rim "
+            + radius.label(radius.high())
+            + " m, rings "
+            + radius.label(every * radius.step())
+            + " m");
   }
 
   private static void colours(Svg svg, AxisScale scale) {

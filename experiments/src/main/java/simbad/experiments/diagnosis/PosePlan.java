@@ -2,10 +2,10 @@ package simbad.experiments.diagnosis;
 
 import java.util.ArrayList;
 import java.util.List;
-import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.frame.Point;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.scene.Scene;
+import simbad.sonar.sensing.ReadingRow;
 
 /** Where the pings of the next experiment are sent from and to, seen from above. */
 final class PosePlan {

@@ -10,9 +10,9 @@ import simbad.gap.diagnosis.ForecastGap;
 import simbad.sonar.effect.Change;
 import simbad.sonar.effect.DiagnosedModel;
 import simbad.sonar.effect.PingLog;
-import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.sensing.ReadingRow;
 
 /** Predictions as the text of a csv file: the quantiles q05 to q95 in metres. */
 public final class Predictions {
@@ -37,9 +37,10 @@ public final class Predictions {
     String[] lines = new String[rows.size()];
     IntStream.range(0, lines.length)
         .parallel()
-        .forEach(
-            ping -> lines[log.row(ping)] = line(forecasts.get(ping), setup.noEchoM()));
-    return header() + "\n" + List.of(lines).stream().map(l -> l + "\n").collect(Collectors.joining());
+        .forEach(ping -> lines[log.row(ping)] = line(forecasts.get(ping), setup.noEchoM()));
+    return header()
+        + "\n"
+        + List.of(lines).stream().map(l -> l + "\n").collect(Collectors.joining());
   }
 
   private static String header() {

@@ -27,7 +27,8 @@ final class ResidualGraph {
             new AxisScale(0, 1, 0.2),
             AxisScale.over(0, Math.max(most, 1.5), 4));
     graph.axes("rank of the reading in its forecast", "rows, 1 = as forecast");
-    bars(graph, new AxisScale(0, 1, 1.0 / PIT_BINS), before, after, (double) PIT_BINS / rows.size());
+    bars(
+        graph, new AxisScale(0, 1, 1.0 / PIT_BINS), before, after, (double) PIT_BINS / rows.size());
     graph.level(1, "floor");
     return graph.end();
   }

@@ -12,10 +12,10 @@ import simbad.sonar.effect.Change;
 import simbad.sonar.effect.DiagnosedModel;
 import simbad.sonar.effect.Geometry;
 import simbad.sonar.effect.PingLog;
-import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.Reading;
+import simbad.sonar.sensing.ReadingRow;
 
 /** All rows of a data set before and after, for the figures; in the order of the log. */
 final class RowSurvey {
@@ -36,8 +36,7 @@ final class RowSurvey {
    * @param changes of the diagnosed model
    * @param random breaks ties between readings of one probability
    */
-  static List<RowFinding> of(
-      DataSet data, List<? extends Change> changes, RandomGenerator random) {
+  static List<RowFinding> of(DataSet data, List<? extends Change> changes, RandomGenerator random) {
     PingLog log = new PingLog(data.readings());
     DiagnosedModel nominal = new DiagnosedModel(data.setup(), List.of());
     DiagnosedModel diagnosed = new DiagnosedModel(data.setup(), changes);
@@ -133,6 +132,8 @@ final class RowSurvey {
   static double quantile(double[] values, double level) {
     double[] sorted = values.clone();
     Arrays.sort(sorted);
-    return sorted.length == 0 ? 0 : sorted[(int) Math.min(sorted.length - 1, level * sorted.length)];
+    return sorted.length == 0
+        ? 0
+        : sorted[(int) Math.min(sorted.length - 1, level * sorted.length)];
   }
 }

@@ -63,7 +63,9 @@ final class VerdictWords {
         + Html.centimetres(gap.floorCm());
   }
 
-  /** What stands under the verdict: ties and the chance of something unknown, where worth saying. */
+  /**
+   * What stands under the verdict: ties and the chance of something unknown, where worth saying.
+   */
   static String second(Diagnosis diagnosis) {
     StringBuilder words = new StringBuilder();
     for (EffectFinding finding : named(diagnosis)) {

@@ -45,6 +45,13 @@ final class RunPictures {
     return new PolarPlot(caption, List.of(tableSeries(type)), outline(type)).figure();
   }
 
+  /** The table and one trace. */
+  static Figure table(ObstacleType type, String name, Trace trace) {
+    Caption caption = new Caption("Trace round the obstacle: " + type.name(), provenance(type));
+    PolarSeries way = new PolarSeries(name, SeriesRole.OTHER, SeriesStyle.LINE, places(trace));
+    return new PolarPlot(caption, List.of(tableSeries(type), way), outline(type)).figure();
+  }
+
   private static void save(Figure figure, Path folder, String name) throws IOException {
     figure.writePng(folder.resolve(name + ".png"), SCREEN_DPI);
     figure.writeSvg(folder.resolve(name + ".svg"));

@@ -1,6 +1,7 @@
 package simbad.experiments.report;
 
 import simbad.experiments.plot.Figure;
+import simbad.experiments.run.Trace;
 import simbad.obstacles.ObstacleType;
 
 /** The polar plot of a threshold table. */
@@ -14,5 +15,16 @@ public final class TablePicture {
    */
   public static Figure of(ObstacleType type) {
     return RunPictures.table(type);
+  }
+
+  /**
+   * Draws a table with a trace over it.
+   *
+   * @param type obstacle with its table
+   * @param name of the trace in the legend
+   * @param trace in the obstacle's frame
+   */
+  public static Figure of(ObstacleType type, String name, Trace trace) {
+    return RunPictures.table(type, name, trace);
   }
 }

@@ -11,7 +11,6 @@ import simbad.obstacles.SonarObstacle;
 import simbad.sim.EnvironmentDescription;
 import simbad.sim.RangeSensorBelt;
 import simbad.sonar.frame.Angles;
-import simbad.sonar.frame.Point;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.model.DetectionRule;
 import simbad.sonar.shape.Outline;
@@ -30,9 +29,6 @@ final class Circumnavigation {
 
   /** A robot that is not moved for so many steps is blocked for good. */
   private static final int BLOCKED_AFTER = 1000;
-
-  /** More than the robot and the sensor need, at the start. */
-  private static final double CLEARANCE_M = 0.005;
 
   private final ObstacleType type;
   private final RunSettings settings;
@@ -65,24 +61,11 @@ final class Circumnavigation {
     return seed * 1_000_003L + 31L * type.name().hashCode() + sensor.word().hashCode();
   }
 
-  /** Looks at the obstacle, so that a robot that hears nothing yet comes nearer. */
   private static Pose start(ObstacleType type, RunSettings settings) {
-    Point point = settings.start().orElseGet(() -> standardStart(type, settings));
-    return Pose.of(point.xM(), point.zM(), Math.atan2(point.zM(), -point.xM()));
-  }
-
-  private static Point standardStart(ObstacleType type, RunSettings settings) {
-    ThresholdTable table = type.thresholds().table();
-    int farthest = 0;
-    for (int i = 1; i < table.size(); i++) {
-      farthest = table.valueM(i) > table.valueM(farthest) ? i : farthest;
-    }
-    double halfWayM = Math.min(table.greatestM(), DetectionRule.ORIGINAL_RANGE_M) / 2;
-    double nearM = Math.max(FollowerRobot.RADIUS_M, settings.sonar().minRangeM());
-    double clearM = type.outline().reachM(0, 0) + nearM + CLEARANCE_M;
-    double radiusM = Math.max(halfWayM, clearM);
-    double bearing = table.bearingRad(farthest);
-    return new Point(radiusM * Math.sin(bearing), radiusM * Math.cos(bearing));
+    return settings
+        .start()
+        .map(Start::lookingInwards)
+        .orElseGet(() -> Start.standard(type, settings.sonar()));
   }
 
   Trace drive() {

@@ -10,7 +10,7 @@ import simbad.sonar.frame.Pose;
 /**
  * A robot of 2 cm radius with a belt at its centre; the controller sees the belt and nothing else.
  */
-final class FollowerRobot extends Agent {
+public final class FollowerRobot extends Agent {
   /** Small enough to go where the tables go. */
   static final float RADIUS_M = 0.02f;
 
@@ -21,7 +21,16 @@ final class FollowerRobot extends Agent {
   private final double startHeadingRad;
   private final Command command = new Command();
 
-  FollowerRobot(Pose start, RangeSensorBelt belt, double mountHeightM, Controller controller) {
+  /**
+   * Creates a robot.
+   *
+   * @param start where it sets off, its heading taken up when the behaviour starts
+   * @param belt its sonars, read in every step
+   * @param mountHeightM of the belt above the floor
+   * @param controller drives it
+   */
+  public FollowerRobot(
+      Pose start, RangeSensorBelt belt, double mountHeightM, Controller controller) {
     super(new Vector3d(start.position().xM(), 0, start.position().zM()), "robot");
     radius = RADIUS_M;
     height = HEIGHT_M;

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -94,6 +95,37 @@ class TableCommandTest {
     String head =
         new String(Files.readAllBytes(file), java.nio.charset.StandardCharsets.ISO_8859_1);
     assertTrue(head.substring(0, 400).contains(begin), head.substring(0, 100));
+  }
+
+  /** The round table is a circle of 2 m; the log one of 2.1 m. */
+  @Test
+  void plot_withATrace_printsItsErrors() throws IOException {
+    StringBuilder text = new StringBuilder("Jan 06, 2013 7:19:54 PM MyRobot performBehavior\n");
+    for (int i = 0; i <= 3610; i++) {
+      double angle = Math.toRadians(i / 10.0);
+      text.append("INFO: " + 2.1 * Math.sin(angle) + "," + 2.1 * Math.cos(angle) + "\n");
+    }
+    Path log = Files.writeString(folder.resolve("robot.log"), text);
+    Path file = folder.resolve("trace.svg");
+    Shell shell =
+        Shell.simbad("table", "plot", "round", "--log", log.toString(), "--out", file.toString());
+    assertEquals(0, shell.status(), shell.err());
+    List<String> lines = shell.out().lines().toList();
+    assertEquals(log + ": 3611 positions, 1 other lines", lines.get(0));
+    assertTrue(
+        lines.get(1).startsWith("radial error mean 10.00, RMS 10.00, max 10.00 cm"), lines.get(1));
+    assertTrue(lines.get(1).endsWith("0 of 72 bearings not crossed"), lines.get(1));
+    assertTrue(Files.readString(file).contains("<svg"));
+  }
+
+  @Test
+  void plot_withABrokenTrace_isRefused() throws IOException {
+    Path log = Files.writeString(folder.resolve("robot.log"), "INFO: 0,1\nINFO: 0,NaN\n");
+    Path file = folder.resolve("trace.svg");
+    checkRefused(
+        Shell.simbad("table", "plot", "round", "--log", log.toString(), "--out", file.toString()),
+        log + ":2: z: found NaN");
+    assertFalse(Files.exists(file));
   }
 
   @Test

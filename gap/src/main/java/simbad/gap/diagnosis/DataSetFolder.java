@@ -10,9 +10,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import simbad.sonar.format.DataFormatException;
-import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.format.ReadingsFile;
 import simbad.sonar.format.SceneFile;
+import simbad.sonar.sensing.ReadingRow;
 
 /**
  * A folder with a gap data set: scene.json, readings.csv and, where there is one, reference.csv.

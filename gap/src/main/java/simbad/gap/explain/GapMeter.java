@@ -38,6 +38,7 @@ public final class GapMeter {
    * @param observedM gap of each ping, metres
    * @param expectedM expectation of the same under the model itself, metres
    */
+  @SuppressWarnings("ArrayRecordComponent") // one value for each ping; read only
   public record Gaps(double[] observedM, double[] expectedM) {}
 
   /** Measures a hypothesis. */

@@ -31,11 +31,13 @@ final class Slicing {
    * @param slice of each ping, from 0; negative for none
    * @param count of slices
    */
+  @SuppressWarnings("ArrayRecordComponent") // one value for each ping; read only
   record Cut(String name, int[] slice, int count) {
     Cut times(Cut other) {
       int[] both = new int[slice.length];
       for (int i = 0; i < both.length; i++) {
-        both[i] = slice[i] < 0 || other.slice[i] < 0 ? -1 : slice[i] * other.count + other.slice[i];
+        both[i] =
+            slice[i] < 0 || other.slice[i] < 0 ? -1 : (slice[i] * other.count) + other.slice[i];
       }
       return new Cut(name + " x " + other.name, both, count * other.count);
     }
@@ -47,7 +49,7 @@ final class Slicing {
     for (int line = first; line < first + geometry.obstacles(); line++) {
       boolean nearer = geometry.nearestM(line) < geometry.nearestM(best);
       boolean unseen = geometry.nearestM(best) == Double.POSITIVE_INFINITY;
-      if (nearer || unseen && geometry.centreDistanceM(line) < geometry.centreDistanceM(best)) {
+      if (nearer || (unseen && geometry.centreDistanceM(line) < geometry.centreDistanceM(best))) {
         best = line;
       }
     }
@@ -80,6 +82,17 @@ final class Slicing {
             slices(i -> i == log.sequenceStart(i) ? -1 : log.echo(i - 1) ? 1 : 0),
             2));
     cuts.add(new Cut("parity", slices(i -> (i - log.sequenceStart(i)) % 2), 2));
+    cuts.addAll(named(time, distance, relative, offAxis));
+    return cuts;
+  }
+
+  /** By what has a name, and by two things at once. */
+  private List<Cut> named(
+      IntToDoubleFunction time,
+      IntToDoubleFunction distance,
+      IntToDoubleFunction relative,
+      IntToDoubleFunction offAxis) {
+    List<Cut> cuts = new ArrayList<>();
     Cut sensor = new Cut("sensor", slices(log::sensor), log.sensors().size());
     Cut run = new Cut("run", slices(log::run), log.runs().size());
     int obstacles = Math.max(1, geometry.obstacles());

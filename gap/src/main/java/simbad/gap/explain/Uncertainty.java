@@ -32,7 +32,6 @@ public final class Uncertainty {
    */
   public double[] deviations(Hypothesis fit) {
     int size = fit.size();
-    double[] values = fit.values();
     double[] step = new double[size];
     double here = fitter.logLikelihood(fit);
     for (int i = 0; i < size; i++) {
@@ -41,7 +40,7 @@ public final class Uncertainty {
     double[][] curve = new double[size][size];
     for (int i = 0; i < size; i++) {
       for (int j = 0; j <= i; j++) {
-        curve[i][j] = -curvature(fit, values, step, here, i, j);
+        curve[i][j] = -curvature(fit, step, here, i, j);
         curve[j][i] = curve[i][j];
       }
     }
@@ -70,24 +69,21 @@ public final class Uncertainty {
     return fitter.logLikelihood(fit.with(values));
   }
 
-  private double curvature(Hypothesis fit, double[] values, double[] step, double here, int[] at) {
+  /** Second difference of the likelihood in two values, each moved by its step. */
+  private double curvature(Hypothesis fit, double[] step, double here, int i, int j) {
+    if (i == j) {
+      return at(fit, i, step[i]) + at(fit, i, -step[i]) - 2 * here;
+    }
     double sum = 0;
     for (int a = -1; a <= 1; a += 2) {
       for (int b = -1; b <= 1; b += 2) {
-        double[] moved = values.clone();
-        moved[at[0]] += a * step[at[0]];
-        moved[at[1]] += b * step[at[1]];
+        double[] moved = fit.values();
+        moved[i] += a * step[i];
+        moved[j] += b * step[j];
         sum += a * b * fitter.logLikelihood(clamped(fit, moved));
       }
     }
-    return at[0] == at[1]
-        ? (at(fit, at[0], step[at[0]]) + at(fit, at[0], -step[at[0]]) - 2 * here)
-        : sum / 4;
-  }
-
-  private double curvature(
-      Hypothesis fit, double[] values, double[] step, double here, int i, int j) {
-    return curvature(fit, values, step, here, new int[] {i, j});
+    return sum / 4;
   }
 
   private static Hypothesis clamped(Hypothesis fit, double[] values) {

@@ -15,6 +15,7 @@ import simbad.sonar.effect.Parameter;
  * @param forms at most one for each effect; none is the nominal model
  * @param values of all parameters, form after form
  */
+@SuppressWarnings("ArrayRecordComponent") // copied in and out; a fit makes millions of them
 public record Hypothesis(List<Form> forms, double[] values) {
   /** Nothing is unmodelled. */
   public static final Hypothesis NONE = new Hypothesis(List.of(), new double[0]);

@@ -36,18 +36,22 @@ final class Starts {
               ? product(form, distances(tries.get(0)))
               : product(form, distances(tries.get(0)), tries.get(1));
       case ORIENTATION_SHADOW -> List.of(new TableSearch(clues, form).start());
-      default -> product(form, tries.toArray(List[]::new));
+      default -> all(form, tries);
     };
   }
 
-  /** All combinations, each value moved into its parameter's interval. */
   @SafeVarargs
   @SuppressWarnings("varargs")
   private static List<double[]> product(Form form, List<Double>... tries) {
+    return all(form, List.of(tries));
+  }
+
+  /** All combinations, each value moved into its parameter's interval. */
+  private static List<double[]> all(Form form, List<List<Double>> tries) {
     List<double[]> all = List.of(new double[0]);
-    for (int i = 0; i < tries.length; i++) {
+    for (int i = 0; i < tries.size(); i++) {
       Parameter parameter = form.parameters().get(i);
-      List<Double> values = tries[i].isEmpty() ? parameter.tries() : tries[i];
+      List<Double> values = tries.get(i).isEmpty() ? parameter.tries() : tries.get(i);
       List<double[]> longer = new ArrayList<>();
       for (double[] begun : all) {
         for (double value : values) {

@@ -26,8 +26,7 @@ class DataSetFolderTest {
   private void refused(String... words) {
     DataFormatException fault =
         assertThrows(DataFormatException.class, () -> new DataSetFolder(folder).read());
-    List.of(words)
-        .forEach(word -> assertTrue(fault.toString().contains(word), fault.toString()));
+    List.of(words).forEach(word -> assertTrue(fault.toString().contains(word), fault.toString()));
   }
 
   @Test

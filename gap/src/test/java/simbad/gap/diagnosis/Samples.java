@@ -11,7 +11,6 @@ import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.effect.SetupForms;
-import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Point;
 import simbad.sonar.frame.Pose;
@@ -22,6 +21,7 @@ import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.scene.UniformDetection;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.shape.Outline;
 
 /** A data set of two rows and a diagnosis with everything in it, by hand. */

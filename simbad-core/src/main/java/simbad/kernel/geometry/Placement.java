@@ -126,6 +126,25 @@ public final class Placement {
     m22 = a.turnedZ(b.m02, b.m12, b.m22);
   }
 
+  /**
+   * Becomes the way back: from the frame in which a body is placed to the body's own.
+   *
+   * @param worldFromBody where the body is; may not be this object
+   */
+  public void invert(Placement worldFromBody) {
+    Placement a = worldFromBody;
+    m00 = a.m00;
+    m01 = a.m10;
+    m02 = a.m20;
+    m10 = a.m01;
+    m11 = a.m11;
+    m12 = a.m21;
+    m20 = a.m02;
+    m21 = a.m12;
+    m22 = a.m22;
+    moveTo(-turnedX(a.xM, a.yM, a.zM), -turnedY(a.xM, a.yM, a.zM), -turnedZ(a.xM, a.yM, a.zM));
+  }
+
   /** Returns the x coordinate of the body's origin in metres. */
   public double xM() {
     return xM;

@@ -90,6 +90,22 @@ class PlacementTest {
     assertEquals(3, placement.innerZ(x, y, z), EPSILON);
   }
 
+  @Property(seed = "20140914")
+  void invert_leadsBack(
+      @ForAll @DoubleRange(min = -7, max = 7) double turnRad,
+      @ForAll @DoubleRange(min = -2, max = 2) double tiltRad) {
+    Placement there = Placement.at(1, -2, 0.5);
+    there.turnAboutY(turnRad);
+    there.turnAboutZ(tiltRad);
+    Placement back = new Placement();
+    back.invert(there);
+    Placement both = new Placement();
+    both.compose(back, there);
+    assertEquals(0.3, both.outerX(0.3, -0.7, 1.1), EPSILON);
+    assertEquals(-0.7, both.outerY(0.3, -0.7, 1.1), EPSILON);
+    assertEquals(1.1, both.outerZ(0.3, -0.7, 1.1), EPSILON);
+  }
+
   @Property(tries = 20, seed = "20140914")
   void manySmallTurns_stayARotation(@ForAll @IntRange(min = 1, max = 100_000) int turns) {
     Placement placement = new Placement();

@@ -15,7 +15,7 @@ import simbad.sonar.scene.SonarSpec;
  */
 public final class SetupForms {
   /** Waves of a threshold's factor round the obstacle. */
-  public static final int WAVES = 8;
+  public static final int WAVES = 5;
 
   private SetupForms() {}
 

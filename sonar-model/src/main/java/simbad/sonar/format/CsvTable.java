@@ -11,8 +11,11 @@ import java.util.List;
 import java.util.function.DoublePredicate;
 import java.util.regex.Pattern;
 
-/** A csv file with a header row, read whole: comments apart, columns found by name. */
-final class CsvTable {
+/**
+ * A csv file with a header row, read whole: comments apart, columns found by name, rows counted
+ * from 0. Every fault names the file, its line and the column.
+ */
+public final class CsvTable {
   private static final String DECIMAL_POINT = " (numbers take a decimal point, no comma)";
   private static final Pattern OTHER_SEPARATOR = Pattern.compile("[;\\t|]");
 
@@ -35,7 +38,15 @@ final class CsvTable {
     this.file = file;
   }
 
-  static CsvTable parse(Path file, String text) throws DataFormatException {
+  /**
+   * Reads a table from a text.
+   *
+   * @param file how messages name the text
+   * @param text csv, lines that begin with # are comments
+   * @throws DataFormatException if it is no csv, has no header, a column twice, or a row with too
+   *     few or too many fields
+   */
+  public static CsvTable parse(Path file, String text) throws DataFormatException {
     CsvTable csv = new CsvTable(file);
     try (CsvReader<CsvRecord> reader =
         CsvReader.builder()
@@ -113,7 +124,8 @@ final class CsvTable {
     return comments;
   }
 
-  int size() {
+  /** Returns the number of rows, the header not counted. */
+  public int size() {
     return rows.size();
   }
 
@@ -125,7 +137,13 @@ final class CsvTable {
     return columns.contains(name);
   }
 
-  void requireColumns(String... names) throws DataFormatException {
+  /**
+   * Checks that columns are there, in any order, beside others or not.
+   *
+   * @param names of the columns
+   * @throws DataFormatException naming the first that is missing
+   */
+  public void requireColumns(String... names) throws DataFormatException {
     for (String name : names) {
       if (!hasColumn(name)) {
         throw DataFormatException.inField(
@@ -139,11 +157,26 @@ final class CsvTable {
         + (columns.size() == 1 ? " (columns are separated by commas)" : "");
   }
 
-  String text(int row, String column) {
+  /**
+   * Returns a field without the blanks round it.
+   *
+   * @param row from 0
+   * @param column one that is there
+   */
+  public String text(int row, String column) {
     return rows.get(row).getField(columns.indexOf(column)).strip();
   }
 
-  double number(int row, String column, DoublePredicate valid, String expected)
+  /**
+   * Returns a field as a number.
+   *
+   * @param row from 0
+   * @param column one that is there
+   * @param valid false for NaN and for all that is out of range
+   * @param expected what a valid field is, for the message
+   * @throws DataFormatException if it is no plain decimal number or not valid
+   */
+  public double number(int row, String column, DoublePredicate valid, String expected)
       throws DataFormatException {
     String text = text(row, column);
     double value = parse(text);
@@ -154,7 +187,14 @@ final class CsvTable {
     return value;
   }
 
-  DataFormatException fault(int row, String column, String problem) {
+  /**
+   * Makes the exception for a field that is wrong in another way.
+   *
+   * @param row from 0
+   * @param column of the field
+   * @param problem what is wrong and what was expected
+   */
+  public DataFormatException fault(int row, String column, String problem) {
     return fault(line(row), column, problem);
   }
 

@@ -1,4 +1,4 @@
-package simbad.gap.diagnosis;
+package simbad.gap;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -8,6 +8,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import simbad.gap.diagnosis.DataSet;
+import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.EffectFinding;
+import simbad.gap.diagnosis.FittedParameter;
+import simbad.gap.diagnosis.GapFigures;
+import simbad.gap.diagnosis.Interval;
+import simbad.gap.diagnosis.NextExperiment;
+import simbad.gap.diagnosis.Verdict;
 import simbad.gap.explain.Blocks;
 import simbad.gap.explain.Calibration;
 import simbad.gap.explain.Gain;
@@ -19,6 +27,9 @@ import simbad.gap.explain.Uncertainty;
 import simbad.gap.explain.Unknown;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.place.Experiments;
+import simbad.gap.place.Places;
+import simbad.gap.place.Undetectables;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.PingLog;
@@ -71,19 +82,43 @@ public final class Diagnoser {
     Gain gain = Gain.of(evidence, blocks, best);
     double unknown =
         Unknown.probability(
-            new Misfit(evidence, calibration.loosened(evidence, best)), gain, best.forms().size(), calibration.clumping());
+            new Misfit(evidence, calibration.loosened(evidence, best)),
+            gain,
+            best.forms().size(),
+            calibration.clumping());
     return new Diagnosis(
         verdict(best, unknown),
         best.effects(),
         new Findings(evidence, sets, probabilities, calibration.clumping()).all(),
         unknown,
         figures(gain, blocks),
-        List.of(),
-        List.of(),
-        Optional.empty(),
+        Places.find(evidence, gain.before(), gain.after(), blocks),
+        Undetectables.of(evidence, best, Probabilities.COST_NATS * calibration.clumping()),
+        nextExperiment(evidence, sets, probabilities, calibration.clumping()),
         best,
         calibration.setup(),
         attempts(sets));
+  }
+
+  /** For the first tie: what would tell the two apart. */
+  private static Optional<NextExperiment> nextExperiment(
+      Evidence evidence, List<Scored> sets, Probabilities probabilities, double clumping) {
+    Hypothesis best = probabilities.best().hypothesis();
+    for (Effect effect : best.effects()) {
+      for (Effect other : probabilities.inPlaceOf(effect, TIE_NATS * clumping)) {
+        List<Effect> rival = new ArrayList<>(best.without(effect).effects());
+        rival.add(other);
+        Optional<Hypothesis> found =
+            sets.stream()
+                .map(Scored::hypothesis)
+                .filter(set -> Set.copyOf(set.effects()).equals(Set.copyOf(rival)))
+                .findFirst();
+        if (found.isPresent()) {
+          return Experiments.separate(evidence, best, found.get());
+        }
+      }
+    }
+    return Optional.empty();
   }
 
   private static Verdict verdict(Hypothesis best, double unknown) {

@@ -1,0 +1,116 @@
+package simbad.bench.board;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+
+/**
+ * What the simulated board is made of: the firmware's folder and the programs of this machine that
+ * run it.
+ *
+ * @param firmware the folder firmware-pic18 of the project
+ * @param sanitized whether the gpsim modules watch their own memory and arithmetic, and end the
+ *     simulation at the first fault; takes twice the time
+ */
+public record BoardKit(Path firmware, boolean sanitized) {
+  /** Debian's package of each program and file that is needed. */
+  private static final Map<String, String> PACKAGES =
+      Map.of("gpsim", "gpsim", "g++", "g++", "make", "make");
+
+  private static final Path GPSIM_HEADERS = Path.of("/usr/include/gpsim/modules.h");
+
+  /** Returns the kit of the project in a folder. */
+  public static BoardKit ofProject(Path project) {
+    return new BoardKit(project.resolve("firmware-pic18"), false);
+  }
+
+  /** Returns the same kit with modules that watch themselves. */
+  BoardKit watched() {
+    return new BoardKit(firmware, true);
+  }
+
+  /** What gpsim's environment needs besides, to load the modules. */
+  Map<String, String> environment() throws IOException, InterruptedException {
+    if (!sanitized) {
+      return Map.of();
+    }
+    // The leaks would be gpsim's.
+    return Map.of(
+        "LD_PRELOAD", said("g++", "-print-file-name=libasan.so").strip(),
+        "ASAN_OPTIONS", "detect_leaks=0:exitcode=99",
+        "UBSAN_OPTIONS", "halt_on_error=1:exitcode=99");
+  }
+
+  /** Returns the program as it is burnt into the chip. */
+  public Path program() {
+    return firmware.resolve("dist").resolve("ranger.hex");
+  }
+
+  /** Returns the checksum that was committed with the program, as sha256sum writes it. */
+  public Path programChecksum() {
+    return firmware.resolve("dist").resolve("ranger.hex.sha256");
+  }
+
+  /**
+   * Returns Debian's names of the packages that are missing here for running the board, in a fixed
+   * order.
+   */
+  public List<String> missingPackages() {
+    Stream<String> missing =
+        PACKAGES.entrySet().stream()
+            .filter(entry -> !onPath(entry.getKey()))
+            .map(Map.Entry::getValue)
+            .sorted();
+    Stream<String> headers = Files.exists(GPSIM_HEADERS) ? Stream.empty() : Stream.of("gpsim-dev");
+    return Stream.concat(missing, headers).toList();
+  }
+
+  private static boolean onPath(String program) {
+    String path = System.getenv().getOrDefault("PATH", "");
+    for (String folder : path.split(File.pathSeparator, -1)) {
+      if (!folder.isEmpty() && Files.isExecutable(Path.of(folder, program))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /**
+   * Builds the gpsim modules where they are missing or out of date.
+   *
+   * @return the library
+   * @throws IOException if a tool is missing, saying which and how to install it, or if the build
+   *     fails
+   * @throws InterruptedException if the thread is interrupted meanwhile
+   */
+  Path modules() throws IOException, InterruptedException {
+    List<String> missing = missingPackages();
+    if (!missing.isEmpty()) {
+      throw new IOException(
+          "missing here for the simulated board; please type: sudo apt-get install -y "
+              + String.join(" ", missing));
+    }
+    if (!Files.exists(firmware.resolve("Makefile"))) {
+      throw new IOException(firmware + ": is not the project's folder firmware-pic18");
+    }
+    said("make", "-s", "-C", firmware.toString(), sanitized ? "sanitized-modules" : "modules");
+    return firmware
+        .resolve("target")
+        .resolve(sanitized ? "libsimbadboard-sanitized.so" : "libsimbadboard.so");
+  }
+
+  private static String said(String... command) throws IOException, InterruptedException {
+    Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+    process.getOutputStream().close();
+    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    if (process.waitFor() != 0) {
+      throw new IOException("'" + String.join(" ", command) + "' failed: " + said.strip());
+    }
+    return said;
+  }
+}

@@ -1,0 +1,103 @@
+package simbad.bench.board;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.TextFile;
+
+/** A folder of its own for one run of gpsim: its script, its socket, what it says. */
+final class Workplace {
+  private final Path folder;
+
+  private Workplace(Path folder) {
+    this.folder = folder;
+  }
+
+  static Workplace create(Path modules, Path program, BoardSetup setup)
+      throws IOException, DataFormatException {
+    String image = GpsimImage.read(program);
+    Workplace workplace = new Workplace(Files.createTempDirectory("simbad-board"));
+    TextFile.write(workplace.image(), image);
+    TextFile.write(workplace.script(), workplace.text(modules, setup));
+    return workplace;
+  }
+
+  /**
+   * The 4321 in place of the 4320, which gpsim does not know: docs/guide/board.md says what
+   * differs.
+   */
+  private String text(Path modules, BoardSetup setup) {
+    return """
+      module library "%s"
+      processor pic18f4321
+      load "%s"
+      p18f4321.BreakOnReset = false
+      module load driver driver
+      module load srf04 sonar
+      module load ptyuart uart
+      node trigger_line echo_line transmit_line receive_line
+      attach trigger_line portb3 sonar.TRIG
+      attach echo_line portb4 sonar.ECHO
+      attach transmit_line portc6 uart.RX
+      attach receive_line portc7 uart.TX
+      uart.pace = "%s"
+      driver.socket = "%s"
+      uart.link = "%s"
+      run
+      quit
+      """
+        .formatted(modules.toAbsolutePath(), image(), setup.pace(), socket(), setup.link());
+  }
+
+  private Path script() {
+    return folder.resolve("board.stc");
+  }
+
+  private Path image() {
+    return folder.resolve("program.hex");
+  }
+
+  private Path said() {
+    return folder.resolve("gpsim.log");
+  }
+
+  Path socket() {
+    return folder.resolve("driver");
+  }
+
+  Process startGpsim(Map<String, String> environment) throws IOException {
+    ProcessBuilder gpsim =
+        new ProcessBuilder("gpsim", "-i", "-c", script().toString())
+            // At the end of its input gpsim prints prompts without end, should a line of its script
+            // fail.
+            .redirectInput(ProcessBuilder.Redirect.PIPE)
+            .redirectErrorStream(true)
+            .redirectOutput(said().toFile())
+            .directory(folder.toFile());
+    gpsim.environment().putAll(environment);
+    return gpsim.start();
+  }
+
+  /** What gpsim said last, for a message. */
+  String lastWords() throws IOException {
+    File log = said().toFile();
+    List<String> lines = log.exists() ? Files.readAllLines(said()) : List.of();
+    return String.join(" | ", lines.subList(Math.max(0, lines.size() - 3), lines.size()));
+  }
+
+  void delete() {
+    try (Stream<Path> files = Files.list(folder)) {
+      for (Path file : files.toList()) {
+        Files.deleteIfExists(file);
+      }
+      Files.deleteIfExists(folder);
+    } catch (IOException e) {
+      // A temporary folder that is left is no failure of the run.
+    }
+  }
+}

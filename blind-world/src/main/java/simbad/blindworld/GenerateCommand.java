@@ -1,0 +1,91 @@
+package simbad.blindworld;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
+import simbad.blindworld.effect.Vocabulary;
+import simbad.blindworld.file.FormatException;
+import simbad.blindworld.generate.Generator;
+import simbad.blindworld.generate.Kind;
+import simbad.blindworld.generate.Order;
+
+/** {@code generate --cases N --seed S --out DIR ...}. */
+final class GenerateCommand {
+
+  private static final List<String> OPTIONS =
+      List.of(
+          "--cases", "--seed", "--out", "--mix", "--reference", "--effects", "--rows", "--repeats");
+  private static final String DEFAULT_MIX = "none:0.375,single:0.375,pair:0.125,unknown:0.125";
+
+  private GenerateCommand() {}
+
+  static void run(String[] arguments, PrintStream err) throws FormatException, IOException {
+    Options options = new Options(arguments, OPTIONS);
+    int cases = (int) options.number("--cases", 40, 1, 100_000);
+    Order order =
+        new Order(
+            cases,
+            options.whole("--seed", 1),
+            mix(options.text("--mix").orElse(DEFAULT_MIX)),
+            options.number("--reference", 0, 0, 1),
+            effects(options.text("--effects").orElse("")),
+            rows(options.text("--rows").orElse("2000-4500")),
+            (int) options.number("--repeats", 400, 40, 100_000));
+    AtomicInteger finished = new AtomicInteger();
+    Generator.run(
+        order,
+        Path.of(options.required("--out")),
+        number -> {
+          int count = finished.incrementAndGet();
+          if (count % 25 == 0 || count == cases) {
+            err.println("generated " + count + " of " + cases);
+          }
+        });
+  }
+
+  private static Map<Kind, Double> mix(String text) throws FormatException {
+    Map<Kind, Double> mix = new EnumMap<>(Kind.class);
+    for (String part : text.split(",", -1)) {
+      String[] words = part.split(":", -1);
+      Kind kind =
+          Arrays.stream(Kind.values())
+              .filter(k -> k.name().toLowerCase(Locale.ROOT).equals(words[0]))
+              .findFirst()
+              .orElseThrow(
+                  () ->
+                      new FormatException(
+                          "--mix: '" + part + "', expected none:, single:, pair: or unknown:"));
+      if (words.length != 2) {
+        throw new FormatException("--mix: '" + part + "', expected kind:weight");
+      }
+      mix.put(kind, Options.inside("--mix", words[1], 0, 1e6));
+    }
+    if (mix.values().stream().allMatch(weight -> weight == 0)) {
+      throw new FormatException("--mix: '" + text + "', expected a weight above 0");
+    }
+    return mix;
+  }
+
+  private static List<String> effects(String text) throws FormatException {
+    List<String> names = text.isEmpty() ? List.of() : List.of(text.split(",", -1));
+    Set<String> strange = Vocabulary.unknownAmong(names);
+    if (!strange.isEmpty()) {
+      throw new FormatException("--effects: no such effect: " + String.join(", ", strange));
+    }
+    return names;
+  }
+
+  private static Order.Rows rows(String text) throws FormatException {
+    String[] ends = text.split("-", -1);
+    int least = (int) Options.inside("--rows", ends[0], 100, 1e6);
+    int most = (int) Options.inside("--rows", ends[ends.length - 1], least, 1e6);
+    return new Order.Rows(least, most);
+  }
+}

@@ -1,0 +1,40 @@
+package simbad.blindworld;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.util.Arrays;
+import simbad.blindworld.file.FormatException;
+
+/** The command line: {@code generate}, {@code baseline} and {@code score}. */
+public final class Main {
+
+  private Main() {}
+
+  /** Ends with 0 done, 1 the work failed, 2 bad usage or bad input. */
+  public static void main(String[] arguments) {
+    System.exit(run(arguments, System.out, System.err));
+  }
+
+  /** As {@link #main}, with the streams given and the exit status returned. */
+  static int run(String[] arguments, PrintStream out, PrintStream err) {
+    String command = arguments.length > 0 ? arguments[0] : "";
+    String[] rest =
+        arguments.length > 0 ? Arrays.copyOfRange(arguments, 1, arguments.length) : arguments;
+    try {
+      switch (command) {
+        case "generate" -> GenerateCommand.run(rest, err);
+        case "score" -> ScoreCommand.run(rest, out);
+        case "baseline" -> BaselineCommand.run(rest);
+        default ->
+            throw new FormatException("'" + command + "': expected generate, baseline or score");
+      }
+      return 0;
+    } catch (FormatException e) {
+      err.println("blind-world: " + e.getMessage());
+      return 2;
+    } catch (IOException | RuntimeException e) {
+      err.println("blind-world: " + e);
+      return 1;
+    }
+  }
+}

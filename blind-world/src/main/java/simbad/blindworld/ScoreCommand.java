@@ -1,0 +1,71 @@
+package simbad.blindworld;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import simbad.blindworld.effect.Vocabulary;
+import simbad.blindworld.file.FormatException;
+import simbad.blindworld.file.Json;
+import simbad.blindworld.score.Answers;
+import simbad.blindworld.score.Scoring;
+import simbad.blindworld.score.Truth;
+import simbad.blindworld.score.Truths;
+
+/** {@code score --truth DIR --answers DIR ...}. */
+final class ScoreCommand {
+
+  private static final List<String> OPTIONS =
+      List.of("--truth", "--answers", "--manifest", "--withheld", "--baseline", "--out");
+
+  private ScoreCommand() {}
+
+  static void run(String[] arguments, PrintStream out) throws FormatException, IOException {
+    Options options = new Options(arguments, OPTIONS);
+    Answers answers = new Answers(Path.of(options.required("--answers")));
+    // Answers are hashed before any truth is opened.
+    String answersHash = answers.hash();
+    Truths folder =
+        new Truths(Path.of(options.required("--truth")), withheld(options.text("--withheld")));
+    Optional<String> manifest = options.text("--manifest");
+    String seal = manifest.isPresent() ? sealed(folder, Path.of(manifest.get())) : "not checked";
+    List<Truth> truths = folder.read();
+    Scoring scoring = new Scoring(truths);
+    scoring.add("diagnosis", answers.read(truths));
+    Optional<String> baseline = options.text("--baseline");
+    if (baseline.isPresent()) {
+      scoring.add("baseline", new Answers(Path.of(baseline.get())).read(truths));
+    }
+    scoring.add("oracle", folder.oracle(truths));
+    out.println("commitments: " + seal + "; answers sealed as " + answersHash);
+    out.print(scoring.text());
+    if (options.text("--out").isPresent()) {
+      Map<String, Object> json = new LinkedHashMap<>();
+      json.put("format", "blind-scores/1");
+      json.put("commitments", seal);
+      json.put("answers_sha256", answersHash);
+      json.put("withheld", options.text("--withheld").orElse(""));
+      json.put("scores", scoring.json());
+      Files.writeString(Path.of(options.required("--out")), Json.write(json));
+    }
+  }
+
+  private static String sealed(Truths folder, Path manifest) throws IOException, FormatException {
+    return folder.verify(manifest) + " verified against " + manifest.getFileName();
+  }
+
+  private static Set<String> withheld(Optional<String> text) throws FormatException {
+    Set<String> names = text.map(t -> Set.of(t.split(",", -1))).orElse(Set.of());
+    for (String name : names) {
+      if (!Vocabulary.contains(name)) {
+        throw new FormatException("--withheld: no such effect: " + name);
+      }
+    }
+    return names;
+  }
+}

@@ -1,0 +1,72 @@
+package simbad.blindworld.baseline;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import simbad.blindworld.file.Csv;
+import simbad.blindworld.file.FormatException;
+import simbad.blindworld.file.Json;
+import simbad.blindworld.world.Forecast;
+import simbad.blindworld.world.Scene;
+
+/** Answers data sets with the rule of the largest residual. */
+public final class Baseline {
+
+  private static final double SURE = 0.6;
+
+  private Baseline() {}
+
+  /**
+   * Writes diagnosis.json and predictions.csv for each data set.
+   *
+   * @param cases a folder of data sets
+   * @param rows a folder with, by data set, rows.csv or sealed.csv to predict; ranges are not read
+   * @param out where the answers go
+   */
+  public static void run(Path cases, Path rows, Path out) throws IOException, FormatException {
+    if (!Files.isDirectory(cases)) {
+      throw new FormatException(cases + ": no such folder");
+    }
+    List<Path> sets;
+    try (var paths = Files.list(cases)) {
+      sets = paths.filter(p -> Files.isRegularFile(p.resolve("scene.json"))).sorted().toList();
+    }
+    for (Path set : sets) {
+      String id = set.getFileName().toString();
+      answer(set, rows.resolve(id), Files.createDirectories(out.resolve(id)));
+    }
+  }
+
+  private static void answer(Path set, Path rows, Path out) throws IOException, FormatException {
+    Scene scene = DataSet.scene(set.resolve("scene.json"));
+    Csv readings = Csv.read(set.resolve("readings.csv"));
+    LargestResidual rule = new LargestResidual(scene);
+    Optional<String> name = rule.name(DataSet.rows(readings), DataSet.ranges(readings));
+    Files.writeString(out.resolve("diagnosis.json"), Json.write(diagnosis(set, name)));
+    Path own = rows.resolve("rows.csv");
+    Path wanted = Files.isRegularFile(own) ? own : rows.resolve("sealed.csv");
+    if (Files.isRegularFile(wanted)) {
+      Forecast forecast = rule.forecast(DataSet.rows(Csv.read(wanted)));
+      Files.writeString(out.resolve("predictions.csv"), forecast.csv());
+    }
+  }
+
+  private static Map<String, Object> diagnosis(Path set, Optional<String> name) {
+    Map<String, Object> effect = new LinkedHashMap<>();
+    effect.put("name", name.orElse("dropout"));
+    effect.put("probability", name.isPresent() ? SURE : 1 - SURE);
+    effect.put("indistinguishable_from", List.of());
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put("format", "sonar-diagnosis/1");
+    json.put("dataset", set.getFileName().toString());
+    json.put("verdict", name.isPresent() ? "explained" : "none");
+    json.put("explanation", name.stream().toList());
+    json.put("effects", List.of(effect));
+    json.put("unknown_probability", name.isPresent() ? 0.2 : 0.1);
+    return json;
+  }
+}

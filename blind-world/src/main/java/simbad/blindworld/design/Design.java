@@ -1,0 +1,29 @@
+package simbad.blindworld.design;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import simbad.blindworld.world.Recording;
+import simbad.blindworld.world.Scene;
+
+/** A way of measuring: recordings drawn from one design differ only by chance. */
+public interface Design {
+
+  /** "run" or "bench". */
+  String kind();
+
+  /** The time between two pings of one transducer, in seconds. */
+  double periodS();
+
+  /** A recording of about so many rows. */
+  Recording record(Scene scene, int rows, SplittableRandom random);
+
+  /** A design drawn at random, of the kind. */
+  static Design draw(String kind, SplittableRandom random) {
+    return kind.equals("run") ? new Drive(random) : new Bench(random);
+  }
+
+  /** The kinds there are. */
+  static List<String> kinds() {
+    return List.of("run", "bench");
+  }
+}

@@ -1,0 +1,144 @@
+package simbad.blindworld.effect;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** The names of effects, with the stage at which each acts, and every form of each. */
+public final class Vocabulary {
+
+  /** Where in the way of a reading an effect acts; those of one stage are hard to tell apart. */
+  public enum Stage {
+    /** Poses and times. */
+    POSE,
+    /** What stands where. */
+    MAP,
+    /** Beam and strength. */
+    ENERGY,
+    /** Other arrivals, and echoes that are lost. */
+    ARRIVAL,
+    /** The range of an echo. */
+    RANGE,
+    /** Scatter, steps and what is reported. */
+    OUTPUT
+  }
+
+  private static final Map<String, Stage> STAGES =
+      Map.ofEntries(
+          Map.entry("sound-speed", Stage.RANGE),
+          Map.entry("range-offset", Stage.RANGE),
+          Map.entry("coarse-resolution", Stage.OUTPUT),
+          Map.entry("range-noise", Stage.OUTPUT),
+          Map.entry("crosstalk", Stage.ARRIVAL),
+          Map.entry("multipath", Stage.ARRIVAL),
+          Map.entry("dropout", Stage.ARRIVAL),
+          Map.entry("gain", Stage.ENERGY),
+          Map.entry("absorption", Stage.ENERGY),
+          Map.entry("beam-pattern", Stage.ENERGY),
+          Map.entry("beam-width", Stage.ENERGY),
+          Map.entry("beam-misalignment", Stage.ENERGY),
+          Map.entry("floor-echo", Stage.ARRIVAL),
+          Map.entry("unmodelled-object", Stage.MAP),
+          Map.entry("latency", Stage.POSE),
+          Map.entry("stale-reading", Stage.OUTPUT),
+          Map.entry("hysteresis", Stage.ARRIVAL),
+          Map.entry("obstacle-turn", Stage.MAP),
+          Map.entry("obstacle-offset", Stage.MAP),
+          Map.entry("odometry-scale", Stage.POSE),
+          Map.entry("heading-drift", Stage.POSE),
+          Map.entry("dead-zone", Stage.ARRIVAL),
+          Map.entry("early-timeout", Stage.ARRIVAL),
+          Map.entry("near-clamp", Stage.OUTPUT),
+          Map.entry("previous-ping", Stage.ARRIVAL),
+          Map.entry("orientation-shadow", Stage.ENERGY));
+
+  /** In the order in which they act when several do. */
+  private static final List<Form> FORMS =
+      Stream.of(
+              PoseForms.all(),
+              MapForms.all(),
+              EnergyForms.all(),
+              ObjectForms.all(),
+              ArrivalForms.all(),
+              GateForms.all(),
+              RangeForms.all(),
+              OutputForms.all(),
+              OutsideForms.all())
+          .flatMap(List::stream)
+          .toList();
+
+  private Vocabulary() {}
+
+  /** The 26 names, sorted. */
+  public static List<String> names() {
+    return STAGES.keySet().stream().sorted().toList();
+  }
+
+  /** The names of changes that the vocabulary does not cover, sorted. */
+  public static List<String> outside() {
+    return FORMS.stream().map(Form::effect).distinct().filter(n -> !contains(n)).sorted().toList();
+  }
+
+  /** True for one of the 26 names. */
+  public static boolean contains(String name) {
+    return STAGES.containsKey(name);
+  }
+
+  /** True when the two act at different stages, so that a pair of them is a fair question. */
+  public static boolean isFairPair(String first, String second) {
+    Stage a = STAGES.get(first);
+    return a != null && a != STAGES.get(second);
+  }
+
+  /** True when both are names of the vocabulary and act at the same stage. */
+  public static boolean isSameStage(String first, String second) {
+    Stage a = STAGES.get(first);
+    return a != null && a == STAGES.get(second);
+  }
+
+  /** The labels of the forms of an effect. */
+  public static List<String> forms(String name) {
+    return FORMS.stream().filter(f -> f.effect().equals(name)).map(Form::label).toList();
+  }
+
+  /** True when at least one form of the effect can be put in. */
+  public static boolean applies(String name, Circumstances circumstances) {
+    return !applying(name, circumstances).isEmpty();
+  }
+
+  private static List<Form> applying(String name, Circumstances circumstances) {
+    return FORMS.stream()
+        .filter(f -> f.effect().equals(name) && f.applies().test(circumstances))
+        .toList();
+  }
+
+  /** An effect in one of the forms that apply, drawn by chance. */
+  public static Effect draw(String name, Circumstances circumstances) {
+    return circumstances.oneOf(applying(name, circumstances)).in(circumstances);
+  }
+
+  /** An effect in the form with the label. */
+  public static Effect draw(String name, String label, Circumstances circumstances) {
+    return applying(name, circumstances).stream()
+        .filter(f -> f.label().equals(label))
+        .findFirst()
+        .orElseThrow(() -> new IllegalArgumentException(name + " " + label + " does not apply"))
+        .in(circumstances);
+  }
+
+  /** The effects in the order in which they act on a ping. */
+  public static List<Effect> inOrder(List<Effect> effects) {
+    List<String> order = FORMS.stream().map(Form::effect).distinct().toList();
+    return effects.stream()
+        .sorted(java.util.Comparator.comparingInt(e -> order.indexOf(e.name())))
+        .toList();
+  }
+
+  /** Names out of a list that are not known here at all. */
+  public static Set<String> unknownAmong(List<String> names) {
+    Set<String> known = FORMS.stream().map(Form::effect).collect(Collectors.toSet());
+    return names.stream().filter(n -> !known.contains(n)).collect(Collectors.toSet());
+  }
+}

@@ -1,0 +1,171 @@
+package simbad.blindworld.generate;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.SplittableRandom;
+import simbad.blindworld.effect.Effect;
+import simbad.blindworld.effect.Vocabulary;
+import simbad.blindworld.file.Decimals;
+import simbad.blindworld.file.Json;
+import simbad.blindworld.file.Seal;
+import simbad.blindworld.world.Obstacle;
+import simbad.blindworld.world.Row;
+import simbad.blindworld.world.Scene;
+import simbad.blindworld.world.Sensor;
+
+/** Writes a case: the data set to one tree, what is sealed to another. */
+final class CaseFiles {
+
+  /** The same for every file, so that no time tells anything. */
+  private static final FileTime TIME = FileTime.fromMillis(1_577_836_800_000L);
+
+  private static final int SALT_BYTES = 32;
+
+  private final Path directory;
+
+  CaseFiles(Path directory) {
+    this.directory = directory;
+  }
+
+  /** What the manifest says of a case. */
+  Map<String, Object> write(Case drawn) throws IOException {
+    String id = drawn.assignment().id();
+    Path open = Files.createDirectories(directory.resolve("cases").resolve(id));
+    Path sealed = Files.createDirectories(directory.resolve("truth").resolve(id));
+    Map<String, Object> files = new LinkedHashMap<>();
+    files.put("scene.json", put(open, "scene.json", Json.write(scene(drawn.scene()))));
+    files.put("readings.csv", put(open, "readings.csv", sheet(drawn.readings(), true)));
+    if (drawn.reference().isPresent()) {
+      files.put("reference.csv", put(open, "reference.csv", sheet(drawn.reference().get(), true)));
+    }
+    Map<String, Object> truth = truth(drawn);
+    truth.put("sealed_sha256", put(sealed, "sealed.csv", sheet(drawn.sealed(), true)));
+    truth.put("oracle_sha256", put(sealed, "oracle.csv", drawn.oracle().csv()));
+    String text = Json.write(truth);
+    put(sealed, "truth.json", text);
+    byte[] salt = salt(drawn.assignment().seed());
+    put(sealed, "salt.txt", Seal.hex(salt) + "\n");
+    Files.setLastModifiedTime(open, TIME);
+    Map<String, Object> entry = new LinkedHashMap<>();
+    entry.put("case", id);
+    entry.put("files", files);
+    Path rows = Files.createDirectories(directory.resolve("rows").resolve(id));
+    entry.put("rows_sha256", put(rows, "rows.csv", sheet(drawn.sealed(), false)));
+    entry.put("commitment", Seal.commitment(salt, text.getBytes(StandardCharsets.UTF_8)));
+    return entry;
+  }
+
+  /** Writes a text file and returns its SHA-256. */
+  static String put(Path folder, String name, String text) throws IOException {
+    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+    Path file = Files.write(folder.resolve(name), bytes);
+    Files.setLastModifiedTime(file, TIME);
+    return Seal.sha256(bytes);
+  }
+
+  private static byte[] salt(long seed) {
+    byte[] salt = new byte[SALT_BYTES];
+    new SplittableRandom(seed ^ 0x5EA1L).nextBytes(salt);
+    return salt;
+  }
+
+  private static Map<String, Object> scene(Scene scene) {
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put("format", "sonar-gap/1");
+    json.put("no_echo_m", scene.noEchoM());
+    json.put("sensor", sensor(scene.sensor()));
+    List<Object> obstacles = new ArrayList<>();
+    for (Obstacle obstacle : scene.obstacles()) {
+      obstacles.add(obstacle(obstacle));
+    }
+    json.put("obstacles", obstacles);
+    return json;
+  }
+
+  private static Map<String, Object> sensor(Sensor sensor) {
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put("name", sensor.name());
+    json.put("cone_half_angle_deg", Math.toDegrees(sensor.halfAngleRad()));
+    json.put("min_range_m", sensor.minRangeM());
+    json.put("max_range_m", sensor.maxRangeM());
+    json.put("mount_height_m", sensor.mountHeightM());
+    json.put("assumed_sound_speed_m_s", sensor.soundSpeedMPerS());
+    json.put("resolution_m", sensor.resolutionM());
+    json.put("range_noise_m", sensor.rangeNoiseM());
+    json.put("miss_rate", sensor.missRate());
+    json.put("edge_width_m", sensor.edgeWidthM());
+    json.put("update_period_s", sensor.periodS());
+    return json;
+  }
+
+  private static Map<String, Object> obstacle(Obstacle obstacle) {
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put("name", obstacle.name());
+    json.put("x_m", obstacle.place().xM());
+    json.put("z_m", obstacle.place().zM());
+    json.put("turn_deg", Math.toDegrees(obstacle.turnRad()));
+    json.put("outline_m", obstacle.outline().stream().map(p -> List.of(p.xM(), p.zM())).toList());
+    boolean uniform = obstacle.shadow().isUniform();
+    json.put("detection", uniform ? "uniform" : "table");
+    if (uniform) {
+      json.put("uniform_range_m", obstacle.shadow().atM(0));
+    } else {
+      json.put("thresholds_m", obstacle.shadow().radiiM());
+    }
+    return json;
+  }
+
+  private static Map<String, Object> truth(Case drawn) {
+    Map<String, Object> effects = new LinkedHashMap<>();
+    for (Effect effect : drawn.effects()) {
+      effects.put(effect.name(), effect.parameters());
+    }
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put("case", drawn.assignment().id());
+    json.put("kind", drawn.assignment().kind().name().toLowerCase(Locale.ROOT));
+    json.put("effects", effects);
+    json.put(
+        "outside_vocabulary",
+        effects.keySet().stream().filter(n -> !Vocabulary.contains(n)).toList());
+    json.put("design", drawn.design());
+    json.put("reference", drawn.reference().isPresent());
+    json.put("rows", drawn.readings().recording().size());
+    json.put("echo_share", drawn.readings().echoShare());
+    json.put("no_echo_m", drawn.scene().noEchoM());
+    json.put("draws", drawn.draws());
+    json.put("setup", drawn.setup().toString());
+    json.put("sealed_gap_nominal_cm", drawn.gaps().nominalCm());
+    json.put("sealed_gap_setup_cm", drawn.gaps().setupCm());
+    json.put("sealed_gap_oracle_cm", drawn.gaps().oracleCm());
+    return json;
+  }
+
+  private static String sheet(Case.Sheet sheet, boolean withRanges) {
+    StringBuilder text = new StringBuilder("run,sensor,t_s,x_m,z_m,heading_deg");
+    text.append(withRanges ? ",range_m\n" : "\n");
+    List<Row> rows = sheet.recording().rows();
+    for (int i = 0; i < rows.size(); i++) {
+      Row row = rows.get(i);
+      text.append(row.run()).append(',').append(row.sensor()).append(',');
+      Decimals.append(text, row.tS(), 3).append(',');
+      Decimals.append(text, row.pose().xM(), 4).append(',');
+      Decimals.append(text, row.pose().zM(), 4).append(',');
+      Decimals.append(text, Math.toDegrees(row.pose().headingRad()), 3);
+      double range = sheet.rangesM().get(i);
+      text.append(withRanges ? "," : "");
+      if (withRanges && range < Double.POSITIVE_INFINITY) {
+        Decimals.append(text, range, 4);
+      }
+      text.append('\n');
+    }
+    return text.toString();
+  }
+}

@@ -1,0 +1,66 @@
+package simbad.blindworld.generate;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
+import simbad.blindworld.file.Json;
+import simbad.blindworld.file.Seal;
+
+/** Makes the cases of an order, on all cores; each case's chance is its own. */
+public final class Generator {
+
+  private Generator() {}
+
+  /**
+   * Writes {@code cases/}, {@code truth/} and, last, {@code manifest.json} with the commitments.
+   *
+   * @param order what to make
+   * @param directory where to; it must be empty or absent
+   * @param done told, from any thread, the number of each case that is finished
+   */
+  public static void run(Order order, Path directory, IntConsumer done) throws IOException {
+    if (Files.isDirectory(directory)) {
+      try (var content = Files.list(directory)) {
+        if (content.findAny().isPresent()) {
+          throw new IOException(directory + ": not empty, expected a folder to be made");
+        }
+      }
+    }
+    Files.createDirectories(directory);
+    List<Plan.Assignment> plan = Plan.of(order);
+    CaseFiles files = new CaseFiles(directory);
+    List<Map<String, Object>> entries =
+        IntStream.range(0, plan.size())
+            .parallel()
+            .mapToObj(i -> make(plan.get(i), order, files, done, i))
+            .toList();
+    CaseFiles.put(directory, "manifest.json", Json.write(manifest(entries)));
+  }
+
+  private static Map<String, Object> make(
+      Plan.Assignment assignment, Order order, CaseFiles files, IntConsumer done, int number) {
+    try {
+      Map<String, Object> entry = files.write(new Drawing(assignment, order).draw());
+      done.accept(number);
+      return entry;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static Map<String, Object> manifest(List<Map<String, Object>> entries) {
+    Map<String, Object> manifest = new LinkedHashMap<>();
+    manifest.put("format", "blind-manifest/1");
+    manifest.put("commitment", "SHA-256(salt || truth.json)");
+    List<String> leaves = entries.stream().map(e -> String.valueOf(e.get("commitment"))).toList();
+    manifest.put("root", Seal.root(leaves));
+    manifest.put("cases", entries);
+    return manifest;
+  }
+}

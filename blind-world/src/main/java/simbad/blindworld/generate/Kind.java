@@ -1,0 +1,13 @@
+package simbad.blindworld.generate;
+
+/** What a case asks. */
+public enum Kind {
+  /** Nothing differs. */
+  NONE,
+  /** One effect of the vocabulary. */
+  SINGLE,
+  /** Two effects of the vocabulary. */
+  PAIR,
+  /** Something outside the vocabulary, alone or beside an effect of it. */
+  UNKNOWN
+}

@@ -1,0 +1,152 @@
+package simbad.blindworld.generate;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.SplittableRandom;
+import java.util.TreeSet;
+import simbad.blindworld.effect.Vocabulary;
+
+/**
+ * Which cases there will be, before any is drawn: kinds in the asked shares, effects evenly, in
+ * random order under random names.
+ */
+final class Plan {
+
+  private static final double BESIDE_SHARE = 0.2;
+
+  /**
+   * One case to make.
+   *
+   * @param id its random name
+   * @param kind what it asks
+   * @param names the effects to put in
+   * @param reference whether the set-up is off and a reference comes with it
+   * @param seed of its own chance
+   */
+  record Assignment(String id, Kind kind, List<String> names, boolean reference, long seed) {}
+
+  private Plan() {}
+
+  static List<Assignment> of(Order order) {
+    SplittableRandom random = new SplittableRandom(order.seed());
+    List<List<String>> contents = new ArrayList<>();
+    List<Kind> kinds = new ArrayList<>();
+    Wheel inside = wheel(order, Vocabulary.names(), random);
+    Wheel outside = wheel(order, Vocabulary.outside(), random);
+    for (Map.Entry<Kind, Integer> part : counts(order).entrySet()) {
+      for (int i = 0; i < part.getValue(); i++) {
+        kinds.add(part.getKey());
+        contents.add(names(part.getKey(), inside, outside, random));
+      }
+    }
+    List<Integer> shuffled = new ArrayList<>();
+    for (int i = 0; i < kinds.size(); i++) {
+      shuffled.add(i);
+    }
+    Collections.shuffle(shuffled, new Random(random.nextLong()));
+    List<Assignment> plan = new ArrayList<>();
+    int references = 0;
+    for (String id : ids(kinds.size(), random)) {
+      int which = shuffled.get(plan.size());
+      boolean reference = (plan.size() + 1) * order.referenceShare() - references >= 0.999999;
+      references += reference ? 1 : 0;
+      plan.add(
+          new Assignment(id, kinds.get(which), contents.get(which), reference, random.nextLong()));
+    }
+    return plan;
+  }
+
+  /** By largest remainders, in the order of the kinds. */
+  private static Map<Kind, Integer> counts(Order order) {
+    double weight = order.mix().values().stream().mapToDouble(Double::doubleValue).sum();
+    Map<Kind, Integer> counts = new java.util.EnumMap<>(Kind.class);
+    double due = 0;
+    int given = 0;
+    for (Kind kind : Kind.values()) {
+      due += order.mix().getOrDefault(kind, 0.0) / weight * order.cases();
+      int count = (int) Math.round(due) - given;
+      counts.put(kind, count);
+      given += count;
+    }
+    return counts;
+  }
+
+  private static List<String> names(
+      Kind kind, Wheel inside, Wheel outside, SplittableRandom random) {
+    return switch (kind) {
+      case NONE -> List.of();
+      case SINGLE -> List.of(inside.next());
+      case PAIR -> pair(inside);
+      case UNKNOWN ->
+          random.nextDouble() < BESIDE_SHARE && !inside.isEmpty()
+              ? List.of(inside.next(), outside.next())
+              : List.of(outside.next());
+    };
+  }
+
+  private static List<String> pair(Wheel inside) {
+    String first = inside.next();
+    for (int tries = 0; tries < 200; tries++) {
+      String second = inside.next();
+      if (Vocabulary.isFairPair(first, second)) {
+        return List.of(first, second);
+      }
+    }
+    throw new IllegalArgumentException("no effect that " + first + " makes a fair pair with");
+  }
+
+  /** A pair of an effect with any other that is fair beside it. */
+  static List<String> otherPair(Order order, String first, SplittableRandom random) {
+    Wheel wheel = wheel(order, Vocabulary.names(), random);
+    String second = wheel.next();
+    while (!Vocabulary.isFairPair(first, second)) {
+      second = wheel.next();
+    }
+    return List.of(first, second);
+  }
+
+  private static Wheel wheel(Order order, List<String> all, SplittableRandom random) {
+    List<String> wanted =
+        order.effects().isEmpty() ? all : all.stream().filter(order.effects()::contains).toList();
+    return new Wheel(wanted, new Random(random.nextLong()));
+  }
+
+  private static List<String> ids(int count, SplittableRandom random) {
+    TreeSet<String> ids = new TreeSet<>();
+    while (ids.size() < count) {
+      ids.add("c" + String.format("%07x", random.nextInt(1 << 28)));
+    }
+    return List.copyOf(ids);
+  }
+
+  /** Names in turn, each round in another order. */
+  private static final class Wheel {
+
+    private final List<String> names;
+    private final Random random;
+    private final List<String> left = new ArrayList<>();
+
+    Wheel(List<String> names, Random random) {
+      this.names = names;
+      this.random = random;
+    }
+
+    boolean isEmpty() {
+      return names.isEmpty();
+    }
+
+    String next() {
+      if (names.isEmpty()) {
+        throw new IllegalArgumentException("no effect to choose from for a kind of the mix");
+      }
+      if (left.isEmpty()) {
+        left.addAll(names);
+        Collections.shuffle(left, random);
+      }
+      return left.remove(left.size() - 1);
+    }
+  }
+}

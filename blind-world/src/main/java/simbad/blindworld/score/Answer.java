@@ -1,0 +1,87 @@
+package simbad.blindworld.score;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import simbad.blindworld.world.Forecast;
+
+/**
+ * What a diagnosis says of a case.
+ *
+ * @param verdict its verdict
+ * @param explanation the effects concluded to be at work
+ * @param effects every effect, most probable first
+ * @param unknownProbability that something outside the vocabulary is at work
+ * @param verdictProbability of each verdict, where the diagnosis states them
+ * @param shrink the claimed shrinkage, where stated
+ * @param forecast of the sealed rows, where given
+ */
+public record Answer(
+    Verdict verdict,
+    List<String> explanation,
+    List<Named> effects,
+    double unknownProbability,
+    Optional<Map<Verdict, Double>> verdictProbability,
+    Optional<Shrink> shrink,
+    Optional<Forecast> forecast) {
+
+  /**
+   * One effect.
+   *
+   * @param name from the vocabulary
+   * @param probability that it is at work
+   * @param ties what these data cannot tell from it
+   */
+  public record Named(String name, double probability, List<String> ties) {}
+
+  /** A shrinkage with its 95 % interval. */
+  public record Shrink(double value, double low, double high) {}
+
+  /** Copies the lists. */
+  public Answer {
+    explanation = List.copyOf(explanation);
+    effects = List.copyOf(effects);
+  }
+
+  /** The name and what is said to be tied with it. */
+  public Set<String> tieOf(String name) {
+    Set<String> tie = new LinkedHashSet<>();
+    tie.add(name);
+    effects.stream().filter(e -> e.name().equals(name)).forEach(e -> tie.addAll(e.ties()));
+    return tie;
+  }
+
+  /** All that is concluded, with ties. */
+  public Set<String> namedWithTies() {
+    Set<String> all = new LinkedHashSet<>();
+    explanation.forEach(name -> all.addAll(tieOf(name)));
+    return all;
+  }
+
+  /** The probability of an effect; 0 for one that is not listed. */
+  public double probabilityOf(String name) {
+    return effects.stream()
+        .filter(e -> e.name().equals(name))
+        .mapToDouble(Named::probability)
+        .findFirst()
+        .orElse(0);
+  }
+
+  /**
+   * The probability of a verdict: as stated, or else from that of the unknown and of the most
+   * probable effect.
+   */
+  public double probabilityOf(Verdict which) {
+    if (verdictProbability.isPresent()) {
+      return verdictProbability.get().getOrDefault(which, 0.0);
+    }
+    double any = effects.isEmpty() ? 0 : effects.get(0).probability();
+    return switch (which) {
+      case UNEXPLAINED -> unknownProbability;
+      case EXPLAINED -> (1 - unknownProbability) * any;
+      case NONE -> (1 - unknownProbability) * (1 - any);
+    };
+  }
+}

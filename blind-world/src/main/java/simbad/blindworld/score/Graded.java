@@ -1,0 +1,124 @@
+package simbad.blindworld.score;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import simbad.blindworld.effect.Vocabulary;
+
+/**
+ * A truth with the answer to it; no answer is wrong in every respect.
+ *
+ * @param truth what was at work
+ * @param answer what the diagnosis says
+ */
+public record Graded(Truth truth, Optional<Answer> answer) {
+
+  private static final int LARGEST_TIE = 2;
+
+  /** True when there is an answer with this verdict. */
+  public boolean says(Verdict verdict) {
+    return answer.isPresent() && answer.get().verdict() == verdict;
+  }
+
+  /** True when the verdict is the right one. */
+  public boolean verdictRight() {
+    return says(truth.verdict());
+  }
+
+  /** True when something is said to be at work. */
+  public boolean detected() {
+    return answer.isPresent() && !says(Verdict.NONE);
+  }
+
+  /** True when the explanation is the truth's effects by their very names and no other. */
+  public boolean namedExactly() {
+    return answer.isPresent()
+        && new HashSet<>(answer.get().explanation()).equals(new HashSet<>(truth.effects()));
+  }
+
+  /**
+   * True when each name concluded stands for one true effect and each of them has one; a tie of two
+   * may stand for either.
+   */
+  public boolean named() {
+    return answer.isPresent()
+        && answer.get().explanation().size() == truth.effects().size()
+        && matches(truth.effects(), answer.get().explanation());
+  }
+
+  /** Whether names can be dealt out to the effects, each once, by going through all ways. */
+  private boolean matches(List<String> effects, List<String> names) {
+    if (effects.isEmpty()) {
+      return true;
+    }
+    String effect = effects.get(0);
+    for (String name : names) {
+      if (covers(name, effect)) {
+        List<String> others = names.stream().filter(n -> !n.equals(name)).toList();
+        if (matches(effects.subList(1, effects.size()), others)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  private boolean covers(String name, String effect) {
+    Set<String> tie = answer.map(a -> a.tieOf(name)).orElse(Set.of());
+    return name.equals(effect) || (tie.size() <= LARGEST_TIE && tie.contains(effect));
+  }
+
+  /** True when at least one of the true effects is among the names. */
+  public boolean namedSome() {
+    return answer.isPresent()
+        && truth.effects().stream()
+            .anyMatch(e -> answer.get().explanation().stream().anyMatch(n -> covers(n, e)));
+  }
+
+  /** True when what is named first acts at the stage of the true effect. */
+  public boolean familyRight() {
+    return answer.isPresent()
+        && !answer.get().explanation().isEmpty()
+        && Vocabulary.isSameStage(answer.get().explanation().get(0), truth.effects().get(0));
+  }
+
+  /** The gap of the answer's forecast on the sealed rows, in centimetres. */
+  public Optional<Double> afterCm() {
+    return answer
+        .flatMap(Answer::forecast)
+        .map(
+            forecast ->
+                forecast.gapCm(
+                    truth.countedM().stream().mapToDouble(Double::doubleValue).toArray(), 0));
+  }
+
+  /** The shrinkage on the sealed rows: 1 - after / before. */
+  public Optional<Double> sealedShrink() {
+    return afterCm()
+        .filter(after -> truth.nominalCm().orElse(0.0) > 0)
+        .map(after -> 1 - after / truth.nominalCm().orElseThrow());
+  }
+
+  /**
+   * What the answer's forecast removes of the nominal gap, as a share of what the truth's would.
+   */
+  public Optional<Double> shareOfRemoval() {
+    if (!truth.hasGap()) {
+      return Optional.empty();
+    }
+    double nominal = truth.nominalCm().orElseThrow();
+    double whole = nominal - truth.oracleCm().orElseThrow();
+    return afterCm().map(after -> (nominal - after) / whole);
+  }
+
+  /** What the answer says in a word: none, unexplained, the names, or no answer. */
+  public String said() {
+    if (answer.isEmpty()) {
+      return "(no answer)";
+    }
+    return says(Verdict.EXPLAINED)
+        ? String.join("+", answer.get().explanation().stream().sorted().toList())
+        : answer.get().verdict().word();
+  }
+}

@@ -1,0 +1,223 @@
+package simbad.blindworld.score;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Predicate;
+import simbad.blindworld.score.Calibration.Claim;
+import simbad.blindworld.score.Ranking.Scored;
+
+/** All scores of a set of graded cases. */
+final class Scores {
+
+  private static final double FALSE_UNKNOWN = 0.05;
+
+  private final List<Graded> cases;
+
+  Scores(List<Graded> cases) {
+    this.cases = List.copyOf(cases);
+  }
+
+  private List<Graded> kind(String kind) {
+    return cases.stream().filter(g -> g.truth().kind().equals(kind)).toList();
+  }
+
+  static Proportion share(List<Graded> of, Predicate<Graded> hit) {
+    return new Proportion((int) of.stream().filter(hit).count(), of.size());
+  }
+
+  /** The shares that the reach speaks of, by name. */
+  Map<String, Proportion> shares() {
+    List<Graded> singles = kind("single");
+    List<Graded> seen = singles.stream().filter(Graded::detected).toList();
+    List<Graded> pairs = kind("pair");
+    List<Graded> strange = kind("unknown");
+    Map<String, Proportion> shares = new LinkedHashMap<>();
+    shares.put("answered", share(cases, g -> g.answer().isPresent()));
+    shares.put("none called none", share(kind("none"), g -> g.says(Verdict.NONE)));
+    shares.put(
+        "singles named and explained", share(singles, g -> g.says(Verdict.EXPLAINED) && g.named()));
+    shares.put("singles detected", share(singles, Graded::detected));
+    shares.put("singles named exactly, of detected", share(seen, Graded::namedExactly));
+    shares.put("singles family right, of detected", share(seen, Graded::familyRight));
+    shares.put(
+        "singles truth in named set, of detected",
+        share(
+            seen,
+            g -> g.answer().orElseThrow().namedWithTies().contains(g.truth().effects().get(0))));
+    shares.put("pairs both found", share(pairs, Graded::named));
+    shares.put(
+        "pairs both found and explained",
+        share(pairs, g -> g.says(Verdict.EXPLAINED) && g.named()));
+    shares.put("pairs at least one found", share(pairs, Graded::namedSome));
+    shares.put("unknown called unexplained", share(strange, g -> g.says(Verdict.UNEXPLAINED)));
+    shares.put(
+        "unknown flagged at 5 % false",
+        Ranking.flaggedAt(scored(strange), scored(known()), FALSE_UNKNOWN));
+    shares.put("all verdicts right", share(cases, Graded::verdictRight));
+    shares.put("shrinkage interval covers", shrinkCovered());
+    return shares;
+  }
+
+  private List<Graded> known() {
+    return cases.stream().filter(g -> !g.truth().kind().equals("unknown")).toList();
+  }
+
+  private static List<Scored> scored(List<Graded> of) {
+    return of.stream()
+        .map(
+            g ->
+                new Scored(
+                    g.answer().map(Answer::unknownProbability).orElse(0.5),
+                    g.verdictRight() && g.named()))
+        .toList();
+  }
+
+  double auroc() {
+    return Ranking.auroc(scored(kind("unknown")), scored(known()));
+  }
+
+  private Map<String, Object> unknown() {
+    List<Scored> strange = scored(kind("unknown"));
+    List<Scored> known = scored(known());
+    double auroc = Ranking.auroc(strange, known);
+    double half = 1.96 * Ranking.standardError(auroc, strange.size(), known.size());
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put("unknown_cases", strange.size());
+    json.put("known_cases", known.size());
+    json.put("auroc", auroc);
+    json.put("auroc_low95", Math.max(0, auroc - half));
+    json.put("auroc_high95", Math.min(1, auroc + half));
+    json.put("open_auc", Ranking.openAuc(strange, known));
+    return json;
+  }
+
+  private List<Answer> answersOf(Graded graded) {
+    return graded.answer().stream().toList();
+  }
+
+  List<Claim> verdictClaims() {
+    List<Claim> claims = new ArrayList<>();
+    for (Graded g : cases) {
+      for (Answer a : answersOf(g)) {
+        claims.add(new Claim(a.probabilityOf(a.verdict()), g.verdictRight()));
+      }
+    }
+    return claims;
+  }
+
+  List<Claim> firstNamedClaims() {
+    List<Claim> claims = new ArrayList<>();
+    for (Graded g : cases) {
+      for (Answer a : answersOf(g)) {
+        if (!a.effects().isEmpty()) {
+          Answer.Named first = a.effects().get(0);
+          claims.add(new Claim(first.probability(), g.truth().effects().contains(first.name())));
+        }
+      }
+    }
+    return claims;
+  }
+
+  /** The log score over the three verdicts, against always stating their shares. */
+  double verdictBetterBy() {
+    double base = 0;
+    for (Verdict verdict : Verdict.values()) {
+      double share = share(cases, g -> g.truth().verdict() == verdict).share();
+      base += share > 0 ? share * Calibration.loss(share) : 0;
+    }
+    double said =
+        cases.stream()
+            .mapToDouble(
+                g ->
+                    Calibration.loss(
+                        g.answer().map(a -> a.probabilityOf(g.truth().verdict())).orElse(0.0)))
+            .average()
+            .orElse(0);
+    return Calibration.better(said, base);
+  }
+
+  private List<Graded> explained() {
+    return cases.stream()
+        .filter(g -> g.truth().hasGap() && g.says(Verdict.EXPLAINED))
+        .filter(g -> g.sealedShrink().isPresent())
+        .filter(g -> g.answer().flatMap(Answer::shrink).isPresent())
+        .toList();
+  }
+
+  private static Answer.Shrink claimed(Graded graded) {
+    return graded.answer().flatMap(Answer::shrink).orElseThrow();
+  }
+
+  private Proportion shrinkCovered() {
+    return share(
+        explained(),
+        g -> {
+          double sealed = g.sealedShrink().orElseThrow();
+          return sealed >= claimed(g).low() && sealed <= claimed(g).high();
+        });
+  }
+
+  /** How far claimed and sealed shrinkage differ, in points. */
+  List<Double> shrinkErrors() {
+    return explained().stream()
+        .map(g -> 100 * Math.abs(claimed(g).value() - g.sealedShrink().orElseThrow()))
+        .toList();
+  }
+
+  /** Shares of the true world's removal, over known cases with a gap of half a centimetre. */
+  List<Double> removals() {
+    return known().stream().flatMap(g -> g.shareOfRemoval().stream()).toList();
+  }
+
+  private List<Double> trueProbabilities() {
+    return kind("single").stream()
+        .filter(Graded::detected)
+        .map(g -> g.answer().orElseThrow().probabilityOf(g.truth().effects().get(0)))
+        .toList();
+  }
+
+  private List<Double> setSizes() {
+    return kind("single").stream()
+        .filter(Graded::detected)
+        .map(g -> (double) g.answer().orElseThrow().namedWithTies().size())
+        .toList();
+  }
+
+  private static double mean(List<Double> values) {
+    return values.stream().mapToDouble(Double::doubleValue).average().orElse(0);
+  }
+
+  Map<String, Object> json() {
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put("cases", cases.size());
+    Map<String, Object> shares = new LinkedHashMap<>();
+    shares().forEach((name, share) -> shares.put(name, share.json()));
+    json.put("shares", shares);
+    json.put("unknown", unknown());
+    json.put("verdict_calibration", Calibration.json(verdictClaims()));
+    json.put("verdict_log_score_better_by", verdictBetterBy());
+    json.put("first_named_calibration", Calibration.json(firstNamedClaims()));
+    json.put("mean_probability_of_truth_detected_singles", mean(trueProbabilities()));
+    json.put("mean_set_size_detected_singles", mean(setSizes()));
+    json.put("shrink_claimed_minus_sealed_points", Spread.json(shrinkErrors()));
+    json.put("share_of_oracle_removal", Spread.json(removals()));
+    json.put("effects_worst_first", Effects.json(cases));
+    json.put("confusion", confusion());
+    return json;
+  }
+
+  /** What was said, by what was so. */
+  private Map<String, Object> confusion() {
+    Map<String, Map<String, Object>> table = new TreeMap<>();
+    for (Graded g : cases) {
+      String so = g.truth().effects().isEmpty() ? "none" : Effects.label(g.truth());
+      table
+          .computeIfAbsent(so, key -> new TreeMap<>())
+          .merge(g.said(), 1, (a, b) -> (Integer) a + (Integer) b);
+    }
+    return new LinkedHashMap<>(table);
+  }
+}

@@ -1,0 +1,101 @@
+package simbad.blindworld.score;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Predicate;
+
+/**
+ * Answers of several sorts to the same truths, scored side by side and by level of independence.
+ */
+public final class Scoring {
+
+  private final List<Truth> truths;
+  private final Map<String, Map<String, Answer>> answersBySort = new LinkedHashMap<>();
+
+  /** A scoring of answers to these truths. */
+  public Scoring(List<Truth> truths) {
+    this.truths = List.copyOf(truths);
+  }
+
+  /** Adds answers under the name of a sort, such as "diagnosis", "baseline", "oracle". */
+  public void add(String sort, Map<String, Answer> answers) {
+    answersBySort.put(sort, Map.copyOf(answers));
+  }
+
+  /** A part of the cases that is scored by itself. */
+  private record Part(String name, Predicate<Truth> holds) {}
+
+  /**
+   * The parts: without a reference the world keeps to the same equations (L1); with one its set-up
+   * differs in physics (L2).
+   */
+  private static final List<Part> PARTS =
+      List.of(
+          new Part("all cases (L1 and L2)", t -> true),
+          new Part("set-up as believed (L1)", t -> !t.reference()),
+          new Part("set-up off, with reference (L2)", Truth::reference));
+
+  private List<Part> parts() {
+    boolean mixed =
+        truths.stream().anyMatch(Truth::reference) && !truths.stream().allMatch(Truth::reference);
+    boolean off = truths.stream().allMatch(Truth::reference);
+    return mixed ? PARTS : List.of(PARTS.get(off ? 2 : 1));
+  }
+
+  private Scores scores(String sort, Part part) {
+    Map<String, Answer> answers = answersBySort.getOrDefault(sort, Map.of());
+    List<Graded> graded = new ArrayList<>();
+    for (Truth truth : truths) {
+      if (part.holds().test(truth)) {
+        graded.add(new Graded(truth, Optional.ofNullable(answers.get(truth.id()))));
+      }
+    }
+    return new Scores(graded);
+  }
+
+  /** Everything, by part and sort. */
+  public Map<String, Object> json() {
+    Map<String, Object> json = new LinkedHashMap<>();
+    for (Part part : parts()) {
+      Map<String, Object> bySort = new LinkedHashMap<>();
+      answersBySort.keySet().forEach(sort -> bySort.put(sort, scores(sort, part).json()));
+      json.put(part.name(), bySort);
+    }
+    return json;
+  }
+
+  /** A table for people. */
+  public String text() {
+    StringBuilder text = new StringBuilder();
+    for (Part part : parts()) {
+      Map<String, Scores> bySort = new LinkedHashMap<>();
+      answersBySort.keySet().forEach(sort -> bySort.put(sort, scores(sort, part)));
+      text.append(new Table(part.name(), bySort).text()).append('\n');
+    }
+    String first = answersBySort.keySet().stream().findFirst().orElse("");
+    text.append("\nby effect, worst first (").append(first).append(")\n");
+    Map<String, Answer> answers = answersBySort.getOrDefault(first, Map.of());
+    List<Graded> all =
+        truths.stream().map(t -> new Graded(t, Optional.ofNullable(answers.get(t.id())))).toList();
+    for (Effects.Line line : Effects.lines(all)) {
+      text.append("  %-24s %s%n".formatted(line.effect(), line.right()));
+    }
+    return text.append(wrong(all)).toString();
+  }
+
+  /** Each case that was answered wrongly: what was so, and what was said. */
+  private static String wrong(List<Graded> all) {
+    StringBuilder text = new StringBuilder("\nanswered wrongly\n");
+    for (Graded g : all) {
+      boolean right = g.verdictRight() && (g.truth().kind().equals("unknown") || g.named());
+      if (!right) {
+        String so = g.truth().effects().isEmpty() ? "none" : Effects.label(g.truth());
+        text.append("  %-10s %-44s %s%n".formatted(g.truth().id(), so, g.said()));
+      }
+    }
+    return text.toString();
+  }
+}

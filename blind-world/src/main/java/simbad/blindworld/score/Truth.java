@@ -1,0 +1,59 @@
+package simbad.blindworld.score;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * What was at work in a case.
+ *
+ * @param id the case
+ * @param effects the names put in
+ * @param strange those of them that the diagnosis has no name for
+ * @param reference whether a reference came with it
+ * @param countedM the sealed rows' readings, no-echo counted
+ * @param nominalCm the nominal gap on the sealed rows, where known
+ * @param oracleCm the true world's gap on the sealed rows, where known
+ */
+public record Truth(
+    String id,
+    List<String> effects,
+    Set<String> strange,
+    boolean reference,
+    List<Double> countedM,
+    Optional<Double> nominalCm,
+    Optional<Double> oracleCm) {
+
+  private static final double LEAST_REMOVAL_CM = 0.5;
+
+  /** Copies the collections. */
+  public Truth {
+    effects = List.copyOf(effects);
+    strange = Set.copyOf(strange);
+    countedM = List.copyOf(countedM);
+  }
+
+  /** The verdict that is right. */
+  public Verdict verdict() {
+    if (!strange.isEmpty()) {
+      return Verdict.UNEXPLAINED;
+    }
+    return effects.isEmpty() ? Verdict.NONE : Verdict.EXPLAINED;
+  }
+
+  /** What the case asks: none, single, pair (two or more) or unknown. */
+  public String kind() {
+    return switch (verdict()) {
+      case UNEXPLAINED -> "unknown";
+      case NONE -> "none";
+      case EXPLAINED -> effects.size() == 1 ? "single" : "pair";
+    };
+  }
+
+  /** True when the true world's forecast removes half a centimetre of the nominal gap or more. */
+  public boolean hasGap() {
+    return nominalCm.isPresent()
+        && oracleCm.isPresent()
+        && nominalCm.get() - oracleCm.get() >= LEAST_REMOVAL_CM;
+  }
+}

@@ -1,0 +1,182 @@
+package simbad.blindworld.score;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import simbad.blindworld.effect.Vocabulary;
+import simbad.blindworld.file.Csv;
+import simbad.blindworld.file.FormatException;
+import simbad.blindworld.file.JsonObject;
+import simbad.blindworld.file.Seal;
+
+/**
+ * Reads sealed truths: this program's own tree, or folders of foreign data sets with truth.json and
+ * sealed.csv in them.
+ */
+public final class Truths {
+
+  private final Path folder;
+  private final Set<String> withheld;
+
+  /** Truths below a folder; withheld names count as outside the vocabulary. */
+  public Truths(Path folder, Set<String> withheld) {
+    this.folder = folder;
+    this.withheld = Set.copyOf(withheld);
+  }
+
+  /** All truths, in the order of their names. */
+  public List<Truth> read() throws IOException, FormatException {
+    List<Truth> truths = new ArrayList<>();
+    for (Path one : folders()) {
+      truths.add(read(one));
+    }
+    if (truths.isEmpty()) {
+      throw new FormatException(folder + ": no folder with a truth.json in it");
+    }
+    return truths;
+  }
+
+  private List<Path> folders() throws IOException, FormatException {
+    if (!Files.isDirectory(folder)) {
+      throw new FormatException(folder + ": no such folder");
+    }
+    try (var paths = Files.list(folder)) {
+      return paths.filter(p -> Files.isRegularFile(p.resolve("truth.json"))).sorted().toList();
+    }
+  }
+
+  private Truth read(Path one) throws IOException, FormatException {
+    JsonObject json = JsonObject.read(one.resolve("truth.json"));
+    List<String> effects = List.copyOf(json.object("effects").fields().keySet());
+    Set<String> strange = new HashSet<>();
+    for (String effect : effects) {
+      if (!Vocabulary.contains(effect) || withheld.contains(effect)) {
+        strange.add(effect);
+      }
+    }
+    String id = one.getFileName().toString();
+    boolean reference =
+        json.fields().getOrDefault("reference", false).equals(true)
+            || Files.exists(one.resolve("reference.csv"));
+    return new Truth(
+        id,
+        effects,
+        strange,
+        reference,
+        counted(one, noEchoM(one, json)),
+        json.optionalNumber("sealed_gap_nominal_cm"),
+        json.optionalNumber("sealed_gap_oracle_cm"));
+  }
+
+  /** From the truth itself, or from the scene that stands beside it in a foreign data set. */
+  private static double noEchoM(Path one, JsonObject truth) throws IOException, FormatException {
+    return truth.has("no_echo_m")
+        ? truth.number("no_echo_m")
+        : JsonObject.read(one.resolve("scene.json")).number("no_echo_m");
+  }
+
+  private static List<Double> counted(Path one, double noEchoM)
+      throws IOException, FormatException {
+    Csv csv = Csv.read(one.resolve("sealed.csv"));
+    int range = csv.column("range_m");
+    List<Double> counted = new ArrayList<>();
+    for (int row = 0; row < csv.size(); row++) {
+      counted.add(csv.text(row, range).isBlank() ? noEchoM : csv.number(row, range));
+    }
+    return counted;
+  }
+
+  /**
+   * Checks every truth, sealed row and data set against the manifest that was written before.
+   *
+   * @return how many truths were checked
+   */
+  public int verify(Path manifestFile) throws IOException, FormatException {
+    JsonObject manifest = JsonObject.read(manifestFile);
+    Map<String, JsonObject> entries = new HashMap<>();
+    List<String> leaves = new ArrayList<>();
+    for (JsonObject entry : manifest.objects("cases")) {
+      entries.put(entry.text("case"), entry);
+      leaves.add(entry.text("commitment"));
+    }
+    same(manifestFile + ", root", manifest.text("root"), Seal.root(leaves));
+    Path open = manifestFile.toAbsolutePath().resolveSibling("cases");
+    for (Path one : folders()) {
+      JsonObject entry = entries.remove(one.getFileName().toString());
+      if (entry == null) {
+        throw new FormatException(one + ": not in " + manifestFile);
+      }
+      verify(one, entry, open.resolve(one.getFileName().toString()));
+    }
+    if (!entries.isEmpty()) {
+      throw new FormatException(folder + ": no truth for " + entries.keySet());
+    }
+    return leaves.size();
+  }
+
+  private static void verify(Path one, JsonObject entry, Path open)
+      throws IOException, FormatException {
+    byte[] truth = Files.readAllBytes(one.resolve("truth.json"));
+    byte[] salt = Seal.bytes(Files.readString(one.resolve("salt.txt")));
+    same(one + ", truth.json", entry.text("commitment"), Seal.commitment(salt, truth));
+    JsonObject json =
+        JsonObject.parse(one + "/truth.json", new String(truth, StandardCharsets.UTF_8));
+    same(one + ", sealed.csv", json.text("sealed_sha256"), hash(one.resolve("sealed.csv")));
+    same(one + ", oracle.csv", json.text("oracle_sha256"), hash(one.resolve("oracle.csv")));
+    Path rows = open.resolveSibling("../rows").resolve(open.getFileName()).resolve("rows.csv");
+    if (Files.exists(rows)) {
+      same(rows + "", entry.text("rows_sha256"), hash(rows));
+    }
+    JsonObject files = entry.object("files");
+    if (Files.isDirectory(open)) {
+      for (String name : files.fields().keySet()) {
+        same(open + ", " + name, files.text(name), hash(open.resolve(name)));
+      }
+    }
+  }
+
+  private static String hash(Path file) throws IOException {
+    return Seal.sha256(Files.readAllBytes(file));
+  }
+
+  private static void same(String what, String committed, String found) throws FormatException {
+    if (!committed.equals(found)) {
+      throw new FormatException(
+          what + ": hash " + found + ", but " + committed + " was committed to");
+    }
+  }
+
+  /** The true world's own answers: its names, and its forecasts where the tree holds them. */
+  public Map<String, Answer> oracle(List<Truth> truths) throws IOException, FormatException {
+    Map<String, Answer> answers = new HashMap<>();
+    for (Truth truth : truths) {
+      Path forecast = folder.resolve(truth.id()).resolve("oracle.csv");
+      List<Answer.Named> named =
+          truth.effects().stream()
+              .filter(e -> !truth.strange().contains(e))
+              .map(e -> new Answer.Named(e, 1, List.of()))
+              .toList();
+      answers.put(
+          truth.id(),
+          new Answer(
+              truth.verdict(),
+              named.stream().map(Answer.Named::name).toList(),
+              named,
+              truth.strange().isEmpty() ? 0 : 1,
+              Optional.empty(),
+              Optional.empty(),
+              Files.exists(forecast)
+                  ? Optional.of(Answers.forecast(forecast, truth.countedM().size()))
+                  : Optional.empty()));
+    }
+    return answers;
+  }
+}

@@ -1,0 +1,9 @@
+package simbad.blindworld.world;
+
+/**
+ * A point seen from above, in the world's frame or an obstacle's own.
+ *
+ * @param xM to the right, in metres
+ * @param zM down the page, in metres
+ */
+public record Point(double xM, double zM) {}

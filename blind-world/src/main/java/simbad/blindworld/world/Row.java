@@ -1,0 +1,11 @@
+package simbad.blindworld.world;
+
+/**
+ * One ping, as the bench or the odometry believes it.
+ *
+ * @param run one continuous recording
+ * @param sensor the transducer
+ * @param tS time within the run, in seconds
+ * @param pose the believed pose of the transducer
+ */
+public record Row(String run, String sensor, double tS, Pose pose) {}

@@ -1,0 +1,325 @@
+package simbad.blindworld;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import simbad.blindworld.file.Csv;
+import simbad.blindworld.file.JsonObject;
+
+/** Both programs from their command lines: what is made, that it tells nothing, that seals hold. */
+class BlindCheckTest {
+
+  private static final int CASES = 36;
+
+  /** Effects that few rows show, so that few draws are needed. */
+  private static final String EASY =
+      "absorption,beam-width,early-timeout,dead-zone,floor-echo,gain,sound-speed,range-offset,"
+          + "noise-side,range-band-loss";
+
+  private static Path folder = Path.of("");
+  private static Path world = Path.of("");
+
+  private record Done(int status, String out, String err) {}
+
+  private static Done run(String... arguments) {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    ByteArrayOutputStream err = new ByteArrayOutputStream();
+    int status =
+        Main.run(
+            arguments,
+            new PrintStream(out, true, StandardCharsets.UTF_8),
+            new PrintStream(err, true, StandardCharsets.UTF_8));
+    return new Done(
+        status, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
+  }
+
+  private static Done generate(Path to, int cases, String mix) {
+    return run(
+        "generate",
+        "--cases",
+        "" + cases,
+        "--seed",
+        "9",
+        "--out",
+        to.toString(),
+        "--rows",
+        "300-450",
+        "--repeats",
+        "40",
+        "--reference",
+        "0.25",
+        "--mix",
+        mix,
+        "--effects",
+        EASY);
+  }
+
+  @BeforeAll
+  static void makeAWorld(@TempDir Path temporary) {
+    folder = temporary;
+    world = folder.resolve("world");
+    Done done = generate(world, CASES, "none:1,single:1");
+    assertEquals(0, done.status, done.err);
+  }
+
+  private static List<Path> cases() throws IOException {
+    try (var paths = Files.list(world.resolve("cases"))) {
+      return paths.sorted().toList();
+    }
+  }
+
+  @Test
+  void halfOfTheMix_isEachKind_andAQuarterHasAReference() throws Exception {
+    int none = 0;
+    int references = 0;
+    for (Path one : cases()) {
+      JsonObject truth = truth(one);
+      none += truth.object("effects").fields().isEmpty() ? 1 : 0;
+      references += Files.exists(one.resolve("reference.csv")) ? 1 : 0;
+    }
+    assertEquals(CASES, cases().size());
+    assertEquals(CASES / 2, none);
+    assertEquals(CASES / 4, references);
+  }
+
+  private static JsonObject truth(Path one) throws Exception {
+    return JsonObject.read(world.resolve("truth").resolve(one.getFileName()).resolve("truth.json"));
+  }
+
+  @Test
+  void everyFile_looksTheSame() throws Exception {
+    for (Path one : cases()) {
+      assertTrue(one.getFileName().toString().matches("c[0-9a-f]{7}"), one.toString());
+      for (String name : List.of("readings.csv", "reference.csv")) {
+        if (Files.exists(one.resolve(name))) {
+          checkRows(one.resolve(name));
+        }
+      }
+      try (var files = Files.list(one)) {
+        for (Path file : files.toList()) {
+          assertEquals(
+              "2020-01-01T00:00:00Z", Files.getLastModifiedTime(file).toString(), file + "");
+        }
+      }
+    }
+  }
+
+  private static void checkRows(Path file) throws IOException {
+    List<String> lines = Files.readAllLines(file);
+    assertEquals("run,sensor,t_s,x_m,z_m,heading_deg,range_m", lines.get(0));
+    String row =
+        "[^,]+,[^,]+,\\d+\\.\\d{3},-?\\d+\\.\\d{4},-?\\d+\\.\\d{4},-?\\d+\\.\\d{3},(\\d+\\.\\d{4})?";
+    for (String line : lines.subList(1, lines.size())) {
+      assertTrue(line.matches(row), file + ": " + line);
+    }
+  }
+
+  /**
+   * The nearest case by any one outward number must not tell whether an effect is at work. By
+   * chance half of 36 are right, with a standard deviation of 3: beyond 28 one guess in 2,500 goes.
+   */
+  @Test
+  void outwardLooks_tellNothing() throws Exception {
+    List<double[]> looks = new ArrayList<>();
+    List<Boolean> effects = new ArrayList<>();
+    for (Path one : cases()) {
+      looks.add(
+          new double[] {
+            Files.size(one.resolve("readings.csv")),
+            Files.size(one.resolve("scene.json")),
+            Files.readAllLines(one.resolve("readings.csv")).size(),
+            Long.parseLong(one.getFileName().toString().substring(1), 16),
+            looks.size()
+          });
+      effects.add(!truth(one).object("effects").fields().isEmpty());
+    }
+    for (int look = 0; look < looks.get(0).length; look++) {
+      int right = 0;
+      for (int i = 0; i < CASES; i++) {
+        right += effects.get(i).equals(effects.get(nearest(looks, i, look))) ? 1 : 0;
+      }
+      assertTrue(right <= 28, "look " + look + " guesses " + right + " of " + CASES);
+    }
+  }
+
+  private static int nearest(List<double[]> looks, int i, int look) {
+    int best = -1;
+    for (int j = 0; j < looks.size(); j++) {
+      double apart = Math.abs(looks.get(i)[look] - looks.get(j)[look]);
+      boolean nearer = best < 0 || apart < Math.abs(looks.get(i)[look] - looks.get(best)[look]);
+      best = j != i && nearer ? j : best;
+    }
+    return best;
+  }
+
+  @Test
+  void sameSeed_givesTheSameBytes() throws Exception {
+    Path first = folder.resolve("first");
+    Path second = folder.resolve("second");
+    String mix = "none:1,single:2,pair:1,unknown:1";
+    assertEquals(0, generate(first, 5, mix).status);
+    assertEquals(0, generate(second, 5, mix).status);
+    assertEquals(contents(first), contents(second));
+    assertEquals(1, generate(second, 5, mix).status, "a folder with something in it");
+  }
+
+  private static Map<String, String> contents(Path root) throws IOException {
+    Map<String, String> contents = new TreeMap<>();
+    try (var paths = Files.walk(root)) {
+      for (Path file : paths.filter(Files::isRegularFile).toList()) {
+        contents.put(root.relativize(file).toString(), Files.readString(file));
+      }
+    }
+    return contents;
+  }
+
+  @Test
+  void rowsToPredict_areTheSealedOnesWithoutReadings() throws Exception {
+    Path one = cases().get(0).getFileName();
+    Csv rows = Csv.read(world.resolve("rows").resolve(one).resolve("rows.csv"));
+    Csv sealed = Csv.read(world.resolve("truth").resolve(one).resolve("sealed.csv"));
+    assertEquals(sealed.header().subList(0, 6), rows.header());
+    assertEquals(sealed.size(), rows.size());
+    assertEquals(sealed.text(5, 4), rows.text(5, 4));
+  }
+
+  @Test
+  void baselineIsScoredBesideTheOracle_andSealsHold() throws Exception {
+    Path answers = folder.resolve("answers");
+    Path scores = folder.resolve("scores.json");
+    String truth = world.resolve("truth").toString();
+    Done made =
+        run(
+            "baseline",
+            "--cases",
+            world.resolve("cases").toString(),
+            "--rows",
+            world.resolve("rows").toString(),
+            "--out",
+            answers.toString());
+    assertEquals(0, made.status, made.err);
+    Done scored =
+        run(
+            "score",
+            "--truth",
+            truth,
+            "--answers",
+            answers.toString(),
+            "--baseline",
+            answers.toString(),
+            "--manifest",
+            world.resolve("manifest.json").toString(),
+            "--out",
+            scores.toString());
+    assertEquals(0, scored.status, scored.err);
+    assertTrue(scored.out.contains("36 verified against manifest.json"), scored.out);
+    assertTrue(scored.out.contains("set-up off, with reference (L2)"), scored.out);
+    JsonObject all = JsonObject.read(scores).object("scores").object("all cases (L1 and L2)");
+    assertEquals(36, all.object("diagnosis").number("cases"));
+    JsonObject oracle = all.object("oracle");
+    assertEquals(1, oracle.object("share_of_oracle_removal").number("median"), 1e-6);
+    assertEquals(1, oracle.object("shares").object("all verdicts right").number("share"));
+    checkWithheld(truth, answers);
+    checkTampering(answers);
+  }
+
+  private static void checkWithheld(String truth, Path answers) {
+    Done scored =
+        run("score", "--truth", truth, "--answers", answers.toString(), "--withheld", "gain");
+    assertEquals(0, scored.status, scored.err);
+    assertTrue(scored.out.contains("(gain)"), scored.out);
+    assertEquals(
+        2,
+        run("score", "--truth", truth, "--answers", answers.toString(), "--withheld", "x").status);
+  }
+
+  /** Each of the sealed files, changed by one byte, must be found out. */
+  private static void checkTampering(Path answers) throws Exception {
+    Path one = world.resolve("truth").resolve(cases().get(0).getFileName());
+    Path open = cases().get(0);
+    for (Path file :
+        List.of(
+            one.resolve("truth.json"),
+            one.resolve("sealed.csv"),
+            one.resolve("oracle.csv"),
+            open.resolve("readings.csv"))) {
+      FileTime time = Files.getLastModifiedTime(file);
+      byte[] before = Files.readAllBytes(file);
+      byte[] after = Arrays.copyOf(before, before.length);
+      after[before.length - 2] ^= 1;
+      Files.write(file, after);
+      Done scored =
+          run(
+              "score",
+              "--truth",
+              world.resolve("truth").toString(),
+              "--answers",
+              answers.toString(),
+              "--manifest",
+              world.resolve("manifest.json").toString());
+      Files.setLastModifiedTime(Files.write(file, before), time);
+      assertEquals(2, scored.status, file.toString());
+      assertTrue(scored.err.contains("was committed to"), scored.err);
+      assertTrue(scored.out.isEmpty(), "nothing is scored");
+    }
+  }
+
+  @Test
+  void wrongUsage_isSaidInOneLine() {
+    check("blind-world: '': expected generate, baseline or score", new String[0]);
+    check("--out: missing", "generate");
+    check("--cases: '0', expected a number in [1.0, 100000.0]", "generate", "--cases", "0");
+    check("--seed: 'x', expected a whole number", "generate", "--seed", "x");
+    check("--mix: 'odd:1'", "generate", "--mix", "odd:1", "--out", "x");
+    check("--mix: 'none', expected kind:weight", "generate", "--mix", "none", "--out", "x");
+    check("expected a weight above 0", "generate", "--mix", "none:0", "--out", "x");
+    check("--effects: no such effect: magic", "generate", "--effects", "magic", "--out", "x");
+    check("--rows: '9'", "generate", "--rows", "9", "--out", "x");
+    check("--what: expected one of".replace("--what", "'--what'"), "generate", "--what", "9");
+    check("--cases: expected a value after it", "generate", "--cases");
+    check("no such folder", "score", "--answers", folder + "/nowhere", "--truth", "x");
+  }
+
+  private static void check(String message, String... arguments) {
+    Done done = run(arguments);
+    assertEquals(2, done.status, done.err);
+    assertTrue(done.err.contains(message), done.err);
+    assertEquals(1, done.err.lines().count());
+  }
+
+  /** No arrow to any room: what is checked must not share code with what checks it. */
+  @Test
+  void noSource_namesAnotherRoom() throws IOException {
+    List<Path> sources;
+    try (var paths = Files.walk(Path.of("src/main/java"))) {
+      sources = paths.filter(p -> p.toString().endsWith(".java")).toList();
+    }
+    assertTrue(sources.size() > 40);
+    for (Path source : sources) {
+      for (String line : Files.readAllLines(source)) {
+        assertFalse(
+            line.matches(".*\\bsimbad\\.(?!blindworld\\b)[a-z]+\\..*"), source + ": " + line);
+        assertFalse(
+            line.startsWith("import ")
+                && !line.matches("import (static )?(simbad\\.blindworld|java|org\\.jspecify)\\..*"),
+            source + ": " + line);
+      }
+    }
+  }
+}

@@ -1,0 +1,131 @@
+package simbad.blindworld.effect;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import simbad.blindworld.design.Design;
+import simbad.blindworld.design.Scenes;
+import simbad.blindworld.world.Obstacle;
+import simbad.blindworld.world.Recording;
+import simbad.blindworld.world.Scene;
+import simbad.blindworld.world.Setup;
+import simbad.blindworld.world.World;
+
+/** Every form of every effect: at size 0 it changes no reading, at a practical size it does. */
+class EveryFormTest {
+
+  private static final int ROWS = 2000;
+  private static final long SEED = 77;
+  private static final double PLAIN_SHARE = 0.004;
+
+  private static Scene scene = drawScene();
+  private static Recording recording = new Recording(List.of());
+
+  /**
+   * A robot with several sonars before a uniform obstacle and one with a table, and echoes enough.
+   */
+  @BeforeAll
+  static void findARecording() {
+    for (int seed = 0; seed < 500; seed++) {
+      SplittableRandom random = new SplittableRandom(seed);
+      Design design = Design.draw("run", random);
+      recording = design.record(scene, ROWS, random);
+      Circumstances c = circumstances(1, 1);
+      if (c.severalSensors()
+          && c.echoShare() > 0.15
+          && recording.longestS() > 15
+          && hearsTwoAtOnce()) {
+        return;
+      }
+    }
+    throw new IllegalStateException("no recording fits");
+  }
+
+  private static boolean hearsTwoAtOnce() {
+    Effect second = Vocabulary.draw("second-echo", circumstances(1, 1));
+    return !Arrays.equals(read(List.of()), read(List.of(second)));
+  }
+
+  private static Scene drawScene() {
+    for (int seed = 0; ; seed++) {
+      Scene drawn = Scenes.draw(new SplittableRandom(seed), 0.1);
+      List<Obstacle> obstacles = drawn.obstacles();
+      boolean mixed =
+          obstacles.size() > 1
+              && obstacles.stream().anyMatch(o -> o.shadow().isUniform())
+              && obstacles.stream().anyMatch(o -> !o.shadow().isUniform());
+      if (mixed) {
+        return drawn;
+      }
+    }
+  }
+
+  private static Circumstances circumstances(long seed, double strength) {
+    return new Circumstances(scene, recording, true, new SplittableRandom(seed), strength);
+  }
+
+  static Stream<List<String>> forms() {
+    List<String> names = new ArrayList<>(Vocabulary.names());
+    names.addAll(Vocabulary.outside());
+    return names.stream()
+        .flatMap(name -> Vocabulary.forms(name).stream().map(label -> List.of(name, label)));
+  }
+
+  private static double[] read(List<Effect> effects) {
+    return new World(
+            scene, Setup.nominal(scene.sensor()), effects.stream().map(Effect::change).toList())
+        .at(recording)
+        .read(SEED);
+  }
+
+  @ParameterizedTest
+  @MethodSource("forms")
+  void atSizeZero_everyReadingIsAsWithout(List<String> form) {
+    Effect effect = Vocabulary.draw(form.get(0), form.get(1), circumstances(3, 0));
+    assertArrayEquals(read(List.of()), read(List.of(effect)), 1e-9);
+  }
+
+  @ParameterizedTest
+  @MethodSource("forms")
+  void atAPracticalSize_readingsDiffer(List<String> form) {
+    double[] plain = read(List.of());
+    double most = 0;
+    // A place or a direction drawn by chance may leave a drive alone: the best of a few draws.
+    for (int seed = 0; seed < 12 && most <= PLAIN_SHARE; seed++) {
+      Effect effect = Vocabulary.draw(form.get(0), form.get(1), circumstances(seed, 1.5));
+      double[] changed = read(List.of(effect));
+      int differ = 0;
+      for (int i = 0; i < plain.length; i++) {
+        differ += plain[i] == changed[i] ? 0 : 1;
+      }
+      most = Math.max(most, (double) differ / plain.length);
+    }
+    assertTrue(most > PLAIN_SHARE, form + ": " + most + " of the readings differ");
+  }
+
+  @Test
+  void vocabulary_isTheFormats() {
+    assertEquals(26, Vocabulary.names().size());
+    assertTrue(Vocabulary.outside().size() >= 12, Vocabulary.outside().toString());
+    for (String name : Vocabulary.names()) {
+      assertTrue(Vocabulary.forms(name).size() >= 2, name + " comes in one form only");
+    }
+  }
+
+  @Test
+  void fairPairs_actAtDifferentStages() {
+    assertTrue(Vocabulary.isFairPair("gain", "latency"));
+    assertTrue(!Vocabulary.isFairPair("gain", "absorption"));
+    assertTrue(!Vocabulary.isFairPair("gain-swing", "gain"));
+  }
+}

@@ -1,0 +1,59 @@
+package simbad.experiments.cli;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import simbad.demo.Demo;
+import simbad.demo.DemoManager;
+
+/** A demo as named on the command line. */
+final class DemoArgument {
+  private static final String SUFFIX = "demo";
+  private static final int SUGGESTIONS = 3;
+
+  private DemoArgument() {}
+
+  /** Makes a demo; small letters and a name without Demo will do. */
+  static Optional<Demo> find(String argument) {
+    return DemoManager.names().stream()
+        .filter(name -> plain(name).equals(plain(argument)))
+        .findFirst()
+        .flatMap(DemoManager::find);
+  }
+
+  /** What to say of a name that is none: those that are nearest to it. */
+  static String unknown(String argument) {
+    List<String> names = DemoManager.names();
+    String nearest =
+        names.stream()
+            .sorted(Comparator.comparingInt(name -> changes(plain(name), plain(argument))))
+            .limit(SUGGESTIONS)
+            .collect(Collectors.joining(", "));
+    return "NAME '" + argument + "' is no demo, did you mean " + nearest + "? --list shows all";
+  }
+
+  private static String plain(String name) {
+    String lower = name.toLowerCase(Locale.ROOT);
+    return lower.endsWith(SUFFIX) ? lower.substring(0, lower.length() - SUFFIX.length()) : lower;
+  }
+
+  /** Letters to add, drop or replace that turn one word into another (Levenshtein, 1966). */
+  private static int changes(String one, String other) {
+    int[] row = new int[other.length() + 1];
+    for (int j = 0; j <= other.length(); j++) {
+      row[j] = j;
+    }
+    for (int i = 1; i <= one.length(); i++) {
+      int diagonal = row[0];
+      row[0] = i;
+      for (int j = 1; j <= other.length(); j++) {
+        int replaced = diagonal + (one.charAt(i - 1) == other.charAt(j - 1) ? 0 : 1);
+        diagonal = row[j];
+        row[j] = Math.min(replaced, 1 + Math.min(row[j], row[j - 1]));
+      }
+    }
+    return row[other.length()];
+  }
+}

@@ -1,0 +1,49 @@
+package simbad.experiments.demo;
+
+import java.util.SplittableRandom;
+import javax.vecmath.Vector3d;
+import simbad.demo.Demo;
+import simbad.experiments.control.Controller;
+import simbad.experiments.control.EdgeFollower;
+import simbad.experiments.control.Tuning;
+import simbad.experiments.run.FollowerRobot;
+import simbad.experiments.run.SensorKind;
+import simbad.experiments.run.Start;
+import simbad.obstacles.Catalogue;
+import simbad.obstacles.ObstacleType;
+import simbad.obstacles.SonarBelt;
+import simbad.obstacles.SonarObstacle;
+import simbad.sim.World;
+import simbad.sonar.model.DetectionRule;
+import simbad.sonar.scene.SonarSpec;
+
+/** A robot follows the edge of a detection shadow, ten times as fast as in the experiment. */
+abstract class EdgeDemo extends Demo {
+  private static final double SPEED_M_PER_S = 0.1;
+  private static final double STEP_S = 0.05;
+  private static final long SEED = 1;
+
+  final FollowerRobot robot;
+  final ObstacleType type;
+
+  EdgeDemo(SonarObstacle obstacle) {
+    setWorldSize(8);
+    worldViewPoint = World.VIEW_FROM_TOP;
+    type = obstacle.type();
+    add(obstacle);
+    robot = robot(type);
+    add(robot);
+  }
+
+  private static FollowerRobot robot(ObstacleType type) {
+    SonarSpec sonar = Catalogue.srf04();
+    SonarBelt belt =
+        new SonarBelt(SensorKind.SONARS, sonar, DetectionRule.SHADOW, new SplittableRandom(SEED));
+    Controller controller = new EdgeFollower(Tuning.standard(SPEED_M_PER_S, STEP_S));
+    return new FollowerRobot(Start.standard(type, sonar), belt, sonar.mountHeightM(), controller);
+  }
+
+  static Vector3d middle() {
+    return new Vector3d();
+  }
+}

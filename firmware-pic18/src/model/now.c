@@ -1,0 +1,3 @@
+#include "model/now.h"
+
+uint16_t now_ms;

@@ -1,0 +1,77 @@
+package simbad.gap.place;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.IntPredicate;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import org.hipparchus.special.Erf;
+import simbad.gap.explain.Blocks;
+
+/** Tests slices on pings that they were not found on. */
+final class Confirmation {
+  private Confirmation() {}
+
+  /**
+   * Computes the probability of as large an excess where there is none.
+   *
+   * <p>The mean is set against the scatter of the pings about 0, widened by how much more the sums
+   * over blocks scatter than those of independent pings would.
+   *
+   * @param excess of each ping, of mean 0 where there is none
+   * @param blocks that belong together
+   * @param holds tells which pings are in the slice
+   * @return 1 where no ping is
+   */
+  static double chance(double[] excess, Blocks blocks, IntPredicate holds) {
+    double[] sum = new double[blocks.count()];
+    double[] squares = new double[blocks.count()];
+    for (int ping = 0; ping < excess.length; ping++) {
+      if (holds.test(ping)) {
+        sum[blocks.of(ping)] += excess[ping];
+        squares[blocks.of(ping)] += excess[ping] * excess[ping];
+      }
+    }
+    double scatter = DoubleStream.of(squares).sum();
+    if (!(scatter > 0)) {
+      return 1;
+    }
+    double total = DoubleStream.of(sum).sum();
+    double clumping = clumping(sum, squares, total, scatter);
+    return Erf.erfc(total / Math.sqrt(2 * scatter * clumping)) / 2;
+  }
+
+  /** A block is expected to hold as much of the total as of the scatter: where much is at stake. */
+  private static double clumping(double[] sum, double[] squares, double total, double scatter) {
+    double between = 0;
+    int used = 0;
+    for (int block = 0; block < sum.length; block++) {
+      if (squares[block] > 0) {
+        double off = sum[block] - total * squares[block] / scatter;
+        between += off * off;
+        used++;
+      }
+    }
+    return used > 1 ? Math.max(1, between / scatter * used / (used - 1)) : 1;
+  }
+
+  /**
+   * Corrects for the number of tests by the procedure of Benjamini and Hochberg (1995).
+   *
+   * @param chance of each test
+   * @return the least false discovery rate at which each is discovered, in the same order
+   */
+  static double[] falseDiscoveryRates(List<Double> chance) {
+    List<Integer> order = new ArrayList<>(IntStream.range(0, chance.size()).boxed().toList());
+    order.sort(Comparator.comparingDouble(chance::get));
+    double[] rate = new double[chance.size()];
+    double least = 1;
+    for (int rank = order.size(); rank >= 1; rank--) {
+      int test = order.get(rank - 1);
+      least = Math.min(least, chance.get(test) * order.size() / rank);
+      rate[test] = least;
+    }
+    return rate;
+  }
+}

@@ -1,0 +1,186 @@
+package simbad.gap.place;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import simbad.gap.diagnosis.GapKind;
+import simbad.gap.diagnosis.Place;
+import simbad.gap.explain.Blocks;
+import simbad.gap.explain.GapMeter;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Fold;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.DiagnosedModel;
+import simbad.sonar.effect.Geometry;
+import simbad.sonar.model.ReadingDistribution;
+
+/**
+ * Finds the places of a gap: the fewest slices of a log that hold what the nominal model's gap is
+ * larger than it would be if that model were right. They are found on one half of the blocks, and
+ * what is said of them is measured on the other.
+ */
+public final class Places {
+  private static final int MOST = 8;
+  private static final double FALSE_DISCOVERY_RATE = 0.1;
+
+  /** A place with less of the excess is not worth a reader's time. */
+  private static final double LEAST_SHARE = 0.02;
+
+  /** As a share of what the gap would be: more rows make less significant, but not of any size. */
+  private static final double LEAST_EXCESS = 0.05;
+
+  private final GapMeter.Gaps before;
+  private final GapMeter.Gaps after;
+  private final Blocks blocks;
+  private final Fold found;
+  private final Fold confirmed;
+  private final double[] excess;
+  private final boolean[] covered;
+  private final List<Candidate> looked = new ArrayList<>();
+
+  private Places(GapMeter.Gaps before, GapMeter.Gaps after, Blocks blocks) {
+    this.before = before;
+    this.after = after;
+    this.blocks = blocks;
+    found = blocks.half(0);
+    confirmed = blocks.half(1);
+    excess = new double[before.observedM().length];
+    covered = new boolean[excess.length];
+    for (int i = 0; i < excess.length; i++) {
+      excess[i] = before.observedM()[i] - before.expectedM()[i];
+    }
+  }
+
+  /**
+   * A slice that was looked at in the confirming half.
+   *
+   * @param slice itself
+   * @param chance of as large an excess where there is none
+   * @param chosen whether it is part of the description
+   */
+  private record Candidate(Slice slice, double chance, boolean chosen) {}
+
+  /**
+   * Finds the places.
+   *
+   * @param evidence the log
+   * @param before gaps under the nominal model
+   * @param after gaps under the diagnosed model
+   * @param blocks of the log
+   * @return at most 8, the largest share of the gap first; none where nothing is significant
+   */
+  public static List<Place> find(
+      Evidence evidence, GapMeter.Gaps before, GapMeter.Gaps after, Blocks blocks) {
+    if (evidence.log().size() == 0) {
+      return List.of();
+    }
+    DiagnosedModel nominal = evidence.model(Hypothesis.NONE);
+    Geometry geometry = evidence.geometry(nominal);
+    Places places = new Places(before, after, blocks);
+    places.cover(Cuts.of(geometry));
+    return places.told(evidence, nominal.forecast(geometry));
+  }
+
+  /** Greedily: the best slice of what no earlier one covers. */
+  private void cover(List<Scan.Cut> cuts) {
+    for (int round = 0; round < MOST; round++) {
+      Scan scan = new Scan(excess, ping -> found.holds(ping) && !covered[ping]);
+      List<Scan.Found> best =
+          cuts.stream()
+              .map(scan::best)
+              .flatMap(Optional::stream)
+              .filter(each -> mostlyOpen(each.slice()))
+              .toList();
+      Optional<Scan.Found> chosen =
+          best.stream().reduce((one, other) -> other.merit() > one.merit() ? other : one);
+      best.forEach(each -> looked.add(candidate(each, each.equals(chosen.orElseThrow()))));
+      if (chosen.isEmpty() || open(chosen.get().slice(), found) < LEAST_SHARE * gap(found)) {
+        return;
+      }
+      Slice slice = chosen.get().slice();
+      IntStream.range(0, covered.length).filter(slice::holds).forEach(ping -> covered[ping] = true);
+    }
+  }
+
+  /** A place that is mostly in others says little of its own. */
+  private boolean mostlyOpen(Slice slice) {
+    int open = 0;
+    int rows = 0;
+    for (int ping = 0; ping < covered.length; ping++) {
+      if (found.holds(ping) && slice.holds(ping)) {
+        rows++;
+        open += covered[ping] ? 0 : 1;
+      }
+    }
+    return 2 * open > rows;
+  }
+
+  private double open(Slice slice, Fold half) {
+    return IntStream.range(0, excess.length)
+        .filter(ping -> half.holds(ping) && !covered[ping] && slice.holds(ping))
+        .mapToDouble(ping -> excess[ping])
+        .sum();
+  }
+
+  private Candidate candidate(Scan.Found each, boolean chosen) {
+    Slice slice = each.slice();
+    double chance =
+        Confirmation.chance(
+            excess, blocks, ping -> confirmed.holds(ping) && !covered[ping] && slice.holds(ping));
+    return new Candidate(slice, chance, chosen);
+  }
+
+  private List<Place> told(Evidence evidence, List<ReadingDistribution> forecast) {
+    double[] rate =
+        Confirmation.falseDiscoveryRates(looked.stream().map(Candidate::chance).toList());
+    List<Place> places = new ArrayList<>();
+    for (int i = 0; i < rate.length; i++) {
+      Slice slice = looked.get(i).slice();
+      if (looked.get(i).chosen() && rate[i] <= FALSE_DISCOVERY_RATE && matters(slice)) {
+        GapKind kind = new Kinds(evidence.log(), forecast, excess).of(rows(slice));
+        places.add(place(slice, kind, rate[i]));
+      }
+    }
+    places.sort(Comparator.comparingDouble(Place::shareOfGap).reversed());
+    return places;
+  }
+
+  private int[] rows(Slice slice) {
+    return IntStream.range(0, excess.length)
+        .filter(ping -> confirmed.holds(ping) && slice.holds(ping))
+        .toArray();
+  }
+
+  private boolean matters(Slice slice) {
+    int[] rows = rows(slice);
+    double here = sum(excess, rows);
+    return here > LEAST_EXCESS * sum(before.expectedM(), rows)
+        && here > LEAST_SHARE * gap(confirmed);
+  }
+
+  private double gap(Fold half) {
+    return IntStream.range(0, excess.length)
+        .filter(half::holds)
+        .mapToDouble(ping -> before.observedM()[ping])
+        .sum();
+  }
+
+  private Place place(Slice slice, GapKind kind, double qValue) {
+    int[] rows = rows(slice);
+    double here = sum(before.observedM(), rows);
+    return new Place(
+        slice.conditions(),
+        rows.length,
+        here / gap(confirmed),
+        100 * here / rows.length,
+        100 * sum(after.observedM(), rows) / rows.length,
+        kind,
+        qValue);
+  }
+
+  private static double sum(double[] values, int[] rows) {
+    return IntStream.of(rows).mapToDouble(ping -> values[ping]).sum();
+  }
+}

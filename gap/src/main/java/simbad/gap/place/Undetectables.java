@@ -1,0 +1,75 @@
+package simbad.gap.place;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import simbad.gap.diagnosis.Undetectable;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Fitter;
+import simbad.gap.fit.Fold;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.Effect;
+
+/**
+ * Tells which effects a log could not have shown: those that could be at work at a size that
+ * matters in practice, beside what is explained, and leave the readings as probable as they are.
+ */
+public final class Undetectables {
+  private final Evidence evidence;
+  private final Hypothesis explained;
+  private final double nats;
+
+  private Undetectables(Evidence evidence, Hypothesis explained, double nats) {
+    this.evidence = evidence;
+    this.explained = explained;
+    this.nats = nats;
+  }
+
+  /**
+   * Looks at every effect that is not explained.
+   *
+   * @param evidence the log
+   * @param explained what is at work
+   * @param nats by which the log likelihood of the readings falls where an effect shows
+   * @return in the order of the vocabulary; a least size is a departure from neutral, of a
+   *     parameter that is infinite there its value
+   */
+  public static List<Undetectable> of(Evidence evidence, Hypothesis explained, double nats) {
+    Undetectables asked = new Undetectables(evidence, explained, nats);
+    return Arrays.stream(Effect.values())
+        .filter(effect -> !explained.has(effect))
+        .toList()
+        .parallelStream()
+        .map(asked::look)
+        .flatMap(Optional::stream)
+        .toList();
+  }
+
+  private Optional<Undetectable> look(Effect effect) {
+    List<Probe> probes = Probes.of(effect, evidence.setup(), evidence.log());
+    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    double asItIs = fitter.logLikelihood(explained);
+    Probe.Fall fall =
+        added ->
+            asItIs - fitter.logLikelihood(explained.and(added.forms().get(0), added.valuesOf(0)));
+    if (probes.isEmpty() || probes.stream().anyMatch(probe -> probe.showsInPractice(fall, nats))) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        probes.stream()
+            .map(probe -> told(effect, probe, probe.leastSize(fall, nats)))
+            .reduce(Undetectables::plainer)
+            .orElseThrow());
+  }
+
+  private static Undetectable told(Effect effect, Probe probe, OptionalDouble leastSize) {
+    return new Undetectable(effect, probe.parameter().name(), leastSize);
+  }
+
+  /** Of two parameters of one form, in one unit, the one that shows at the lesser size. */
+  private static Undetectable plainer(Undetectable one, Undetectable other) {
+    double size = one.leastSize().orElse(Double.POSITIVE_INFINITY);
+    return other.leastSize().orElse(Double.POSITIVE_INFINITY) < size ? other : one;
+  }
+}

@@ -1,0 +1,110 @@
+package simbad.gap;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import simbad.gap.diagnosis.DataSet;
+import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.EffectFinding;
+import simbad.gap.diagnosis.Verdict;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.ReadingsFile;
+import simbad.sonar.format.SceneFile;
+import simbad.sonar.sensing.ReadingRow;
+
+/** Data sets whose truth is known: src/test/resources/practice/README.md. */
+class DiagnoserTest {
+  private static DataSet practice(String id) throws URISyntaxException, DataFormatException {
+    Path folder =
+        Path.of(Objects.requireNonNull(DiagnoserTest.class.getResource("/practice/" + id)).toURI());
+    Path reference = folder.resolve("reference.csv");
+    return new DataSet(
+        id,
+        SceneFile.read(folder.resolve("scene.json")),
+        ReadingsFile.read(folder.resolve("readings.csv")),
+        Files.exists(reference) ? ReadingsFile.read(reference) : List.of());
+  }
+
+  private static Diagnosis diagnosed(String id, Effect... withheld) throws Exception {
+    return new Diagnoser(1, Set.of(withheld)).diagnose(practice(id));
+  }
+
+  private static double fitted(Diagnosis diagnosis, Effect effect) {
+    return finding(diagnosis, effect).parameters().get(0).value();
+  }
+
+  private static EffectFinding finding(Diagnosis diagnosis, Effect effect) {
+    return diagnosis.effects().stream()
+        .filter(finding -> finding.effect() == effect)
+        .findFirst()
+        .orElseThrow();
+  }
+
+  @Test
+  void saysNoneWhereNothingWasPutIn() throws Exception {
+    Diagnosis diagnosis = diagnosed("p005");
+    assertEquals(Verdict.NONE, diagnosis.verdict());
+    assertEquals(List.of(), diagnosis.explanation());
+    assertEquals(0, diagnosis.gap().shrink(), 1e-9);
+  }
+
+  @Test
+  void namesOneEffectAndItsSize() throws Exception {
+    Diagnosis diagnosis = diagnosed("p010");
+    assertEquals(Verdict.EXPLAINED, diagnosis.verdict());
+    assertEquals(List.of(Effect.SOUND_SPEED), diagnosis.explanation());
+    assertEquals(353.671, fitted(diagnosis, Effect.SOUND_SPEED), 0.5);
+    assertEquals(Effect.values().length, diagnosis.effects().size());
+    assertTrue(diagnosis.gap().shrink() > 0.3, () -> "shrink " + diagnosis.gap());
+    assertTrue(diagnosis.gap().shrinkCi95().low() > 0, () -> "interval " + diagnosis.gap());
+  }
+
+  @Test
+  void namesTwoEffectsAtOnce() throws Exception {
+    Diagnosis diagnosis = diagnosed("p012");
+    assertEquals(Verdict.EXPLAINED, diagnosis.verdict());
+    assertEquals(
+        Set.of(Effect.BEAM_WIDTH, Effect.SOUND_SPEED), new TreeSet<>(diagnosis.explanation()));
+    assertEquals(3.024, fitted(diagnosis, Effect.BEAM_WIDTH), 0.4);
+  }
+
+  @Test
+  void calibratesOnTheReference() throws Exception {
+    Diagnosis diagnosis = diagnosed("q004");
+    assertEquals(Verdict.EXPLAINED, diagnosis.verdict());
+    assertEquals(List.of(Effect.BEAM_WIDTH), diagnosis.explanation());
+    assertFalse(diagnosis.calibration().forms().isEmpty());
+  }
+
+  @Test
+  void doesNotExplainWhatItsVocabularyLacks() throws Exception {
+    Diagnosis diagnosis =
+        diagnosed("p012", Effect.SOUND_SPEED, Effect.RANGE_OFFSET, Effect.MULTIPATH);
+    assertFalse(diagnosis.explanation().contains(Effect.SOUND_SPEED));
+    assertEquals(Verdict.UNEXPLAINED, diagnosis.verdict());
+  }
+
+  @Test
+  void saysTheSameTwice() throws Exception {
+    assertEquals(diagnosed("p010").fitted(), diagnosed("p010").fitted());
+  }
+
+  @Test
+  void saysNoneOfTooFewRows() throws Exception {
+    DataSet all = practice("p010");
+    List<ReadingRow> one = all.readings().subList(0, 1);
+    Diagnosis diagnosis =
+        new Diagnoser(1, Set.of()).diagnose(new DataSet("one", all.setup(), one, List.of()));
+    assertEquals(Verdict.NONE, diagnosis.verdict());
+  }
+}

@@ -1,0 +1,147 @@
+package simbad.gap.place;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import simbad.gap.diagnosis.GapKind;
+import simbad.gap.diagnosis.Interval;
+import simbad.gap.diagnosis.Place;
+import simbad.gap.explain.Blocks;
+import simbad.gap.explain.GapMeter;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.sensing.Echo;
+import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.Reading;
+import simbad.sonar.sensing.ReadingRow;
+
+class PlacesTest {
+  private static final Placing POST = new Placing();
+
+  private static List<ReadingRow> nominal(long seed) {
+    return Worlds.read(Worlds.poses(1500, 0.3, 2.2, seed), Hypothesis.NONE, seed + 1);
+  }
+
+  private static List<Place> places(List<ReadingRow> rows, Hypothesis diagnosed) {
+    Evidence evidence = Worlds.evidence(rows);
+    GapMeter meter = new GapMeter(evidence);
+    return Places.find(
+        evidence,
+        meter.measure(evidence, Hypothesis.NONE),
+        meter.measure(evidence, diagnosed),
+        new Blocks(evidence.log()));
+  }
+
+  private static List<ReadingRow> planted(
+      List<ReadingRow> rows, Predicate<ReadingRow> where, Reading reading) {
+    List<ReadingRow> changed = new ArrayList<>();
+    for (ReadingRow row : rows) {
+      changed.add(
+          where.test(row)
+              ? new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), reading)
+              : row);
+    }
+    return changed;
+  }
+
+  /** Rows in both over rows in either. */
+  private static double overlap(
+      List<ReadingRow> rows, Predicate<ReadingRow> one, Predicate<ReadingRow> other) {
+    long both = rows.stream().filter(one.and(other)).count();
+    return (double) both / rows.stream().filter(one.or(other)).count();
+  }
+
+  /** What a reader of the diagnosis computes of a row of this scene. */
+  private static final class Placing {
+    double bearingDeg(ReadingRow row) {
+      double deg =
+          Math.toDegrees(Math.atan2(row.pose().position().xM(), row.pose().position().zM()));
+      return deg < 0 ? deg + 360 : deg;
+    }
+
+    double distanceM(ReadingRow row) {
+      return Math.hypot(row.pose().position().xM(), row.pose().position().zM());
+    }
+
+    Predicate<ReadingRow> in(Place place) {
+      Map<String, Interval> by =
+          place.conditions().stream()
+              .filter(condition -> condition.interval().isPresent())
+              .collect(
+                  Collectors.toMap(
+                      Place.Condition::variable, condition -> condition.interval().orElseThrow()));
+      return row ->
+          holds(by.get("bearing_deg"), bearingDeg(row))
+              && holds(by.get("distance_m"), distanceM(row))
+              && holds(by.get("t_s"), row.timeS());
+    }
+
+    private static boolean holds(
+        @org.jspecify.annotations.Nullable Interval interval, double value) {
+      return interval == null || (value >= interval.low() && value < interval.high());
+    }
+  }
+
+  @Test
+  void region_whereEchoesAreMissed_isFound() {
+    Predicate<ReadingRow> region =
+        row ->
+            POST.bearingDeg(row) >= 60
+                && POST.bearingDeg(row) < 130
+                && POST.distanceM(row) >= 0.5
+                && POST.distanceM(row) < 1.1;
+    List<ReadingRow> rows = planted(nominal(1), region, NoEcho.NO_ECHO);
+    List<Place> places = places(rows, Hypothesis.NONE);
+    Place first = places.get(0);
+    assertTrue(overlap(rows, region, POST.in(first)) > 0.7, places::toString);
+    assertEquals(GapKind.MISSED_ECHO, first.kind());
+    assertTrue(first.qValue() < 1e-4, first::toString);
+    assertTrue(first.shareOfGap() > 0.5 && first.shareOfGap() <= 1, first::toString);
+  }
+
+  @Test
+  void time_inWhichSomethingElseAnswers_isFound() {
+    Predicate<ReadingRow> region =
+        row -> row.timeS() >= 15 && row.timeS() < 60 && POST.distanceM(row) > 1.7;
+    List<ReadingRow> rows = planted(nominal(3), region, new Echo(0.8));
+    Place first = places(rows, Hypothesis.NONE).get(0);
+    assertTrue(overlap(rows, region, POST.in(first)) > 0.7, first::toString);
+    assertEquals(GapKind.PHANTOM_ECHO, first.kind());
+  }
+
+  @Test
+  void rangesThatAreOff_areARangeError_andTheEffectHealsThem() {
+    Hypothesis offset = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.1);
+    List<ReadingRow> rows = Worlds.read(Worlds.poses(1500, 0.3, 2.2, 5), offset, 6);
+    Place first = places(rows, offset).get(0);
+    Predicate<ReadingRow> audible = row -> POST.distanceM(row) < 1.5;
+    assertTrue(overlap(rows, audible, POST.in(first)) > 0.7, first::toString);
+    assertEquals(GapKind.RANGE_ERROR, first.kind());
+    assertTrue(first.afterCm() < 0.5 * first.beforeCm(), first::toString);
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {11, 13, 15, 17, 19, 21, 23, 25})
+  void nominalReadings_haveNoPlace(long seed) {
+    assertEquals(List.of(), places(nominal(seed), Hypothesis.NONE));
+  }
+
+  @Test
+  void noReadings_haveNoPlace() {
+    assertEquals(List.of(), places(List.of(), Hypothesis.NONE));
+  }
+
+  @Test
+  void oneReading_hasNoPlace() {
+    assertEquals(List.of(), places(nominal(1).subList(0, 1), Hypothesis.NONE));
+  }
+}

@@ -1,0 +1,139 @@
+package simbad.scene3d;
+
+import java.awt.GraphicsConfiguration;
+import java.awt.GraphicsEnvironment;
+import java.util.function.Consumer;
+import javax.media.j3d.BranchGroup;
+import javax.media.j3d.Canvas3D;
+import javax.media.j3d.GraphicsConfigTemplate3D;
+import javax.media.j3d.Locale;
+import javax.media.j3d.PhysicalBody;
+import javax.media.j3d.PhysicalEnvironment;
+import javax.media.j3d.RenderingError;
+import javax.media.j3d.RenderingErrorListener;
+import javax.media.j3d.TransformGroup;
+import javax.media.j3d.View;
+import javax.media.j3d.ViewPlatform;
+import javax.media.j3d.VirtualUniverse;
+
+/** A universe of Java 3D with one canvas and one eye. */
+final class CanvasUniverse {
+  private static final double NEAR_M = 0.02;
+
+  /** How far one can see, in sides of the world. */
+  private static final double FAR_SIDES = 20;
+
+  private static final double LEAST_FAR_M = 100;
+
+  private final VirtualUniverse universe = new VirtualUniverse();
+  private final Locale locale = new Locale(universe);
+  private final View view = new View();
+  private final TransformGroup eye = new TransformGroup();
+  private final Canvas3D canvas;
+  private final RenderingErrorListener errors = this::fail;
+  private volatile Consumer<String> failure = message -> {};
+
+  private CanvasUniverse(GraphicsConfiguration configuration) {
+    canvas = new SceneCanvas(configuration);
+  }
+
+  /**
+   * Opens a stage.
+   *
+   * @param sideM side of the world, metres
+   * @throws DisplayException if Java 3D cannot draw here
+   */
+  static CanvasUniverse open(double sideM) {
+    if (GraphicsEnvironment.isHeadless()) {
+      throw Missing.display();
+    }
+    try {
+      DrawingErrors.await();
+      CanvasUniverse stage = new CanvasUniverse(configuration());
+      stage.build(sideM);
+      return stage;
+    } catch (RuntimeException | LinkageError e) {
+      throw DrawingErrors.findLast().map(Missing::openGl).orElseGet(() -> Missing.of(e));
+    }
+  }
+
+  private static GraphicsConfiguration configuration() {
+    GraphicsConfigTemplate3D template = new GraphicsConfigTemplate3D();
+    template.setSceneAntialiasing(GraphicsConfigTemplate3D.PREFERRED);
+    GraphicsConfiguration best =
+        GraphicsEnvironment.getLocalGraphicsEnvironment()
+            .getDefaultScreenDevice()
+            .getBestConfiguration(template);
+    if (best == null) {
+      throw Missing.openGl("the screen offers no suitable configuration");
+    }
+    return best;
+  }
+
+  private void build(double sideM) {
+    view.setPhysicalBody(new PhysicalBody());
+    view.setPhysicalEnvironment(new PhysicalEnvironment());
+    view.setFrontClipPolicy(View.VIRTUAL_EYE);
+    view.setBackClipPolicy(View.VIRTUAL_EYE);
+    view.setFrontClipDistance(NEAR_M);
+    view.setBackClipDistance(Math.max(LEAST_FAR_M, FAR_SIDES * sideM));
+    view.setTransparencySortingPolicy(View.TRANSPARENCY_SORT_GEOMETRY);
+    view.setSceneAntialiasingEnable(true);
+    view.addCanvas3D(canvas);
+    ViewPlatform platform = new ViewPlatform();
+    eye.setCapability(TransformGroup.ALLOW_TRANSFORM_WRITE);
+    eye.setCapability(TransformGroup.ALLOW_TRANSFORM_READ);
+    eye.addChild(platform);
+    eye.addChild(Illumination.headlight());
+    view.attachViewPlatform(platform);
+    DrawingErrors.add(errors);
+    BranchGroup branch = new BranchGroup();
+    branch.setCapability(BranchGroup.ALLOW_DETACH);
+    branch.addChild(eye);
+    locale.addBranchGraph(branch);
+  }
+
+  private void fail(RenderingError error) {
+    failure.accept(Missing.openGl(error.getErrorMessage()).getMessage());
+  }
+
+  Canvas3D canvas() {
+    return canvas;
+  }
+
+  TransformGroup eye() {
+    return eye;
+  }
+
+  void add(BranchGroup branch) {
+    branch.setCapability(BranchGroup.ALLOW_DETACH);
+    locale.addBranchGraph(branch);
+  }
+
+  void whenFailed(Consumer<String> listener) {
+    failure = listener;
+  }
+
+  void start() {
+    view.startView();
+  }
+
+  void stop() {
+    view.stopView();
+  }
+
+  void drawOnce() {
+    if (!view.isViewRunning()) {
+      view.renderOnce();
+    }
+  }
+
+  void close() {
+    DrawingErrors.remove(errors);
+    view.stopView();
+    canvas.stopRenderer();
+    view.removeAllCanvas3Ds();
+    view.attachViewPlatform(null);
+    universe.removeAllLocales();
+  }
+}

@@ -1,0 +1,74 @@
+package simbad.sim;
+
+import javax.vecmath.Vector3d;
+
+/** Lets two agents that meet in a step exchange momentum, as elastic spheres do. */
+final class AgentImpact {
+  private final Vector3d between = new Vector3d();
+  private final Vector3d approach = new Vector3d();
+
+  /**
+   * Changes velocities and displacements of two agents if they meet in this step.
+   *
+   * @return true if they meet
+   */
+  boolean apply(SimpleAgent one, SimpleAgent other, double elapsedSecond) {
+    between.set(
+        other.placement().xM() - one.placement().xM(),
+        other.placement().yM() - one.placement().yM(),
+        other.placement().zM() - one.placement().zM());
+    approach.sub(other.instantTranslation, one.instantTranslation);
+    boolean massive = one.getMass() > 0 && other.getMass() > 0;
+    if (!massive || !reachContact((double) one.getRadius() + other.getRadius())) {
+      return false;
+    }
+    if (!one.isAboveGround() && !other.isAboveGround()) {
+      // The floor takes what would press a lower body down.
+      between.y = 0;
+    }
+    return between.lengthSquared() > 0 && exchange(one, other, elapsedSecond);
+  }
+
+  /**
+   * Moves {@link #between} to where the spheres first touch in this step; spheres that overlap
+   * touch at once.
+   *
+   * @return false if they do not touch or do not approach
+   */
+  private boolean reachContact(double reachM) {
+    double closing = between.dot(approach);
+    double gap = between.lengthSquared() - reachM * reachM;
+    if (closing >= 0 || between.lengthSquared() == 0) {
+      return false;
+    }
+    if (gap > 0) {
+      double way = approach.lengthSquared();
+      double root = closing * closing - way * gap;
+      double share = root < 0 ? Double.POSITIVE_INFINITY : (-closing - Math.sqrt(root)) / way;
+      if (share > 1) {
+        return false;
+      }
+      between.scaleAdd(share, approach, between);
+    }
+    return true;
+  }
+
+  private boolean exchange(SimpleAgent one, SimpleAgent other, double elapsedSecond) {
+    between.normalize();
+    approach.sub(other.linearVelocity, one.linearVelocity);
+    double closingMPerS = -approach.dot(between);
+    if (closingMPerS <= 0) {
+      return false;
+    }
+    double impulse = 2 * closingMPerS / (1.0 / one.getMass() + 1.0 / other.getMass());
+    push(one, -impulse / one.getMass(), elapsedSecond);
+    push(other, impulse / other.getMass(), elapsedSecond);
+    return true;
+  }
+
+  private void push(SimpleAgent agent, double changeMPerS, double elapsedSecond) {
+    agent.linearVelocity.scaleAdd(changeMPerS, between, agent.linearVelocity);
+    agent.integratesPositionChange(elapsedSecond);
+    agent.setInteracted(true);
+  }
+}
