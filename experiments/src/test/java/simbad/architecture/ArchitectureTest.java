@@ -45,6 +45,7 @@ class ArchitectureTest {
   private static final String BENCH = "simbad.bench..";
   private static final String OBSTACLES = "simbad.obstacles..";
   private static final String EXPERIMENTS = "simbad.experiments..";
+  private static final String GAP = "simbad.gap..";
   private static final String CLI = "simbad.experiments.cli..";
   private static final String SCENE = "simbad.scene3d..";
   private static final String[] WORLD = {
@@ -67,6 +68,8 @@ class ArchitectureTest {
         "simbad.obstacles, 9",
         "simbad.bench, 15",
         "simbad.experiments, 60",
+        "simbad.experiments.diagnosis, 15",
+        "simbad.gap, 30",
         "simbad.experiments.control, 8",
         "simbad, 160"
       })
@@ -100,6 +103,11 @@ class ArchitectureTest {
         Arguments.of("simbad.gui..", new String[] {OBSTACLES, EXPERIMENTS}),
         Arguments.of("simbad.demo..", new String[] {"simbad.gui..", OBSTACLES, EXPERIMENTS}),
         Arguments.of(OBSTACLES, new String[] {EXPERIMENTS}),
+        Arguments.of(GAP, WORLD),
+        Arguments.of(GAP, new String[] {OBSTACLES, EXPERIMENTS}),
+        Arguments.of(GAP, TOOLKITS),
+        Arguments.of(MODEL, new String[] {GAP}),
+        Arguments.of(OBSTACLES, new String[] {GAP}),
         Arguments.of("simbad.experiments.demo..", new String[] {"simbad.gui.."}),
         Arguments.of(MODEL, new String[] {BENCH}),
         Arguments.of(BENCH, WORLD),
@@ -214,7 +222,9 @@ class ArchitectureTest {
     outsideTheCommandLine().callMethodWhere(callOf(java.time.Instant.class, "now")).check(CLASSES);
     clockless("simbad.sonar..").check(CLASSES);
     clockless("simbad.obstacles..").check(CLASSES);
-    clockless("simbad.experiments.(demo|run|control|report|table|plot)..").check(CLASSES);
+    clockless("simbad.gap..").check(CLASSES);
+    clockless("simbad.experiments.(demo|run|control|report|table|plot|diagnosis|dataset)..")
+        .check(CLASSES);
   }
 
   private static ArchRule clockless(String from) {

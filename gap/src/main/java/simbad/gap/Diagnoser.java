@@ -3,6 +3,7 @@ package simbad.gap;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -66,7 +67,10 @@ public final class Diagnoser {
     Evidence evidence = new Evidence(data.setup(), calibration.setup().changes(), log);
     double worth =
         Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size()) * calibration.clumping();
-    List<Scored> sets = new Search(evidence, withheld, worth).run();
+    // In one block nothing is left to test on what is fitted: too few rows to name anything.
+    Set<Effect> excluded =
+        new Blocks(log).count() > 1 ? withheld : EnumSet.allOf(Effect.class);
+    List<Scored> sets = new Search(evidence, excluded, worth).run();
     Probabilities probabilities = new Probabilities(sets, worth, calibration.clumping());
     return conclude(evidence, calibration, sets, probabilities);
   }

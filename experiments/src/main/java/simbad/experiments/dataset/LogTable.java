@@ -41,8 +41,9 @@ final class LogTable {
     return rows.size();
   }
 
+  /** Empty where the row is shorter than the header. */
   String text(int row, String column) {
-    return rows.get(row).getField(column);
+    return rows.get(row).findField(column).orElse("");
   }
 
   /** A number of at least 0. */

@@ -10,8 +10,8 @@ import simbad.sonar.sensing.ReadingRow;
 /** Where the pings of the next experiment are sent from and to, seen from above. */
 final class PosePlan {
   private static final int SIZE = 420;
-  private static final int PLOT = 370;
-  private static final int LEFT = 44;
+  private static final int PLOT = 358;
+  private static final int LEFT = 54;
   private static final int TOP = 8;
   private static final double ARROW = 11;
   private static final double MARGIN = 0.06;
@@ -62,7 +62,7 @@ final class PosePlan {
       svg.words(LEFT - 5, zOf(tick) + 4, "end", z.label(tick));
     }
     svg.words(LEFT + PLOT / 2.0, SIZE - 8, "middle", "x, m");
-    svg.wordsUpward(11, TOP + PLOT / 2.0, "z, m (down the page)");
+    svg.wordsUpward(16, TOP + PLOT / 2.0, "z, m (down the page)");
   }
 
   private static double first(AxisScale axis) {

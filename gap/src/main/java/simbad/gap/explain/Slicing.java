@@ -57,11 +57,12 @@ final class Slicing {
   }
 
   List<Cut> all() {
-    IntToDoubleFunction distance = i -> geometry.nearestM(nearest[i]);
+    IntToDoubleFunction distance = this::nearestM;
     IntToDoubleFunction relative = this::relative;
     IntToDoubleFunction time = log::timeS;
     IntToDoubleFunction since = i -> log.timeS(i) - log.runStartS(i);
-    IntToDoubleFunction offAxis = i -> inCone(i, geometry.offAxisRad(nearest[i]));
+    IntToDoubleFunction offAxis = 
+        i -> isSeen(i) ? geometry.offAxisRad(nearest[i]) : Double.POSITIVE_INFINITY;
     List<Cut> cuts = new ArrayList<>();
     cuts.add(quantiles("time", 10, time));
     cuts.add(quantiles("time in run", 8, since));
@@ -94,8 +95,9 @@ final class Slicing {
     List<Cut> cuts = new ArrayList<>();
     Cut sensor = new Cut("sensor", slices(log::sensor), log.sensors().size());
     Cut run = new Cut("run", slices(log::run), log.runs().size());
+    int obstacles = Math.max(1, geometry.obstacles());
     Cut obstacle =
-        new Cut("obstacle", slices(i -> nearest[i] % geometry.obstacles()), geometry.obstacles());
+        new Cut("obstacle", slices(i -> nearest[i] % obstacles), obstacles);
     cuts.add(sensor);
     cuts.add(run);
     cuts.add(obstacle);
@@ -120,18 +122,26 @@ final class Slicing {
   }
 
   private double relative(int ping) {
+    if (!isSeen(ping)) {
+      return Double.POSITIVE_INFINITY;
+    }
     double threshold = geometry.thresholdM(nearest[ping]);
-    return inCone(ping, threshold > 0 ? geometry.centreDistanceM(nearest[ping]) / threshold : 9);
+    return threshold > 0 ? geometry.centreDistanceM(nearest[ping]) / threshold : 9;
   }
 
-  private double inCone(int ping, double value) {
-    return geometry.nearestM(nearest[ping]) < Double.POSITIVE_INFINITY
-        ? value
-        : Double.POSITIVE_INFINITY;
+  private boolean isSeen(int ping) {
+    return nearestM(ping) < Double.POSITIVE_INFINITY;
+  }
+
+  /** A scene may be empty. */
+  private double nearestM(int ping) {
+    return geometry.obstacles() == 0
+        ? Double.POSITIVE_INFINITY
+        : geometry.nearestM(nearest[ping]);
   }
 
   private int bearing(int ping, int sectors) {
-    if (geometry.nearestM(nearest[ping]) == Double.POSITIVE_INFINITY) {
+    if (!isSeen(ping)) {
       return -1;
     }
     return (int) (geometry.bearingRad(nearest[ping]) / Angles.TURN_RAD * sectors) % sectors;
@@ -150,7 +160,7 @@ final class Slicing {
   }
 
   private double change(int ping) {
-    return before(ping) - geometry.nearestM(nearest[ping]);
+    return before(ping) - nearestM(ping);
   }
 
   /** Slices of equal size; what is not finite belongs to none. */
