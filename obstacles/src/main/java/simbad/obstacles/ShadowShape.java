@@ -7,6 +7,7 @@ import javax.media.j3d.Appearance;
 import javax.media.j3d.ColoringAttributes;
 import javax.media.j3d.GeometryArray;
 import javax.media.j3d.PolygonAttributes;
+import javax.media.j3d.RenderingAttributes;
 import javax.media.j3d.Shape3D;
 import javax.media.j3d.TransparencyAttributes;
 import javax.media.j3d.TriangleArray;
@@ -75,6 +76,12 @@ public class ShadowShape extends Shape3D {
         new ColoringAttributes(BURLYWOOD, ColoringAttributes.SHADE_FLAT));
     PolygonAttributes bothSides = new PolygonAttributes();
     bothSides.setCullFace(PolygonAttributes.CULL_NONE);
+    // Its base lies in the floor, and has to win over it everywhere.
+    bothSides.setPolygonOffset(-1);
+    bothSides.setPolygonOffsetFactor(-1);
+    RenderingAttributes hidesNothing = new RenderingAttributes();
+    hidesNothing.setDepthBufferWriteEnable(false);
+    appearance.setRenderingAttributes(hidesNothing);
     appearance.setPolygonAttributes(bothSides);
     return appearance;
   }

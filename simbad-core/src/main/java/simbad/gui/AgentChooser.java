@@ -1,9 +1,11 @@
 package simbad.gui;
 
 import java.awt.Component;
+import java.util.Optional;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
 import javax.swing.JList;
+import simbad.sim.Agent;
 import simbad.sim.SimpleAgent;
 import simbad.sim.Simulator;
 
@@ -19,6 +21,14 @@ final class AgentChooser {
     // Keys are for robots that listen to them.
     chooser.setFocusable(false);
     return chooser;
+  }
+
+  /** Returns the first agent that is a robot, not a ball or a cherry. */
+  static Optional<Agent> findRobot(Simulator simulator) {
+    return simulator.getAgentList().stream()
+        .filter(Agent.class::isInstance)
+        .map(Agent.class::cast)
+        .findFirst();
   }
 
   private static final class Names extends DefaultListCellRenderer {

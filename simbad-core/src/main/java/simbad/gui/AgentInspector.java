@@ -99,9 +99,15 @@ public class AgentInspector extends JInternalFrame implements Runnable {
 
   private static JPanel panel(Device device) {
     JPanel framed = new JPanel(new BorderLayout());
-    framed.setBorder(BorderFactory.createTitledBorder(device.getName()));
+    framed.setBorder(BorderFactory.createTitledBorder(title(device)));
     framed.add(device.createInspectorPanel(), BorderLayout.CENTER);
     return framed;
+  }
+
+  /** Returns the device's name; its class if nobody has named it. */
+  private static String title(Device device) {
+    boolean unnamed = device.getName().startsWith("<");
+    return unnamed ? device.getClass().getSimpleName() : device.getName();
   }
 
   /** Sets how often per second the agent is looked at; above 0. */

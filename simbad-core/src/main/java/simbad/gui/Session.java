@@ -3,7 +3,6 @@ package simbad.gui;
 import java.awt.Component;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JDesktopPane;
 import javax.swing.JInternalFrame;
@@ -58,7 +57,7 @@ final class Session {
   /** Opens the windows; on the event thread. */
   void open() {
     worldWindow = new WorldWindow(world);
-    inspector = firstAgent().map(this::inspectorOf).orElse(null);
+    inspector = AgentChooser.findRobot(simulator).map(this::inspectorOf).orElse(null);
     control = backgroundMode ? null : new ControlWindow(world, simulator);
     Stream.of(control, inspector, worldWindow)
         .filter(window -> window != null)
@@ -71,13 +70,6 @@ final class Session {
       rareDrawing.start();
       Commands.run(simulator::startBackgroundMode);
     }
-  }
-
-  private Optional<Agent> firstAgent() {
-    return simulator.getAgentList().stream()
-        .filter(Agent.class::isInstance)
-        .map(Agent.class::cast)
-        .findFirst();
   }
 
   private AgentInspector inspectorOf(Agent agent) {
@@ -129,7 +121,7 @@ final class Session {
   /** Opens an inspector for the first agent if none is open; on the event thread. */
   void inspect() {
     if (inspector == null || inspector.isClosed()) {
-      inspector = firstAgent().map(this::inspectorOf).orElse(null);
+      inspector = AgentChooser.findRobot(simulator).map(this::inspectorOf).orElse(null);
       if (inspector != null) {
         install(inspector);
         inspector.toFront();

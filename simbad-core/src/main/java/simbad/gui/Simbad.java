@@ -69,10 +69,11 @@ public class Simbad extends JFrame implements ActionListener {
   }
 
   private void openFrame() {
-    Theme.install();
     setIconImages(RobotIcon.images());
     desktop.setFocusable(true);
     setContentPane(desktop);
+    // After the desktop has its place: what stands in a window takes the look on.
+    Theme.install();
     setDefaultCloseOperation(EXIT_ON_CLOSE);
     Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
     setSize(Math.min(SIZE.width, screen.width), Math.min(SIZE.height, screen.height));
@@ -90,6 +91,12 @@ public class Simbad extends JFrame implements ActionListener {
   }
 
   private void show(Session opened, EnvironmentDescription environment) {
+    closeSession();
+    if (closed.getCount() == 0) {
+      // The window was closed while this world was made.
+      Commands.run(opened::dispose);
+      return;
+    }
     session = opened;
     opened.open();
     setJMenuBar(menuBar(opened));
@@ -123,17 +130,21 @@ public class Simbad extends JFrame implements ActionListener {
   }
 
   private void replace(EnvironmentDescription environment) {
+    closeSession();
+    Commands.run(
+        () -> {
+          Session next = new Session(desktop, environment, backgroundMode);
+          SwingUtilities.invokeLater(() -> show(next, environment));
+        });
+  }
+
+  private void closeSession() {
     Session former = session;
     session = null;
     if (former != null) {
       former.close();
       Commands.run(former::dispose);
     }
-    Commands.run(
-        () -> {
-          Session next = new Session(desktop, environment, backgroundMode);
-          SwingUtilities.invokeLater(() -> show(next, environment));
-        });
   }
 
   /** Opens the demo that was chosen in the menu of examples. */
@@ -165,12 +176,7 @@ public class Simbad extends JFrame implements ActionListener {
   /** Closes the window and frees what it holds, in a moment; the program goes on. */
   @Override
   public void dispose() {
-    Session last = session;
-    session = null;
-    if (last != null) {
-      last.close();
-      Commands.run(last::dispose);
-    }
+    closeSession();
     if (instance == this) {
       instance = null;
     }

@@ -33,6 +33,7 @@ public class WorldControlGUI extends JPanel implements ActionListener {
   public WorldControlGUI(World world, Simulator simulator) {
     this.world = world;
     agents = AgentChooser.of(simulator);
+    AgentChooser.findRobot(simulator).ifPresent(agents::setSelectedItem);
     agents.addActionListener(event -> look(world.getViewPoint()));
     places =
         List.of(

@@ -18,6 +18,7 @@ import javax.swing.JPanel;
 final class BeltPanel extends JPanel {
   private static final int SIDE = 200;
   private static final int MARGIN = 30;
+  private static final double TEXT_ROOM = 26;
   private static final double HUB_SHARE = 0.2;
   private static final Color HIT = new Color(220, 60, 50);
   private static final Color RING = new Color(128, 128, 128, 80);
@@ -59,7 +60,16 @@ final class BeltPanel extends JPanel {
     double sin = Math.sin(belt.getSensorAngle(i));
     picture.setColor(belt.hasHit(i) ? HIT : getForeground());
     picture.draw(new Line2D.Double(hub * cos, -hub * sin, end * cos, -end * sin));
-    paintText(picture, text(i), (rim + MARGIN / 2.0) * cos, -(rim + MARGIN / 2.0) * sin);
+    double around = rim + MARGIN / 2.0;
+    if (i % every(around) == 0) {
+      paintText(picture, text(i), around * cos, -around * sin);
+    }
+  }
+
+  /** Leaves so many numbers out that those on the circle do not run into one another. */
+  private int every(double radius) {
+    double roomEach = 2 * Math.PI * radius / Math.max(1, belt.getNumSensors());
+    return (int) Math.ceil(TEXT_ROOM / Math.max(1, roomEach));
   }
 
   private String text(int i) {

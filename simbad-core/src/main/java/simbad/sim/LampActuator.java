@@ -95,6 +95,8 @@ public class LampActuator extends ActuatorDevice {
       super.paintComponent(graphics);
       graphics.setColor(isLit() ? Color.YELLOW : Color.DARK_GRAY);
       graphics.fillOval(5, 5, 20, 20);
+      graphics.setColor(getForeground());
+      graphics.drawOval(5, 5, 20, 20);
     }
   }
 }

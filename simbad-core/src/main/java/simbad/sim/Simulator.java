@@ -154,9 +154,15 @@ public class Simulator {
     return pacer.isStarted();
   }
 
-  /** Stops stepping. */
+  /** Stops stepping; a step that is under way is waited for. */
   public void stopSimulation() {
     pacer.stop();
+    awaitStep();
+  }
+
+  /** Returns when no step is under way; a step itself may ask, too. */
+  private synchronized void awaitStep() {
+    // Steps hold the monitor that this method needs.
   }
 
   /** Resets and starts. */
@@ -254,8 +260,8 @@ public class Simulator {
     }
   }
 
-  /** Stops stepping. */
+  /** Stops stepping; a step that is under way is waited for. */
   public void stopBackgroundMode() {
-    pacer.stop();
+    stopSimulation();
   }
 }

@@ -257,6 +257,19 @@ class SimbadWindowTest {
     }
   }
 
+  /** Who chooses quickly gets what was chosen last, once. */
+  @Test
+  void environmentsOpenedInARow_leaveTheLast() throws Exception {
+    try (Desk desk = new Desk(new Simbad(new EnvironmentDescription(), false))) {
+      desk.window.open(new EnvironmentDescription());
+      desk.window.open(field);
+      Desk.await("the last is there", () -> field.first.getAgentInspector() != null);
+      Desk.settle();
+      assertEquals(3, desk.window.getDesktopPane().getAllFrames().length);
+      assertTrue(desk.window.getTitle().endsWith("Field"));
+    }
+  }
+
   @Test
   void darkTheme_canBeChosen() throws Exception {
     try (Desk desk = open()) {

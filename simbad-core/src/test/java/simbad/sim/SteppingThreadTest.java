@@ -120,6 +120,17 @@ class SteppingThreadTest {
     assertEquals(0, agent.getCounter());
   }
 
+  @Test
+  void stop_waitsForTheStepThatIsUnderWay() throws InterruptedException {
+    for (int i = 0; i < 200; i++) {
+      simulator.startBackgroundMode();
+      awaitSteps(1);
+      simulator.stopBackgroundMode();
+      assertTrue(world.stepLock().lockWithin(0), "no step is under way");
+      world.stepLock().unlock();
+    }
+  }
+
   private void press(int key) {
     KeyEvent event =
         new KeyEvent(application, KeyEvent.KEY_PRESSED, 0, 0, key, KeyEvent.CHAR_UNDEFINED);
