@@ -16,7 +16,7 @@ public final class Beams implements Animated {
    * How beams look.
    *
    * @param color colour of a beam without echo
-   * @param halfAngleRad half angle of the cones, in (0, pi/2); empty for thin rays
+   * @param halfAngleRad half angle of the cones, in (0, pi]; empty for thin rays
    */
   public record Style(Color3f color, OptionalDouble halfAngleRad) {}
 

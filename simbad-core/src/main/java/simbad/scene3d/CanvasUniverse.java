@@ -15,6 +15,7 @@ import javax.media.j3d.TransformGroup;
 import javax.media.j3d.View;
 import javax.media.j3d.ViewPlatform;
 import javax.media.j3d.VirtualUniverse;
+import org.jspecify.annotations.Nullable;
 
 /** A universe of Java 3D with one canvas and one eye. */
 final class CanvasUniverse {
@@ -24,6 +25,8 @@ final class CanvasUniverse {
   private static final double FAR_SIDES = 20;
 
   private static final double LEAST_FAR_M = 100;
+
+  private static @Nullable GraphicsConfiguration configuration;
 
   private final VirtualUniverse universe = new VirtualUniverse();
   private final Locale locale = new Locale(universe);
@@ -57,7 +60,15 @@ final class CanvasUniverse {
     }
   }
 
-  private static GraphicsConfiguration configuration() {
+  /** Asks Java 3D once: each question costs a connection to the display that stays open. */
+  private static synchronized GraphicsConfiguration configuration() {
+    if (configuration == null) {
+      configuration = findConfiguration();
+    }
+    return configuration;
+  }
+
+  private static GraphicsConfiguration findConfiguration() {
     GraphicsConfigTemplate3D template = new GraphicsConfigTemplate3D();
     template.setSceneAntialiasing(GraphicsConfigTemplate3D.PREFERRED);
     GraphicsConfiguration best =

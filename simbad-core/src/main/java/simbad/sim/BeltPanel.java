@@ -24,9 +24,11 @@ final class BeltPanel extends JPanel {
   private static final Color RING = new Color(128, 128, 128, 80);
 
   private final transient RangeSensorBelt belt;
+  private final double[] anglesRad;
 
   BeltPanel(RangeSensorBelt belt) {
     this.belt = belt;
+    anglesRad = SensorBeams.anglesRad(belt.layout());
     setPreferredSize(new Dimension(SIDE, SIDE));
   }
 
@@ -56,8 +58,8 @@ final class BeltPanel extends JPanel {
   private void paintRay(Graphics2D picture, int i, double hub, double rim) {
     double share = Math.min(1, belt.getMeasurement(i) / belt.getMaxRange());
     double end = hub + share * (rim - hub);
-    double cos = Math.cos(belt.getSensorAngle(i));
-    double sin = Math.sin(belt.getSensorAngle(i));
+    double cos = Math.cos(anglesRad[i]);
+    double sin = Math.sin(anglesRad[i]);
     picture.setColor(belt.hasHit(i) ? HIT : getForeground());
     picture.draw(new Line2D.Double(hub * cos, -hub * sin, end * cos, -end * sin));
     double around = rim + MARGIN / 2.0;

@@ -316,6 +316,11 @@ public class RangeSensorBelt extends PickSensor {
             readings));
   }
 
+  /** Returns where the rays start and point, for the window. */
+  BeltLayout layout() {
+    return layout;
+  }
+
   /** Returns the type given to the constructor, for the window. */
   int type() {
     return type;

@@ -19,6 +19,22 @@ final class SensorBeams {
     return poses;
   }
 
+  /**
+   * Returns the bearing of each sensor as seen from above, counter-clockwise from straight ahead:
+   * of its place, or of its direction if it sits in the middle.
+   */
+  static double[] anglesRad(BeltLayout layout) {
+    TransducerPoses poses = poses(layout);
+    double[] anglesRad = new double[layout.size()];
+    Arrays.setAll(
+        anglesRad,
+        i ->
+            Math.hypot(poses.xM(i), poses.zM(i)) > 0
+                ? Math.atan2(-poses.zM(i), poses.xM(i))
+                : Math.atan2(-poses.directionZ(i), poses.directionX(i)));
+    return anglesRad;
+  }
+
   /** Returns how long each ray is drawn without an echo, metres. */
   static double[] idleLengthsM(BeltLayout layout, boolean full) {
     double[] lengthM = new double[layout.size()];

@@ -87,7 +87,7 @@ final class Surroundings {
 
   /** Three bars that rest on the floor, from the origin. */
   private static List<Facets> axes(double lengthM) {
-    double half = AXIS_WIDTH_M / 2;
+    double half = Math.min(AXIS_WIDTH_M, lengthM / 50) / 2;
     BoxShape x = new BoxShape(lengthM / 2, half, half);
     BoxShape y = new BoxShape(half, lengthM / 2, half);
     BoxShape z = new BoxShape(half, half, lengthM / 2);
