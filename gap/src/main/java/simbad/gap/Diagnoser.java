@@ -68,8 +68,7 @@ public final class Diagnoser {
     double worth =
         Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size()) * calibration.clumping();
     // In one block nothing is left to test on what is fitted: too few rows to name anything.
-    Set<Effect> excluded =
-        new Blocks(log).count() > 1 ? withheld : EnumSet.allOf(Effect.class);
+    Set<Effect> excluded = new Blocks(log).count() > 1 ? withheld : EnumSet.allOf(Effect.class);
     List<Scored> sets = new Search(evidence, excluded, worth).run();
     Probabilities probabilities = new Probabilities(sets, worth, calibration.clumping());
     return conclude(evidence, calibration, sets, probabilities);

@@ -9,10 +9,12 @@ import java.awt.Color;
 import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Robot;
+import java.util.Objects;
 import java.util.function.Predicate;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import javax.vecmath.Vector3d;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -31,12 +33,14 @@ class ShownObstacleTest {
 
   private final EnvironmentDescription environment = new EnvironmentDescription();
   private final JFrame frame = new JFrame();
-  private World world;
+  private @Nullable World world;
 
   @AfterEach
   void close() throws Exception {
     SwingUtilities.invokeAndWait(frame::dispose);
-    world.dispose();
+    if (world != null) {
+      world.dispose();
+    }
   }
 
   private Canvas show() throws Exception {
@@ -44,8 +48,9 @@ class ShownObstacleTest {
     environment.setWorldSize((float) WORLD_M);
     environment.showAxis(false);
     environment.worldViewPoint = World.VIEW_FROM_TOP;
-    world = new World(environment);
-    Canvas canvas = world.getCanvas3D();
+    World shown = new World(environment);
+    world = shown;
+    Canvas canvas = shown.getCanvas3D();
     SwingUtilities.invokeAndWait(
         () -> {
           frame.add(canvas);
@@ -114,7 +119,7 @@ class ShownObstacleTest {
         };
     environment.add(robot);
     Canvas canvas = show();
-    Simulator simulator = new Simulator(null, world, environment);
+    Simulator simulator = new Simulator(null, Objects.requireNonNull(world), environment);
     await(canvas, 1.4, 0.42, ShownObstacleTest::isSand);
     int redBefore = redness(color(canvas, 1.4, 0.42));
     simulator.simulateOneStep();

@@ -61,16 +61,16 @@ public final class Scenes {
   public static Setup offSetup(SplittableRandom random, Sensor sensor) {
     return new Setup(
         sensor.edgeWidthM() * random.nextDouble(1.1, 1.9),
-        sensor.missRate() + random.nextDouble(0, 0.008),
+        sensor.missRate() + random.nextDouble(0, 0.004),
         sensor.rangeNoiseM() * random.nextDouble(0.9, 1.5),
         random.nextDouble(0.01, 0.08),
         random.nextDouble(2.5, 5),
         random.nextDouble(0, 0.35),
         new Setup.Ripple(
-            random.nextDouble(0.005, 0.018),
+            random.nextDouble(0.006, 0.022),
             random.nextInt(1, 5),
             random.nextDouble(0, 2 * Math.PI)),
         Math.toRadians(random.nextDouble(0.2, 1.2)),
-        Math.toRadians(random.nextDouble(-0.3, 0.3)));
+        Math.toRadians(random.nextDouble(-0.15, 0.15)));
   }
 }

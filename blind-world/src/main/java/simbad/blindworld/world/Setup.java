@@ -10,7 +10,7 @@ package simbad.blindworld.world;
  * @param tailScale how many times more those scatter
  * @param persistence the chance that a ping repeats the chance events of the ping before
  * @param ripple the thresholds' deviation by bearing
- * @param beamEdgeRad the last part of the cone, over which the threshold falls to the half
+ * @param beamEdgeRad the last part of the cone, over which the threshold falls by a tenth
  * @param wideningRad how much the cone is wider than believed
  */
 public record Setup(
@@ -23,6 +23,8 @@ public record Setup(
     Ripple ripple,
     double beamEdgeRad,
     double wideningRad) {
+
+  private static final double RIM_LOSS = 0.1;
 
   /** A smooth deviation of thresholds by bearing: a sum of two waves. */
   public record Ripple(double share, int waves, double phaseRad) {
@@ -58,6 +60,6 @@ public record Setup(
     double fromRim = halfAngleRad - Math.abs(sight.offAxisRad());
     return beamEdgeRad == 0 || fromRim >= beamEdgeRad
         ? threshold
-        : threshold * (0.5 + 0.5 * fromRim / beamEdgeRad);
+        : threshold * (1 - RIM_LOSS * (1 - fromRim / beamEdgeRad));
   }
 }

@@ -32,8 +32,31 @@ class BrokenDataTest {
   /** What is put into a file at some place. */
   private static final List<String> JUNK =
       List.of(
-          "", ",", ",,", "\n", "\"", "NaN", "1e300", "-1", "0", "Infinity", "1,5", "x", "{", "]", "null",
-          "\u0000", "#", ";", "-0.0", "1e-320", "9".repeat(400), "\uFEFF", "\t", "[]", "true");
+          "",
+          ",",
+          ",,",
+          "\n",
+          "\"",
+          "NaN",
+          "1e300",
+          "-1",
+          "0",
+          "Infinity",
+          "1,5",
+          "x",
+          "{",
+          "]",
+          "null",
+          "\u0000",
+          "#",
+          ";",
+          "-0.0",
+          "1e-320",
+          "9".repeat(400),
+          "\uFEFF",
+          "\t",
+          "[]",
+          "true");
 
   private static Path scratch = Path.of("");
 
@@ -72,8 +95,7 @@ class BrokenDataTest {
       assertEquals("", shell.out());
     } else {
       assertEquals(0, shell.status(), shell.err());
-      assertTrue(
-          shell.out().matches("(?s)[^:]*: (none|explained|unexplained).*"), shell.out());
+      assertTrue(shell.out().matches("(?s)[^:]*: (none|explained|unexplained).*"), shell.out());
       assertEquals("", shell.err());
     }
   }

@@ -76,7 +76,9 @@ class DiagnoseCommandTest {
     checkPredictions(bench.resolve("readings.csv"));
   }
 
-  /** Nominal medians lie 5 cm below the readings, diagnosed ones on them; the rows' order is kept. */
+  /**
+   * Nominal medians lie 5 cm below the readings, diagnosed ones on them; the rows' order is kept.
+   */
   private void checkPredictions(Path rows) throws IOException {
     List<String> forward = predict(rows, "diagnosed");
     List<String> nominal = predict(rows, "nominal");
@@ -162,7 +164,8 @@ class DiagnoseCommandTest {
             "simbad diagnose: " + out.resolve("there") + ": exists already"),
         shell.complaints().stream().map(line -> line.replaceFirst(" of at most.*", "")).toList());
     assertTrue(shell.out().startsWith("good: none"), shell.out());
-    assertEquals(List.of("good", "there"), names(out).stream().filter(n -> !n.contains("/")).toList());
+    assertEquals(
+        List.of("good", "there"), names(out).stream().filter(n -> !n.contains("/")).toList());
     assertEquals(List.of("theirs"), names(out.resolve("there")));
   }
 

@@ -29,7 +29,9 @@ class MadeDataSetTest {
 
   @TempDir private Path folder = Path.of("target");
 
-  /** At each of its bearings, echoes come from inside the table's threshold and not from outside. */
+  /**
+   * At each of its bearings, echoes come from inside the table's threshold and not from outside.
+   */
   @Test
   void grid_isDecidedByTheTable() {
     ThresholdTable table = Catalogue.angleTable().table();
@@ -59,7 +61,8 @@ class MadeDataSetTest {
   void ladder_looksSquarelyAtTheBoard() throws Exception {
     Path log =
         Files.writeString(
-            folder.resolve("log.csv"), LADDER + "a,x,123.4,1,120\nb,x,5,1,5\na,,,1,5\na,y,10,1,9\n");
+            folder.resolve("log.csv"),
+            LADDER + "a,x,123.4,1,120\nb,x,5,1,5\na,,,1,5\na,y,10,1,9\n");
     MadeDataSet made = LadderLog.read(log, "a", "y", 340);
     assertEquals(1, made.readings().size());
     ReadingRow row = made.readings().get(0);

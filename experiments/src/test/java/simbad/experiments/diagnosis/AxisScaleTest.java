@@ -16,7 +16,8 @@ class AxisScaleTest {
   @Test
   void ticks_areRoundNumbers() {
     assertEquals(List.of("0", "1", "2", "3", "4"), labels(AxisScale.over(0, 3.2, 4)));
-    assertEquals(List.of("0.00", "0.05", "0.10", "0.15").subList(1, 4),
+    assertEquals(
+        List.of("0.00", "0.05", "0.10", "0.15").subList(1, 4),
         labels(AxisScale.over(0.01, 0.14, 4)).subList(1, 4));
     assertEquals(
         List.of("\u2212200", "\u2212100", "0", "100"), labels(AxisScale.over(-130, 80, 3)));

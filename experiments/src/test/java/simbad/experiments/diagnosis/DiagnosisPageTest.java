@@ -92,7 +92,8 @@ class DiagnosisPageTest {
   @Test
   void nothing_isSaidAsNothing() {
     String page = words(Samples.page(Samples.without(Verdict.NONE, DATA), DATA));
-    assertTrue(page.contains("No gap beyond chance: these readings are what the simulator expects"));
+    assertTrue(
+        page.contains("No gap beyond chance: these readings are what the simulator expects"));
     assertTrue(page.contains("Nothing is tied"));
     assertTrue(page.contains("No effect is probable enough for its parameters to mean something"));
     assertFalse(page.contains("something without a name here is at work as well"), page);
@@ -153,7 +154,11 @@ class DiagnosisPageTest {
     int from = EXPLAINED.indexOf("aria-label=\"" + label);
     String svg = EXPLAINED.substring(from, EXPLAINED.indexOf("</svg>", from));
     Matcher cells = Pattern.compile("<path class=\"h(\\d)\"").matcher(svg);
-    return cells.results().mapToInt(cell -> Integer.parseInt(cell.group(1))).average().orElseThrow();
+    return cells
+        .results()
+        .mapToInt(cell -> Integer.parseInt(cell.group(1)))
+        .average()
+        .orElseThrow();
   }
 
   @Test

@@ -11,8 +11,15 @@ import simbad.sonar.effect.Effect;
 class HtmlTest {
   @ParameterizedTest
   @CsvSource({
-    "0.123456, 0.123", "1234567, 1230000", "-0.5, \u22120.5", "0, 0", "1e-9, 0", "NaN, unknown",
-    "Infinity, no bound", "-Infinity, no bound", "343.139, 343"
+    "0.123456, 0.123",
+    "1234567, 1230000",
+    "-0.5, \u22120.5",
+    "0, 0",
+    "1e-9, 0",
+    "NaN, unknown",
+    "Infinity, no bound",
+    "-Infinity, no bound",
+    "343.139, 343"
   })
   void numbers_haveThreeDigits(double value, String text) {
     assertEquals(text, Html.number(value));
@@ -20,8 +27,12 @@ class HtmlTest {
 
   @ParameterizedTest
   @CsvSource({
-    "1, 100&nbsp;%", "0.999, &gt;&nbsp;99&nbsp;%", "0.991, 99&nbsp;%", "0.004, &lt;&nbsp;1&nbsp;%",
-    "0, 0&nbsp;%", "0.5, 50&nbsp;%"
+    "1, 100&nbsp;%",
+    "0.999, &gt;&nbsp;99&nbsp;%",
+    "0.991, 99&nbsp;%",
+    "0.004, &lt;&nbsp;1&nbsp;%",
+    "0, 0&nbsp;%",
+    "0.5, 50&nbsp;%"
   })
   void probabilities_areNotRoundedToCertainty(double share, String text) {
     assertEquals(text, Html.probability(share));

@@ -30,7 +30,10 @@ import simbad.gap.diagnosis.Verdict;
 class PageInBrowserTest {
   private static final Optional<Path> CHROMIUM =
       Stream.of(System.getenv("PATH").split(File.pathSeparator, -1))
-          .flatMap(folder -> Stream.of("chromium", "chromium-browser", "google-chrome").map(name -> Path.of(folder, name)))
+          .flatMap(
+              folder ->
+                  Stream.of("chromium", "chromium-browser", "google-chrome")
+                      .map(name -> Path.of(folder, name)))
           .filter(Files::isExecutable)
           .findFirst();
 
@@ -69,7 +72,10 @@ class PageInBrowserTest {
 
   @ParameterizedTest
   @CsvSource({
-    "explained, 1280, false", "explained, 800, true", "none, 800, false", "unexplained, 1280, true"
+    "explained, 1280, false",
+    "explained, 800, true",
+    "none, 800, false",
+    "unexplained, 1280, true"
   })
   void page_isWhole(String verdict, int width, boolean dark) throws Exception {
     assumeTrue(CHROMIUM.isPresent(), "no Chromium on this machine: the page is not looked at");

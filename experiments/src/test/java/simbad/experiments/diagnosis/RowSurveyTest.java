@@ -33,8 +33,7 @@ class RowSurveyTest {
   @Test
   void residual_isOfTheModel() {
     Change offset = Samples.form(Effect.RANGE_OFFSET, GRID).with(0.1);
-    ReadingRow row =
-        new ReadingRow("r", "s", 0, Pose.of(1, 0, Math.PI), new Echo(0.98));
+    ReadingRow row = new ReadingRow("r", "s", 0, Pose.of(1, 0, Math.PI), new Echo(0.98));
     DataSet data = new DataSet("one", GRID.setup(), List.of(row), List.of());
     RowFinding finding = RowSurvey.of(data, List.of(offset), new SplittableRandom(3)).get(0);
     // The face of the one inch square is 0.9873 m away, read as 0.98 at the least.
@@ -45,7 +44,9 @@ class RowSurveyTest {
     assertEquals(0, finding.offAxisDeg().orElseThrow(), 1e-9);
   }
 
-  /** The sensor looks away: no echo is expected, none comes, nothing is amiss; the bearing is known. */
+  /**
+   * The sensor looks away: no echo is expected, none comes, nothing is amiss; the bearing is known.
+   */
   @Test
   void lookingAway_expectsNothing() {
     ReadingRow row = new ReadingRow("r", "s", 0, Pose.of(0, 1, -Math.PI / 2), NoEcho.NO_ECHO);

@@ -104,10 +104,10 @@ final class Samples {
 
   private static List<Place> places() {
     Place.Condition bearing =
-        new Place.Condition(
-            "bearing_deg", Optional.of(new Interval(100, 170)), Optional.empty());
+        new Place.Condition("bearing_deg", Optional.of(new Interval(100, 170)), Optional.empty());
     Place.Condition distance =
-        new Place.Condition("distance_m", Optional.of(new Interval(0.5, INFINITE)), Optional.empty());
+        new Place.Condition(
+            "distance_m", Optional.of(new Interval(0.5, INFINITE)), Optional.empty());
     Place.Condition run =
         new Place.Condition("run", Optional.empty(), Optional.of("<i>run</i>".repeat(9)));
     return List.of(

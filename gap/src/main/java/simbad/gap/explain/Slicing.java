@@ -61,7 +61,7 @@ final class Slicing {
     IntToDoubleFunction relative = this::relative;
     IntToDoubleFunction time = log::timeS;
     IntToDoubleFunction since = i -> log.timeS(i) - log.runStartS(i);
-    IntToDoubleFunction offAxis = 
+    IntToDoubleFunction offAxis =
         i -> isSeen(i) ? geometry.offAxisRad(nearest[i]) : Double.POSITIVE_INFINITY;
     List<Cut> cuts = new ArrayList<>();
     cuts.add(quantiles("time", 10, time));
@@ -96,8 +96,7 @@ final class Slicing {
     Cut sensor = new Cut("sensor", slices(log::sensor), log.sensors().size());
     Cut run = new Cut("run", slices(log::run), log.runs().size());
     int obstacles = Math.max(1, geometry.obstacles());
-    Cut obstacle =
-        new Cut("obstacle", slices(i -> nearest[i] % obstacles), obstacles);
+    Cut obstacle = new Cut("obstacle", slices(i -> nearest[i] % obstacles), obstacles);
     cuts.add(sensor);
     cuts.add(run);
     cuts.add(obstacle);
@@ -135,9 +134,7 @@ final class Slicing {
 
   /** A scene may be empty. */
   private double nearestM(int ping) {
-    return geometry.obstacles() == 0
-        ? Double.POSITIVE_INFINITY
-        : geometry.nearestM(nearest[ping]);
+    return geometry.obstacles() == 0 ? Double.POSITIVE_INFINITY : geometry.nearestM(nearest[ping]);
   }
 
   private int bearing(int ping, int sectors) {
