@@ -15,7 +15,7 @@
 /* A reset when the call stack runs over or under. */
 #pragma config STVR = ON
 
-/* For calls and interrupts; the call tree is four deep in each of the three levels. */
+/* For arguments and saved registers, from the top of RAM down; below it lies RAM that nothing else uses. */
 #pragma stack 0x1C0 64
 
 void main(void)

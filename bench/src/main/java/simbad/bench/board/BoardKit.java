@@ -61,17 +61,20 @@ public record BoardKit(Path firmware, boolean sanitized) {
    * order.
    */
   public List<String> missingPackages() {
-    Stream<String> missing =
-        PACKAGES.entrySet().stream()
-            .filter(entry -> !onPath(entry.getKey()))
-            .map(Map.Entry::getValue)
-            .sorted();
-    Stream<String> headers = Files.exists(GPSIM_HEADERS) ? Stream.empty() : Stream.of("gpsim-dev");
-    return Stream.concat(missing, headers).toList();
+    return missingPackages(System.getenv().getOrDefault("PATH", ""), GPSIM_HEADERS);
   }
 
-  private static boolean onPath(String program) {
-    String path = System.getenv().getOrDefault("PATH", "");
+  static List<String> missingPackages(String path, Path headers) {
+    Stream<String> programs =
+        PACKAGES.entrySet().stream()
+            .filter(entry -> !onPath(entry.getKey(), path))
+            .map(Map.Entry::getValue)
+            .sorted();
+    return Stream.concat(programs, Files.exists(headers) ? Stream.empty() : Stream.of("gpsim-dev"))
+        .toList();
+  }
+
+  private static boolean onPath(String program, String path) {
     for (String folder : path.split(File.pathSeparator, -1)) {
       if (!folder.isEmpty() && Files.isExecutable(Path.of(folder, program))) {
         return true;

@@ -71,8 +71,10 @@ final class Workplace {
   }
 
   Process startGpsim(Map<String, String> environment) throws IOException {
+    // In a session of its own: Ctrl-C is for the program that drives it, which then ends it in
+    // order.
     ProcessBuilder gpsim =
-        new ProcessBuilder("gpsim", "-i", "-c", script().toString())
+        new ProcessBuilder("setsid", "gpsim", "-i", "-c", script().toString())
             // At the end of its input gpsim prints prompts without end, should a line of its script
             // fail.
             .redirectInput(ProcessBuilder.Redirect.PIPE)

@@ -136,6 +136,30 @@ class BoardTest {
   }
 
   @Test
+  void gpsimThatIsKilled_isToldAndLeavesNoFile() throws Exception {
+    needTools();
+    Path tty = folder.resolve("tty");
+    BoardWorld world = (number, timeS) -> List.of();
+    try (Board board = Board.start(TestBoard.KIT, new BoardSetup(tty, 1), world)) {
+      ProcessHandle.current()
+          .children()
+          .filter(child -> child.info().command().orElse("").endsWith("gpsim"))
+          .forEach(ProcessHandle::destroyForcibly);
+      IOException fault = assertThrows(IOException.class, board::awaitEnd);
+      assertTrue(String.valueOf(fault.getMessage()).contains("gpsim ended with status 137"));
+    }
+    assertFalse(Files.exists(tty, LinkOption.NOFOLLOW_LINKS));
+  }
+
+  @Test
+  void missingTools_areNamedByTheirPackages() {
+    assertEquals(
+        List.of("g++", "gpsim", "make", "gpsim-dev"),
+        BoardKit.missingPackages("", folder.resolve("modules.h")));
+    assertEquals(List.of("g++", "gpsim", "make"), BoardKit.missingPackages("/nowhere:", folder));
+  }
+
+  @Test
   void wrongFirmwareFolder_isSaid() {
     needTools();
     IOException fault =

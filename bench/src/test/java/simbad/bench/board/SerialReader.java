@@ -32,7 +32,6 @@ final class SerialReader implements Closeable {
       for (int n = port.read(bytes); n >= 0; n = port.read(bytes)) {
         synchronized (received) {
           received.append(new String(bytes, 0, n, StandardCharsets.ISO_8859_1));
-          received.notifyAll();
         }
       }
     } catch (IOException e) {
@@ -68,7 +67,8 @@ final class SerialReader implements Closeable {
         if (System.nanoTime() > end) {
           throw new AssertionError("waited in vain; came: " + received);
         }
-        received.wait(100);
+        // Not woken by each byte: a long text would be looked through as often.
+        received.wait(20);
       }
       return received.toString();
     }

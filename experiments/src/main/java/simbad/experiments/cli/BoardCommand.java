@@ -115,25 +115,43 @@ final class BoardCommand extends Subcommand {
             spec,
             new Random(seed),
             endS == null ? OptionalDouble.empty() : OptionalDouble.of(endS));
-    Path folder = Files.createTempDirectory("simbad-port");
-    try {
-      play(bench, new BoardSetup(link == null ? folder.resolve("tty") : link, pace));
-    } finally {
-      Files.deleteIfExists(folder);
+    if (link == null) {
+      Path folder = Files.createTempDirectory("simbad-port");
+      play(bench, new BoardSetup(folder.resolve("tty"), pace), () -> delete(folder));
+    } else {
+      play(bench, new BoardSetup(link, pace), () -> {});
     }
   }
 
-  private void play(ScriptedBench bench, BoardSetup setup)
+  private void play(ScriptedBench bench, BoardSetup setup, Runnable afterwards)
       throws IOException, DataFormatException, InterruptedException {
     try (Board board = Board.start(BoardKit.ofProject(ProjectFolder.find()), setup, bench)) {
       // Ctrl-C ends the process while this waits: then nobody else would end gpsim and its files.
-      Thread ending = new Thread(board::close);
+      Thread ending = inTurn(board::close, afterwards);
       Runtime.getRuntime().addShutdownHook(ending);
       out().println("serial port: " + board.port());
       board.awaitEnd();
+      out().println("pings: " + bench.pings());
       Runtime.getRuntime().removeShutdownHook(ending);
+    } finally {
+      afterwards.run();
     }
-    out().println("pings: " + bench.pings());
+  }
+
+  private static Thread inTurn(Runnable first, Runnable second) {
+    return new Thread(
+        () -> {
+          first.run();
+          second.run();
+        });
+  }
+
+  private static void delete(Path folder) {
+    try {
+      Files.deleteIfExists(folder);
+    } catch (IOException e) {
+      // An empty folder for temporary files that is left is no failure of the run.
+    }
   }
 
   private BoardScript session() throws DataFormatException {
