@@ -26,12 +26,13 @@ final class SensorBeams {
   static double[] anglesRad(BeltLayout layout) {
     TransducerPoses poses = poses(layout);
     double[] anglesRad = new double[layout.size()];
+    // 0 - z, not -z: straight back is pi, not -pi.
     Arrays.setAll(
         anglesRad,
         i ->
             Math.hypot(poses.xM(i), poses.zM(i)) > 0
-                ? Math.atan2(-poses.zM(i), poses.xM(i))
-                : Math.atan2(-poses.directionZ(i), poses.directionX(i)));
+                ? Math.atan2(0.0 - poses.zM(i), poses.xM(i))
+                : Math.atan2(0.0 - poses.directionZ(i), poses.directionX(i)));
     return anglesRad;
   }
 
