@@ -43,6 +43,9 @@ public final class Diagnoser {
   private static final double NORMAL_95 = 1.96;
   private static final int TABLE = 12;
 
+  /** How often what the reference shows of an explanation goes into the set-up. */
+  private static final int ROUNDS = 3;
+
   private final long seed;
   private final Set<Effect> withheld;
 
@@ -62,8 +65,31 @@ public final class Diagnoser {
     PingLog log = new PingLog(data.readings());
     Calibration calibration =
         data.reference().isEmpty()
-            ? Calibration.NONE
+            ? Calibration.none()
             : Calibration.of(data.setup(), new PingLog(data.reference()));
+    for (int round = 0; round < ROUNDS; round++) {
+      Inquiry inquiry = inquire(data, log, calibration);
+      Calibration more = calibration.with(inquiry.evidence, inquiry.best());
+      if (more == calibration) {
+        return conclude(inquiry);
+      }
+      calibration = more;
+    }
+    return conclude(inquire(data, log, calibration));
+  }
+
+  /** What was found of a log before a set-up as calibrated. */
+  private record Inquiry(
+      Evidence evidence,
+      Calibration calibration,
+      List<Scored> sets,
+      Probabilities probabilities) {
+    Hypothesis best() {
+      return probabilities.best().hypothesis();
+    }
+  }
+
+  private Inquiry inquire(DataSet data, PingLog log, Calibration calibration) {
     Evidence evidence = new Evidence(data.setup(), calibration.setup().changes(), log);
     double worth =
         Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size()) * calibration.clumping();
@@ -71,12 +97,15 @@ public final class Diagnoser {
     Set<Effect> excluded = new Blocks(log).count() > 1 ? withheld : EnumSet.allOf(Effect.class);
     List<Scored> sets = new Search(evidence, excluded, worth).run();
     Probabilities probabilities = new Probabilities(sets, worth, calibration.clumping());
-    return conclude(evidence, calibration, sets, probabilities);
+    return new Inquiry(evidence, calibration, sets, probabilities);
   }
 
-  private Diagnosis conclude(
-      Evidence evidence, Calibration calibration, List<Scored> sets, Probabilities probabilities) {
-    Hypothesis best = probabilities.best().hypothesis();
+  private Diagnosis conclude(Inquiry inquiry) {
+    Evidence evidence = inquiry.evidence;
+    Calibration calibration = inquiry.calibration;
+    List<Scored> sets = inquiry.sets;
+    Probabilities probabilities = inquiry.probabilities;
+    Hypothesis best = inquiry.best();
     Blocks blocks = new Blocks(evidence.log());
     Gain gain = Gain.of(evidence, blocks, best);
     double unknown =

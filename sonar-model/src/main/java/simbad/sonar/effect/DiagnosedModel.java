@@ -44,6 +44,24 @@ public final class DiagnosedModel {
     memory = Memory.of(changes);
   }
 
+  /**
+   * Joins the changes of a set-up and of effects. An effect with memory stands in the place of a
+   * calibration of the same kind, since a model holds one of each.
+   *
+   * @param calibration in what the set-up is off without an effect
+   * @param effects at work
+   */
+  public static List<Change> changes(
+      List<? extends Change> calibration, List<? extends Change> effects) {
+    List<Change> changes = new ArrayList<>(calibration);
+    changes.removeIf(
+        change ->
+            change instanceof MemoryChange
+                && effects.stream().anyMatch(effect -> effect.getClass() == change.getClass()));
+    changes.addAll(effects);
+    return changes;
+  }
+
   private static Report report(List<OutputChange> outputs) {
     if (outputs.isEmpty()) {
       return Report.AS_MEASURED;

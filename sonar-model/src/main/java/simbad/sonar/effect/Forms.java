@@ -108,8 +108,13 @@ public final class Forms {
         v -> new NoiseTails(v[0], v[1]),
         Parameter.of("share", 0, 0, 1, 0.1, 0.4),
         Parameter.of("deviation_m", 0, 0, 0.25, 0.03, 0.1));
-    add(Effect.COARSE_RESOLUTION, "start", v -> new CoarseResolution(v[0], false), step());
-    add(Effect.COARSE_RESOLUTION, "centre", v -> new CoarseResolution(v[0], true), step());
+    for (CoarseResolution.Reported reported : CoarseResolution.Reported.values()) {
+      add(
+          Effect.COARSE_RESOLUTION,
+          reported.name().toLowerCase(java.util.Locale.ROOT),
+          v -> new CoarseResolution(v[0], reported),
+          step());
+    }
   }
 
   private static Parameter step() {
