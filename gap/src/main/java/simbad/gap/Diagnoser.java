@@ -39,6 +39,9 @@ public final class Diagnoser {
   /** What a further effect must gain for each row, so that more rows do not find what is tiny. */
   private static final double WORTH_NATS_PER_ROW = 0.0025;
 
+  /** A set-up that is known to be off hides more: so many times that is asked of an effect. */
+  private static final double OFF = 2;
+
   private static final double TIE_NATS = 3;
   private static final double NORMAL_95 = 1.96;
   private static final int TABLE = 12;
@@ -80,10 +83,7 @@ public final class Diagnoser {
 
   /** What was found of a log before a set-up as calibrated. */
   private record Inquiry(
-      Evidence evidence,
-      Calibration calibration,
-      List<Scored> sets,
-      Probabilities probabilities) {
+      Evidence evidence, Calibration calibration, List<Scored> sets, Probabilities probabilities) {
     Hypothesis best() {
       return probabilities.best().hypothesis();
     }
@@ -91,8 +91,8 @@ public final class Diagnoser {
 
   private Inquiry inquire(DataSet data, PingLog log, Calibration calibration) {
     Evidence evidence = new Evidence(data.setup(), calibration.setup().changes(), log);
-    double worth =
-        Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size()) * calibration.clumping();
+    double least = Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size());
+    double worth = least * calibration.clumping() * (data.reference().isEmpty() ? 1 : OFF);
     // In one block nothing is left to test on what is fitted: too few rows to name anything.
     Set<Effect> excluded = new Blocks(log).count() > 1 ? withheld : EnumSet.allOf(Effect.class);
     List<Scored> sets = new Search(evidence, excluded, worth).run();

@@ -27,8 +27,7 @@ public final class Calibration {
   private final Map<Form, double[]> freedom;
   private final double clumping;
 
-  private Calibration(
-      Optional<Evidence> reference, Hypothesis setup, Map<Form, double[]> freedom) {
+  private Calibration(Optional<Evidence> reference, Hypothesis setup, Map<Form, double[]> freedom) {
     this.reference = reference;
     this.setup = setup;
     this.freedom = Map.copyOf(freedom);

@@ -155,8 +155,6 @@ final class Calibrator {
     for (int i = 0; i < rest.forms().size(); i++) {
       all = all.and(rest.forms().get(i), rest.valuesOf(i));
     }
-    return rest.size() == 0
-        ? best
-        : fitter.refine(all, waved, 30 + 25 * rest.size()).hypothesis();
+    return rest.size() == 0 ? best : fitter.refine(all, waved, 30 + 25 * rest.size()).hypothesis();
   }
 }

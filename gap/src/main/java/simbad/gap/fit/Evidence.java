@@ -62,8 +62,7 @@ public final class Evidence {
 
   /** Returns the model of a hypothesis. */
   public DiagnosedModel model(Hypothesis hypothesis) {
-    return new DiagnosedModel(
-        setup, DiagnosedModel.changes(calibration, hypothesis.changes()));
+    return new DiagnosedModel(setup, DiagnosedModel.changes(calibration, hypothesis.changes()));
   }
 
   /** Returns the geometry under a hypothesis; that of the set-up where nothing changes it. */

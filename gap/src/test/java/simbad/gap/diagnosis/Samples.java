@@ -54,7 +54,7 @@ final class Samples {
 
   static Diagnosis diagnosis() {
     Form offset = Forms.find(Effect.RANGE_OFFSET, "constant", SETUP, List.of("s")).orElseThrow();
-    Form tails = SetupForms.find("tails", SETUP).orElseThrow();
+    Form tails = SetupForms.find("tails", SETUP, List.of()).orElseThrow();
     Place.Condition bearing =
         new Place.Condition(
             "bearing_deg", Optional.of(new Interval(10, 20.00000001)), Optional.empty());

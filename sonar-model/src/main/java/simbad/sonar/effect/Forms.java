@@ -91,6 +91,11 @@ public final class Forms {
         "constant",
         v -> new RangeOffset(v[0]),
         Parameter.of("offset_m", 0, -1, 1, -0.1, -0.03, 0.03, 0.1));
+    noise();
+    steps();
+  }
+
+  private void noise() {
     add(
         Effect.RANGE_NOISE,
         "constant",
@@ -108,6 +113,9 @@ public final class Forms {
         v -> new NoiseTails(v[0], v[1]),
         Parameter.of("share", 0, 0, 1, 0.1, 0.4),
         Parameter.of("deviation_m", 0, 0, 0.25, 0.03, 0.1));
+  }
+
+  private void steps() {
     for (CoarseResolution.Reported reported : CoarseResolution.Reported.values()) {
       add(
           Effect.COARSE_RESOLUTION,
@@ -173,7 +181,7 @@ public final class Forms {
         "bursts",
         v -> new Burst(v[0], v[1], 1),
         Parameter.of("share", 0, 0, 0.9, 0.1, 0.3),
-        Parameter.of("length_pings", 1, 1, 60, 3, 10));
+        Parameter.of("length_pings", 1, 1, 40, 3, 10));
   }
 
   private void thresholds() {

@@ -111,7 +111,8 @@ class OutcomesTest {
     Case plain = Case.any(random, 0.03);
     List<Change> changes =
         List.of(
-            new CoarseResolution(random.nextDouble(0.5), Reported.values()[random.nextInt(3)]),
+            new CoarseResolution(
+                random.nextDouble(0.5), random.nextBoolean() ? Reported.NEAREST : Reported.CENTRE),
             new NearClamp(random.nextDouble(1)),
             new RangeOffset(random.nextDouble(-1, 1)),
             new EarlyCrosstalk(random.nextDouble(), random.nextDouble(2), 2 + random.nextDouble()));
