@@ -119,6 +119,7 @@ public final class Diagnoser {
         best.effects(),
         new Findings(evidence, sets, probabilities, calibration.clumping()).all(),
         unknown,
+        1 - probabilities.ofNone(),
         figures(gain, blocks),
         Places.find(evidence, gain.before(), gain.after(), blocks),
         Undetectables.of(evidence, best, Probabilities.COST_NATS * calibration.clumping()),

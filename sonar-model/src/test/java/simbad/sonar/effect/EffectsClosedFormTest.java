@@ -233,10 +233,10 @@ class EffectsClosedFormTest {
   void beamPattern_tapers(BeamPattern.Law law, double widthDeg, double power, double factor) {
     // exp(-0.5^3), cos^2(45 degrees), (1 - 0.5)^2.
     Pose aside = Pose.of(0, 0, Math.toRadians(-10));
-    Change taper = new BeamPattern(Math.toRadians(widthDeg), power, law);
+    Change taper = new BeamPattern(Math.toRadians(widthDeg), power, law, BeamPattern.Angle.CENTRE);
     double silent = probability(SETUP, aside, Logs.SILENCE, taper);
     assertEquals(1 - echo(1, 1.2 * factor), silent, 1e-6);
-    Change narrow = new BeamPattern(Math.toRadians(5), 1, law);
+    Change narrow = new BeamPattern(Math.toRadians(5), 1, law, BeamPattern.Angle.CENTRE);
     if (law != BeamPattern.Law.BELL) {
       assertEquals(1, probability(SETUP, aside, Logs.SILENCE, narrow), 1e-12);
     }
