@@ -119,16 +119,20 @@ final class Drawing {
         world(ground, effects).at(rows), ground.scene.noEchoM(), repeats, random.nextLong());
   }
 
+  /** True for what the diagnosis has no name for. */
+  private boolean isOutside(Effect effect) {
+    return !Vocabulary.contains(effect.name()) || order.withheld().contains(effect.name());
+  }
+
   /** What has to show: what is outside the vocabulary, where something is. */
-  private static List<Effect> asked(List<Effect> effects) {
-    List<Effect> outside =
-        effects.stream().filter(effect -> !Vocabulary.contains(effect.name())).toList();
+  private List<Effect> asked(List<Effect> effects) {
+    List<Effect> outside = effects.stream().filter(this::isOutside).toList();
     return outside.isEmpty() ? effects : outside;
   }
 
   /** True when what is outside the vocabulary costs enough on the sealed rows, too. */
   private boolean matters(Case drawn) {
-    return assignment.kind() != Kind.UNKNOWN
+    return (assignment.kind() != Kind.UNKNOWN && assignment.kind() != Kind.WITHHELD)
         || drawn.gaps().setupCm() - drawn.gaps().oracleCm() >= LEAST_OUTSIDE_SEALED_CM;
   }
 
@@ -143,8 +147,7 @@ final class Drawing {
           effects.stream().filter(other -> !other.name().equals(effect.name())).toList();
       Forecast without = forecast(ground, others, ground.recording, CHECK_REPEATS);
       Evidence.Gain gain = Evidence.of(whole, without, readings, ground.scene.noEchoM());
-      boolean matters =
-          Vocabulary.contains(effect.name()) || gain.gainCm() >= LEAST_OUTSIDE_GAIN_CM;
+      boolean matters = !isOutside(effect) || gain.gainCm() >= LEAST_OUTSIDE_GAIN_CM;
       if (gain.standardErrors() < LEAST_STANDARD_ERRORS || !matters) {
         return false;
       }
