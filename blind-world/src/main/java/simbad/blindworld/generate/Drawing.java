@@ -31,7 +31,7 @@ final class Drawing {
   /** After so many draws in vain sizes begin to grow: some pairs hide each other. */
   private static final int PATIENCE = 60;
 
-  /** After so many draws a pair is given up for another one with the same first effect. */
+  /** After so many draws in vain another pair is tried, or an unknown by itself. */
   private static final int OTHER_PAIR = 200;
 
   private static final int DRAWS = 1000;
@@ -56,8 +56,8 @@ final class Drawing {
   Case draw() {
     while (draws < DRAWS) {
       draws++;
-      if (draws % OTHER_PAIR == 0 && assignment.kind() == Kind.PAIR) {
-        names = Plan.otherPair(order, names.get(0), random);
+      if (draws % OTHER_PAIR == 0) {
+        names = easier();
       }
       Ground ground = ground();
       Circumstances circumstances = circumstances(ground);
@@ -79,6 +79,15 @@ final class Drawing {
     }
     throw new IllegalStateException(
         "no case with " + assignment.names() + " that shows, in " + DRAWS + " draws");
+  }
+
+  /** Another pair with the same first effect; what is unknown stands alone. */
+  private List<String> easier() {
+    return switch (assignment.kind()) {
+      case PAIR -> Plan.otherPair(order, names.get(0), random);
+      case UNKNOWN -> names.subList(names.size() - 1, names.size());
+      case NONE, SINGLE, WITHHELD -> names;
+    };
   }
 
   private Ground ground() {

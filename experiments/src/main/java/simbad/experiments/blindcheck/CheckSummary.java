@@ -8,8 +8,6 @@ import simbad.experiments.blindcheck.CheckScores.Estimate;
 
 /** The scoring table for the console: what stands on the page's first screen. */
 public final class CheckSummary {
-  private static final String LINE = "  %-52s %12s  %-17s %-14s %10s %10s";
-
   private CheckSummary() {}
 
   /** The lines, part by part. */
@@ -48,6 +46,8 @@ public final class CheckSummary {
   }
 
   private static String line(Object... cells) {
-    return String.format(Locale.ROOT, LINE, cells).replace('\u00a0', ' ').stripTrailing();
+    return String.format(Locale.ROOT, "  %-52s %12s  %-17s %-14s %10s %10s", cells)
+        .replace('\u00a0', ' ')
+        .stripTrailing();
   }
 }
