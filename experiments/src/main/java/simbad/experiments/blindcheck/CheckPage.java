@@ -88,7 +88,10 @@ final class CheckPage {
     }
     long unanswered = scores.cases().stream().filter(one -> !one.has("verdict")).count();
     if (unanswered > 0) {
-      note(unanswered + " cases have no answer. They count as wrong everywhere.");
+      note(
+          unanswered == 1
+              ? "1 case has no answer. It counts as wrong everywhere."
+              : unanswered + " cases have no answer. They count as wrong everywhere.");
     }
   }
 

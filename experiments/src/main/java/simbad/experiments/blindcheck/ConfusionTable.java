@@ -75,7 +75,8 @@ final class ConfusionTable {
 
   private static int group(String name) {
     int first = FIRST.indexOf(name);
-    return LAST.contains(name) ? FIRST.size() + 1 : first < 0 ? FIRST.size() : first;
+    int last = LAST.indexOf(name);
+    return last >= 0 ? FIRST.size() + 1 + last : first < 0 ? FIRST.size() : first;
   }
 
   private static String heading(String scope, String name) {

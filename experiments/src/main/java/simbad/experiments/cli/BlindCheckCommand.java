@@ -133,9 +133,8 @@ final class BlindCheckCommand extends Subcommand {
     check.score();
     if (!unanswered.isEmpty()) {
       throw new IOException(
-          "no answer to "
-              + unanswered.size()
-              + " cases, which count as wrong: "
+          unanswered.size()
+              + " without an answer, which counts as wrong: "
               + String.join(" ", unanswered));
     }
   }

@@ -41,7 +41,7 @@ class CheckFilesTest {
             .contains(SampleScores.ALL + ",oracle,single,\"explained, named rightly\",8"));
     assertTrue(lines("confusion.csv").contains(SampleScores.ALL + ",diagnosis,gain,gain+wind,1"));
     assertTrue(
-        lines("effects.csv").contains(SampleScores.L2 + ",diagnosis,(wind),0.5,0.1,0.9,1,2"));
+        lines("effects.csv").contains(SampleScores.L1 + ",diagnosis,(wind),0.5,0.1,0.9,1,2"));
     assertEquals(41, lines("cases.csv").size());
     assertEquals("c0,L1,single,gain,(no answer),false,,,,,,,,", lines("cases.csv").get(1));
   }

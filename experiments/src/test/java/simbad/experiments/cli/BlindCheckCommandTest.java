@@ -239,7 +239,7 @@ class BlindCheckCommandTest {
     Shell shell = check("--foreign", folder.resolve("sets").toString());
     assertEquals(1, shell.status(), shell.err());
     assertTrue(shell.err().contains("broken/readings.csv:2: t_s"), shell.err());
-    assertTrue(shell.err().contains("no answer to 1 cases, which count as wrong: broken"));
+    assertTrue(shell.err().contains("1 without an answer, which counts as wrong: broken"));
     JsonNode shares =
         json("check.json").at("/scores/foreign data sets (level not stated)/diagnosis");
     assertEquals(1, shares.at("/shares/answered/hits").asInt());

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
@@ -19,11 +20,15 @@ class AgreementPlotTest {
         .figure();
   }
 
+  private static XYSeries bins(XYChart chart) {
+    return Objects.requireNonNull(chart.getSeriesMap().get("bins"));
+  }
+
   @Test
   void chart_holdsThePoints() {
     XYChart chart =
         figure(new AgreementPoint(0.2, 0.3, 0.1, 0.5, "10"), AgreementPoint.of(0.9, 0.8)).chart();
-    XYSeries bins = chart.getSeriesMap().get("bins");
+    XYSeries bins = bins(chart);
     assertArrayEquals(new double[] {0.2, 0.9}, bins.getXData());
     assertArrayEquals(new double[] {0.3, 0.8}, bins.getYData());
     assertEquals("probability stated", chart.getXAxisTitle());
@@ -33,14 +38,14 @@ class AgreementPlotTest {
 
   @Test
   void beyondTheScale_isDrawnAtItsEdge() {
-    XYSeries bins = figure(AgreementPoint.of(-7, 1.2)).chart().getSeriesMap().get("bins");
+    XYSeries bins = bins(figure(AgreementPoint.of(-7, 1.2)).chart());
     assertArrayEquals(new double[] {0}, bins.getXData());
     assertArrayEquals(new double[] {1}, bins.getYData());
   }
 
   @Test
   void noPoints_isSaidInTheLegend() {
-    assertEquals("bins (no points)", figure().chart().getSeriesMap().get("bins").getLabel());
+    assertEquals("bins (no points)", bins(figure().chart()).getLabel());
   }
 
   /** The second label would lie over the first. */
