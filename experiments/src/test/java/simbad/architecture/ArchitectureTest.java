@@ -46,6 +46,7 @@ class ArchitectureTest {
   private static final String OBSTACLES = "simbad.obstacles..";
   private static final String EXPERIMENTS = "simbad.experiments..";
   private static final String GAP = "simbad.gap..";
+  private static final String BLIND = "simbad.blindworld..";
   private static final String CLI = "simbad.experiments.cli..";
   private static final String SCENE = "simbad.scene3d..";
   private static final String[] WORLD = {
@@ -70,6 +71,7 @@ class ArchitectureTest {
         "simbad.experiments, 60",
         "simbad.experiments.diagnosis, 15",
         "simbad.gap, 30",
+        "simbad.blindworld, 40",
         "simbad.experiments.control, 8",
         "simbad, 160"
       })
@@ -124,6 +126,24 @@ class ArchitectureTest {
   @MethodSource("arrows")
   void arrow_isNotThere(String from, String[] to) {
     apart(from, to).check(CLASSES);
+  }
+
+  /** What checks the diagnosis shares no code with what is checked, nor a library but the JDK. */
+  @Test
+  void blindWorld_standsAlone() {
+    classes()
+        .that()
+        .resideInAPackage(BLIND)
+        .should()
+        .onlyDependOnClassesThat(resideInAnyPackage("java..", "org.jspecify.annotations", BLIND))
+        .check(CLASSES);
+    noClasses()
+        .that()
+        .resideOutsideOfPackage(BLIND)
+        .should()
+        .dependOnClassesThat()
+        .resideInAPackage(BLIND)
+        .check(CLASSES);
   }
 
   @Test
@@ -194,7 +214,7 @@ class ArchitectureTest {
   void standardStreams_areTheCommandLines() {
     noClasses()
         .that()
-        .resideOutsideOfPackage(CLI)
+        .resideOutsideOfPackages(CLI, BLIND)
         .and()
         .areNotAssignableTo(Console.class)
         .should()
@@ -223,7 +243,9 @@ class ArchitectureTest {
     clockless("simbad.sonar..").check(CLASSES);
     clockless("simbad.obstacles..").check(CLASSES);
     clockless("simbad.gap..").check(CLASSES);
-    clockless("simbad.experiments.(demo|run|control|report|table|plot|diagnosis|dataset)..")
+    clockless(BLIND).check(CLASSES);
+    clockless(
+            "simbad.experiments.(demo|run|control|report|table|plot|diagnosis|dataset|blindcheck)..")
         .check(CLASSES);
   }
 
@@ -235,8 +257,9 @@ class ArchitectureTest {
         .callMethodWhere(callOf(System.class, "(currentTimeMillis|nanoTime)"));
   }
 
+  /** The blind world is a program of its own, with a command line and seeds of its own. */
   private static ClassesShould outsideTheCommandLine() {
-    return noClasses().that().resideOutsideOfPackage(CLI).should();
+    return noClasses().that().resideOutsideOfPackages(CLI, BLIND).should();
   }
 
   private static DescribedPredicate<JavaMethodCall> callOf(Class<?> owner, String names) {

@@ -18,6 +18,7 @@ final class Subcommands {
         new DatasetCommand(),
         new DiagnoseCommand(),
         new PredictCommand(),
+        new BlindCheckCommand(),
         new TestCommand());
   }
 }
