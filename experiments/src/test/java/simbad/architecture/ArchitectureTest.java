@@ -46,6 +46,7 @@ class ArchitectureTest {
   private static final String OBSTACLES = "simbad.obstacles..";
   private static final String EXPERIMENTS = "simbad.experiments..";
   private static final String GAP = "simbad.gap..";
+  private static final String SCATTERING = "simbad.scattering..";
   private static final String CLI = "simbad.experiments.cli..";
   private static final String SCENE = "simbad.scene3d..";
   private static final String[] WORLD = {
@@ -70,6 +71,7 @@ class ArchitectureTest {
         "simbad.experiments, 60",
         "simbad.experiments.diagnosis, 15",
         "simbad.gap, 30",
+        "simbad.scattering, 10",
         "simbad.experiments.control, 8",
         "simbad, 160"
       })
@@ -106,7 +108,13 @@ class ArchitectureTest {
         Arguments.of(GAP, WORLD),
         Arguments.of(GAP, new String[] {OBSTACLES, EXPERIMENTS}),
         Arguments.of(GAP, TOOLKITS),
-        Arguments.of(MODEL, new String[] {GAP}),
+        Arguments.of(MODEL, new String[] {GAP, SCATTERING}),
+        Arguments.of(SCATTERING, WORLD),
+        Arguments.of(SCATTERING, new String[] {OBSTACLES, EXPERIMENTS, GAP, BENCH}),
+        Arguments.of(SCATTERING, TOOLKITS),
+        Arguments.of(OBSTACLES, new String[] {SCATTERING}),
+        Arguments.of(GAP, new String[] {SCATTERING, BENCH}),
+        Arguments.of(BENCH, new String[] {SCATTERING, GAP}),
         Arguments.of(OBSTACLES, new String[] {GAP}),
         Arguments.of("simbad.experiments.demo..", new String[] {"simbad.gui.."}),
         Arguments.of(MODEL, new String[] {BENCH}),
@@ -223,6 +231,7 @@ class ArchitectureTest {
     clockless("simbad.sonar..").check(CLASSES);
     clockless("simbad.obstacles..").check(CLASSES);
     clockless("simbad.gap..").check(CLASSES);
+    clockless("simbad.scattering..").check(CLASSES);
     clockless("simbad.experiments.(demo|run|control|report|table|plot|diagnosis|dataset)..")
         .check(CLASSES);
   }

@@ -14,6 +14,10 @@ import java.util.Arrays;
  */
 final class SonarEquation {
   private static final double STEP_M = 0.001;
+
+  /** So that 469.9999 steps count as 470. */
+  private static final double SLACK = 1e-6;
+
   private static final double SPREADING_DB_PER_DECADE = 30;
 
   private final double minRangeM;
@@ -36,7 +40,7 @@ final class SonarEquation {
   static SonarEquation of(Receiver receiver, Air air, RangeLimits limits) {
     double lossDbPerM = 2 * air.absorptionDbPerM(Backscatter.FREQUENCY_HZ);
     double recoveryM = air.soundSpeedMPerS() * receiver.recoveryS() / 2;
-    int steps = (int) Math.floor((limits.maxRangeM() - limits.minRangeM()) / STEP_M) + 1;
+    int steps = (int) Math.floor((limits.maxRangeM() - limits.minRangeM()) / STEP_M + SLACK) + 1;
     double[] margin = new double[steps];
     double least = Double.POSITIVE_INFINITY;
     for (int i = 0; i < steps; i++) {

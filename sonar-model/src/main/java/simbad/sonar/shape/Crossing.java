@@ -16,11 +16,30 @@ public record Crossing(int firstEdge, int secondEdge) {
    * @return empty for a simple polygon
    */
   public static Optional<Crossing> find(Outline outline) {
+    return first(outline, Crossing::meet);
+  }
+
+  /**
+   * Finds the first place at which an outline crosses itself; one that only touches itself, as
+   * bodies that are joined by a line of no width do, passes.
+   *
+   * @param outline to look at
+   */
+  public static Optional<Crossing> findCrossed(Outline outline) {
+    return first(outline, Crossing::cross);
+  }
+
+  /** Tells of two edges of an outline. */
+  private interface EdgeTest {
+    boolean holds(Outline outline, int i, int j);
+  }
+
+  private static Optional<Crossing> first(Outline outline, EdgeTest test) {
     int n = outline.size();
     for (int i = 0; i < n; i++) {
       for (int j = i + 2; j < n; j++) {
         boolean neighbours = i == 0 && j == n - 1;
-        if (!neighbours && meet(outline, i, j)) {
+        if (!neighbours && test.holds(outline, i, j)) {
           return Optional.of(new Crossing(i, j));
         }
       }
@@ -40,6 +59,12 @@ public record Crossing(int firstEdge, int secondEdge) {
         || (b == 0 && between(o, i, i2, j2))
         || (c == 0 && between(o, j, j2, i))
         || (d == 0 && between(o, j, j2, i2));
+  }
+
+  private static boolean cross(Outline o, int i, int j) {
+    int i2 = (i + 1) % o.size();
+    int j2 = (j + 1) % o.size();
+    return side(o, i, i2, j) * side(o, i, i2, j2) < 0 && side(o, j, j2, i) * side(o, j, j2, i2) < 0;
   }
 
   private static double side(Outline o, int from, int to, int at) {
