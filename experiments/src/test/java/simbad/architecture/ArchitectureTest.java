@@ -47,6 +47,7 @@ class ArchitectureTest {
   private static final String EXPERIMENTS = "simbad.experiments..";
   private static final String GAP = "simbad.gap..";
   private static final String BLIND = "simbad.blindworld..";
+  private static final String SCATTERING = "simbad.scattering..";
   private static final String CLI = "simbad.experiments.cli..";
   private static final String SCENE = "simbad.scene3d..";
   private static final String[] WORLD = {
@@ -72,6 +73,7 @@ class ArchitectureTest {
         "simbad.experiments.diagnosis, 15",
         "simbad.gap, 30",
         "simbad.blindworld, 40",
+        "simbad.scattering, 10",
         "simbad.experiments.control, 8",
         "simbad, 160"
       })
@@ -108,7 +110,13 @@ class ArchitectureTest {
         Arguments.of(GAP, WORLD),
         Arguments.of(GAP, new String[] {OBSTACLES, EXPERIMENTS}),
         Arguments.of(GAP, TOOLKITS),
-        Arguments.of(MODEL, new String[] {GAP}),
+        Arguments.of(MODEL, new String[] {GAP, SCATTERING}),
+        Arguments.of(SCATTERING, WORLD),
+        Arguments.of(SCATTERING, new String[] {OBSTACLES, EXPERIMENTS, GAP, BENCH}),
+        Arguments.of(SCATTERING, TOOLKITS),
+        Arguments.of(OBSTACLES, new String[] {SCATTERING}),
+        Arguments.of(GAP, new String[] {SCATTERING, BENCH}),
+        Arguments.of(BENCH, new String[] {SCATTERING, GAP}),
         Arguments.of(OBSTACLES, new String[] {GAP}),
         Arguments.of("simbad.experiments.demo..", new String[] {"simbad.gui.."}),
         Arguments.of(MODEL, new String[] {BENCH}),
@@ -244,6 +252,7 @@ class ArchitectureTest {
     clockless("simbad.obstacles..").check(CLASSES);
     clockless("simbad.gap..").check(CLASSES);
     clockless(BLIND).check(CLASSES);
+    clockless("simbad.scattering..").check(CLASSES);
     clockless(
             "simbad.experiments.(demo|run|control|report|table|plot|diagnosis|dataset|blindcheck)..")
         .check(CLASSES);
