@@ -22,14 +22,14 @@ class ProbabilitiesTest {
   void anEffectCosts() {
     Probabilities even =
         new Probabilities(List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -90)), 10, 1);
-    assertEquals(0.5, even.ofEffects().get(Effect.GAIN), 1e-12);
+    assertEquals(0.5, even.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
     Probabilities four =
         new Probabilities(List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -86)), 10, 1);
-    assertEquals(1 / (1 + Math.exp(-2)), four.ofEffects().get(Effect.GAIN), 1e-12);
+    assertEquals(1 / (1 + Math.exp(-2)), four.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
     assertEquals(GAIN, four.best().hypothesis());
     Probabilities clumped =
         new Probabilities(List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -86)), 10, 2);
-    assertEquals(1 / (1 + Math.exp(-1)), clumped.ofEffects().get(Effect.GAIN), 1e-12);
+    assertEquals(1 / (1 + Math.exp(-1)), clumped.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
   }
 
   @Test
