@@ -25,7 +25,7 @@ public final class Main {
       switch (command) {
         case "generate" -> GenerateCommand.run(rest, err);
         case "score" -> ScoreCommand.run(rest, out);
-        case "baseline" -> BaselineCommand.run(rest);
+        case "baseline" -> BaselineCommand.run(rest, err);
         case "seal" -> SealCommand.run(rest);
         default ->
             throw new FormatException(
