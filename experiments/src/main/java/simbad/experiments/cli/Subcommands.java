@@ -14,6 +14,7 @@ final class Subcommands {
         new DemoCommand(),
         new TableCommand(),
         new SensorCommand(),
+        new FidelityCommand(),
         new BoardCommand(),
         new FlashInfoCommand(),
         new DatasetCommand(),

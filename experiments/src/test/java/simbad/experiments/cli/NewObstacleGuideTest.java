@@ -63,7 +63,7 @@ class NewObstacleGuideTest {
             .filter(line -> line.startsWith("    ./simbad "))
             .map(line -> line.substring("    ./simbad ".length()))
             .toList();
-    assertEquals(8, commands.size(), "commands on the page");
+    assertEquals(9, commands.size(), "commands on the page");
     System.setProperty(Catalogue.FOLDER_PROPERTY, folder.resolve("my-obstacles").toString());
     try {
       for (String command : commands) {
