@@ -51,12 +51,10 @@ final class CanvasUniverse {
       throw Missing.display();
     }
     try {
-      synchronized (UniverseLock.LOCK) {
-        DrawingErrors.await();
-        CanvasUniverse stage = new CanvasUniverse(configuration());
-        stage.build(sideM);
-        return stage;
-      }
+      DrawingErrors.await();
+      CanvasUniverse stage = new CanvasUniverse(configuration());
+      stage.build(sideM);
+      return stage;
     } catch (RuntimeException | LinkageError e) {
       throw DrawingErrors.findLast().map(Missing::openGl).orElseGet(() -> Missing.of(e));
     }
@@ -142,13 +140,11 @@ final class CanvasUniverse {
   }
 
   void close() {
-    synchronized (UniverseLock.LOCK) {
-      DrawingErrors.remove(errors);
-      view.stopView();
-      canvas.stopRenderer();
-      view.removeAllCanvas3Ds();
-      view.attachViewPlatform(null);
-      universe.removeAllLocales();
-    }
+    DrawingErrors.remove(errors);
+    view.stopView();
+    canvas.stopRenderer();
+    view.removeAllCanvas3Ds();
+    view.attachViewPlatform(null);
+    universe.removeAllLocales();
   }
 }

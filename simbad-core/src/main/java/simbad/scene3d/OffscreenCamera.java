@@ -60,10 +60,8 @@ public final class OffscreenCamera implements PictureSource {
       throw Missing.display();
     }
     try {
-      synchronized (UniverseLock.LOCK) {
-        Film.configuration();
-        return new OffscreenCamera(stage);
-      }
+      Film.configuration();
+      return new OffscreenCamera(stage);
     } catch (RuntimeException | LinkageError e) {
       throw Missing.of(e);
     }
@@ -144,19 +142,15 @@ public final class OffscreenCamera implements PictureSource {
         return film;
       }
     }
-    synchronized (UniverseLock.LOCK) {
-      Film film = new Film(picture.width(), picture.height(), eye);
-      films.add(film);
-      return film;
-    }
+    Film film = new Film(picture.width(), picture.height(), eye);
+    films.add(film);
+    return film;
   }
 
   @Override
   public void dispose() {
-    synchronized (UniverseLock.LOCK) {
-      VirtualUniverse.removeRenderingErrorListener(errors);
-      films.forEach(Film::close);
-      universe.removeAllLocales();
-    }
+    VirtualUniverse.removeRenderingErrorListener(errors);
+    films.forEach(Film::close);
+    universe.removeAllLocales();
   }
 }
