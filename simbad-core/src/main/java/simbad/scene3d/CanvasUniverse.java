@@ -51,10 +51,12 @@ final class CanvasUniverse {
       throw Missing.display();
     }
     try {
-      DrawingErrors.await();
-      CanvasUniverse stage = new CanvasUniverse(configuration());
-      stage.build(sideM);
-      return stage;
+      synchronized (UniverseLock.LOCK) {
+        DrawingErrors.await();
+        CanvasUniverse stage = new CanvasUniverse(configuration());
+        stage.build(sideM);
+        return stage;
+      }
     } catch (RuntimeException | LinkageError e) {
       throw DrawingErrors.findLast().map(Missing::openGl).orElseGet(() -> Missing.of(e));
     }
@@ -140,11 +142,13 @@ final class CanvasUniverse {
   }
 
   void close() {
-    DrawingErrors.remove(errors);
-    view.stopView();
-    canvas.stopRenderer();
-    view.removeAllCanvas3Ds();
-    view.attachViewPlatform(null);
-    universe.removeAllLocales();
+    synchronized (UniverseLock.LOCK) {
+      DrawingErrors.remove(errors);
+      view.stopView();
+      canvas.stopRenderer();
+      view.removeAllCanvas3Ds();
+      view.attachViewPlatform(null);
+      universe.removeAllLocales();
+    }
   }
 }
