@@ -241,8 +241,10 @@ class RangerTest {
         for (int b = 0; b < bytes.length; b++) {
           bytes[b] = bytes[b] == 't' ? (byte) 'T' : bytes[b];
         }
-        test.serial.type(bytes);
         int before = test.serial.text().length();
+        test.serial.type(bytes);
+        // Ends a period that may be open and lets pings go on that the bytes may have stopped.
+        test.serial.type("\rr");
         test.serial.await(came -> came.length() > before + 40);
       }
       // Ends a period that may be open, then asks for pings again.
