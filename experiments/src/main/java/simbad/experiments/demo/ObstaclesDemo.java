@@ -20,7 +20,8 @@ public final class ObstaclesDemo extends Demo {
     worldViewPoint = World.VIEW_FROM_TOP;
     for (int i = 0; i < types.size(); i++) {
       double x = (i % COLUMNS - (COLUMNS - 1) / 2.0) * APART_M;
-      double z = (i / COLUMNS - (COLUMNS - 1) / 2.0) * APART_M;
+      int row = i / COLUMNS;
+      double z = (row - (COLUMNS - 1) / 2.0) * APART_M;
       double turnRad = i * Math.PI / types.size();
       add(new SonarObstacle(new Vector3d(x, 0, z), turnRad, types.get(i)));
     }
