@@ -136,9 +136,10 @@ public final class Board implements AutoCloseable {
   public void awaitEnd() throws IOException, InterruptedException {
     int status = gpsim.waitFor();
     thread.join();
-    control.rethrowFault();
+    control.rethrowFailure();
     if (status != 0 || !control.stopped()) {
-      throw new IOException("gpsim ended with status " + status + ": " + workplace.lastWords());
+      throw new IOException(
+          "gpsim ended with status " + status + control.complaint() + ": " + workplace.lastWords());
     }
   }
 

@@ -95,14 +95,16 @@ final class ControlChannel {
     return stopped;
   }
 
-  void rethrowFault() throws IOException {
-    Exception seen = fault;
-    if (seen instanceof RuntimeException failure) {
+  /** Throws what the world threw. */
+  void rethrowFailure() {
+    if (fault instanceof RuntimeException failure) {
       throw failure;
     }
-    if (seen != null) {
-      throw new IOException("the simulated board cannot be told anything: " + seen.getMessage());
-    }
+  }
+
+  /** What was wrong with the line itself, for a message; empty when nothing was. */
+  String complaint() {
+    return fault instanceof IOException lost ? " (" + lost.getMessage() + ")" : "";
   }
 
   void close() {
