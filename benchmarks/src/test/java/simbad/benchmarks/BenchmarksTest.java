@@ -61,6 +61,19 @@ class BenchmarksTest {
         .map(name -> DynamicTest.dynamicTest(name, () -> checkGivesAFigure(name)));
   }
 
+  @Test
+  void processorTime_isReportedBesideTheClocks() throws RunnerException {
+    Options options =
+        new OptionsBuilder()
+            .parent(oneIteration(BaselineBenchmark.class.getName() + ".nothing"))
+            .measurementTime(TimeValue.milliseconds(200))
+            .addProfiler(ProcessorTimeProfiler.class)
+            .build();
+    RunResult result = new Runner(options).runSingle();
+    double perS = result.getSecondaryResults().get("perProcessorS").getScore();
+    assertTrue(perS > 0 && perS < Double.POSITIVE_INFINITY, result::toString);
+  }
+
   private static void checkGivesAFigure(String name) throws RunnerException {
     Collection<RunResult> results = new Runner(oneIteration(name)).run();
     assertFalse(results.isEmpty());
