@@ -187,19 +187,6 @@ public class Simbad extends JFrame implements ActionListener {
     dispatchEvent(new WindowEvent(this, WindowEvent.WINDOW_CLOSING));
   }
 
-  /**
-   * Paints the window. Programs call it from their own thread as soon as the window is open; Swing
-   * paints on the event thread alone, so that it is then left to that.
-   */
-  @Override
-  public void update(Graphics graphics) {
-    if (SwingUtilities.isEventDispatchThread()) {
-      super.update(graphics);
-    } else {
-      repaint();
-    }
-  }
-
   /** Closes the window and frees what it holds, in a moment; the program goes on. */
   @Override
   public void dispose() {

@@ -16,6 +16,7 @@ import java.util.Comparator;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -151,7 +152,9 @@ class BlindCheckCommandTest {
   private List<String> changed(Map<String, String> before) throws IOException {
     Map<String, String> after = contents();
     assertEquals(before.keySet(), after.keySet());
-    return before.keySet().stream().filter(n -> !before.get(n).equals(after.get(n))).toList();
+    return before.keySet().stream()
+        .filter(n -> !Objects.equals(before.get(n), after.get(n)))
+        .toList();
   }
 
   private static void delete(Path root) throws IOException {
