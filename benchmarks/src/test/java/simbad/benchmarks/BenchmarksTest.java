@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Collection;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
@@ -70,7 +71,8 @@ class BenchmarksTest {
             .addProfiler(ProcessorTimeProfiler.class)
             .build();
     RunResult result = new Runner(options).runSingle();
-    double perS = result.getSecondaryResults().get("perProcessorS").getScore();
+    double perS =
+        Objects.requireNonNull(result.getSecondaryResults().get("perProcessorS")).getScore();
     assertTrue(perS > 0 && perS < Double.POSITIVE_INFINITY, result::toString);
   }
 
