@@ -20,6 +20,7 @@ import simbad.gap.explain.Blocks;
 import simbad.gap.explain.Calibration;
 import simbad.gap.explain.Gain;
 import simbad.gap.explain.Misfit;
+import simbad.gap.explain.PracticalSize;
 import simbad.gap.explain.Probabilities;
 import simbad.gap.explain.Scored;
 import simbad.gap.explain.Search;
@@ -96,8 +97,20 @@ public final class Diagnoser {
     // In one block nothing is left to test on what is fitted: too few rows to name anything.
     Set<Effect> excluded = new Blocks(log).count() > 1 ? withheld : EnumSet.allOf(Effect.class);
     List<Scored> sets = new Search(evidence, excluded, worth).run();
-    Probabilities probabilities = new Probabilities(sets, worth, calibration.clumping());
-    return new Inquiry(evidence, calibration, sets, probabilities);
+    return new Inquiry(
+        evidence, calibration, sets, probabilities(evidence, sets, worth, calibration.clumping()));
+  }
+
+  private static Probabilities probabilities(
+      Evidence evidence, List<Scored> sets, double worth, double clumping) {
+    PracticalSize size = new PracticalSize(evidence, sets);
+    Set<Effect> unseen = EnumSet.noneOf(Effect.class);
+    Probabilities probabilities = new Probabilities(sets, worth, clumping, unseen);
+    double most = (1 + Probabilities.UNSEEN) * worth;
+    while (unseen.addAll(size.unseen(probabilities.best(), most))) {
+      probabilities = new Probabilities(sets, worth, clumping, unseen);
+    }
+    return probabilities;
   }
 
   private Diagnosis conclude(Inquiry inquiry) {
@@ -110,9 +123,9 @@ public final class Diagnoser {
     Gain gain = Gain.of(evidence, blocks, best);
     double unknown =
         Unknown.probability(
-            new Misfit(evidence, calibration.loosened(evidence, best)),
+            new Misfit(calibration.loosened(evidence, best), best),
             gain,
-            best.forms().size(),
+            best,
             calibration.clumping());
     return new Diagnosis(
         verdict(best, unknown),

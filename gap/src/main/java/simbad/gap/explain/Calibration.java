@@ -1,7 +1,6 @@
 package simbad.gap.explain;
 
 import java.util.Arrays;
-import java.util.Map;
 import java.util.Optional;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fitter;
@@ -9,9 +8,7 @@ import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.JointFitter;
 import simbad.sonar.effect.Effect;
-import simbad.sonar.effect.Form;
 import simbad.sonar.effect.PingLog;
-import simbad.sonar.effect.SetupForms;
 import simbad.sonar.scene.SensingSetup;
 
 /**
@@ -24,27 +21,24 @@ public final class Calibration {
 
   private final Optional<Evidence> reference;
   private final Hypothesis setup;
-  private final Map<Form, double[]> freedom;
   private final double clumping;
 
-  private Calibration(Optional<Evidence> reference, Hypothesis setup, Map<Form, double[]> freedom) {
+  private Calibration(Optional<Evidence> reference, Hypothesis setup) {
     this.reference = reference;
     this.setup = setup;
-    this.freedom = Map.copyOf(freedom);
     clumping = reference.map(evidence -> clumping(evidence, setup)).orElse(1.0);
   }
 
   /** Returns the calibration of a set-up without a reference: it is as it is believed to be. */
   public static Calibration none() {
-    return new Calibration(Optional.empty(), Hypothesis.NONE, Map.of());
+    return new Calibration(Optional.empty(), Hypothesis.NONE);
   }
 
   /** Calibrates. */
   public static Calibration of(SensingSetup setup, PingLog reference) {
     Evidence evidence = new Evidence(setup, java.util.List.of(), reference);
     Calibrator calibrator = new Calibrator(new Fitter(evidence, Fold.ALL), setup);
-    Hypothesis fitted = calibrator.fit();
-    return new Calibration(Optional.of(evidence), fitted, calibrator.freedom());
+    return new Calibration(Optional.of(evidence), calibrator.fit());
   }
 
   /** Returns the calibrated forms with their values; none without a reference. */
@@ -77,9 +71,7 @@ public final class Calibration {
     for (int i = 0; i < explanation.forms().size(); i++) {
       more = suspicion.settled(more, i);
     }
-    return more.equals(setup)
-        ? rivalled(log, explanation)
-        : new Calibration(reference, more, freedom);
+    return more.equals(setup) ? rivalled(log, explanation) : new Calibration(reference, more);
   }
 
   /** Whether a set-up that fits reference and log together makes an effect superfluous. */
@@ -89,41 +81,37 @@ public final class Calibration {
     for (Effect effect : explanation.effects()) {
       Rival less = rival(raw, explanation.without(effect));
       if (whole.nats - less.nats < SUPERFLUOUS_NATS * clumping) {
-        return new Calibration(reference, less.setup, less.freedom);
+        return new Calibration(reference, less.setup);
       }
     }
     return this;
   }
 
   /** A set-up fitted to reference and log together, and how well it fits. */
-  private record Rival(Hypothesis setup, Map<Form, double[]> freedom, double nats) {}
+  private record Rival(Hypothesis setup, double nats) {}
 
   private Rival rival(Evidence raw, Hypothesis effects) {
     Calibrator calibrator =
         new Calibrator(new JointFitter(reference.orElseThrow(), raw, effects), raw.setup());
     Hypothesis fitted = calibrator.again(setup);
-    return new Rival(fitted, calibrator.freedom(), calibrator.evidence(fitted));
+    return new Rival(fitted, calibrator.evidence(fitted));
   }
 
   /**
-   * Lets the thresholds move as far as the reference leaves open: the bearings of a log are not
-   * those of its reference, and what a set-up is off by is no effect.
+   * Lets the set-up move as far as the reference leaves open: the places of a log are not those of
+   * its reference, and what a set-up is off by is no effect.
    *
    * @param evidence of the log, calibrated
    * @param explanation that stays as it is
-   * @return the explanation and the thresholds' waves
+   * @return the log before a set-up that is fitted to it and the reference together
    */
-  public Hypothesis loosened(Evidence evidence, Hypothesis explanation) {
-    Fitter fitter = new Fitter(evidence, Fold.ALL);
-    Hypothesis loose = explanation;
-    for (Form form : SetupForms.all(evidence.setup())) {
-      double[] variance = freedom.get(form);
-      if (variance != null) {
-        Waves waves = new Waves(fitter, form);
-        loose = waves.moved(waves.moved(loose, variance), variance);
-      }
+  public Evidence loosened(Evidence evidence, Hypothesis explanation) {
+    if (reference.isEmpty()) {
+      return evidence;
     }
-    return loose;
+    Evidence raw = new Evidence(evidence.setup(), java.util.List.of(), evidence.log());
+    Hypothesis loose = rival(raw, explanation).setup;
+    return new Evidence(evidence.setup(), loose.changes(), evidence.log());
   }
 
   /** Mean square of the blocks' sums of surprises, each in units of what chance gives. */

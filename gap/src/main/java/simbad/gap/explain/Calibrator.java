@@ -1,9 +1,7 @@
 package simbad.gap.explain;
 
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Stream;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
@@ -28,7 +26,6 @@ final class Calibrator {
   private final Fitter fitter;
   private final List<Form> forms;
   private final List<Form> waves;
-  private final Map<Form, double[]> freedom = new HashMap<>();
   private double variance;
 
   /**
@@ -86,11 +83,6 @@ final class Calibrator {
     return fitter.logLikelihood(setup) - cost;
   }
 
-  /** Returns what the reference leaves open of each coefficient that it decides: variances. */
-  Map<Form, double[]> freedom() {
-    return Map.copyOf(freedom);
-  }
-
   private Hypothesis tried(Hypothesis base, Form form) {
     Fit fit =
         Stream.of(start(form, true), start(form, false))
@@ -118,7 +110,6 @@ final class Calibrator {
         variance = spread * spread;
       }
     }
-    freedom.clear();
     if (variance == 0) {
       return without(base);
     }
@@ -127,7 +118,6 @@ final class Calibrator {
       double[] prior = new double[waves.get(i).parameters().size()];
       java.util.Arrays.fill(prior, variance);
       moved = new Waves(fitter, waves.get(i)).moved(moved, prior);
-      freedom.put(waves.get(i), lies.get(i).left(variance));
     }
     return moved;
   }

@@ -12,6 +12,9 @@ public final class Probabilities {
   /** What a further effect must gain held-out at least, whatever the number of rows. */
   public static final double COST_NATS = 10;
 
+  /** What does not show in the gap costs so many times more. */
+  public static final double UNSEEN = 4;
+
   /** Likelihoods of models that are all a little wrong are taken for less than they say. */
   private static final double TEMPERATURE = 2;
 
@@ -24,14 +27,18 @@ public final class Probabilities {
    * @param sets with their held-out scores
    * @param costNats what a further effect must gain to be as probable as its absence
    * @param clumping by how much the readings hang together; 1 for independent ones
+   * @param unseen effects that do not show in the gap
    */
-  public Probabilities(List<Scored> sets, double costNats, double clumping) {
+  public Probabilities(List<Scored> sets, double costNats, double clumping, Set<Effect> unseen) {
     this.sets = List.copyOf(sets);
     weight = new double[sets.size()];
     double most = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < weight.length; i++) {
       Scored set = sets.get(i);
-      double nats = set.heldOut() - costNats * shares(set.hypothesis().forms().size());
+      List<Effect> effects = set.hypothesis().effects();
+      double shares = shares(effects.size());
+      shares += UNSEEN * effects.stream().filter(unseen::contains).count();
+      double nats = set.heldOut() - costNats * shares;
       weight[i] = nats / (TEMPERATURE * clumping);
       most = Math.max(most, weight[i]);
     }

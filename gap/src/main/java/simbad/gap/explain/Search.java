@@ -102,7 +102,8 @@ public final class Search {
 
   /**
    * Puts what explains much alone in the place of each member but the last, which was just chosen
-   * among all: the first may have been taken because it soaks up what two others do.
+   * among all: the first may have been taken because it soaks up what two others do. The member
+   * itself is among them, looked for anew now that the others are known.
    */
   private Fit swapped(Fit set, List<Fit> singles) {
     Fit best = set;
@@ -111,9 +112,7 @@ public final class Search {
       Hypothesis rest = best.hypothesis().without(member);
       Fit base = joint(new Fit(rest, best.logLikelihood()));
       keep(base);
-      List<Form> strong =
-          promising(singles, rest).stream().filter(form -> form.effect() != member).toList();
-      List<Fit> others = grown(base, strong);
+      List<Fit> others = grown(base, promising(singles, rest));
       if (!others.isEmpty() && others.get(0).logLikelihood() > best.logLikelihood()) {
         best = others.get(0);
       }

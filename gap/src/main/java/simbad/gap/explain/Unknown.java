@@ -1,6 +1,8 @@
 package simbad.gap.explain;
 
 import java.util.List;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.Burst;
 
 /**
  * How probable it is that something is at work that the best set of effects does not account for.
@@ -28,15 +30,17 @@ public final class Unknown {
    *
    * @param misfit of the best set
    * @param gain of the best set
-   * @param effects number of effects in it
+   * @param best the best set of effects
    * @param clumping by how much readings hang together; 1 for independent ones
    */
-  public static double probability(Misfit misfit, Gain gain, int effects, double clumping) {
+  public static double probability(Misfit misfit, Gain gain, Hypothesis best, double clumping) {
+    int effects = best.forms().size();
     double off = misfit.top(TOP) / Math.sqrt(clumping);
     double logit = (off - EVEN) / WIDTH + (effects > 2 ? THIRD : 0);
     double left = gain.afterM() - mean(gain.after().expectedM());
     boolean small = left < Math.max(PRACTICAL_M, SMALL_SHARE * (gain.beforeM() - gain.floorM()));
-    if (small && effects > 0) {
+    // Bursts expect so much of chance that next to nothing seems left, whatever they stand for.
+    if (small && effects > 0 && best.changes().stream().noneMatch(Burst.class::isInstance)) {
       logit -= THIRD;
     }
     return 1 / (1 + Math.exp(-logit));

@@ -1,6 +1,5 @@
 package simbad.gap.explain;
 
-import java.util.Arrays;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Form;
@@ -42,11 +41,6 @@ final class Waves {
         sum += (slope[i] * slope[i] * variance / known - Math.log(known)) / 2;
       }
       return sum;
-    }
-
-    /** Returns the variances that are left of a prior's. */
-    double[] left(double variance) {
-      return Arrays.stream(curve).map(known -> 1 / (1 / variance + known)).toArray();
     }
   }
 

@@ -3,6 +3,7 @@ package simbad.gap.explain;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
@@ -21,21 +22,33 @@ class ProbabilitiesTest {
   @Test
   void anEffectCosts() {
     Probabilities even =
-        new Probabilities(List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -90)), 10, 1);
+        new Probabilities(
+            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -90)), 10, 1, Set.of());
     assertEquals(0.5, even.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
     Probabilities four =
-        new Probabilities(List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -86)), 10, 1);
+        new Probabilities(
+            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -86)), 10, 1, Set.of());
     assertEquals(1 / (1 + Math.exp(-2)), four.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
     assertEquals(GAIN, four.best().hypothesis());
     Probabilities clumped =
-        new Probabilities(List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -86)), 10, 2);
+        new Probabilities(
+            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -86)), 10, 2, Set.of());
     assertEquals(1 / (1 + Math.exp(-1)), clumped.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
+  }
+
+  /** What does not show in the gap costs five times as much. */
+  @Test
+  void anUnseenEffectCostsMore() {
+    List<Scored> sets = List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -60));
+    assertEquals(GAIN, new Probabilities(sets, 10, 1, Set.of()).best().hypothesis());
+    Probabilities unseen = new Probabilities(sets, 10, 1, Set.of(Effect.GAIN));
+    assertEquals(1 / (1 + Math.exp(5)), unseen.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
   }
 
   @Test
   void tiesAreWhatCouldStandInItsPlace() {
     Probabilities close =
-        new Probabilities(List.of(scored(GAIN, -50), scored(ABSORPTION, -52)), 10, 1);
+        new Probabilities(List.of(scored(GAIN, -50), scored(ABSORPTION, -52)), 10, 1, Set.of());
     assertEquals(List.of(Effect.ABSORPTION), close.inPlaceOf(Effect.GAIN, 3));
     assertEquals(List.of(), close.inPlaceOf(Effect.GAIN, 1));
   }

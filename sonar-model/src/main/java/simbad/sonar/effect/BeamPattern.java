@@ -14,6 +14,8 @@ public record BeamPattern(double widthRad, double power, Law law, Angle angle)
   public enum Angle {
     /** Of its centre. */
     CENTRE,
+    /** Of the point that would be read: the nearest of its outline in the cone. */
+    NEAREST,
     /** Of the point of its outline that is nearest to the axis. */
     OUTLINE
   }
@@ -34,9 +36,11 @@ public record BeamPattern(double widthRad, double power, Law law, Angle angle)
       return 1;
     }
     double off =
-        angle == Angle.CENTRE
-            ? Math.abs(geometry.offAxisRad(line))
-            : geometry.outlineOffAxisRad(line);
+        switch (angle) {
+          case CENTRE -> Math.abs(geometry.offAxisRad(line));
+          case NEAREST -> geometry.nearestOffAxisRad(line);
+          case OUTLINE -> geometry.outlineOffAxisRad(line);
+        };
     double u = Math.min(off, geometry.coneHalfAngleRad()) / widthRad;
     return switch (law) {
       case BELL -> Math.exp(-Math.pow(u, 2 * power));

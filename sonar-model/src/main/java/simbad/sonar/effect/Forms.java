@@ -195,7 +195,7 @@ public final class Forms {
           Effect.ABSORPTION,
           law.name().toLowerCase(java.util.Locale.ROOT),
           v -> new Absorption(v[0], law),
-          Parameter.of("loss_per_m", 0, -0.2, 1.5, -0.05, 0.05, 0.1, 0.2, 0.4));
+          Parameter.of("loss_per_m", 0, 0, 1.5, 0.05, 0.1, 0.2, 0.4));
     }
   }
 
@@ -205,6 +205,7 @@ public final class Forms {
       String name = law.name().toLowerCase(java.util.Locale.ROOT);
       pattern(name, law, BeamPattern.Angle.CENTRE, half);
       pattern(name + "-outline", law, BeamPattern.Angle.OUTLINE, half);
+      pattern(name + "-nearest", law, BeamPattern.Angle.NEAREST, half);
     }
     add(
         Effect.BEAM_WIDTH,

@@ -18,6 +18,9 @@ import simbad.sonar.shape.Outline;
  * leads from a ping to obstacle o. That of a log is immutable and safe for use by several threads.
  */
 public final class Geometry {
+  private static final double SAME_POINT_M = 1e-9;
+  private static final double SAME_ANGLE_RAD = 1e-9;
+
   private final PingLog log;
   private final Scene scene;
   private final SonarSpec sensor;
@@ -36,6 +39,8 @@ public final class Geometry {
 
   /** Not a number until it is asked for; two threads that compute it find the same. */
   private final double[] outlineOffAxisRad;
+
+  private final double[] nearestOffAxisRad;
 
   private final SightLine sight = new SightLine();
   private final TransducerPose from = new TransducerPose();
@@ -85,6 +90,7 @@ public final class Geometry {
     thresholdM = new double[lines];
     offAxisRad = new double[lines];
     outlineOffAxisRad = new double[lines];
+    nearestOffAxisRad = new double[lines];
   }
 
   /** Tells whether a change has to be known before geometry can be computed. */
@@ -129,15 +135,10 @@ public final class Geometry {
       bearingRad[line] = sight.bearingRad();
       thresholdM[line] = sight.thresholdM();
       outlineOffAxisRad[line] = Double.NaN;
-      offAxisRad[line] = offAxis(ping, scene.obstacles().get(obstacle));
+      nearestOffAxisRad[line] = Double.NaN;
+      Placement place = scene.obstacles().get(obstacle).worldFromObstacle();
+      offAxisRad[line] = offAxis(ping, place.xM(), place.zM());
     }
-  }
-
-  /** Of the centre, from the heading. */
-  private double offAxis(int ping, Obstacle obstacle) {
-    Placement place = obstacle.worldFromObstacle();
-    double direction = Math.atan2(zM[ping] - place.zM(), place.xM() - xM[ping]);
-    return Angles.signed(direction - headingRad[ping]);
   }
 
   /** Returns the pings. */
@@ -232,6 +233,41 @@ public final class Geometry {
     return outlineOffAxisRad[line];
   }
 
+  /**
+   * Returns the angle from the heading to the point of the obstacle that is nearest in the cone,
+   * radians in [0, pi]; the cone's half angle where none is.
+   */
+  public double nearestOffAxisRad(int line) {
+    if (Double.isNaN(nearestOffAxisRad[line])) {
+      nearestOffAxisRad[line] = nearestOffAxis(line);
+    }
+    return nearestOffAxisRad[line];
+  }
+
+  private double nearestOffAxis(int line) {
+    int ping = line / obstacles;
+    Outline outline = outlines.get(line % obstacles);
+    int from = outline.size() - 1;
+    for (int to = 0; to < outline.size(); to++) {
+      double edgeX = outline.xM(to) - outline.xM(from);
+      double edgeZ = outline.zM(to) - outline.zM(from);
+      double towards =
+          (xM[ping] - outline.xM(from)) * edgeX + (zM[ping] - outline.zM(from)) * edgeZ;
+      double length2 = edgeX * edgeX + edgeZ * edgeZ;
+      double share = length2 == 0 ? 0 : Math.max(0, Math.min(1, towards / length2));
+      double x = outline.xM(from) + share * edgeX;
+      double z = outline.zM(from) + share * edgeZ;
+      double offM = Math.hypot(x - xM[ping], z - zM[ping]) - nearestM[line];
+      double offAxis = Math.abs(offAxis(ping, x, z));
+      if (Math.abs(offM) <= SAME_POINT_M && offAxis <= coneHalfAngleRad() + SAME_ANGLE_RAD) {
+        return offAxis;
+      }
+      from = to;
+    }
+    // Neither a corner nor the foot of a perpendicular: where the outline leaves the cone.
+    return coneHalfAngleRad();
+  }
+
   private double outlineOffAxis(int line) {
     int ping = line / obstacles;
     Outline outline = outlines.get(line % obstacles);
@@ -249,7 +285,12 @@ public final class Geometry {
   }
 
   private double cornerOffAxis(int ping, Outline outline, int corner) {
-    double direction = Math.atan2(zM[ping] - outline.zM(corner), outline.xM(corner) - xM[ping]);
+    return offAxis(ping, outline.xM(corner), outline.zM(corner));
+  }
+
+  /** Of a place, from the heading. */
+  private double offAxis(int ping, double toXM, double toZM) {
+    double direction = Math.atan2(zM[ping] - toZM, toXM - xM[ping]);
     return Angles.signed(direction - headingRad[ping]);
   }
 }

@@ -49,7 +49,12 @@ final class HiddenState {
 
   /** The probability of a state of the burst. */
   double sum(int inBurst) {
-    return Arrays.stream(probability[inBurst], 0, slots).sum();
+    double[] some = probability[inBurst];
+    double sum = 0;
+    for (int slot = 0; slot < slots; slot++) {
+      sum += some[slot];
+    }
+    return sum;
   }
 
   /** Lets a ping's time pass for the burst. */

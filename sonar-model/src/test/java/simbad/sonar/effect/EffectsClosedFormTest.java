@@ -242,6 +242,25 @@ class EffectsClosedFormTest {
     }
   }
 
+  /**
+   * From (0, 0.3) the nearest point is the corner at 0.875, 0.125: atan(0.175 / 0.875) to the left.
+   * Turned 45 degrees to the left, the sensor has it out of its cone of 27.5 degrees.
+   */
+  @Test
+  void nearestOffAxis_isTheCornersOrTheBorders() {
+    double toCornerRad = Math.atan2(0.175, 0.875);
+    for (double turnedRad : new double[] {0, Math.toRadians(20), Math.toRadians(-5)}) {
+      Geometry geometry = geometry(Pose.of(0, 0.3, turnedRad));
+      assertEquals(Math.abs(toCornerRad - turnedRad), geometry.nearestOffAxisRad(0), 1e-9);
+    }
+    Geometry aside = geometry(Pose.of(0, 0.3, Math.toRadians(45)));
+    assertEquals(Math.toRadians(27.5), aside.nearestOffAxisRad(0), 1e-9);
+  }
+
+  private static Geometry geometry(Pose pose) {
+    return new Geometry(new PingLog(List.of(Logs.row(0, pose, Logs.SILENCE))), SETUP, List.of());
+  }
+
   /** 40 degrees aside the near corner is at 40 - atan(0.125 / 0.875) = 31.87 degrees. */
   @Test
   void beamWidth_movesTheBorder() {
