@@ -11,6 +11,7 @@ import java.awt.image.BufferedImage;
 import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -240,6 +241,22 @@ class SimbadWindowTest {
     assertFalse(window.isDisplayable());
     assertEquals(0, window.getDesktopPane().getAllFrames().length);
     assertSame(window, reference.get());
+  }
+
+  /** Whoever disposes of the window and returns from main has ended the program. */
+  @Test
+  void disposedWindow_leavesNoThreadThatKeepsTheProgramAlive() throws Exception {
+    try (Desk desk = open()) {
+      assertTrue(threadsOfJava3D().count() > 1);
+      desk.click("run");
+    }
+    Desk.await("Java 3D lets go", () -> threadsOfJava3D().allMatch(Thread::isDaemon));
+    assertTrue(threadsOfJava3D().findAny().isPresent(), "the renderer stays, as a daemon");
+  }
+
+  private static Stream<Thread> threadsOfJava3D() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .filter(thread -> thread.getName().startsWith("J3D-"));
   }
 
   @Test
