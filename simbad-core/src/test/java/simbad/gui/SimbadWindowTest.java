@@ -206,8 +206,7 @@ class SimbadWindowTest {
       // Swing remembers who had the focus last until somebody else has it.
       Desk.settle();
       desk.click("run");
-      // Java 3D or the focus may hold on to one world that was closed, but never to more.
-      Desk.await("the former agents are freed", () -> freed(former) >= former.size() - 1);
+      Desk.await("the former agents are freed", () -> freed(former) == former.size());
       assertEquals(3, desk.window.getDesktopPane().getAllFrames().length);
     }
   }
