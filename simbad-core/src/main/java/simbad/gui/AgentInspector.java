@@ -133,7 +133,10 @@ public class AgentInspector extends JInternalFrame implements Runnable {
   }
 
   private void show(String state) {
-    text.setText(state);
+    // In the order in which a layout takes its locks, which old programs start on any thread.
+    synchronized (text.getTreeLock()) {
+      text.setText(state);
+    }
     devices.repaint();
   }
 

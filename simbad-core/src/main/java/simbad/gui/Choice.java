@@ -10,7 +10,7 @@ import javax.swing.KeyStroke;
 
 /** One thing that a button or a menu item does; a listener tells it by its command. */
 final class Choice extends AbstractAction {
-  private final transient ActionListener listener;
+  private transient ActionListener listener;
 
   /**
    * Creates a choice whose command is its name.
@@ -57,6 +57,14 @@ final class Choice extends AbstractAction {
     JToggleButton toggle = new JToggleButton(this);
     toggle.setFocusable(false);
     return toggle;
+  }
+
+  /**
+   * Tells the listener no more. Swing notes actions whose buttons are gone, and forgets them when
+   * the next button is made: until then nothing shall hang on them.
+   */
+  void release() {
+    listener = event -> {};
   }
 
   @Override

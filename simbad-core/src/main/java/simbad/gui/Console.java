@@ -45,7 +45,14 @@ public class Console extends JInternalFrame implements Runnable {
       printed.reset();
     }
     if (!news.isEmpty()) {
-      SwingUtilities.invokeLater(() -> text.append(news));
+      SwingUtilities.invokeLater(() -> append(news));
+    }
+  }
+
+  private void append(String news) {
+    // In the order in which a layout takes its locks, which old programs start on any thread.
+    synchronized (text.getTreeLock()) {
+      text.append(news);
     }
   }
 

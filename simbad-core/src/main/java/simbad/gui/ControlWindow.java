@@ -41,6 +41,7 @@ public class ControlWindow extends JInternalFrame {
 
   @Override
   public void dispose() {
+    worldControl.close();
     simulatorControl.close();
     super.dispose();
   }

@@ -122,8 +122,10 @@ public class SimulatorControlGUI extends JPanel implements ActionListener {
     state.setText((running ? "running" : "paused") + time);
   }
 
-  /** Looks at the simulator no more. */
+  /** Looks at the simulator and controls it no more. */
   void close() {
     refresh.stop();
+    commands().forEach(Choice::release);
+    factors.forEach(Choice::release);
   }
 }

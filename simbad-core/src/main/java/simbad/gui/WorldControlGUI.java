@@ -100,7 +100,15 @@ public class WorldControlGUI extends JPanel implements ActionListener {
   }
 
   private void showChosen(int viewPoint) {
-    Stream.concat(places.stream(), followers.stream())
-        .forEach(choice -> choice.setSelected(choice.hasCommand(VIEW + viewPoint)));
+    choices().forEach(choice -> choice.setSelected(choice.hasCommand(VIEW + viewPoint)));
+  }
+
+  private Stream<Choice> choices() {
+    return Stream.concat(places.stream(), followers.stream());
+  }
+
+  /** Moves the view no more. */
+  void close() {
+    choices().forEach(Choice::release);
   }
 }

@@ -5,12 +5,16 @@ import java.awt.GraphicsDevice;
 import java.awt.GraphicsEnvironment;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import javax.media.j3d.GraphicsConfigTemplate3D;
 
 /**
  * Asks the screen for a configuration that Java 3D can draw with, without the second that Java 3D
  * waits at the end of it: for a notification that came before, or never comes. Whoever interrupts
  * that wait gets the same answer at once.
+ *
+ * <p>The first question starts Java 3D's renderer, a thread that never ends. A daemon asks, so that
+ * the renderer is one, too, and does not keep a program alive whose windows are all closed.
  */
 final class ConfigurationQuery {
   private static final long LOOK_MS = 10;
@@ -23,14 +27,22 @@ final class ConfigurationQuery {
   static Optional<GraphicsConfiguration> ask(GraphicsConfigTemplate3D template) {
     GraphicsDevice screen =
         GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice();
-    Thread waker = new Thread(ConfigurationQuery::wakeRenderer, "Java 3D query");
-    waker.setDaemon(true);
-    waker.start();
+    Thread waker = startDaemon(ConfigurationQuery::wakeRenderer);
     try {
-      return Optional.ofNullable(screen.getBestConfiguration(template));
+      return CompletableFuture.supplyAsync(
+              () -> Optional.ofNullable(screen.getBestConfiguration(template)),
+              ConfigurationQuery::startDaemon)
+          .join();
     } finally {
       waker.interrupt();
     }
+  }
+
+  private static Thread startDaemon(Runnable task) {
+    Thread thread = new Thread(task, "Java 3D query");
+    thread.setDaemon(true);
+    thread.start();
+    return thread;
   }
 
   private static void wakeRenderer() {

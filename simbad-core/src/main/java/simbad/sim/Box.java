@@ -15,7 +15,8 @@ public class Box extends BlockWorldObject {
    * Creates a box of the environment's box colour.
    *
    * @param position middle of the bottom face, metres; copied
-   * @param sizes sides along x, y, z, metres; copied
+   * @param sizes sides along x, y, z, metres; copied. A negative height hangs below the position,
+   *     the sign of the others is of no account
    * @param environment gives the colour
    */
   public Box(Vector3d position, Vector3f sizes, EnvironmentDescription environment) {
@@ -47,6 +48,6 @@ public class Box extends BlockWorldObject {
 
   @Override
   protected List<Shape> bodyShapes() {
-    return List.of(BoxShape.ofSides(sides.x, sides.y, sides.z));
+    return List.of(BoxShape.ofSides(Math.abs(sides.x), Math.abs(sides.y), Math.abs(sides.z)));
   }
 }

@@ -20,7 +20,7 @@ public class Line extends BlockWorldObject {
    * Creates a black line.
    *
    * @param position middle of its starting edge, metres; copied
-   * @param length metres along +z, until the line is turned
+   * @param length metres along +z, until the line is turned; a negative one goes the other way
    * @param environment gives the colour
    */
   public Line(Vector3d position, float length, EnvironmentDescription environment) {
@@ -50,7 +50,7 @@ public class Line extends BlockWorldObject {
   /** Returns the strip in its middle's frame, which is half a length ahead of the start. */
   @Override
   protected List<Shape> bodyShapes() {
-    return List.of(BoxShape.ofSides(WIDTH_M, HEIGHT_M, length));
+    return List.of(BoxShape.ofSides(WIDTH_M, HEIGHT_M, Math.abs(length)));
   }
 
   @Override

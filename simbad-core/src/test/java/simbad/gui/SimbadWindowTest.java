@@ -11,6 +11,7 @@ import java.awt.image.BufferedImage;
 import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -205,8 +206,7 @@ class SimbadWindowTest {
       // Swing remembers who had the focus last until somebody else has it.
       Desk.settle();
       desk.click("run");
-      // Java 3D or the focus may hold on to one world that was closed, but never to more.
-      Desk.await("the former agents are freed", () -> freed(former) >= former.size() - 1);
+      Desk.await("the former agents are freed", () -> freed(former) == former.size());
       assertEquals(3, desk.window.getDesktopPane().getAllFrames().length);
     }
   }
@@ -240,6 +240,22 @@ class SimbadWindowTest {
     assertFalse(window.isDisplayable());
     assertEquals(0, window.getDesktopPane().getAllFrames().length);
     assertSame(window, reference.get());
+  }
+
+  /** Whoever disposes of the window and returns from main has ended the program. */
+  @Test
+  void disposedWindow_leavesNoThreadThatKeepsTheProgramAlive() throws Exception {
+    try (Desk desk = open()) {
+      assertTrue(threadsOfJava3D().count() > 1);
+      desk.click("run");
+    }
+    Desk.await("Java 3D lets go", () -> threadsOfJava3D().allMatch(Thread::isDaemon));
+    assertTrue(threadsOfJava3D().findAny().isPresent(), "the renderer stays, as a daemon");
+  }
+
+  private static Stream<Thread> threadsOfJava3D() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .filter(thread -> thread.getName().startsWith("J3D-"));
   }
 
   @Test

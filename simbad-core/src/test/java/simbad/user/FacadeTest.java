@@ -97,6 +97,17 @@ class FacadeTest {
     assertEquals(0.975, x(robot), EPSILON);
   }
 
+  /** Programs subtract corners in any order: only the size counts. */
+  @Test
+  void boxOfNegativeSides_standsWhereItWouldOtherwise() {
+    Agent robot = robotAt(0, 0);
+    environment.add(new Wall(new Vector3d(1.5, 0, 0), -1, -2, 1, environment));
+    environment.add(new Box(new Vector3d(0, 1, -1), new Vector3f(1, -1, 1), environment));
+    run(1);
+    checkRange(0.7, robot, 0);
+    checkRange(0.2, robot, 1);
+  }
+
   private static double x(SimpleAgent agent) {
     Point3d coords = new Point3d();
     agent.getCoords(coords);
