@@ -1,5 +1,6 @@
 package simbad.experiments.control;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -10,10 +11,11 @@ import java.util.stream.Collectors;
 public final class Controllers {
   private Controllers() {}
 
-  /** Returns all kinds. */
+  /** Returns all kinds by their names; those of one name in the order of the class path. */
   public static List<ControllerMaker> all() {
     return ServiceLoader.load(ControllerMaker.class).stream()
         .map(ServiceLoader.Provider::get)
+        .sorted(Comparator.comparing(ControllerMaker::name))
         .toList();
   }
 
