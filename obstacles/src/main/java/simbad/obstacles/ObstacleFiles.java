@@ -48,6 +48,20 @@ public final class ObstacleFiles {
     return new ObstacleType(name(path), CrossSections.round(), TableFile.read(path));
   }
 
+  /**
+   * Returns the files that {@link #read} reads, whether they are there or not, but for an outline
+   * that a table may do without.
+   *
+   * @param path as for reading
+   */
+  public static List<Path> files(Path path) {
+    if (Files.isDirectory(path)) {
+      return List.of(path.resolve(OUTLINE), path.resolve(TABLE));
+    }
+    Path outline = outlineBeside(path);
+    return Files.exists(outline) ? List.of(path, outline) : List.of(path);
+  }
+
   /** The file that holds the outline to a pair's table. */
   private static Path outlineBeside(Path table) {
     return table.resolveSibling(stem(table) + "-" + OUTLINE);

@@ -21,6 +21,7 @@ final class Subcommands {
         new DiagnoseCommand(),
         new PredictCommand(),
         new BlindCheckCommand(),
+        new BatchCommand(),
         new TestCommand());
   }
 }

@@ -23,7 +23,6 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import simbad.experiments.plot.ShareGrid;
 import simbad.experiments.run.RunResult;
-import simbad.experiments.run.Trace;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.TableFile;
 import simbad.sonar.shape.ThresholdTable;
@@ -119,20 +118,9 @@ public final class RunFiles {
 
   private static void writeTraces(Path file, List<RunResult> results) throws IOException {
     try (CsvWriter csv = csv(file)) {
-      csv.writeRecord("sensor", "step", "t_s", "x_m", "z_m", "heading_deg", "heard", "on_edge");
+      TraceTable.writeHeader(csv);
       for (RunResult result : results) {
-        Trace trace = result.trace();
-        for (int i = 0; i < trace.size(); i++) {
-          csv.writeRecord(
-              result.sensor().word(),
-              Integer.toString(i + 1),
-              fixed(trace.timeS(i), 2),
-              fixed(trace.xM(i), 6),
-              fixed(trace.zM(i), 6),
-              fixed(Math.toDegrees(trace.headingRad(i)), 3),
-              trace.heard(i) ? "1" : "0",
-              i >= trace.firstOnEdge() ? "1" : "0");
-        }
+        TraceTable.writeRows(csv, result.sensor().word(), result.trace());
       }
     }
   }
@@ -174,8 +162,11 @@ public final class RunFiles {
     return CsvWriter.builder().lineDelimiter(LineDelimiter.LF).build(file, StandardCharsets.UTF_8);
   }
 
-  /** Rounded half up; many times faster than a format, of which a trace would need a million. */
-  static String fixed(double value, int decimals) {
+  /**
+   * Returns a number rounded half up; many times faster than a format, of which a trace would need
+   * a million.
+   */
+  public static String fixed(double value, int decimals) {
     return new BigDecimal(Double.toString(value))
         .setScale(decimals, RoundingMode.HALF_UP)
         .toPlainString();

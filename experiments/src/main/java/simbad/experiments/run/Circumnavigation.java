@@ -3,24 +3,21 @@ package simbad.experiments.run;
 import java.util.SplittableRandom;
 import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
-import simbad.experiments.control.EdgeFollower;
-import simbad.experiments.control.Tuning;
+import simbad.experiments.control.Controller;
 import simbad.gui.Simbatch;
 import simbad.obstacles.ObstacleType;
 import simbad.obstacles.SonarObstacle;
 import simbad.sim.EnvironmentDescription;
 import simbad.sim.RangeSensorBelt;
 import simbad.sonar.frame.Angles;
+import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.model.DetectionRule;
 import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.ThresholdTable;
 
-/** One robot round one obstacle with one sensor. */
+/** One robot round one obstacle with one sensor, as it drives. */
 final class Circumnavigation {
-  /** The simulator's step. */
-  static final double STEP_S = 0.05;
-
   /** The robot is given up after so many times the steps that the edge itself takes. */
   private static final int PATIENCE = 30;
 
@@ -30,11 +27,10 @@ final class Circumnavigation {
   /** A robot that is not moved for so many steps is blocked for good. */
   private static final int BLOCKED_AFTER = 1000;
 
-  private final ObstacleType type;
-  private final RunSettings settings;
+  private final Circuit circuit;
   private final FollowerRobot robot;
   private final Simbatch simulation;
-  private final Trace trace = new Trace(STEP_S);
+  private final Trace trace = new Trace(Circuit.STEP_S);
   private final Point3d place = new Point3d();
   private boolean everHeard;
   private int silent;
@@ -42,16 +38,19 @@ final class Circumnavigation {
   private double woundRad;
   private double bearingRad;
 
-  Circumnavigation(ObstacleType type, SensorKind sensor, RunSettings settings) {
-    this.type = type;
-    this.settings = settings;
-    SplittableRandom random = new SplittableRandom(seed(type, sensor, settings.seed()));
-    RangeSensorBelt belt = sensor.belt(settings.sonar(), random);
-    EdgeFollower controller = new EdgeFollower(Tuning.standard(settings.speedMPerS(), STEP_S));
-    robot =
-        new FollowerRobot(start(type, settings), belt, settings.sonar().mountHeightM(), controller);
+  Circumnavigation(Circuit circuit, Controller controller) {
+    this.circuit = circuit;
+    SplittableRandom random =
+        new SplittableRandom(seed(circuit.type(), circuit.sensor(), circuit.seed()));
+    RangeSensorBelt belt = circuit.sensor().belt(circuit.sonar(), random);
+    robot = new FollowerRobot(start(circuit), belt, circuit.sonar().mountHeightM(), controller);
     EnvironmentDescription environment = new EnvironmentDescription();
-    environment.add(new SonarObstacle(new Vector3d(), 0, type));
+    environment.add(new SonarObstacle(new Vector3d(), 0, circuit.type()));
+    for (Neighbour neighbour : circuit.around()) {
+      Placement at = neighbour.placement();
+      environment.add(
+          new SonarObstacle(new Vector3d(at.xM(), 0, at.zM()), at.turnRad(), neighbour.type()));
+    }
     environment.add(robot);
     simulation = new Simbatch(environment, false);
   }
@@ -61,11 +60,11 @@ final class Circumnavigation {
     return seed * 1_000_003L + 31L * type.name().hashCode() + sensor.word().hashCode();
   }
 
-  private static Pose start(ObstacleType type, RunSettings settings) {
-    return settings
+  private static Pose start(Circuit circuit) {
+    return circuit
         .start()
         .map(Start::lookingInwards)
-        .orElseGet(() -> Start.standard(type, settings.sonar()));
+        .orElseGet(() -> Start.standard(circuit.type(), circuit.sonar()));
   }
 
   Trace drive() {
@@ -89,17 +88,18 @@ final class Circumnavigation {
   }
 
   private long mostSteps() {
-    ThresholdTable table = type.thresholds().table();
+    ThresholdTable table = circuit.type().thresholds().table();
     double edgeM = table.greatestM() > 0 ? Outline.of(table.points()).perimeterM() : 0;
     double wayM = Math.max(edgeM, Angles.TURN_RAD * DetectionRule.ORIGINAL_RANGE_M);
-    return (long) (PATIENCE * wayM / (settings.speedMPerS() * STEP_S));
+    return (long) (PATIENCE * wayM / (circuit.speedMPerS() * Circuit.STEP_S));
   }
 
   /** Further out nothing can be heard: the robot is lost. */
   private double farthestM() {
-    double heardM = Math.max(type.thresholds().table().greatestM(), DetectionRule.ORIGINAL_RANGE_M);
-    double startM = settings.start().map(p -> Math.hypot(p.xM(), p.zM())).orElse(0.0);
-    return Math.max(2 * heardM + settings.sonar().maxRangeM(), startM) + 1;
+    double heardM =
+        Math.max(circuit.type().thresholds().table().greatestM(), DetectionRule.ORIGINAL_RANGE_M);
+    double startM = circuit.start().map(p -> Math.hypot(p.xM(), p.zM())).orElse(0.0);
+    return Math.max(2 * heardM + circuit.sonar().maxRangeM(), startM) + 1;
   }
 
   private void observe() {

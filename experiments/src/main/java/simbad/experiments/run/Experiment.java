@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import simbad.experiments.control.EdgeFollower;
+import simbad.experiments.control.Tuning;
 import simbad.obstacles.ObstacleType;
 
 /** The main job: every obstacle with every sensor. */
@@ -37,12 +39,14 @@ public final class Experiment {
   }
 
   private static RunResult runOne(ObstacleType type, SensorKind sensor, RunSettings settings) {
-    Trace trace = new Circumnavigation(type, sensor, settings).drive();
+    Circuit circuit = Circuit.of(type, sensor, settings);
+    Trace trace =
+        circuit.drive(new EdgeFollower(Tuning.standard(settings.speedMPerS(), Circuit.STEP_S)));
     return new RunResult(
         type,
         sensor,
         trace,
-        TraceErrors.of(trace, type.thresholds().table()),
+        circuit.errors(trace),
         DetectionMap.of(type, sensor, settings),
         OptionalDouble.empty());
   }

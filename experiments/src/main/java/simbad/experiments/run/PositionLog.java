@@ -36,7 +36,7 @@ public record PositionLog(Trace trace, int otherLines) {
    */
   public static PositionLog read(Path file) throws DataFormatException {
     List<String> lines = TextFile.read(file).lines().toList();
-    Trace trace = new Trace(Circumnavigation.STEP_S);
+    Trace trace = new Trace(Circuit.STEP_S);
     for (int i = 0; i < lines.size(); i++) {
       Matcher match = POSITION.matcher(lines.get(i));
       if (match.matches()) {

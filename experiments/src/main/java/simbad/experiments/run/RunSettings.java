@@ -31,12 +31,16 @@ public record RunSettings(
   public RunSettings {
     obstacles = List.copyOf(obstacles);
     sensors = List.copyOf(sensors);
+    requireSpeed(speedMPerS);
+  }
+
+  /** A faster robot would pass by the obstacle between two steps. */
+  public static final double GREATEST_SPEED_M_PER_S = 1;
+
+  static void requireSpeed(double speedMPerS) {
     if (!(speedMPerS > 0 && speedMPerS <= GREATEST_SPEED_M_PER_S)) {
       throw new IllegalArgumentException(
           "speedMPerS = " + speedMPerS + " is not in (0, " + GREATEST_SPEED_M_PER_S + "]");
     }
   }
-
-  /** A faster robot would pass by the obstacle between two steps. */
-  public static final double GREATEST_SPEED_M_PER_S = 1;
 }

@@ -59,6 +59,15 @@ public final class Trace {
     return closed;
   }
 
+  /** Returns the length of the way from the first place to the last in metres. */
+  public double wayM() {
+    double wayM = 0;
+    for (int i = 1; i < size; i++) {
+      wayM += Math.hypot(xM[i] - xM[i - 1], zM[i] - zM[i - 1]);
+    }
+    return wayM;
+  }
+
   /** Returns the simulated time after a place's step in seconds. */
   public double timeS(int place) {
     return (place + 1) * stepS;

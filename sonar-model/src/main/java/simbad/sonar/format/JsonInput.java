@@ -18,8 +18,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.DoublePredicate;
 
-/** A value of a JSON file that knows where it stands, so that a fault can be named to the line. */
-final class JsonInput {
+/**
+ * A value of a JSON file that knows where it stands, so that a fault can be named to the line.
+ *
+ * <p>What asks for something that is not there, or of another kind, throws a {@link
+ * DataFormatException}.
+ */
+public final class JsonInput {
   /** In any unit of these files, what is more is a slip. */
   static final double GREATEST = 1e6;
 
@@ -47,7 +52,14 @@ final class JsonInput {
     return parse(file, TextFile.read(file));
   }
 
-  static JsonInput parse(Path file, String text) throws DataFormatException {
+  /**
+   * Reads a value from a text that was read already.
+   *
+   * @param file how messages name the text
+   * @param text JSON
+   * @throws DataFormatException if it is no JSON, or has a field twice
+   */
+  public static JsonInput parse(Path file, String text) throws DataFormatException {
     if (text.isBlank()) {
       throw DataFormatException.inFile(file, "is empty, expected a JSON object");
     }
@@ -83,7 +95,8 @@ final class JsonInput {
     return lines;
   }
 
-  JsonInput field(String name) throws DataFormatException {
+  /** Returns a field of an object. */
+  public JsonInput field(String name) throws DataFormatException {
     if (!node.isObject()) {
       throw fault(node + " is no object");
     }
@@ -93,12 +106,13 @@ final class JsonInput {
     return new JsonInput(file, lines, pointer + "/" + name, node.get(name));
   }
 
-  /** The items of a field that is a list. */
-  List<JsonInput> items(String field) throws DataFormatException {
+  /** Returns the items of a field that is a list. */
+  public List<JsonInput> items(String field) throws DataFormatException {
     return field(field).items();
   }
 
-  List<JsonInput> items() throws DataFormatException {
+  /** Returns the items of a list. */
+  public List<JsonInput> items() throws DataFormatException {
     if (!node.isArray()) {
       throw fault(node + " is no list");
     }
@@ -109,12 +123,18 @@ final class JsonInput {
     return items;
   }
 
-  boolean has(String field) {
+  /** Tells whether it is an object with that field. */
+  public boolean has(String field) {
     return node.has(field);
   }
 
-  /** The names of the fields of an object. */
-  List<String> names() throws DataFormatException {
+  /** Tells whether it is a list. */
+  public boolean isList() {
+    return node.isArray();
+  }
+
+  /** Returns the names of the fields of an object. */
+  public List<String> names() throws DataFormatException {
     if (!node.isObject()) {
       throw fault(node + " is no object");
     }
@@ -123,11 +143,13 @@ final class JsonInput {
     return names;
   }
 
-  String text(String field) throws DataFormatException {
+  /** Returns a field that is a text. */
+  public String text(String field) throws DataFormatException {
     return field(field).text();
   }
 
-  String text() throws DataFormatException {
+  /** Returns a text. */
+  public String text() throws DataFormatException {
     if (!node.isTextual()) {
       throw fault(node + " is no text");
     }
@@ -142,7 +164,13 @@ final class JsonInput {
     return field(field).number(valid, expected);
   }
 
-  double number(DoublePredicate valid, String expected) throws DataFormatException {
+  /**
+   * Returns a number.
+   *
+   * @param valid false for all that is out of range
+   * @param expected what a valid number is, for the message
+   */
+  public double number(DoublePredicate valid, String expected) throws DataFormatException {
     if (!node.isNumber() || !valid.test(node.doubleValue())) {
       throw isNot(expected);
     }
@@ -162,11 +190,29 @@ final class JsonInput {
     return number(field, value -> value > 0 && value <= GREATEST, "a number above 0" + UP_TO);
   }
 
-  DataFormatException isNot(String expected) {
+  /** Returns a whole number of 64 bits, to the last digit. */
+  public long whole() throws DataFormatException {
+    if (!node.isIntegralNumber() || !node.canConvertToLong()) {
+      throw isNot("a whole number of 64 bits");
+    }
+    return node.longValue();
+  }
+
+  /** Returns a truth value. */
+  public boolean truth() throws DataFormatException {
+    if (!node.isBoolean()) {
+      throw isNot("true or false");
+    }
+    return node.booleanValue();
+  }
+
+  /** Makes the exception for a value that is not what was expected. */
+  public DataFormatException isNot(String expected) {
     return fault(node + " is not " + expected);
   }
 
-  DataFormatException fault(String problem) {
+  /** Makes the exception for a value that is wrong in another way. */
+  public DataFormatException fault(String problem) {
     return DataFormatException.inField(file, line(pointer), name(pointer), problem);
   }
 

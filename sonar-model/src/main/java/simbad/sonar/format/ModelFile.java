@@ -52,6 +52,21 @@ public final class ModelFile {
     return new ModelFile(setup).model(root);
   }
 
+  /**
+   * Reads a list of changes that stands in another file, each as in {@code changes}.
+   *
+   * @param list of changes
+   * @param setup that they change
+   * @param sensors labels of the transducers
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public static FittedModel parseChanges(JsonInput list, SensingSetup setup, List<String> sensors)
+      throws DataFormatException {
+    ModelFile reader = new ModelFile(setup);
+    reader.sensors.addAll(sensors);
+    return reader.model(list, List.of());
+  }
+
   private FittedModel model(JsonInput root) throws DataFormatException {
     for (JsonInput label : root.items("sensors")) {
       sensors.add(label.text());
@@ -62,15 +77,20 @@ public final class ModelFile {
         calibration.add(fitted(item, Optional.empty()));
       }
     }
+    return model(root.field("changes"), calibration);
+  }
+
+  private FittedModel model(JsonInput changes, List<FittedForm> calibration)
+      throws DataFormatException {
     List<FittedForm> effects = new ArrayList<>();
-    for (JsonInput item : root.items("changes")) {
+    for (JsonInput item : changes.items()) {
       effects.add(fitted(item, Optional.of(effect(item.field("effect")))));
     }
     FittedModel model = new FittedModel(setup, sensors, calibration, effects);
     try {
       model.diagnosed();
     } catch (IllegalArgumentException e) {
-      throw root.field("changes").fault(String.valueOf(e.getMessage()));
+      throw changes.fault(String.valueOf(e.getMessage()));
     }
     return model;
   }

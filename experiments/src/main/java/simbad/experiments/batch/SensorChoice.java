@@ -1,0 +1,65 @@
+package simbad.experiments.batch;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import simbad.experiments.run.SensorKind;
+import simbad.sonar.effect.FittedModel;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.JsonInput;
+import simbad.sonar.format.ModelFile;
+import simbad.sonar.format.SceneFile;
+import simbad.sonar.scene.SonarSpec;
+
+/**
+ * A sensor of a batch.
+ *
+ * @param where the spec names it
+ * @param kind without further effects
+ */
+record SensorChoice(JsonInput where, SensorKind kind) {
+  static final String DIAGNOSED = "diagnosed:";
+
+  static final String DIMENSION = "sensors";
+
+  /** What comes before the folder is cut off; empty for a sensor that is known by name. */
+  static Optional<Path> folder(JsonInput where) throws DataFormatException {
+    String word = where.text();
+    return word.startsWith(DIAGNOSED)
+        ? Optional.of(InputPlace.name(where, word.substring(DIAGNOSED.length())))
+        : Optional.empty();
+  }
+
+  static SensorChoice read(JsonInput where, int position, InputPlace place)
+      throws DataFormatException {
+    Optional<Path> folder = folder(where);
+    if (folder.isPresent()) {
+      Path path = place.of(DIMENSION, position, folder.get());
+      FittedModel model =
+          ModelFile.read(path.resolve("model.json"), SceneFile.read(path.resolve("scene.json")));
+      String name = String.valueOf(folder.get().normalize().getFileName());
+      return new SensorChoice(where, SensorKind.diagnosed(name, model));
+    }
+    return new SensorChoice(
+        where,
+        SensorKind.find(where.text())
+            .orElseThrow(() -> where.isNot("one of " + SensorKind.words())));
+  }
+
+  /**
+   * The sensor with effects at work: the noisy one is the nominal model, the shadow sensor the same
+   * without its scatter. The others are other models, on which effects are not defined.
+   */
+  SensorKind with(EffectList effects, SonarSpec sonar, BatchScene scene)
+      throws DataFormatException {
+    if (effects.isEmpty()) {
+      return kind;
+    }
+    boolean noisy = kind.equals(SensorKind.NOISY);
+    if (!noisy && !kind.equals(SensorKind.SHADOW)) {
+      throw where.fault(
+          "effects act on the nominal model, so on the sensors shadow and noisy only");
+    }
+    SonarSpec figures = noisy ? sonar : sonar.withScatter(0, 0, 0);
+    return SensorKind.of(kind.word(), effects.model(figures, scene));
+  }
+}

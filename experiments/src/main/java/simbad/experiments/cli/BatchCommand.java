@@ -1,0 +1,160 @@
+package simbad.experiments.cli;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Path;
+import java.util.ServiceLoader;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import simbad.experiments.batch.BatchFolder;
+import simbad.experiments.batch.BatchJob;
+import simbad.experiments.batch.ResultLog;
+import simbad.experiments.workers.Cluster;
+import simbad.experiments.workers.LocalWorkers;
+import simbad.experiments.workers.Workers;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.TextFile;
+
+/** {@code simbad batch}: many runs. */
+@Command(
+    name = "batch",
+    description = {
+      "Let robots circle obstacles in every combination, or a sample, of what a spec lists: obstacles,"
+          + " scenes, sensors, effects, controllers, speeds, seeds (docs/guide/batch.md).",
+      "Writes a row per run to results.csv in --out; a batch that was interrupted goes on with the"
+          + " same command."
+    },
+    footer = {
+      "",
+      "Example: simbad batch data/batch/tuning.json --out tuning",
+      "Example: simbad batch my-spec.json --out results --spark spark://host:7077"
+    })
+final class BatchCommand extends Subcommand {
+  @Parameters(
+      paramLabel = "SPEC",
+      description = "JSON; the files that it names start at its own folder.")
+  @SuppressWarnings("NullAway.Init")
+  private Path spec;
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      required = true,
+      description = "A folder that does not exist yet, or the one of this batch.")
+  @SuppressWarnings("NullAway.Init")
+  private Path out;
+
+  @ArgGroup private Where where = new Where();
+
+  /** Who does the runs. */
+  static final class Where {
+    @Option(
+        names = "--jobs",
+        paramLabel = "N",
+        description = "Runs at a time on this machine. Default: one for each core.")
+    private int jobs = Runtime.getRuntime().availableProcessors();
+
+    @Option(
+        names = "--spark",
+        paramLabel = "MASTER",
+        description = "Have the runs done by Apache Spark: spark://HOST:PORT, or local[N].")
+    private @Nullable String master;
+  }
+
+  @Override
+  protected void run() throws Exception {
+    if (where.jobs < 1) {
+      throw wrongUsage("--jobs: " + where.jobs + " is not at least 1");
+    }
+    BatchJob job = job(TextFile.read(spec));
+    try (ResultLog log = ResultLog.open(out, job)) {
+      long before = log.done();
+      if (before > 0) {
+        out().println(before + " of " + job.size() + " runs are there already");
+        out().flush();
+      }
+      work(job, log);
+      out().println(log.done() + " runs in " + out.resolve("results.csv"));
+      if (log.failed() > 0) {
+        complain(new IOException(failures(log)));
+      }
+    }
+  }
+
+  private static String failures(ResultLog log) {
+    return log.failed() + " of " + log.done() + " runs failed; their rows say why";
+  }
+
+  /** The batch of the folder, which is begun if it is not yet. */
+  private BatchJob job(String text) throws IOException, DataFormatException {
+    String version = BuildVersion.text();
+    if (BatchFolder.isBegun(out)) {
+      return BatchFolder.read(out, spec, text, version);
+    }
+    BatchJob job = BatchJob.read(spec, text);
+    try (StagedDirectory staged = StagedDirectory.beside(out)) {
+      BatchFolder.write(staged.path(), job, version);
+      staged.publish();
+      return job;
+    } catch (AccessDeniedException e) {
+      // The spec is as it should be; it is the work that cannot be done here.
+      throw new IOException(e.getFile() + ": permission denied", e);
+    }
+  }
+
+  private void work(BatchJob job, ResultLog log) throws IOException, InterruptedException {
+    if (log.done() == job.size()) {
+      return;
+    }
+    Thread farewell = new Thread(() -> err().println(standing(job, log)));
+    Runtime.getRuntime().addShutdownHook(farewell);
+    try (Workers workers = workers();
+        Progress progress = Progress.of("driving", job.size() - log.done())) {
+      workers.run(
+          job,
+          log.done(),
+          job.size(),
+          outcome -> {
+            log.append(outcome);
+            progress.step();
+          });
+    } finally {
+      forget(farewell);
+    }
+  }
+
+  private static void forget(Thread farewell) {
+    try {
+      Runtime.getRuntime().removeShutdownHook(farewell);
+    } catch (IllegalStateException exiting) {
+      // It is being said.
+    }
+  }
+
+  private String standing(BatchJob job, ResultLog log) {
+    return "simbad batch: "
+        + log.done()
+        + " of "
+        + job.size()
+        + " runs are in "
+        + out
+        + "; the same command goes on";
+  }
+
+  private Workers workers() throws IOException {
+    if (where.master == null) {
+      return new LocalWorkers(where.jobs);
+    }
+    Cluster cluster =
+        ServiceLoader.load(Cluster.class)
+            .findFirst()
+            .orElseThrow(
+                () ->
+                    wrongUsage(
+                        "--spark: Spark is not among this program's jars; ./simbad adds it"));
+    return cluster.connect(where.master);
+  }
+}

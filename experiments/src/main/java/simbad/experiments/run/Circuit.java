@@ -1,0 +1,65 @@
+package simbad.experiments.run;
+
+import java.util.List;
+import java.util.Optional;
+import simbad.experiments.control.Controller;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.frame.Point;
+import simbad.sonar.scene.SonarSpec;
+
+/**
+ * What one robot shall do: once round an obstacle, by what a sensor says.
+ *
+ * @param type of the obstacle, which stands at the origin
+ * @param around what else stands there
+ * @param sensor of the robot
+ * @param sonar figures of the sensor
+ * @param speedMPerS of the robot, in (0, {@value RunSettings#GREATEST_SPEED_M_PER_S}]
+ * @param start where the robot starts; by default on the bearing of the greatest threshold,
+ *     half-way out
+ * @param seed of all chance
+ */
+public record Circuit(
+    ObstacleType type,
+    List<Neighbour> around,
+    SensorKind sensor,
+    SonarSpec sonar,
+    double speedMPerS,
+    Optional<Point> start,
+    long seed) {
+  /** The simulator's step, seconds. */
+  public static final double STEP_S = 0.05;
+
+  /** Copies the list and checks the speed. */
+  public Circuit {
+    around = List.copyOf(around);
+    RunSettings.requireSpeed(speedMPerS);
+  }
+
+  /** One of the circuits of a run. */
+  static Circuit of(ObstacleType type, SensorKind sensor, RunSettings settings) {
+    return new Circuit(
+        type,
+        List.of(),
+        sensor,
+        settings.sonar(),
+        settings.speedMPerS(),
+        settings.start(),
+        settings.seed());
+  }
+
+  /**
+   * Drives the robot until it is once round, or stuck, or lost.
+   *
+   * @param controller that has read nothing yet
+   * @return where the robot was
+   */
+  public Trace drive(Controller controller) {
+    return new Circumnavigation(this, controller).drive();
+  }
+
+  /** Compares a trace of this circuit with the obstacle's table. */
+  public TraceErrors errors(Trace trace) {
+    return TraceErrors.of(trace, type.thresholds().table());
+  }
+}

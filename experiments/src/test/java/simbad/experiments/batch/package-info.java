@@ -1,0 +1,5 @@
+/** Tests. */
+@NullMarked
+package simbad.experiments.batch;
+
+import org.jspecify.annotations.NullMarked;

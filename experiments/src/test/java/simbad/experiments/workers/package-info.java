@@ -1,0 +1,5 @@
+/** Tests. */
+@NullMarked
+package simbad.experiments.workers;
+
+import org.jspecify.annotations.NullMarked;
