@@ -83,8 +83,21 @@ public final class LivePage implements AutoCloseable {
   /** Returns the page's address, with the token that it asks for. */
   public String url() {
     InetSocketAddress at = server.getAddress();
-    String host = at.getAddress().isLoopbackAddress() ? "localhost" : at.getHostString();
-    return "http://" + host + ":" + at.getPort() + "/" + token.map(t -> "?token=" + t).orElse("");
+    return "http://"
+        + host(at.getAddress())
+        + ":"
+        + at.getPort()
+        + "/"
+        + token.map(secret -> "?token=" + secret).orElse("");
+  }
+
+  /** Where every address of this computer will do, the nearest one is named. */
+  private static String host(InetAddress address) {
+    if (address.isLoopbackAddress() || address.isAnyLocalAddress()) {
+      return "localhost";
+    }
+    String text = address.getHostAddress();
+    return text.indexOf(':') < 0 ? text : "[" + text + "]";
   }
 
   private void answer(HttpExchange exchange) throws IOException {
