@@ -3,6 +3,7 @@ package oldprograms;
 import java.awt.image.BufferedImage;
 import javax.swing.JPanel;
 import javax.vecmath.*;
+import simbad.gui.Simbad;
 import simbad.sim.*;
 
 /** Looks for something red with the camera and drives there; another sensor reads in gray. */
@@ -66,5 +67,10 @@ public class BallWatcher extends EnvironmentDescription {
         setTranslationalVelocity(0);
       }
     }
+  }
+
+  public static void main(String[] args) {
+    System.setProperty("j3d.implicitAntialiasing", "true");
+    Simbad frame = new Simbad(new BallWatcher(), false);
   }
 }

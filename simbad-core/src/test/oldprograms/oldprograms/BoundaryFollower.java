@@ -1,6 +1,7 @@
 package oldprograms;
 
 import javax.vecmath.*;
+import simbad.gui.Simbad;
 import simbad.sim.*;
 
 /** The course recipe: nearest ray as a point, tangent direction, speed by the cosine. */
@@ -43,5 +44,9 @@ public class BoundaryFollower extends EnvironmentDescription {
       setRotationalVelocity(3 * phi);
       setTranslationalVelocity(0.5 * Math.cos(phi));
     }
+  }
+
+  public static void main(String[] args) {
+    new Simbad(new BoundaryFollower(), false);
   }
 }

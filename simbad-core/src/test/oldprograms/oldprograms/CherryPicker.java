@@ -1,6 +1,7 @@
 package oldprograms;
 
 import javax.vecmath.*;
+import simbad.gui.Simbad;
 import simbad.demo.*;
 import simbad.sim.*;
 
@@ -32,5 +33,10 @@ public class CherryPicker extends Demo {
         }
       }
     }
+  }
+
+  public static void main(String[] args) {
+    System.setProperty("j3d.implicitAntialiasing", "true");
+    Simbad frame = new Simbad(new CherryPicker(), false);
   }
 }

@@ -1,6 +1,7 @@
 package oldprograms;
 
 import javax.vecmath.*;
+import simbad.gui.Simbad;
 import simbad.sim.*;
 
 /** A Khepera that turns away from what its infrared sensors see. */
@@ -28,5 +29,10 @@ public class KheperaMaze extends EnvironmentDescription {
 
   void addBox(double x, double z, float sx, float sz) {
     add(new Box(new Vector3d(x, 0, z), new Vector3f(sx, 0.1f, sz), this, darkgray));
+  }
+
+  public static void main(String[] args) {
+    Simbad frame = new Simbad(new KheperaMaze(), false);
+    frame.update(frame.getGraphics());
   }
 }

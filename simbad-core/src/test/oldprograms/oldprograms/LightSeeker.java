@@ -3,6 +3,7 @@ package oldprograms;
 import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
 import javax.vecmath.Vector3f;
+import simbad.gui.Simbad;
 import simbad.sim.*;
 
 /** Drives to the lamp by two light sensors, turning to the brighter side; a lamp shows success. */
@@ -48,5 +49,9 @@ public class LightSeeker extends EnvironmentDescription {
         lamp.setOn(true);
       }
     }
+  }
+
+  public static void main(String[] args) {
+    new Simbad(new LightSeeker(), false);
   }
 }

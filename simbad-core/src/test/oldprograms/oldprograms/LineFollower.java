@@ -1,6 +1,7 @@
 package oldprograms;
 
 import javax.vecmath.Vector3d;
+import simbad.gui.Simbad;
 import simbad.sim.*;
 
 /** Keeps the hits of 11 rays in their middle. */
@@ -34,5 +35,10 @@ public class LineFollower extends EnvironmentDescription {
       setRotationalVelocity((left - right) * 0.5);
       setTranslationalVelocity(0.4);
     }
+  }
+
+  public static void main(String[] args) {
+    System.setProperty("j3d.implicitAntialiasing", "true");
+    Simbad frame = new Simbad(new LineFollower(), false);
   }
 }

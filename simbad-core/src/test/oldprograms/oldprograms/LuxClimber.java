@@ -1,6 +1,7 @@
 package oldprograms;
 
 import javax.vecmath.Vector3d;
+import simbad.gui.Simbad;
 import simbad.sim.*;
 
 /** Finds the lamp by lux, written for the later jar, and stops where it gets darker again. */
@@ -36,5 +37,10 @@ public class LuxClimber extends EnvironmentDescription {
       setRotationalVelocity(arrived ? 0 : 8 * difference / lux);
       last = lux;
     }
+  }
+
+  public static void main(String[] args) {
+    Simbad frame = new Simbad(new LuxClimber(), false);
+    frame.update(frame.getGraphics());
   }
 }

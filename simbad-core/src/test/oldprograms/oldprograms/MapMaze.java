@@ -1,6 +1,7 @@
 package oldprograms;
 
 import javax.vecmath.*;
+import simbad.gui.Simbad;
 import simbad.sim.*;
 
 /** A maze drawn with characters, a robot on wheels that keeps to the wall on its left. */
@@ -33,5 +34,9 @@ public class MapMaze extends EnvironmentDescription {
       if (front < 0.6) wheels.setWheelsVelocity(-0.1, 0.1);
       else wheels.setWheelsVelocity(0.4, 0.4);
     }
+  }
+
+  public static void main(String[] args) {
+    new Simbad(new MapMaze(), false);
   }
 }

@@ -3,6 +3,7 @@ package oldprograms;
 import java.text.DecimalFormat;
 import javax.media.j3d.Transform3D;
 import javax.vecmath.*;
+import simbad.gui.Simbad;
 import simbad.sim.*;
 
 /** Overrides what may be overridden: a kinematic, a robot's body and reset, a key-driven fallback. */
@@ -61,5 +62,10 @@ public class OwnParts extends EnvironmentDescription {
       sideways.speed = keys.getLastKey() == 0 ? 0.5 : 0;
       if (getLifeTime() > 4.99) moveToStartPosition();
     }
+  }
+
+  public static void main(String[] args) {
+    System.setProperty("j3d.implicitAntialiasing", "true");
+    Simbad frame = new Simbad(new OwnParts(), false);
   }
 }

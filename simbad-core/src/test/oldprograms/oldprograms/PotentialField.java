@@ -2,6 +2,7 @@ package oldprograms;
 
 import javax.media.j3d.Transform3D;
 import javax.vecmath.*;
+import simbad.gui.Simbad;
 import simbad.sim.*;
 
 /** The goal attracts, each ray repels; the heading is read from the rotation matrix. */
@@ -62,5 +63,10 @@ public class PotentialField extends EnvironmentDescription {
       setRotationalVelocity(2 * turn);
       setTranslationalVelocity(0.5 * Math.max(0, Math.cos(turn)));
     }
+  }
+
+  public static void main(String[] args) {
+    Simbad frame = new Simbad(new PotentialField(), false);
+    frame.update(frame.getGraphics());
   }
 }

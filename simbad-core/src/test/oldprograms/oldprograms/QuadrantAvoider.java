@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import javax.vecmath.Color3f;
 import javax.vecmath.Vector3d;
 import javax.vecmath.Vector3f;
+import simbad.gui.Simbad;
 import simbad.sim.Agent;
 import simbad.sim.Box;
 import simbad.sim.EnvironmentDescription;
@@ -59,5 +60,9 @@ public class QuadrantAvoider extends EnvironmentDescription {
         setRotationalVelocity(0);
       }
     }
+  }
+
+  public static void main(String[] args) {
+    new Simbad(new QuadrantAvoider(), false);
   }
 }

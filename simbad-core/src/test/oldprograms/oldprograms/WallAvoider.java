@@ -1,6 +1,7 @@
 package oldprograms;
 
 import javax.vecmath.*;
+import simbad.gui.Simbad;
 import simbad.sim.*;
 
 /** The stock avoider: sonars, bumpers, a random-like turn at a collision, a camera left out. */
@@ -51,5 +52,10 @@ public class WallAvoider extends EnvironmentDescription {
         setRotationalVelocity(sonars.oneHasHit() ? Math.PI / 4 : 0);
       }
     }
+  }
+
+  public static void main(String[] args) {
+    System.setProperty("j3d.implicitAntialiasing", "true");
+    Simbad frame = new Simbad(new WallAvoider(), false);
   }
 }

@@ -11,7 +11,7 @@ import simbad.sonar.frame.Point;
 
 /** A Simbad world of boxes on a grid, with robots that circle between them. */
 final class Arena {
-  /** Sonars on a belt. */
+  /** Sonars on a belt, unless a benchmark says otherwise. */
   static final int SONARS = 12;
 
   /** Side of a box. */
@@ -24,13 +24,13 @@ final class Arena {
   private final List<CirclingRobot> robots = new ArrayList<>();
   private final Simbatch simulation;
 
-  Arena(int boxes, int robotCount, Sensing sensing) {
+  Arena(int boxes, int robotCount, int sonars, Sensing sensing) {
     Grid grid = new Grid(boxes);
     for (int i = 0; i < boxes; i++) {
       environment.add(box(grid.post(i)));
     }
     for (int i = 0; i < robotCount; i++) {
-      robots.add(new CirclingRobot(grid.cell(i, robotCount), sensing));
+      robots.add(new CirclingRobot(grid.cell(i, robotCount), sonars, sensing));
     }
     robots.forEach(environment::add);
     simulation = new Simbatch(environment, false);

@@ -17,15 +17,16 @@ final class CirclingRobot extends Agent {
    * Creates a robot.
    *
    * @param centre of its circle
+   * @param sonars how many it has, if it senses at all
    * @param sensing how often it senses
    */
-  CirclingRobot(Point centre, Sensing sensing) {
+  CirclingRobot(Point centre, int sonars, Sensing sensing) {
     // It starts on the near side, looks along +x and turns left: -z is on the left.
     super(new Vector3d(centre.xM(), 0, centre.zM() + Circle.RADIUS_M), "robot");
     belt =
         sensing == Sensing.NONE
             ? Optional.empty()
-            : Optional.of(RobotFactory.addSonarBeltSensor(this, Arena.SONARS));
+            : Optional.of(RobotFactory.addSonarBeltSensor(this, sonars));
     belt.ifPresent(sensing::configure);
   }
 

@@ -18,6 +18,6 @@ public class CrowdBenchmark extends StepsBenchmark {
   /** Builds the world. */
   @Setup
   public void build() {
-    measure(new Arena(BOXES, robots, sensing));
+    measure(new Arena(BOXES, robots, Arena.SONARS, sensing));
   }
 }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Collection;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
@@ -59,6 +60,20 @@ class BenchmarksTest {
   Stream<DynamicTest> benchmark_runsOnce_givesAFigure() {
     return names().stream()
         .map(name -> DynamicTest.dynamicTest(name, () -> checkGivesAFigure(name)));
+  }
+
+  @Test
+  void processorTime_isReportedBesideTheClocks() throws RunnerException {
+    Options options =
+        new OptionsBuilder()
+            .parent(oneIteration(BaselineBenchmark.class.getName() + ".nothing"))
+            .measurementTime(TimeValue.milliseconds(200))
+            .addProfiler(ProcessorTimeProfiler.class)
+            .build();
+    RunResult result = new Runner(options).runSingle();
+    double perS =
+        Objects.requireNonNull(result.getSecondaryResults().get("perProcessorS")).getScore();
+    assertTrue(perS > 0 && perS < Double.POSITIVE_INFINITY, result::toString);
   }
 
   private static void checkGivesAFigure(String name) throws RunnerException {

@@ -21,33 +21,55 @@ final class GenerateCommand {
 
   private static final List<String> OPTIONS =
       List.of(
-          "--cases", "--seed", "--out", "--mix", "--reference", "--effects", "--rows", "--repeats");
+          "--cases",
+          "--seed",
+          "--out",
+          "--mix",
+          "--reference",
+          "--effects",
+          "--withheld",
+          "--rows",
+          "--repeats",
+          "--progress");
   private static final String DEFAULT_MIX = "none:0.375,single:0.375,pair:0.125,unknown:0.125";
+  private static final String WITHHELD_MIX =
+      "none:0.2,single:0.2,pair:0.1,unknown:0.1,withheld:0.4";
+  private static final int PROGRESS_STEP = 25;
 
   private GenerateCommand() {}
 
   static void run(String[] arguments, PrintStream err) throws FormatException, IOException {
     Options options = new Options(arguments, OPTIONS);
-    int cases = (int) options.number("--cases", 40, 1, 100_000);
-    Order order =
-        new Order(
-            cases,
-            options.whole("--seed", 1),
-            mix(options.text("--mix").orElse(DEFAULT_MIX)),
-            options.number("--reference", 0, 0, 1),
-            effects(options.text("--effects").orElse("")),
-            rows(options.text("--rows").orElse("2000-4500")),
-            (int) options.number("--repeats", 400, 40, 100_000));
+    Order order = order(options);
+    int step = (int) options.number("--progress", PROGRESS_STEP, 1, 1e6);
     AtomicInteger finished = new AtomicInteger();
     Generator.run(
         order,
         Path.of(options.required("--out")),
         number -> {
           int count = finished.incrementAndGet();
-          if (count % 25 == 0 || count == cases) {
-            err.println("generated " + count + " of " + cases);
+          if (count % step == 0 || count == order.cases()) {
+            err.println("generated " + count + " of " + order.cases());
           }
         });
+  }
+
+  private static Order order(Options options) throws FormatException {
+    List<String> withheld = withheld(options.text("--withheld").orElse(""));
+    Map<Kind, Double> mix =
+        mix(options.text("--mix").orElse(withheld.isEmpty() ? DEFAULT_MIX : WITHHELD_MIX));
+    if (mix.getOrDefault(Kind.WITHHELD, 0.0) > 0 && withheld.isEmpty()) {
+      throw new FormatException("--mix: withheld cases, expected --withheld with their effects");
+    }
+    return new Order(
+        (int) options.number("--cases", 40, 1, 100_000),
+        options.whole("--seed", 1),
+        mix,
+        options.number("--reference", 0, 0, 1),
+        effects(options.text("--effects").orElse("")),
+        withheld,
+        rows(options.text("--rows").orElse("2000-4500")),
+        (int) options.number("--repeats", 400, 40, 100_000));
   }
 
   private static Map<Kind, Double> mix(String text) throws FormatException {
@@ -61,7 +83,9 @@ final class GenerateCommand {
               .orElseThrow(
                   () ->
                       new FormatException(
-                          "--mix: '" + part + "', expected none:, single:, pair: or unknown:"));
+                          "--mix: '"
+                              + part
+                              + "', expected none:, single:, pair:, unknown: or withheld:"));
       if (words.length != 2) {
         throw new FormatException("--mix: '" + part + "', expected kind:weight");
       }
@@ -78,6 +102,16 @@ final class GenerateCommand {
     Set<String> strange = Vocabulary.unknownAmong(names);
     if (!strange.isEmpty()) {
       throw new FormatException("--effects: no such effect: " + String.join(", ", strange));
+    }
+    return names;
+  }
+
+  private static List<String> withheld(String text) throws FormatException {
+    List<String> names = text.isEmpty() ? List.of() : List.of(text.split(",", -1));
+    for (String name : names) {
+      if (!Vocabulary.contains(name)) {
+        throw new FormatException("--withheld: no such effect: " + name);
+      }
     }
     return names;
   }

@@ -2,10 +2,11 @@ package simbad.blindworld;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.file.NoSuchFileException;
 import java.util.Arrays;
 import simbad.blindworld.file.FormatException;
 
-/** The command line: {@code generate}, {@code baseline} and {@code score}. */
+/** The command line: {@code generate}, {@code seal}, {@code baseline} and {@code score}. */
 public final class Main {
 
   private Main() {}
@@ -24,13 +25,18 @@ public final class Main {
       switch (command) {
         case "generate" -> GenerateCommand.run(rest, err);
         case "score" -> ScoreCommand.run(rest, out);
-        case "baseline" -> BaselineCommand.run(rest);
+        case "baseline" -> BaselineCommand.run(rest, err);
+        case "seal" -> SealCommand.run(rest);
         default ->
-            throw new FormatException("'" + command + "': expected generate, baseline or score");
+            throw new FormatException(
+                "'" + command + "': expected generate, seal, baseline or score");
       }
       return 0;
     } catch (FormatException e) {
       err.println("blind-world: " + e.getMessage());
+      return 2;
+    } catch (NoSuchFileException e) {
+      err.println("blind-world: " + e.getFile() + ": there is no such file");
       return 2;
     } catch (IOException | RuntimeException e) {
       err.println("blind-world: " + e);

@@ -12,6 +12,7 @@ import java.util.Set;
 import simbad.blindworld.effect.Vocabulary;
 import simbad.blindworld.file.FormatException;
 import simbad.blindworld.file.Json;
+import simbad.blindworld.file.JsonObject;
 import simbad.blindworld.score.Answers;
 import simbad.blindworld.score.Scoring;
 import simbad.blindworld.score.Truth;
@@ -35,7 +36,9 @@ final class ScoreCommand {
     Optional<String> manifest = options.text("--manifest");
     String seal = manifest.isPresent() ? sealed(folder, Path.of(manifest.get())) : "not checked";
     List<Truth> truths = folder.read();
-    Scoring scoring = new Scoring(truths);
+    Optional<String> level =
+        manifest.isPresent() ? level(Path.of(manifest.get())) : Optional.empty();
+    Scoring scoring = new Scoring(truths, level);
     scoring.add("diagnosis", answers.read(truths));
     Optional<String> baseline = options.text("--baseline");
     if (baseline.isPresent()) {
@@ -51,8 +54,14 @@ final class ScoreCommand {
       json.put("answers_sha256", answersHash);
       json.put("withheld", options.text("--withheld").orElse(""));
       json.put("scores", scoring.json());
+      json.put("cases", scoring.casesJson("diagnosis"));
       Files.writeString(Path.of(options.required("--out")), Json.write(json));
     }
+  }
+
+  private static Optional<String> level(Path manifest) throws FormatException, IOException {
+    JsonObject json = JsonObject.read(manifest);
+    return json.has("level") ? Optional.of(json.text("level")) : Optional.empty();
   }
 
   private static String sealed(Truths folder, Path manifest) throws IOException, FormatException {

@@ -239,6 +239,99 @@ class BlindCheckTest {
     checkTampering(answers);
   }
 
+  /** Leave-one-out: as many cases as asked for hold the effect, and no other case does. */
+  @Test
+  void withheldEffects_areAKindOfTheirOwn() throws Exception {
+    Path to = folder.resolve("withheld");
+    Done done =
+        run(
+            "generate --cases 10 --seed 3 --rows 300-350 --repeats 40 --withheld gain".split(" "),
+            "--mix",
+            "none:2,single:4,withheld:4",
+            "--effects",
+            "gain,sound-speed,floor-echo",
+            "--out",
+            to.toString());
+    assertEquals(0, done.status, done.err);
+    int held = 0;
+    try (var paths = Files.list(to.resolve("truth"))) {
+      for (Path one : paths.toList()) {
+        JsonObject truth = JsonObject.read(one.resolve("truth.json"));
+        boolean gain = truth.object("effects").fields().containsKey("gain");
+        assertEquals(gain, truth.text("kind").equals("withheld"));
+        held += gain ? 1 : 0;
+      }
+    }
+    assertEquals(4, held);
+  }
+
+  private static Done run(String[] first, String... rest) {
+    List<String> all = new ArrayList<>(List.of(first));
+    all.addAll(List.of(rest));
+    return run(all.toArray(String[]::new));
+  }
+
+  /** Data sets of others are sealed as they are, and scored under the level that they state. */
+  @Test
+  void foreignSets_areSealedAndScored() throws Exception {
+    Path sets = folder.resolve("sets");
+    for (Path one : cases().subList(0, 3)) {
+      Path set = Files.createDirectories(sets.resolve(one.getFileName()));
+      Path truth = world.resolve("truth").resolve(one.getFileName());
+      for (Path file :
+          List.of(
+              one.resolve("scene.json"),
+              one.resolve("readings.csv"),
+              truth.resolve("truth.json"),
+              truth.resolve("sealed.csv"))) {
+        Files.copy(file, set.resolve(file.getFileName()));
+      }
+    }
+    Path to = folder.resolve("sealed");
+    String[] seal = {"seal", "--sets", sets + "", "--out", to + "", "--level", "L3, a bench"};
+    assertEquals(0, run(seal).status);
+    assertEquals(1, run(seal).status, "a folder with something in it");
+    Path answers = folder.resolve("foreign-answers");
+    String[] baseline = {
+      "baseline", "--cases", to + "/cases", "--rows", to + "/rows", "--out", answers + ""
+    };
+    assertEquals(0, run(baseline).status);
+    Done scored = scoreForeign(to, answers);
+    assertEquals(0, scored.status, scored.err);
+    assertTrue(scored.out.contains("3 verified against manifest.json"), scored.out);
+    assertTrue(scored.out.contains("foreign data sets (L3, a bench)"), scored.out);
+    Path one = to.resolve("truth").resolve(cases().get(0).getFileName());
+    Files.writeString(one.resolve("sealed.csv"), "run\n");
+    Done tampered = scoreForeign(to, answers);
+    assertEquals(2, tampered.status);
+    assertTrue(tampered.err.contains("sealed.csv: hash"), tampered.err);
+  }
+
+  private static Done scoreForeign(Path to, Path answers) {
+    return run(
+        "score",
+        "--truth",
+        to + "/truth",
+        "--answers",
+        answers + "",
+        "--manifest",
+        to + "/manifest.json");
+  }
+
+  @Test
+  void foreignSets_thatAreNone_areNamed() throws Exception {
+    Path sets = Files.createDirectories(folder.resolve("none"));
+    check(sets + ": no data set in it", "seal", "--sets", sets + "", "--out", "x");
+    Path set = Files.createDirectories(sets.resolve("a"));
+    check("a/scene.json: there is no such file", "seal", "--sets", sets + "", "--out", "x");
+    for (String name : List.of("scene.json", "readings.csv", "sealed.csv")) {
+      Files.writeString(set.resolve(name), "");
+    }
+    Files.writeString(set.resolve("truth.json"), "{\"effects\": 7}");
+    check("effects: expected an object", "seal", "--sets", sets + "", "--out", "x");
+    check("no such folder", "seal", "--sets", folder + "/nowhere", "--out", "x");
+  }
+
   private static void checkWithheld(String truth, Path answers) {
     Done scored =
         run("score", "--truth", truth, "--answers", answers.toString(), "--withheld", "gain");
@@ -282,7 +375,7 @@ class BlindCheckTest {
 
   @Test
   void wrongUsage_isSaidInOneLine() {
-    check("blind-world: '': expected generate, baseline or score", new String[0]);
+    check("blind-world: '': expected generate, seal, baseline or score", new String[0]);
     check("--out: missing", "generate");
     check("--cases: '0', expected a number in [1.0, 100000.0]", "generate", "--cases", "0");
     check("--seed: 'x', expected a whole number", "generate", "--seed", "x");
@@ -290,6 +383,8 @@ class BlindCheckTest {
     check("--mix: 'none', expected kind:weight", "generate", "--mix", "none", "--out", "x");
     check("expected a weight above 0", "generate", "--mix", "none:0", "--out", "x");
     check("--effects: no such effect: magic", "generate", "--effects", "magic", "--out", "x");
+    check("--withheld: no such effect: wind", "generate", "--withheld", "wind", "--out", "x");
+    check("expected --withheld", "generate", "--mix", "withheld:1", "--out", "x");
     check("--rows: '9'", "generate", "--rows", "9", "--out", "x");
     check("--what: expected one of".replace("--what", "'--what'"), "generate", "--what", "9");
     check("--cases: expected a value after it", "generate", "--cases");

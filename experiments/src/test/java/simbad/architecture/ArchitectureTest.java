@@ -46,6 +46,8 @@ class ArchitectureTest {
   private static final String OBSTACLES = "simbad.obstacles..";
   private static final String EXPERIMENTS = "simbad.experiments..";
   private static final String GAP = "simbad.gap..";
+  private static final String BLIND = "simbad.blindworld..";
+  private static final String SCATTERING = "simbad.scattering..";
   private static final String CLI = "simbad.experiments.cli..";
   private static final String SCENE = "simbad.scene3d..";
   private static final String[] WORLD = {
@@ -70,6 +72,8 @@ class ArchitectureTest {
         "simbad.experiments, 60",
         "simbad.experiments.diagnosis, 15",
         "simbad.gap, 30",
+        "simbad.blindworld, 40",
+        "simbad.scattering, 10",
         "simbad.experiments.control, 8",
         "simbad, 160"
       })
@@ -106,7 +110,13 @@ class ArchitectureTest {
         Arguments.of(GAP, WORLD),
         Arguments.of(GAP, new String[] {OBSTACLES, EXPERIMENTS}),
         Arguments.of(GAP, TOOLKITS),
-        Arguments.of(MODEL, new String[] {GAP}),
+        Arguments.of(MODEL, new String[] {GAP, SCATTERING}),
+        Arguments.of(SCATTERING, WORLD),
+        Arguments.of(SCATTERING, new String[] {OBSTACLES, EXPERIMENTS, GAP, BENCH}),
+        Arguments.of(SCATTERING, TOOLKITS),
+        Arguments.of(OBSTACLES, new String[] {SCATTERING}),
+        Arguments.of(GAP, new String[] {SCATTERING, BENCH}),
+        Arguments.of(BENCH, new String[] {SCATTERING, GAP}),
         Arguments.of(OBSTACLES, new String[] {GAP}),
         Arguments.of("simbad.experiments.demo..", new String[] {"simbad.gui.."}),
         Arguments.of(MODEL, new String[] {BENCH}),
@@ -124,6 +134,24 @@ class ArchitectureTest {
   @MethodSource("arrows")
   void arrow_isNotThere(String from, String[] to) {
     apart(from, to).check(CLASSES);
+  }
+
+  /** What checks the diagnosis shares no code with what is checked, nor a library but the JDK. */
+  @Test
+  void blindWorld_standsAlone() {
+    classes()
+        .that()
+        .resideInAPackage(BLIND)
+        .should()
+        .onlyDependOnClassesThat(resideInAnyPackage("java..", "org.jspecify.annotations", BLIND))
+        .check(CLASSES);
+    noClasses()
+        .that()
+        .resideOutsideOfPackage(BLIND)
+        .should()
+        .dependOnClassesThat()
+        .resideInAPackage(BLIND)
+        .check(CLASSES);
   }
 
   @Test
@@ -194,7 +222,7 @@ class ArchitectureTest {
   void standardStreams_areTheCommandLines() {
     noClasses()
         .that()
-        .resideOutsideOfPackage(CLI)
+        .resideOutsideOfPackages(CLI, BLIND)
         .and()
         .areNotAssignableTo(Console.class)
         .should()
@@ -223,7 +251,10 @@ class ArchitectureTest {
     clockless("simbad.sonar..").check(CLASSES);
     clockless("simbad.obstacles..").check(CLASSES);
     clockless("simbad.gap..").check(CLASSES);
-    clockless("simbad.experiments.(demo|run|control|report|table|plot|diagnosis|dataset)..")
+    clockless(BLIND).check(CLASSES);
+    clockless("simbad.scattering..").check(CLASSES);
+    clockless(
+            "simbad.experiments.(demo|run|control|report|table|plot|diagnosis|dataset|blindcheck)..")
         .check(CLASSES);
   }
 
@@ -235,8 +266,9 @@ class ArchitectureTest {
         .callMethodWhere(callOf(System.class, "(currentTimeMillis|nanoTime)"));
   }
 
+  /** The blind world is a program of its own, with a command line and seeds of its own. */
   private static ClassesShould outsideTheCommandLine() {
-    return noClasses().that().resideOutsideOfPackage(CLI).should();
+    return noClasses().that().resideOutsideOfPackages(CLI, BLIND).should();
   }
 
   private static DescribedPredicate<JavaMethodCall> callOf(Class<?> owner, String names) {

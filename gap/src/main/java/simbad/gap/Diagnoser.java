@@ -39,9 +39,15 @@ public final class Diagnoser {
   /** What a further effect must gain for each row, so that more rows do not find what is tiny. */
   private static final double WORTH_NATS_PER_ROW = 0.0025;
 
+  /** A set-up that is known to be off hides more: so many times that is asked of an effect. */
+  private static final double OFF = 2;
+
   private static final double TIE_NATS = 3;
   private static final double NORMAL_95 = 1.96;
   private static final int TABLE = 12;
+
+  /** How often what the reference shows of an explanation goes into the set-up. */
+  private static final int ROUNDS = 3;
 
   private final long seed;
   private final Set<Effect> withheld;
@@ -62,21 +68,44 @@ public final class Diagnoser {
     PingLog log = new PingLog(data.readings());
     Calibration calibration =
         data.reference().isEmpty()
-            ? Calibration.NONE
+            ? Calibration.none()
             : Calibration.of(data.setup(), new PingLog(data.reference()));
+    for (int round = 0; round < ROUNDS; round++) {
+      Inquiry inquiry = inquire(data, log, calibration);
+      Calibration more = calibration.with(inquiry.evidence, inquiry.best());
+      if (more == calibration) {
+        return conclude(inquiry);
+      }
+      calibration = more;
+    }
+    return conclude(inquire(data, log, calibration));
+  }
+
+  /** What was found of a log before a set-up as calibrated. */
+  private record Inquiry(
+      Evidence evidence, Calibration calibration, List<Scored> sets, Probabilities probabilities) {
+    Hypothesis best() {
+      return probabilities.best().hypothesis();
+    }
+  }
+
+  private Inquiry inquire(DataSet data, PingLog log, Calibration calibration) {
     Evidence evidence = new Evidence(data.setup(), calibration.setup().changes(), log);
-    double worth =
-        Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size()) * calibration.clumping();
+    double least = Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size());
+    double worth = least * calibration.clumping() * (data.reference().isEmpty() ? 1 : OFF);
     // In one block nothing is left to test on what is fitted: too few rows to name anything.
     Set<Effect> excluded = new Blocks(log).count() > 1 ? withheld : EnumSet.allOf(Effect.class);
     List<Scored> sets = new Search(evidence, excluded, worth).run();
     Probabilities probabilities = new Probabilities(sets, worth, calibration.clumping());
-    return conclude(evidence, calibration, sets, probabilities);
+    return new Inquiry(evidence, calibration, sets, probabilities);
   }
 
-  private Diagnosis conclude(
-      Evidence evidence, Calibration calibration, List<Scored> sets, Probabilities probabilities) {
-    Hypothesis best = probabilities.best().hypothesis();
+  private Diagnosis conclude(Inquiry inquiry) {
+    Evidence evidence = inquiry.evidence;
+    Calibration calibration = inquiry.calibration;
+    List<Scored> sets = inquiry.sets;
+    Probabilities probabilities = inquiry.probabilities;
+    Hypothesis best = inquiry.best();
     Blocks blocks = new Blocks(evidence.log());
     Gain gain = Gain.of(evidence, blocks, best);
     double unknown =
@@ -90,6 +119,7 @@ public final class Diagnoser {
         best.effects(),
         new Findings(evidence, sets, probabilities, calibration.clumping()).all(),
         unknown,
+        1 - probabilities.ofNone(),
         figures(gain, blocks),
         Places.find(evidence, gain.before(), gain.after(), blocks),
         Undetectables.of(evidence, best, Probabilities.COST_NATS * calibration.clumping()),

@@ -5,18 +5,33 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.ServiceLoader;
+import java.util.Set;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.OutlineFile;
 import simbad.sonar.format.SensorFile;
 import simbad.sonar.format.TableDocument;
 import simbad.sonar.format.TableFile;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.shape.Outline;
 
-/** The obstacle types and the sensor that come with the project. */
+/** The obstacle types and the sensor that come with the project, and the types that users add. */
 public final class Catalogue {
   private static final String FOLDER = "data/";
+
+  /** Names the folder of one's own types. */
+  public static final String FOLDER_PROPERTY = "simbad.obstacles";
+
+  /** Names the folder of one's own types where the property does not. */
+  public static final String FOLDER_VARIABLE = "SIMBAD_OBSTACLES";
+
+  /** Types whose tables are predicted from their cross-sections (data/obstacles). */
+  private static final List<String> PREDICTED =
+      List.of("half-round", "hexagon", "plate", "tee", "channel", "leg-pair");
 
   private Catalogue() {}
 
@@ -33,13 +48,73 @@ public final class Catalogue {
     return table("angle-25mm.csv");
   }
 
+  /** Returns the types that come with the project: the thesis's three, then the predicted ones. */
+  public static List<ObstacleType> shipped() {
+    List<ObstacleType> shipped = new ArrayList<>(types());
+    PREDICTED.forEach(name -> shipped.add(shipped(name)));
+    return shipped;
+  }
+
   /**
-   * Finds a type by name.
+   * Returns all types by name: {@link #shipped()}, those of {@link ObstacleTypeProvider}s, and
+   * those in the folder that the system property {@value #FOLDER_PROPERTY} or else the environment
+   * variable {@value #FOLDER_VARIABLE} names. Of two with one name the first stands.
+   *
+   * @throws DataFormatException if a file in that folder is broken
+   */
+  public static List<ObstacleType> all() throws DataFormatException {
+    List<ObstacleType> all = new ArrayList<>(shipped());
+    ServiceLoader.load(ObstacleTypeProvider.class)
+        .forEach(provider -> all.addAll(provider.types()));
+    Optional<Path> folder = ownFolder();
+    if (folder.isPresent()) {
+      all.addAll(ObstacleFiles.scan(folder.get()));
+    }
+    Set<String> names = new HashSet<>();
+    return all.stream().filter(type -> names.add(type.name())).toList();
+  }
+
+  private static Optional<Path> ownFolder() {
+    String variable = System.getenv(FOLDER_VARIABLE);
+    String named = System.getProperty(FOLDER_PROPERTY, variable == null ? "" : variable);
+    return named.isEmpty() ? Optional.empty() : Optional.of(Path.of(named));
+  }
+
+  /**
+   * Finds one of the types that come with the project.
    *
    * @param name as on the command line
    */
   public static Optional<ObstacleType> find(String name) {
-    return types().stream().filter(type -> type.name().equals(name)).findFirst();
+    return PREDICTED.contains(name)
+        ? Optional.of(shipped(name))
+        : types().stream().filter(type -> type.name().equals(name)).findFirst();
+  }
+
+  /**
+   * Finds a type by name among {@link #all}.
+   *
+   * @param name as on the command line
+   * @throws DataFormatException if the folder of one's own types has to be looked into and a file
+   *     in it is broken
+   */
+  public static Optional<ObstacleType> findAny(String name) throws DataFormatException {
+    Optional<ObstacleType> own = find(name);
+    return own.isPresent()
+        ? own
+        : all().stream().filter(type -> type.name().equals(name)).findFirst();
+  }
+
+  private static ObstacleType shipped(String name) {
+    String folder = "obstacles/" + name + "/";
+    try {
+      return new ObstacleType(
+          name,
+          OutlineFile.parse(Path.of(folder + "outline.csv"), text(folder + "outline.csv")).parts(),
+          TableFile.parse(Path.of(folder + "table.csv"), text(folder + "table.csv")));
+    } catch (DataFormatException e) {
+      throw new IllegalStateException(e);
+    }
   }
 
   /** Returns the Devantech SRF04. */

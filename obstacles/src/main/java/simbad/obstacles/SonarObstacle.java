@@ -72,13 +72,16 @@ public class SonarObstacle extends BlockWorldObject {
 
   @Override
   protected List<Shape> bodyShapes() {
-    Outline outline = type.outline();
+    return type.parts().stream().map(SonarObstacle::body).toList();
+  }
+
+  private static Shape body(Outline outline) {
     double[] x = new double[outline.size()];
     double[] z = new double[outline.size()];
     for (int i = 0; i < x.length; i++) {
       x[i] = outline.xM(i);
       z[i] = outline.zM(i);
     }
-    return List.of(new PrismShape(x, z, 0, BODY_HEIGHT_M));
+    return new PrismShape(x, z, 0, BODY_HEIGHT_M);
   }
 }

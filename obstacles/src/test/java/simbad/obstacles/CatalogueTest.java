@@ -45,7 +45,7 @@ class CatalogueTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "Angle", "hexagon", "angle-25mm.csv"})
+  @ValueSource(strings = {"", "Angle", "octagon", "angle-25mm.csv"})
   void find_ofAnUnknownName_isEmpty(String name) {
     assertEquals(Optional.empty(), Catalogue.find(name));
   }

@@ -1,6 +1,7 @@
 package simbad.gui;
 
 import java.awt.Dimension;
+import java.awt.Graphics;
 import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
 import java.awt.event.ActionListener;
@@ -52,6 +53,19 @@ public class Simbad extends JFrame implements ActionListener {
     SwingUtilities.invokeLater(this::openFrame);
     Session first = new Session(desktop, environment, backgroundMode);
     onEventThread(() -> show(first, environment));
+  }
+
+  /**
+   * Paints the window; from any thread but the event thread, has it painted soon. Old programs call
+   * this from their main, which could wait for what the event thread holds, and it for them.
+   */
+  @Override
+  public void update(Graphics graphics) {
+    if (SwingUtilities.isEventDispatchThread()) {
+      super.update(graphics);
+    } else {
+      repaint();
+    }
   }
 
   private static void onEventThread(Runnable task) {

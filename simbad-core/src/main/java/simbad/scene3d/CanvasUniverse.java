@@ -28,6 +28,12 @@ final class CanvasUniverse {
 
   private static @Nullable GraphicsConfiguration configuration;
 
+  static {
+    // Java 3D draws with desktop OpenGL alone; not to look for the others saves a quarter of a
+    // second.
+    System.setProperty("jogl.disable.opengles", "true");
+  }
+
   private final VirtualUniverse universe = new VirtualUniverse();
   private final Locale locale = new Locale(universe);
   private final View view = new View();
@@ -51,10 +57,12 @@ final class CanvasUniverse {
       throw Missing.display();
     }
     try {
-      DrawingErrors.await();
-      CanvasUniverse stage = new CanvasUniverse(configuration());
-      stage.build(sideM);
-      return stage;
+      synchronized (UniverseLock.LOCK) {
+        DrawingErrors.await();
+        CanvasUniverse stage = new CanvasUniverse(configuration());
+        stage.build(sideM);
+        return stage;
+      }
     } catch (RuntimeException | LinkageError e) {
       throw DrawingErrors.findLast().map(Missing::openGl).orElseGet(() -> Missing.of(e));
     }
@@ -71,14 +79,8 @@ final class CanvasUniverse {
   private static GraphicsConfiguration findConfiguration() {
     GraphicsConfigTemplate3D template = new GraphicsConfigTemplate3D();
     template.setSceneAntialiasing(GraphicsConfigTemplate3D.PREFERRED);
-    GraphicsConfiguration best =
-        GraphicsEnvironment.getLocalGraphicsEnvironment()
-            .getDefaultScreenDevice()
-            .getBestConfiguration(template);
-    if (best == null) {
-      throw Missing.openGl("the screen offers no suitable configuration");
-    }
-    return best;
+    return ConfigurationQuery.ask(template)
+        .orElseThrow(() -> Missing.openGl("the screen offers no suitable configuration"));
   }
 
   private void build(double sideM) {
@@ -140,11 +142,13 @@ final class CanvasUniverse {
   }
 
   void close() {
-    DrawingErrors.remove(errors);
-    view.stopView();
-    canvas.stopRenderer();
-    view.removeAllCanvas3Ds();
-    view.attachViewPlatform(null);
-    universe.removeAllLocales();
+    synchronized (UniverseLock.LOCK) {
+      DrawingErrors.remove(errors);
+      view.stopView();
+      canvas.stopRenderer();
+      view.removeAllCanvas3Ds();
+      view.attachViewPlatform(null);
+      universe.removeAllLocales();
+    }
   }
 }

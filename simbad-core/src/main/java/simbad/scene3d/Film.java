@@ -1,8 +1,8 @@
 package simbad.scene3d;
 
 import java.awt.GraphicsConfiguration;
-import java.awt.GraphicsEnvironment;
 import java.awt.image.BufferedImage;
+import java.util.Optional;
 import javax.media.j3d.BranchGroup;
 import javax.media.j3d.Canvas3D;
 import javax.media.j3d.GraphicsConfigTemplate3D;
@@ -14,7 +14,6 @@ import javax.media.j3d.Screen3D;
 import javax.media.j3d.TransformGroup;
 import javax.media.j3d.View;
 import javax.media.j3d.ViewPlatform;
-import org.jspecify.annotations.Nullable;
 import simbad.kernel.render.Picture;
 import simbad.kernel.render.PictureSource;
 
@@ -62,10 +61,8 @@ final class Film {
 
   /** Asked once: each question opens a connection to the display that Java 3D never closes. */
   private static final class Asked {
-    private static final @Nullable GraphicsConfiguration BEST =
-        GraphicsEnvironment.getLocalGraphicsEnvironment()
-            .getDefaultScreenDevice()
-            .getBestConfiguration(new GraphicsConfigTemplate3D());
+    private static final Optional<GraphicsConfiguration> BEST =
+        ConfigurationQuery.ask(new GraphicsConfigTemplate3D());
   }
 
   /**
@@ -74,11 +71,8 @@ final class Film {
    * @throws DisplayException if the screen has nothing suitable
    */
   static GraphicsConfiguration configuration() {
-    GraphicsConfiguration best = Asked.BEST;
-    if (best == null) {
-      throw Missing.openGl("the screen offers no suitable configuration");
-    }
-    return best;
+    return Asked.BEST.orElseThrow(
+        () -> Missing.openGl("the screen offers no suitable configuration"));
   }
 
   boolean fits(Picture picture) {

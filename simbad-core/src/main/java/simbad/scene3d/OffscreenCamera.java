@@ -60,8 +60,10 @@ public final class OffscreenCamera implements PictureSource {
       throw Missing.display();
     }
     try {
-      Film.configuration();
-      return new OffscreenCamera(stage);
+      synchronized (UniverseLock.LOCK) {
+        Film.configuration();
+        return new OffscreenCamera(stage);
+      }
     } catch (RuntimeException | LinkageError e) {
       throw Missing.of(e);
     }
@@ -142,15 +144,19 @@ public final class OffscreenCamera implements PictureSource {
         return film;
       }
     }
-    Film film = new Film(picture.width(), picture.height(), eye);
-    films.add(film);
-    return film;
+    synchronized (UniverseLock.LOCK) {
+      Film film = new Film(picture.width(), picture.height(), eye);
+      films.add(film);
+      return film;
+    }
   }
 
   @Override
   public void dispose() {
-    VirtualUniverse.removeRenderingErrorListener(errors);
-    films.forEach(Film::close);
-    universe.removeAllLocales();
+    synchronized (UniverseLock.LOCK) {
+      VirtualUniverse.removeRenderingErrorListener(errors);
+      films.forEach(Film::close);
+      universe.removeAllLocales();
+    }
   }
 }

@@ -183,11 +183,7 @@ public abstract class BaseObject {
 
   /** Writes the object's turn, without its translation, to a transform. */
   public void getRotationTransform(Transform3D transform) {
-    for (int row = 0; row < 3; row++) {
-      for (int column = 0; column < 3; column++) {
-        matrix[row * 4 + column] = placement.rotation(row, column);
-      }
-    }
+    placement.copyRotationTo(matrix);
     matrix[15] = 1;
     transform.set(matrix);
   }

@@ -29,6 +29,7 @@ public class Eye extends SensorDevice {
   protected int imageHeight;
 
   private final Picture picture;
+  private final Picture taken;
   private final Placement worldFromEye = new Placement();
   private final float radius;
 
@@ -37,6 +38,7 @@ public class Eye extends SensorDevice {
     imageWidth = width;
     imageHeight = height;
     picture = new Picture(width, height);
+    taken = new Picture(width, height);
     tempRGBABuffer = picture.argb();
   }
 
@@ -87,16 +89,23 @@ public class Eye extends SensorDevice {
     }
   }
 
-  /** Sees. Outside a world there is nothing to see. */
+  /**
+   * Sees. Outside a world there is nothing to see.
+   *
+   * <p>Whoever wants the image meanwhile gets the former one and need not wait: Java 3D opens a
+   * frame for its first picture and so waits for the event thread, which may be painting this one.
+   */
   @Override
-  @SuppressWarnings("UnsynchronizedOverridesSynchronized") // Nothing synchronized is overridden.
   protected void update() {
-    synchronized (this) {
-      if (world != null) {
-        placeEye(worldFromEye);
-        world.takePicture(worldFromEye, picture);
-      }
+    if (world != null) {
+      placeEye(worldFromEye);
+      world.takePicture(worldFromEye, taken);
+      keepTaken();
     }
+  }
+
+  private synchronized void keepTaken() {
+    picture.copyFrom(taken);
   }
 
   /** Computes where the eye looks from. */

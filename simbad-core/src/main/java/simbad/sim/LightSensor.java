@@ -5,6 +5,8 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.util.Locale;
 import javax.swing.JPanel;
+import javax.vecmath.Point3d;
+import javax.vecmath.Vector3d;
 import simbad.kernel.geometry.Placement;
 
 /**
@@ -15,6 +17,12 @@ import simbad.kernel.geometry.Placement;
 public class LightSensor extends Eye {
   private static final int SIDE_PX = 10;
   private static final float RADIUS_M = 0.02f;
+
+  /**
+   * Where the sensor sits, metres from the agent's middle; to be read only. {@link
+   * #translateTo(Vector3d)} moves it.
+   */
+  public Vector3d position = new Vector3d();
 
   private float luminance;
 
@@ -44,6 +52,24 @@ public class LightSensor extends Eye {
     Placement here = new Placement();
     placeInWorld(here);
     return Surroundings.illuminanceLx(world.getStage().lighting(), here);
+  }
+
+  /** Returns where the sensor sits, metres from the agent's middle. */
+  public Vector3d getPosition() {
+    return new Vector3d(position);
+  }
+
+  /** Returns where a sensor is in the world now, metres; the sensor is on an agent. */
+  public static Point3d getGlobalCoords(LightSensor sensor) {
+    Placement here = new Placement();
+    sensor.placeInWorld(here);
+    return new Point3d(here.xM(), here.yM(), here.zM());
+  }
+
+  @Override
+  public void translateTo(Vector3d displacement) {
+    super.translateTo(displacement);
+    position.set(placement().xM(), placement().yM(), placement().zM());
   }
 
   @Override

@@ -11,6 +11,8 @@ import org.jspecify.annotations.Nullable;
 import simbad.kernel.drawing.Facets;
 import simbad.kernel.geometry.CylinderShape;
 import simbad.kernel.geometry.Shape;
+import simbad.kernel.scene.Ball;
+import simbad.kernel.scene.Clearance;
 
 /**
  * Something that moves: it has a start, a position, devices and a share in every step.
@@ -85,6 +87,8 @@ public class SimpleAgent extends BaseObject {
 
   private final Vector3d startPosition;
   private final DeviceRack devices = new DeviceRack();
+  private final Ball next = new Ball();
+  private final Clearance clearance = new Clearance();
   private @Nullable Simulator simulator;
   private @Nullable SimpleAgent veryNearAgent;
   private boolean bodyIsDrawn;
@@ -248,7 +252,8 @@ public class SimpleAgent extends BaseObject {
 
   /** Returns true if this step would lead into a static object. */
   boolean runsIntoObject() {
-    return isStoppedAt(nextX(), nextY(), nextZ(), radius);
+    next.set(nextX(), nextY(), nextZ(), radius);
+    return world != null && world.getScene().stopsBall(next, clearance);
   }
 
   /** Returns true if the agent drives, so that it is stopped by walls and does not bounce. */

@@ -89,21 +89,24 @@ public class Simulator {
 
   private void step(double elapsedSecond) {
     for (int i = 0; i < agents.size(); i++) {
-      agents.get(i).updateSensors(elapsedSecond, null);
-      agents.get(i).updateActuators(elapsedSecond);
+      SimpleAgent agent = agents.get(i);
+      agent.updateSensors(elapsedSecond, null);
+      agent.updateActuators(elapsedSecond);
     }
     for (int i = 0; i < agents.size(); i++) {
-      agents.get(i).performPreBehavior();
-      agents.get(i).performBehavior();
+      SimpleAgent agent = agents.get(i);
+      agent.performPreBehavior();
+      agent.performBehavior();
     }
     for (int i = 0; i < agents.size(); i++) {
-      agents.get(i).clearVeryNear();
-      agents.get(i).setMotorsAcceleration(elapsedSecond);
+      SimpleAgent agent = agents.get(i);
+      agent.clearVeryNear();
+      agent.setMotorsAcceleration(elapsedSecond);
       if (usePhysics) {
-        engine.computeForces(elapsedSecond, agents.get(i));
+        engine.computeForces(elapsedSecond, agent);
       }
-      agents.get(i).integratesVelocities(elapsedSecond);
-      agents.get(i).integratesPositionChange(elapsedSecond);
+      agent.integratesVelocities(elapsedSecond);
+      agent.integratesPositionChange(elapsedSecond);
     }
     if (usePhysics) {
       engine.checkAgentAgentPairs(elapsedSecond, agents, true, false);
@@ -115,8 +118,9 @@ public class Simulator {
     }
     engine.checkAgentObjectPairs(agents, noObjects, false, false);
     for (int i = 0; i < agents.size(); i++) {
-      agents.get(i).updatePosition();
-      agents.get(i).updateCounters(elapsedSecond);
+      SimpleAgent agent = agents.get(i);
+      agent.updatePosition();
+      agent.updateCounters(elapsedSecond);
     }
   }
 

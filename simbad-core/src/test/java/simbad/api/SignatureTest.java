@@ -2,7 +2,6 @@ package simbad.api;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -17,34 +16,19 @@ import org.junit.jupiter.api.Test;
 /** The names that old programs rely on are there, but for those that are listed as missing. */
 class SignatureTest {
   @Test
-  void listedNames_exist_unlessListedAsMissing() throws IOException {
-    List<String> missing = lines("not-yet.txt");
+  void listedNames_exist() throws IOException {
     assertEquals(
         "",
         lines("signatures.txt").stream()
-            .filter(line -> !missing.contains(line))
             .filter(line -> !Signature.parse(line).exists())
             .collect(Collectors.joining("\n")),
         "names without which old programs do not compile");
   }
 
   @Test
-  void missingNames_areMissing() throws IOException {
-    assertEquals(
-        "",
-        lines("not-yet.txt").stream()
-            .filter(line -> Signature.parse(line).exists())
-            .collect(Collectors.joining("\n")),
-        "names that exist now: take them off the list of missing ones");
-  }
-
-  @Test
-  void missingNames_areListed_once() throws IOException {
+  void names_areListed_once() throws IOException {
     List<String> all = lines("signatures.txt");
-    List<String> missing = lines("not-yet.txt");
-    assertTrue(all.containsAll(missing));
     assertEquals(all.size(), all.stream().distinct().count());
-    assertEquals(missing.size(), missing.stream().distinct().count());
   }
 
   @Test

@@ -9,12 +9,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
+import java.util.concurrent.CompletableFuture;
 import javax.swing.JPanel;
 import javax.vecmath.Color3f;
+import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
 import javax.vecmath.Vector3f;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import simbad.kernel.geometry.Placement;
+import simbad.kernel.render.Picture;
 
 /** Cameras and light sensors as programs use them. */
 class EyeTest {
@@ -214,6 +218,41 @@ class EyeTest {
     assertEquals(1 / 16f + 0.587f / 4, sensor.getLux(), EPS);
     robot.moveToPosition(0, -4);
     assertEquals(1 / 0.04f + 0.587f / 20, sensor.getLux(), 1e-5);
+  }
+
+  /** As the window does that paints the image while Java 3D waits for the window. */
+  @Test
+  @Timeout(60)
+  void imageOfTheStepBefore_canBeReadWhileTheNextIsTaken() {
+    CameraSensor camera = RobotFactory.addCameraSensor(robot);
+    BufferedImage image = camera.createCompatibleImage();
+    World slow =
+        new World(environment) {
+          @Override
+          void takePicture(Placement worldFromEye, Picture picture) {
+            picture.argb()[0] = 0xff00ff00;
+            CompletableFuture.runAsync(() -> camera.copyVisionImage(image)).join();
+          }
+        };
+    camera.setWorld(slow);
+    camera.update();
+    assertEquals(0xff000000, image.getRGB(0, 0));
+    camera.copyVisionImage(image);
+    assertEquals(0xff00ff00, image.getRGB(0, 0));
+  }
+
+  /** The robot looks along -z: what is on its left is at -x of its middle. */
+  @Test
+  void place_isKnownOnTheRobotAndInTheWorld() {
+    Vector3d onRobot = new Vector3d(0.1, 0.2, -0.4);
+    LightSensor sensor = RobotFactory.addLightSensor(robot, onRobot, 0, "left");
+    assertEquals(onRobot, sensor.position);
+    assertEquals(onRobot, sensor.getPosition());
+    start();
+    robot.moveToPosition(3, 2);
+    robot.rotateY(Math.PI / 2);
+    Point3d expected = new Point3d(3 - 0.4, 0.25 + 0.2, 2 - 0.1);
+    assertEquals(0, expected.distance(LightSensor.getGlobalCoords(sensor)), EPS);
   }
 
   @Test

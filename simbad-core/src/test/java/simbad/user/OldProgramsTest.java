@@ -4,17 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.io.StringWriter;
-import java.net.MalformedURLException;
-import java.net.URL;
-import java.net.URLClassLoader;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.stream.Stream;
-import javax.tools.JavaCompiler;
-import javax.tools.StandardJavaFileManager;
-import javax.tools.ToolProvider;
 import javax.vecmath.Point3d;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -29,31 +19,11 @@ import simbad.sim.SimpleAgent;
  * written and without this project's rules, and do what they were written for.
  */
 class OldProgramsTest {
-  private static final Path SOURCES = Path.of("src", "test", "oldprograms", "oldprograms");
-
-  private static URLClassLoader loader;
+  private static ClassLoader loader;
 
   @BeforeAll
   static void compile(@TempDir Path classes) throws IOException {
-    JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-    StringWriter messages = new StringWriter();
-    String classPath =
-        System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"));
-    try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null);
-        Stream<Path> sources = Files.list(SOURCES)) {
-      List<Path> programs = sources.sorted().toList();
-      assertEquals(14, programs.size());
-      List<String> options =
-          List.of("-nowarn", "-proc:none", "-d", classes.toString(), "-cp", classPath);
-      var units = files.getJavaFileObjectsFromPaths(programs);
-      boolean compiled = compiler.getTask(messages, files, null, options, null, units).call();
-      assertTrue(compiled, messages::toString);
-    }
-    loader = new URLClassLoader(new URL[] {url(classes)}, OldProgramsTest.class.getClassLoader());
-  }
-
-  private static URL url(Path folder) throws MalformedURLException {
-    return folder.toUri().toURL();
+    loader = OldPrograms.compile(classes);
   }
 
   private static EnvironmentDescription run(String program, int steps)

@@ -3,6 +3,7 @@ package simbad.blindworld.baseline;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,8 +27,10 @@ public final class Baseline {
    * @param cases a folder of data sets
    * @param rows a folder with, by data set, rows.csv or sealed.csv to predict; ranges are not read
    * @param out where the answers go
+   * @return what is wrong with the data sets that cannot be read, which get no answer
    */
-  public static void run(Path cases, Path rows, Path out) throws IOException, FormatException {
+  public static List<String> run(Path cases, Path rows, Path out)
+      throws IOException, FormatException {
     if (!Files.isDirectory(cases)) {
       throw new FormatException(cases + ": no such folder");
     }
@@ -35,10 +38,16 @@ public final class Baseline {
     try (var paths = Files.list(cases)) {
       sets = paths.filter(p -> Files.isRegularFile(p.resolve("scene.json"))).sorted().toList();
     }
+    List<String> faults = new ArrayList<>();
     for (Path set : sets) {
       String id = set.getFileName().toString();
-      answer(set, rows.resolve(id), Files.createDirectories(out.resolve(id)));
+      try {
+        answer(set, rows.resolve(id), Files.createDirectories(out.resolve(id)));
+      } catch (FormatException e) {
+        faults.add(e.getMessage());
+      }
     }
+    return faults;
   }
 
   private static void answer(Path set, Path rows, Path out) throws IOException, FormatException {

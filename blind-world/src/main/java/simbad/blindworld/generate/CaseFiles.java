@@ -71,7 +71,7 @@ final class CaseFiles {
     return Seal.sha256(bytes);
   }
 
-  private static byte[] salt(long seed) {
+  static byte[] salt(long seed) {
     byte[] salt = new byte[SALT_BYTES];
     new SplittableRandom(seed ^ 0x5EA1L).nextBytes(salt);
     return salt;

@@ -31,7 +31,7 @@ final class Drawing {
   /** After so many draws in vain sizes begin to grow: some pairs hide each other. */
   private static final int PATIENCE = 60;
 
-  /** After so many draws a pair is given up for another one with the same first effect. */
+  /** After so many draws in vain another pair is tried, or an unknown by itself. */
   private static final int OTHER_PAIR = 200;
 
   private static final int DRAWS = 1000;
@@ -56,8 +56,8 @@ final class Drawing {
   Case draw() {
     while (draws < DRAWS) {
       draws++;
-      if (draws % OTHER_PAIR == 0 && assignment.kind() == Kind.PAIR) {
-        names = Plan.otherPair(order, names.get(0), random);
+      if (draws % OTHER_PAIR == 0) {
+        names = easier();
       }
       Ground ground = ground();
       Circumstances circumstances = circumstances(ground);
@@ -79,6 +79,15 @@ final class Drawing {
     }
     throw new IllegalStateException(
         "no case with " + assignment.names() + " that shows, in " + DRAWS + " draws");
+  }
+
+  /** Another pair with the same first effect; what is unknown stands alone. */
+  private List<String> easier() {
+    return switch (assignment.kind()) {
+      case PAIR -> Plan.otherPair(order, names.get(0), random);
+      case UNKNOWN -> names.subList(names.size() - 1, names.size());
+      case NONE, SINGLE, WITHHELD -> names;
+    };
   }
 
   private Ground ground() {
@@ -119,16 +128,20 @@ final class Drawing {
         world(ground, effects).at(rows), ground.scene.noEchoM(), repeats, random.nextLong());
   }
 
+  /** True for what the diagnosis has no name for. */
+  private boolean isOutside(Effect effect) {
+    return !Vocabulary.contains(effect.name()) || order.withheld().contains(effect.name());
+  }
+
   /** What has to show: what is outside the vocabulary, where something is. */
-  private static List<Effect> asked(List<Effect> effects) {
-    List<Effect> outside =
-        effects.stream().filter(effect -> !Vocabulary.contains(effect.name())).toList();
+  private List<Effect> asked(List<Effect> effects) {
+    List<Effect> outside = effects.stream().filter(this::isOutside).toList();
     return outside.isEmpty() ? effects : outside;
   }
 
   /** True when what is outside the vocabulary costs enough on the sealed rows, too. */
   private boolean matters(Case drawn) {
-    return assignment.kind() != Kind.UNKNOWN
+    return (assignment.kind() != Kind.UNKNOWN && assignment.kind() != Kind.WITHHELD)
         || drawn.gaps().setupCm() - drawn.gaps().oracleCm() >= LEAST_OUTSIDE_SEALED_CM;
   }
 
@@ -143,8 +156,7 @@ final class Drawing {
           effects.stream().filter(other -> !other.name().equals(effect.name())).toList();
       Forecast without = forecast(ground, others, ground.recording, CHECK_REPEATS);
       Evidence.Gain gain = Evidence.of(whole, without, readings, ground.scene.noEchoM());
-      boolean matters =
-          Vocabulary.contains(effect.name()) || gain.gainCm() >= LEAST_OUTSIDE_GAIN_CM;
+      boolean matters = !isOutside(effect) || gain.gainCm() >= LEAST_OUTSIDE_GAIN_CM;
       if (gain.standardErrors() < LEAST_STANDARD_ERRORS || !matters) {
         return false;
       }

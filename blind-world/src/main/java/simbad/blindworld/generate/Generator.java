@@ -25,6 +25,23 @@ public final class Generator {
    * @param done told, from any thread, the number of each case that is finished
    */
   public static void run(Order order, Path directory, IntConsumer done) throws IOException {
+    requireEmpty(directory);
+    List<Plan.Assignment> plan = Plan.of(order);
+    CaseFiles files = new CaseFiles(directory);
+    List<Map<String, Object>> entries =
+        IntStream.range(0, plan.size())
+            .parallel()
+            .mapToObj(i -> make(plan.get(i), order, files, done, i))
+            .toList();
+    write(directory, manifest(entries));
+  }
+
+  static void write(Path directory, Map<String, Object> manifest) throws IOException {
+    CaseFiles.put(directory, "manifest.json", Json.write(manifest));
+  }
+
+  /** Makes the folder; refuses one with something in it. */
+  static void requireEmpty(Path directory) throws IOException {
     if (Files.isDirectory(directory)) {
       try (var content = Files.list(directory)) {
         if (content.findAny().isPresent()) {
@@ -33,14 +50,6 @@ public final class Generator {
       }
     }
     Files.createDirectories(directory);
-    List<Plan.Assignment> plan = Plan.of(order);
-    CaseFiles files = new CaseFiles(directory);
-    List<Map<String, Object>> entries =
-        IntStream.range(0, plan.size())
-            .parallel()
-            .mapToObj(i -> make(plan.get(i), order, files, done, i))
-            .toList();
-    CaseFiles.put(directory, "manifest.json", Json.write(manifest(entries)));
   }
 
   private static Map<String, Object> make(
@@ -54,7 +63,8 @@ public final class Generator {
     }
   }
 
-  private static Map<String, Object> manifest(List<Map<String, Object>> entries) {
+  /** The commitments and one root over them. */
+  static Map<String, Object> manifest(List<Map<String, Object>> entries) {
     Map<String, Object> manifest = new LinkedHashMap<>();
     manifest.put("format", "blind-manifest/1");
     manifest.put("commitment", "SHA-256(salt || truth.json)");

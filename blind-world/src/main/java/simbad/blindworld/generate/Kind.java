@@ -9,5 +9,7 @@ public enum Kind {
   /** Two effects of the vocabulary. */
   PAIR,
   /** Something outside the vocabulary, alone or beside an effect of it. */
-  UNKNOWN
+  UNKNOWN,
+  /** One effect of the vocabulary that the diagnosis is not told of. */
+  WITHHELD
 }

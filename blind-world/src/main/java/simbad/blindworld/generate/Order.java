@@ -11,6 +11,7 @@ import java.util.Map;
  * @param mix the weight of each kind
  * @param referenceShare the share of cases whose set-up is off and that come with a reference
  * @param effects the names to choose from, of the vocabulary or outside it; all when empty
+ * @param withheld names of the vocabulary that are put in by kind WITHHELD and by no other
  * @param rows least and most rows of a data set
  * @param repeats how many simulated repeats make an oracle's forecast
  */
@@ -20,6 +21,7 @@ public record Order(
     Map<Kind, Double> mix,
     double referenceShare,
     List<String> effects,
+    List<String> withheld,
     Rows rows,
     int repeats) {
 
@@ -30,5 +32,6 @@ public record Order(
   public Order {
     mix = Map.copyOf(mix);
     effects = List.copyOf(effects);
+    withheld = List.copyOf(withheld);
   }
 }

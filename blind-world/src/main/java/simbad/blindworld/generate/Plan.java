@@ -36,10 +36,12 @@ final class Plan {
     List<Kind> kinds = new ArrayList<>();
     Wheel inside = wheel(order, Vocabulary.names(), random);
     Wheel outside = wheel(order, Vocabulary.outside(), random);
+    // Drawn last, so that orders without it keep their bytes.
+    Wheel withheld = new Wheel(order.withheld(), withheldChance(order, random));
     for (Map.Entry<Kind, Integer> part : counts(order).entrySet()) {
       for (int i = 0; i < part.getValue(); i++) {
         kinds.add(part.getKey());
-        contents.add(names(part.getKey(), inside, outside, random));
+        contents.add(names(part.getKey(), new Wheels(inside, outside, withheld), random));
       }
     }
     List<Integer> shuffled = new ArrayList<>();
@@ -74,8 +76,16 @@ final class Plan {
     return counts;
   }
 
-  private static List<String> names(
-      Kind kind, Wheel inside, Wheel outside, SplittableRandom random) {
+  private static Random withheldChance(Order order, SplittableRandom random) {
+    return new Random(order.withheld().isEmpty() ? 0 : random.nextLong());
+  }
+
+  /** What each kind takes its names from. */
+  private record Wheels(Wheel inside, Wheel outside, Wheel withheld) {}
+
+  private static List<String> names(Kind kind, Wheels wheels, SplittableRandom random) {
+    Wheel inside = wheels.inside();
+    Wheel outside = wheels.outside();
     return switch (kind) {
       case NONE -> List.of();
       case SINGLE -> List.of(inside.next());
@@ -84,6 +94,7 @@ final class Plan {
           random.nextDouble() < BESIDE_SHARE && !inside.isEmpty()
               ? List.of(inside.next(), outside.next())
               : List.of(outside.next());
+      case WITHHELD -> List.of(wheels.withheld().next());
     };
   }
 
@@ -110,7 +121,10 @@ final class Plan {
 
   private static Wheel wheel(Order order, List<String> all, SplittableRandom random) {
     List<String> wanted =
-        order.effects().isEmpty() ? all : all.stream().filter(order.effects()::contains).toList();
+        all.stream()
+            .filter(name -> order.effects().isEmpty() || order.effects().contains(name))
+            .filter(name -> !order.withheld().contains(name))
+            .toList();
     return new Wheel(wanted, new Random(random.nextLong()));
   }
 

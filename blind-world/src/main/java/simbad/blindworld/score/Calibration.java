@@ -70,11 +70,20 @@ final class Calibration {
     Map<String, Object> json = new LinkedHashMap<>();
     json.put("n", claims.size());
     json.put("ece", expectedError(claims));
+    json.put("ece_ci95", Spread.interval95(claims, Calibration::expectedError));
     json.put("log_score", logScore(claims));
     json.put("log_score_of_base_rate", baseScore(claims));
-    json.put("better_by", better(logScore(claims), baseScore(claims)));
+    json.put("better_by", betterBy(claims));
+    // Where all or none were so, base rates cannot be bettered.
+    if (baseScore(claims) > LEAST) {
+      json.put("better_by_ci95", Spread.interval95(claims, Calibration::betterBy));
+    }
     json.put("curve", curve(claims));
     return json;
+  }
+
+  static double betterBy(List<Claim> claims) {
+    return better(logScore(claims), baseScore(claims));
   }
 
   static double better(double score, double base) {

@@ -34,7 +34,7 @@ final class Effects {
     Map<String, List<Graded>> byEffect = new TreeMap<>();
     for (Graded g : cases) {
       boolean alone = g.truth().effects().size() == 1;
-      if (alone || g.truth().kind().equals("unknown")) {
+      if (alone || g.truth().isStrange()) {
         byEffect.computeIfAbsent(key(g.truth()), k -> new ArrayList<>()).add(g);
       }
     }
@@ -53,7 +53,7 @@ final class Effects {
   }
 
   private static boolean right(Graded graded) {
-    return graded.verdictRight() && (graded.truth().kind().equals("unknown") || graded.named());
+    return graded.right();
   }
 
   static List<Object> json(List<Graded> cases) {

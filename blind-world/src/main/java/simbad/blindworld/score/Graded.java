@@ -26,6 +26,11 @@ public record Graded(Truth truth, Optional<Answer> answer) {
     return says(truth.verdict());
   }
 
+  /** True when the verdict is right and, but for what is strange, so are the names. */
+  public boolean right() {
+    return verdictRight() && (truth.isStrange() || named());
+  }
+
   /** True when something is said to be at work. */
   public boolean detected() {
     return answer.isPresent() && !says(Verdict.NONE);

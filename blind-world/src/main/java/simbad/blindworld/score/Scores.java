@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.function.Predicate;
 import simbad.blindworld.score.Calibration.Claim;
 import simbad.blindworld.score.Ranking.Scored;
@@ -33,12 +32,12 @@ final class Scores {
     List<Graded> singles = kind("single");
     List<Graded> seen = singles.stream().filter(Graded::detected).toList();
     List<Graded> pairs = kind("pair");
-    List<Graded> strange = kind("unknown");
     Map<String, Proportion> shares = new LinkedHashMap<>();
     shares.put("answered", share(cases, g -> g.answer().isPresent()));
     shares.put("none called none", share(kind("none"), g -> g.says(Verdict.NONE)));
     shares.put(
         "singles named and explained", share(singles, g -> g.says(Verdict.EXPLAINED) && g.named()));
+    shares.put("singles called explained", share(singles, g -> g.says(Verdict.EXPLAINED)));
     shares.put("singles detected", share(singles, Graded::detected));
     shares.put("singles named exactly, of detected", share(seen, Graded::namedExactly));
     shares.put("singles family right, of detected", share(seen, Graded::familyRight));
@@ -51,18 +50,29 @@ final class Scores {
     shares.put(
         "pairs both found and explained",
         share(pairs, g -> g.says(Verdict.EXPLAINED) && g.named()));
+    shares.put("pairs called explained", share(pairs, g -> g.says(Verdict.EXPLAINED)));
     shares.put("pairs at least one found", share(pairs, Graded::namedSome));
-    shares.put("unknown called unexplained", share(strange, g -> g.says(Verdict.UNEXPLAINED)));
+    shares.put("unknown called unexplained", unexplained(strange()));
+    shares.put("outside called unexplained", unexplained(kind("outside")));
+    shares.put("withheld called unexplained", unexplained(kind("withheld")));
     shares.put(
         "unknown flagged at 5 % false",
-        Ranking.flaggedAt(scored(strange), scored(known()), FALSE_UNKNOWN));
+        Ranking.flaggedAt(scored(strange()), scored(known()), FALSE_UNKNOWN));
     shares.put("all verdicts right", share(cases, Graded::verdictRight));
     shares.put("shrinkage interval covers", shrinkCovered());
     return shares;
   }
 
+  private static Proportion unexplained(List<Graded> of) {
+    return share(of, g -> g.says(Verdict.UNEXPLAINED));
+  }
+
   private List<Graded> known() {
-    return cases.stream().filter(g -> !g.truth().kind().equals("unknown")).toList();
+    return cases.stream().filter(g -> !g.truth().isStrange()).toList();
+  }
+
+  private List<Graded> strange() {
+    return cases.stream().filter(g -> g.truth().isStrange()).toList();
   }
 
   private static List<Scored> scored(List<Graded> of) {
@@ -76,11 +86,11 @@ final class Scores {
   }
 
   double auroc() {
-    return Ranking.auroc(scored(kind("unknown")), scored(known()));
+    return Ranking.auroc(scored(strange()), scored(known()));
   }
 
   private Map<String, Object> unknown() {
-    List<Scored> strange = scored(kind("unknown"));
+    List<Scored> strange = scored(strange());
     List<Scored> known = scored(known());
     double auroc = Ranking.auroc(strange, known);
     double half = 1.96 * Ranking.standardError(auroc, strange.size(), known.size());
@@ -123,20 +133,22 @@ final class Scores {
 
   /** The log score over the three verdicts, against always stating their shares. */
   double verdictBetterBy() {
+    return verdictBetterBy(cases);
+  }
+
+  private static double verdictBetterBy(List<Graded> cases) {
     double base = 0;
     for (Verdict verdict : Verdict.values()) {
       double share = share(cases, g -> g.truth().verdict() == verdict).share();
       base += share > 0 ? share * Calibration.loss(share) : 0;
     }
-    double said =
-        cases.stream()
-            .mapToDouble(
-                g ->
-                    Calibration.loss(
-                        g.answer().map(a -> a.probabilityOf(g.truth().verdict())).orElse(0.0)))
-            .average()
-            .orElse(0);
+    double said = cases.stream().mapToDouble(Scores::verdictLoss).average().orElse(0);
     return Calibration.better(said, base);
+  }
+
+  private static double verdictLoss(Graded graded) {
+    return Calibration.loss(
+        graded.answer().map(a -> a.probabilityOf(graded.truth().verdict())).orElse(0.0));
   }
 
   private List<Graded> explained() {
@@ -199,25 +211,15 @@ final class Scores {
     json.put("unknown", unknown());
     json.put("verdict_calibration", Calibration.json(verdictClaims()));
     json.put("verdict_log_score_better_by", verdictBetterBy());
+    json.put("verdict_log_score_better_by_ci95", Spread.interval95(cases, Scores::verdictBetterBy));
     json.put("first_named_calibration", Calibration.json(firstNamedClaims()));
     json.put("mean_probability_of_truth_detected_singles", mean(trueProbabilities()));
     json.put("mean_set_size_detected_singles", mean(setSizes()));
     json.put("shrink_claimed_minus_sealed_points", Spread.json(shrinkErrors()));
     json.put("share_of_oracle_removal", Spread.json(removals()));
     json.put("effects_worst_first", Effects.json(cases));
-    json.put("confusion", confusion());
+    json.put("kinds", CaseLines.byKind(cases));
+    json.put("confusion", CaseLines.byEffects(cases));
     return json;
-  }
-
-  /** What was said, by what was so. */
-  private Map<String, Object> confusion() {
-    Map<String, Map<String, Object>> table = new TreeMap<>();
-    for (Graded g : cases) {
-      String so = g.truth().effects().isEmpty() ? "none" : Effects.label(g.truth());
-      table
-          .computeIfAbsent(so, key -> new TreeMap<>())
-          .merge(g.said(), 1, (a, b) -> (Integer) a + (Integer) b);
-    }
-    return new LinkedHashMap<>(table);
   }
 }

@@ -13,11 +13,24 @@ import java.util.function.Predicate;
 public final class Scoring {
 
   private final List<Truth> truths;
+  private final Optional<String> level;
   private final Map<String, Map<String, Answer>> answersBySort = new LinkedHashMap<>();
 
   /** A scoring of answers to these truths. */
   public Scoring(List<Truth> truths) {
+    this(truths, Optional.empty());
+  }
+
+  /**
+   * A scoring of answers to foreign truths.
+   *
+   * @param truths what was at work
+   * @param level of independence, as the makers of foreign truths state it; absent for this
+   *     program's own
+   */
+  public Scoring(List<Truth> truths, Optional<String> level) {
     this.truths = List.copyOf(truths);
+    this.level = level;
   }
 
   /** Adds answers under the name of a sort, such as "diagnosis", "baseline", "oracle". */
@@ -39,6 +52,9 @@ public final class Scoring {
           new Part("set-up off, with reference (L2)", Truth::reference));
 
   private List<Part> parts() {
+    if (level.isPresent()) {
+      return List.of(new Part("foreign data sets (" + level.get() + ")", t -> true));
+    }
     boolean mixed =
         truths.stream().anyMatch(Truth::reference) && !truths.stream().allMatch(Truth::reference);
     boolean off = truths.stream().allMatch(Truth::reference);
@@ -46,14 +62,22 @@ public final class Scoring {
   }
 
   private Scores scores(String sort, Part part) {
+    return new Scores(
+        graded(sort).stream().filter(graded -> part.holds().test(graded.truth())).toList());
+  }
+
+  private List<Graded> graded(String sort) {
     Map<String, Answer> answers = answersBySort.getOrDefault(sort, Map.of());
     List<Graded> graded = new ArrayList<>();
     for (Truth truth : truths) {
-      if (part.holds().test(truth)) {
-        graded.add(new Graded(truth, Optional.ofNullable(answers.get(truth.id()))));
-      }
+      graded.add(new Graded(truth, Optional.ofNullable(answers.get(truth.id()))));
     }
-    return new Scores(graded);
+    return graded;
+  }
+
+  /** Each case by itself, as the sort answers it. */
+  public List<Object> casesJson(String sort) {
+    return CaseLines.json(graded(sort), level.orElse("L1"), level.orElse("L2"));
   }
 
   /** Everything, by part and sort. */
@@ -77,9 +101,7 @@ public final class Scoring {
     }
     String first = answersBySort.keySet().stream().findFirst().orElse("");
     text.append("\nby effect, worst first (").append(first).append(")\n");
-    Map<String, Answer> answers = answersBySort.getOrDefault(first, Map.of());
-    List<Graded> all =
-        truths.stream().map(t -> new Graded(t, Optional.ofNullable(answers.get(t.id())))).toList();
+    List<Graded> all = graded(first);
     for (Effects.Line line : Effects.lines(all)) {
       text.append("  %-24s %s%n".formatted(line.effect(), line.right()));
     }
@@ -90,10 +112,9 @@ public final class Scoring {
   private static String wrong(List<Graded> all) {
     StringBuilder text = new StringBuilder("\nanswered wrongly\n");
     for (Graded g : all) {
-      boolean right = g.verdictRight() && (g.truth().kind().equals("unknown") || g.named());
-      if (!right) {
-        String so = g.truth().effects().isEmpty() ? "none" : Effects.label(g.truth());
-        text.append("  %-10s %-44s %s%n".formatted(g.truth().id(), so, g.said()));
+      if (!g.right()) {
+        text.append(
+            "  %-10s %-44s %s%n".formatted(g.truth().id(), CaseLines.so(g.truth()), g.said()));
       }
     }
     return text.toString();

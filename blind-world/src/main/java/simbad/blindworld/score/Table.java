@@ -41,8 +41,7 @@ final class Table {
   }
 
   private static String calibration(List<Calibration.Claim> claims) {
-    double better = Calibration.better(Calibration.logScore(claims), Calibration.baseScore(claims));
-    return number(Calibration.expectedError(claims)) + ", " + percent(better);
+    return number(Calibration.expectedError(claims)) + ", " + percent(Calibration.betterBy(claims));
   }
 
   private static String median(List<Double> values) {

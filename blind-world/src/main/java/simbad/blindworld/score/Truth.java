@@ -3,6 +3,7 @@ package simbad.blindworld.score;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import simbad.blindworld.effect.Vocabulary;
 
 /**
  * What was at work in a case.
@@ -41,10 +42,18 @@ public record Truth(
     return effects.isEmpty() ? Verdict.NONE : Verdict.EXPLAINED;
   }
 
-  /** What the case asks: none, single, pair (two or more) or unknown. */
+  /** True when something is at work that the diagnosis has no name for. */
+  public boolean isStrange() {
+    return !strange.isEmpty();
+  }
+
+  /**
+   * What the case asks: none, single, pair (two or more), outside (of the vocabulary), or withheld
+   * (of it, but the diagnosis was not told).
+   */
   public String kind() {
     return switch (verdict()) {
-      case UNEXPLAINED -> "unknown";
+      case UNEXPLAINED -> strange.stream().allMatch(Vocabulary::contains) ? "withheld" : "outside";
       case NONE -> "none";
       case EXPLAINED -> effects.size() == 1 ? "single" : "pair";
     };

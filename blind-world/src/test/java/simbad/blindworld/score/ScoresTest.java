@@ -142,6 +142,75 @@ class ScoresTest {
     assertEquals(8, scores.json().get("cases"));
   }
 
+  /** What the vocabulary holds but the diagnosis was not told of is a kind of its own. */
+  @Test
+  void withheld_isApartFromOutside() {
+    Truth withheld =
+        new Truth(
+            "w",
+            List.of("gain"),
+            Set.of("gain"),
+            false,
+            List.of(1.0),
+            Optional.empty(),
+            Optional.empty());
+    assertEquals("withheld", withheld.kind());
+    assertEquals("outside", truth("odd").kind());
+    Scores scores =
+        new Scores(
+            List.of(
+                graded(withheld, answer(Verdict.UNEXPLAINED, 0.9)),
+                graded(withheld, answer(Verdict.EXPLAINED, 0.2, "absorption")),
+                graded(truth("odd"), answer(Verdict.NONE, 0.1)),
+                graded(truth("gain"), answer(Verdict.EXPLAINED, 0.1, "gain")),
+                graded(truth("gain"), answer(Verdict.EXPLAINED, 0.1, "latency")),
+                new Graded(truth(), Optional.empty())));
+    assertEquals(new Proportion(1, 2), scores.shares().get("withheld called unexplained"));
+    assertEquals(new Proportion(0, 1), scores.shares().get("outside called unexplained"));
+    assertEquals(new Proportion(1, 3), scores.shares().get("unknown called unexplained"));
+    assertEquals(new Proportion(2, 2), scores.shares().get("singles called explained"));
+    assertEquals(
+        Map.of(
+            "none", Map.of("no answer", 1),
+            "outside", Map.of("none", 1),
+            "single", Map.of("explained, named rightly", 1, "explained, named otherwise", 1),
+            "withheld", Map.of("unexplained", 1, "explained, named otherwise", 1)),
+        scores.json().get("kinds"));
+  }
+
+  @Test
+  void caseLine_saysWhatWasSoAndSaid() {
+    Graded named = graded(truth("gain"), answer(Verdict.EXPLAINED, 0.25, "gain"));
+    Graded silent = new Graded(truth(), Optional.empty());
+    List<Object> lines = CaseLines.json(List.of(named, silent), "L1", "L2");
+    assertEquals(
+        "{case=c, level=L1, kind=single, so=gain, said=gain, right=true, verdict=explained,"
+            + " verdict_probability=0.675, unknown_probability=0.25, first_effect=gain,"
+            + " first_probability=0.9}",
+        lines.get(0).toString());
+    assertEquals(
+        "{case=c, level=L1, kind=none, so=none, said=(no answer), right=false}",
+        lines.get(1).toString());
+  }
+
+  /**
+   * The mean of 400 throws of a fair coin: half, give or take 1.96 standard errors of 0.025. The
+   * bootstrap's own chance is a tenth of that.
+   */
+  @Test
+  void bootstrapInterval_isThatOfTheMean() {
+    List<Double> coins = new ArrayList<>();
+    for (int i = 0; i < 400; i++) {
+      coins.add((double) (i % 2));
+    }
+    List<Double> interval =
+        Spread.interval95(
+            coins, s -> s.stream().mapToDouble(Double::doubleValue).average().orElse(0));
+    assertEquals(0.5 - 1.96 * 0.025, interval.get(0), 0.006);
+    assertEquals(0.5 + 1.96 * 0.025, interval.get(1), 0.006);
+    assertEquals(List.of(), Spread.interval95(List.<Double>of(), s -> 1));
+  }
+
   @Test
   void ranking_isTheShareOfPairsInOrder() {
     List<Scored> strange = List.of(new Scored(0.9, true), new Scored(0.4, true));

@@ -13,6 +13,8 @@ import simbad.experiments.dataset.MadeDataSet;
 import simbad.experiments.dataset.PlotterLog;
 import simbad.experiments.dataset.TableGrid;
 import simbad.obstacles.Catalogue;
+import simbad.sonar.format.SensorFile;
+import simbad.sonar.scene.SonarSpec;
 
 /** {@code simbad dataset}: data sets for the diagnosis, made of other things. */
 @Command(
@@ -54,7 +56,7 @@ final class DatasetCommand extends CommandGroup {
       },
       footer = {"", "Example: simbad dataset grid angle --out angle-against-uniform"})
   static final class Grid extends Maker {
-    @Parameters(paramLabel = "OBSTACLE", description = "square, round, angle, or TABLE.csv.")
+    @Parameters(paramLabel = "OBSTACLE", description = ObstacleArgument.MEANING)
     private String obstacle = "";
 
     @Option(
@@ -63,11 +65,16 @@ final class DatasetCommand extends CommandGroup {
         description = "Of the sensor's scatter. Default: ${DEFAULT-VALUE}.")
     private long seed = 1;
 
+    @Option(
+        names = "--sensor-file",
+        paramLabel = "FILE",
+        description = "Figures of the sonar. Default: data/sensors/srf04.json.")
+    private @Nullable Path sensorFile;
+
     @Override
     protected void run() throws Exception {
-      publish(
-          TableGrid.of(
-              ObstacleArgument.parse(obstacle), Catalogue.srf04(), new SplittableRandom(seed)));
+      SonarSpec sonar = sensorFile == null ? Catalogue.srf04() : SensorFile.read(sensorFile);
+      publish(TableGrid.of(ObstacleArgument.parse(obstacle), sonar, new SplittableRandom(seed)));
     }
   }
 

@@ -7,6 +7,9 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import simbad.demo.Demo;
 import simbad.demo.DemoManager;
+import simbad.experiments.demo.ObstacleDemo;
+import simbad.obstacles.Catalogue;
+import simbad.sonar.format.DataFormatException;
 
 /** A demo as named on the command line. */
 final class DemoArgument {
@@ -15,12 +18,22 @@ final class DemoArgument {
 
   private DemoArgument() {}
 
-  /** Makes a demo; small letters and a name without Demo will do. */
-  static Optional<Demo> find(String argument) {
-    return DemoManager.names().stream()
-        .filter(name -> plain(name).equals(plain(argument)))
-        .findFirst()
-        .flatMap(DemoManager::find);
+  /**
+   * Makes a demo; small letters and a name without Demo will do. An obstacle's name or path, where
+   * it is no demo's, gives the robot that circles it.
+   */
+  static Optional<Demo> find(String argument) throws DataFormatException {
+    Optional<Demo> demo =
+        DemoManager.names().stream()
+            .filter(name -> plain(name).equals(plain(argument)))
+            .findFirst()
+            .flatMap(DemoManager::find);
+    if (demo.isPresent()) {
+      return demo;
+    }
+    return ObstacleArgument.isPath(argument)
+        ? Optional.of(new ObstacleDemo(ObstacleArgument.parse(argument)))
+        : Catalogue.findAny(argument).map(ObstacleDemo::new);
   }
 
   /** What to say of a name that is none: those that are nearest to it. */

@@ -27,7 +27,9 @@ final class DemoCommand extends Subcommand {
   @Parameters(
       paramLabel = "NAME",
       arity = "0..1",
-      description = "One of --list; small letters and a name without Demo will do.")
+      description =
+          "One of --list; small letters and a name without Demo will do. Or an obstacle: its name,"
+              + " folder or table.")
   private String name = "";
 
   @Option(names = "--list", description = "Print the names of all demos.")

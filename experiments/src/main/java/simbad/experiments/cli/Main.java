@@ -67,6 +67,7 @@ public final class Main {
     subcommands.forEach(simbad::addSubcommand);
     return simbad
         .setAbbreviatedOptionsAllowed(false)
+        .setCaseInsensitiveEnumValuesAllowed(true)
         .setParameterExceptionHandler(
             (fault, arguments) -> Complaints.of(fault.getCommandLine()).about(fault))
         .setExecutionExceptionHandler(

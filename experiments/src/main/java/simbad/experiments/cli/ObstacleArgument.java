@@ -6,31 +6,45 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import simbad.obstacles.Catalogue;
-import simbad.obstacles.CrossSections;
+import simbad.obstacles.ObstacleFiles;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
-import simbad.sonar.format.TableFile;
 
 /**
- * An obstacle as named on the command line: a type of the catalogue or a threshold table's file.
+ * An obstacle as named on the command line: a type of the catalogue, a threshold table's file, or a
+ * folder with an outline and a table.
  */
 final class ObstacleArgument {
   private static final String SUFFIX = ".csv";
 
+  /** For help. */
+  static final String MEANING =
+      "A type's name (simbad table types), TABLE.csv (with TABLE-outline.csv beside it, or for a one"
+          + " inch post), or a folder with outline.csv and table.csv.";
+
   private ObstacleArgument() {}
 
-  /** A table of one's own comes without a cross-section: it stands for the one inch round post. */
+  /** A table of one's own without a cross-section stands for the one inch round post. */
   static ObstacleType parse(String argument) throws DataFormatException {
+    if (argument.endsWith(SUFFIX) || argument.contains("/")) {
+      return ObstacleFiles.read(path(argument));
+    }
     // A name of the catalogue stays one beside a file or folder that is called the same.
-    Optional<ObstacleType> known = Catalogue.find(argument);
+    Optional<ObstacleType> known = Catalogue.findAny(argument);
     if (known.isPresent()) {
       return known.get();
     }
-    Path file = path(argument);
-    if (argument.endsWith(SUFFIX) || argument.contains("/") || Files.exists(file)) {
-      return new ObstacleType(name(file), CrossSections.round(), TableFile.read(file));
+    if (isPath(argument)) {
+      return ObstacleFiles.read(path(argument));
     }
     throw unknown(argument);
+  }
+
+  /** Tells whether an argument can be meant as a file or folder. */
+  static boolean isPath(String argument) throws DataFormatException {
+    return argument.endsWith(SUFFIX)
+        || argument.contains("/")
+        || (Files.exists(path(argument)) && Catalogue.findAny(argument).isEmpty());
   }
 
   private static Path path(String argument) throws DataFormatException {
@@ -44,22 +58,17 @@ final class ObstacleArgument {
     throw unknown(argument);
   }
 
-  private static DataFormatException unknown(String argument) {
+  static DataFormatException unknown(String argument) {
     return DataFormatException.inArgument(
         "OBSTACLE '" + argument + "'",
-        "is neither " + names() + " nor a table's file (*" + SUFFIX + ")");
-  }
-
-  private static String name(Path file) {
-    String name = String.valueOf(file.getFileName());
-    String stem = name.endsWith(SUFFIX) ? name.substring(0, name.length() - SUFFIX.length()) : name;
-    // The name becomes a folder and part of a page. Without a dot it is none of the run's own
-    // files.
-    String plain = stem.replaceAll("[^\\p{L}\\p{N}_-]", "_");
-    return plain.isEmpty() ? "table" : plain;
+        "is neither "
+            + names()
+            + " nor a table's file (*"
+            + SUFFIX
+            + ") nor a folder with outline and table");
   }
 
   private static String names() {
-    return Catalogue.types().stream().map(ObstacleType::name).collect(Collectors.joining(", "));
+    return Catalogue.shipped().stream().map(ObstacleType::name).collect(Collectors.joining(", "));
   }
 }

@@ -49,7 +49,7 @@ final class RunCommand extends Subcommand {
   @Parameters(
       paramLabel = "OBSTACLE",
       arity = "0..*",
-      description = "square, round, angle, or a threshold table (TABLE.csv). Default: all three.")
+      description = ObstacleArgument.MEANING + " Default: the thesis's square, round, angle.")
   private List<String> obstacles = List.of("square", "round", "angle");
 
   @Option(

@@ -14,11 +14,14 @@ final class Subcommands {
         new DemoCommand(),
         new TableCommand(),
         new BenchCommand(),
+        new SensorCommand(),
+        new FidelityCommand(),
         new BoardCommand(),
         new FlashInfoCommand(),
         new DatasetCommand(),
         new DiagnoseCommand(),
         new PredictCommand(),
+        new BlindCheckCommand(),
         new TestCommand());
   }
 }

@@ -1,8 +1,5 @@
 package simbad.experiments.cli;
 
-import java.io.IOException;
-import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
@@ -12,7 +9,6 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import simbad.experiments.plot.Figure;
 import simbad.experiments.report.TablePicture;
 import simbad.experiments.run.PositionLog;
 import simbad.experiments.run.TraceErrors;
@@ -26,14 +22,42 @@ import simbad.sonar.shape.ThresholdTable;
 /** {@code simbad table}: threshold tables. */
 @Command(
     name = "table",
-    description = "Show, plot and reconstruct threshold tables.",
+    description = "Show, plot, compare, predict and import threshold tables.",
     subcommands = {
+      TableCommand.Types.class,
       TableCommand.Show.class,
       TableCommand.Plot.class,
+      TableCompareCommand.class,
+      TablePredictCommand.class,
+      TableImportCommand.class,
       TableCommand.Reconstruct.class
     },
     footer = {"", "Example: simbad table show angle"})
 final class TableCommand extends CommandGroup {
+
+  /** {@code simbad table types}. */
+  @Command(
+      name = "types",
+      description = {
+        "List the obstacle types: those that come with the project, those of jars (service"
+            + " simbad.obstacles.ObstacleTypeProvider), those in the folder SIMBAD_OBSTACLES."
+      },
+      footer = {"", "Example: simbad table types"})
+  static final class Types extends Subcommand {
+    @Override
+    protected void run() throws Exception {
+      for (ObstacleType type : Catalogue.all()) {
+        TableDocument table = type.thresholds();
+        out()
+            .println(
+                type.name()
+                    + " ("
+                    + table.provenanceWord()
+                    + "): "
+                    + table.header("object").orElse("object not stated"));
+      }
+    }
+  }
 
   /** {@code simbad table show}. */
   @Command(
@@ -41,7 +65,7 @@ final class TableCommand extends CommandGroup {
       description = "Print what a table's file says about it, and its range.",
       footer = {"", "Example: simbad table show my-table.csv"})
   static final class Show extends Subcommand {
-    @Parameters(paramLabel = "OBSTACLE", description = "square, round, angle, or TABLE.csv.")
+    @Parameters(paramLabel = "OBSTACLE", description = ObstacleArgument.MEANING)
     private String obstacle = "";
 
     @Override
@@ -76,7 +100,7 @@ final class TableCommand extends CommandGroup {
         "Example: simbad table plot angle --log AngleRobot.log --out trace.png"
       })
   static final class Plot extends Subcommand {
-    @Parameters(paramLabel = "OBSTACLE", description = "square, round, angle, or TABLE.csv.")
+    @Parameters(paramLabel = "OBSTACLE", description = ObstacleArgument.MEANING)
     private String obstacle = "";
 
     @Option(names = "--out", paramLabel = "FILE", required = true, description = "*.png or *.svg")
@@ -92,18 +116,18 @@ final class TableCommand extends CommandGroup {
 
     @Override
     protected void run() throws Exception {
-      String name = file.toString().toLowerCase(Locale.ROOT);
-      if (!name.endsWith(".png") && !name.endsWith(".svg")) {
+      if (!OutputFile.isPicture(file)) {
         throw wrongUsage("--out: '" + file + "' ends neither in .png nor in .svg");
       }
       ObstacleType type = ObstacleArgument.parse(obstacle);
       Optional<PositionLog> positions =
           log == null ? Optional.empty() : Optional.of(PositionLog.read(log));
-      refuseExisting(file);
-      draw(
+      OutputFile.refuseExisting(file);
+      OutputFile.draw(
           positions
               .map(known -> TablePicture.of(type, "trace, " + log, known.trace()))
-              .orElseGet(() -> TablePicture.of(type)));
+              .orElseGet(() -> TablePicture.of(type)),
+          file);
       positions.ifPresent(known -> print(known, known.errors(type.thresholds().table())));
     }
 
@@ -126,15 +150,6 @@ final class TableCommand extends CommandGroup {
               RunSummary.centimetres(OptionalDouble.of(errors.lateralMeanM())),
               errors.unreachedBearings(),
               errors.radialM().size());
-    }
-
-    private void draw(Figure figure) throws IOException {
-      String name = file.toString().toLowerCase(Locale.ROOT);
-      if (name.endsWith(".png")) {
-        figure.writePng(file, Figure.PRINT_DPI);
-      } else {
-        figure.writeSvg(file);
-      }
     }
   }
 
@@ -167,15 +182,9 @@ final class TableCommand extends CommandGroup {
       if (file == null) {
         out().print(TableFile.text(document));
       } else {
-        refuseExisting(file);
+        OutputFile.refuseExisting(file);
         TableFile.write(file, document);
       }
-    }
-  }
-
-  private static void refuseExisting(Path file) throws IOException {
-    if (Files.exists(file)) {
-      throw new FileAlreadyExistsException(file.toString());
     }
   }
 }

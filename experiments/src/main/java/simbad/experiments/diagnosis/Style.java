@@ -5,8 +5,9 @@ package simbad.experiments.diagnosis;
  * (Color Universal Design, 2008), which also differ in lightness; shades are ColorBrewer's YlGnBu
  * (Brewer, 2003), which darkens all the way on light paper and brightens on dark.
  */
-final class Style {
-  static final String SHEET =
+public final class Style {
+  /** Colours are custom properties, so that other pages take the reader's theme with it. */
+  public static final String SHEET =
       """
       :root { color-scheme: light dark; --paper: #fff; --ink: #1a1a1a; --soft: #555; --rule: #d0d0d0;
         --panel: #f6f6f4; --before: #d55e00; --after: #0072b2; --floor: #757575; --unknown: #8a5a83;

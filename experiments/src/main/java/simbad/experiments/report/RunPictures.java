@@ -45,6 +45,20 @@ final class RunPictures {
     return new PolarPlot(caption, List.of(tableSeries(type)), outline(type)).figure();
   }
 
+  /** One table over another. */
+  static Figure tables(ObstacleType first, ObstacleType second) {
+    Caption caption =
+        new Caption(
+            "Detection thresholds: " + first.name() + " and " + second.name(), provenance(first));
+    PolarSeries under =
+        new PolarSeries(
+            second.name() + " (" + second.thresholds().provenanceWord() + ")",
+            SeriesRole.OTHER,
+            SeriesStyle.CLOSED_LINE,
+            points(second.thresholds().table()));
+    return new PolarPlot(caption, List.of(tableSeries(first), under), outline(first)).figure();
+  }
+
   /** The table and one trace. */
   static Figure table(ObstacleType type, String name, Trace trace) {
     Caption caption = new Caption("Trace round the obstacle: " + type.name(), provenance(type));
@@ -113,13 +127,17 @@ final class RunPictures {
   }
 
   private static PolarSeries tableSeries(ObstacleType type) {
-    ThresholdTable table = type.thresholds().table();
+    String name = "threshold table (" + type.thresholds().provenanceWord() + ")";
+    return new PolarSeries(
+        name, SeriesRole.TABLE, SeriesStyle.CLOSED_LINE, points(type.thresholds().table()));
+  }
+
+  private static List<PolarPoint> points(ThresholdTable table) {
     List<PolarPoint> points = new ArrayList<>();
     for (int i = 0; i < table.size(); i++) {
       points.add(new PolarPoint(table.bearingRad(i), table.valueM(i)));
     }
-    String name = "threshold table (" + type.thresholds().provenanceWord() + ")";
-    return new PolarSeries(name, SeriesRole.TABLE, SeriesStyle.CLOSED_LINE, points);
+    return points;
   }
 
   private static List<PolarPoint> places(Trace trace) {

@@ -18,6 +18,16 @@ public final class TablePicture {
   }
 
   /**
+   * Draws two tables over each other.
+   *
+   * @param first obstacle with its table, whose outline is drawn
+   * @param second another, drawn as a broad line beneath
+   */
+  public static Figure of(ObstacleType first, ObstacleType second) {
+    return RunPictures.tables(first, second);
+  }
+
+  /**
    * Draws a table with a trace over it.
    *
    * @param type obstacle with its table

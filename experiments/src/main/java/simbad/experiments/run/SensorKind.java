@@ -108,6 +108,20 @@ public final class SensorKind {
     return new SensorKind("diagnosed-" + name.replaceAll("[^A-Za-z0-9_.-]", "-"), model);
   }
 
+  /**
+   * Makes the sensor of any model.
+   *
+   * @param name in files and tables; what cannot stand in a file's name becomes a hyphen
+   * @param model with the figures of the run's sonar
+   */
+  public static SensorKind of(String name, SensorModel model) {
+    return new SensorKind(
+        name.replaceAll("[^A-Za-z0-9_.-]", "-"),
+        SeriesRole.OTHER,
+        "model " + name,
+        (spec, random) -> new SonarBelt(SONARS, spec, model, random));
+  }
+
   /** Returns the name in files and tables. */
   public String word() {
     return word;

@@ -105,7 +105,8 @@ class BadTableTest {
   @Test
   void run_ofADirectory_isRefused() throws IOException {
     Path directory = Files.createDirectory(folder.resolve("table.csv"));
-    checkRefused(directory + ": is a directory", directory.toString());
+    checkRefused(
+        directory + ": is a directory without outline.csv and table.csv", directory.toString());
   }
 
   @Test
@@ -128,7 +129,7 @@ class BadTableTest {
 
   @Test
   void run_ofAnUnknownName_listsTheNames() throws IOException {
-    checkRefused("OBSTACLE 'hexagon': is neither square, round, angle nor", "hexagon");
+    checkRefused("OBSTACLE 'octagon': is neither square, round, angle, half-round,", "octagon");
     checkRefused("OBSTACLE ''", "");
   }
 

@@ -20,6 +20,14 @@ class DemoCommandTest {
   }
 
   /** Those of the world and those of this module, which come as a service. */
+  /** The window and the headless run take an obstacle by name. */
+  @Test
+  void obstacle_byName_isADemo() {
+    Shell shell = Shell.simbad("demo", "plate", "--headless", "--steps", "20");
+    assertEquals(0, shell.status(), shell.err());
+    assertTrue(shell.out().startsWith("ObstacleDemo: 20 steps"), shell.out());
+  }
+
   @Test
   void list_namesAllDemos() {
     Shell shell = Shell.simbad("demo", "--list");

@@ -115,6 +115,7 @@ class DiagnosisPageTest {
             List.of(Effect.GAIN, Effect.ABSORPTION),
             whole.effects(),
             0.8,
+            0.9,
             whole.gap(),
             whole.where(),
             whole.undetectable(),

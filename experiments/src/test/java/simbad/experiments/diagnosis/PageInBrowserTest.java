@@ -5,20 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.image.BufferedImage;
-import java.io.File;
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Optional;
-import java.util.concurrent.TimeUnit;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -28,46 +16,6 @@ import simbad.gap.diagnosis.Verdict;
 
 /** The page in headless Chromium, in both themes and at two widths. */
 class PageInBrowserTest {
-  private static final Optional<Path> CHROMIUM =
-      Stream.of(System.getenv("PATH").split(File.pathSeparator, -1))
-          .flatMap(
-              folder ->
-                  Stream.of("chromium", "chromium-browser", "google-chrome")
-                      .map(name -> Path.of(folder, name)))
-          .filter(Files::isExecutable)
-          .findFirst();
-
-  /** Says what a reader would see amiss: errors, words over words, words cut off, a wide page. */
-  private static final String PROBE =
-      """
-      <script>
-      const found = [];
-      window.onerror = message => found.push('error: ' + message);
-      window.onload = () => {
-        const width = document.documentElement.scrollWidth;
-        if (width > window.innerWidth) found.push('wide: ' + width);
-        for (const svg of document.querySelectorAll('svg')) {
-          const box = svg.getBoundingClientRect();
-          const texts = [...svg.querySelectorAll('text')].map(t => [t.textContent, t.getBoundingClientRect()]);
-          texts.forEach(([a, p], i) => {
-            if (p.left < box.left - 1 || p.right > box.right + 1 || p.top < box.top - 1 || p.bottom > box.bottom + 1)
-              found.push('cut: ' + a);
-            texts.slice(i + 1).forEach(([b, q]) => {
-              if (p.left + 1 < q.right && q.left + 1 < p.right && p.top + 3 < q.bottom && q.top + 3 < p.bottom)
-                found.push('over each other: ' + a + ' | ' + b);
-            });
-            if (p.height < 10) found.push('small: ' + a + ' ' + p.height);
-          });
-        }
-        const out = document.createElement('pre');
-        out.id = 'probe';
-        out.textContent = '[' + found.join('; ') + ']';
-        document.body.appendChild(out);
-      };
-      </script>
-      </body>
-      """;
-
   @TempDir private Path folder = Path.of("target");
 
   @ParameterizedTest
@@ -78,24 +26,12 @@ class PageInBrowserTest {
     "unexplained, 1280, true"
   })
   void page_isWhole(String verdict, int width, boolean dark) throws Exception {
-    assumeTrue(CHROMIUM.isPresent(), "no Chromium on this machine: the page is not looked at");
+    assumeTrue(Browser.isThere(), "no Chromium on this machine: the page is not looked at");
     DataSet data = Samples.data("bench of a rather long name, 2026-11-21");
     String page = Samples.page(diagnosis(verdict, data), data);
-    Path probed =
-        Files.writeString(folder.resolve("probed.html"), page.replace("</body>\n", PROBE));
-    String dom = chromium(probed, width, dark, "--dump-dom");
-    Matcher probe = Pattern.compile("<pre id=\"probe\">(.*?)</pre>", Pattern.DOTALL).matcher(dom);
-    assertTrue(probe.find(), dom);
-    assertEquals("[]", probe.group(1));
-    assertTrue(!dom.contains("CONSOLE"), dom);
-    checkPicture(page, width, dark);
-  }
-
-  private void checkPicture(String page, int width, boolean dark) throws Exception {
-    Path plain = Files.writeString(folder.resolve("plain.html"), page);
-    Path png = folder.resolve("page.png");
-    chromium(plain, width, dark, "--screenshot=" + png);
-    BufferedImage picture = ImageIO.read(png.toFile());
+    Browser browser = new Browser(folder);
+    assertEquals("[]", browser.faults(page, width, dark));
+    BufferedImage picture = browser.picture(page, width, dark);
     assertEquals(width, picture.getWidth());
     long colours =
         IntStream.range(0, width * 800)
@@ -111,41 +47,5 @@ class PageInBrowserTest {
     return verdict.equals("explained")
         ? Samples.explained(data)
         : Samples.without(verdict.equals("none") ? Verdict.NONE : Verdict.UNEXPLAINED, data);
-  }
-
-  /** Returns what Chromium prints on both streams. */
-  private String chromium(Path page, int width, boolean dark, String what)
-      throws IOException, InterruptedException {
-    List<String> command = new ArrayList<>();
-    command.add(CHROMIUM.orElseThrow().toString());
-    command.addAll(
-        List.of(
-            "--headless",
-            "--no-sandbox",
-            "--disable-gpu",
-            "--disable-quic",
-            "--no-first-run",
-            "--disable-background-networking",
-            "--disable-component-update",
-            "--disable-sync",
-            "--disable-dev-shm-usage",
-            "--hide-scrollbars",
-            "--enable-logging=stderr",
-            "--user-data-dir=" + Files.createTempDirectory(folder, "profile"),
-            "--window-size=" + width + ",800",
-            "--blink-settings=preferredColorScheme=" + (dark ? 0 : 1),
-            what,
-            page.toUri().toString()));
-    Path output = Files.createTempFile(folder, "output", ".txt");
-    Process process =
-        new ProcessBuilder(command)
-            .redirectErrorStream(true)
-            .redirectOutput(output.toFile())
-            .start();
-    boolean ended = process.waitFor(2, TimeUnit.MINUTES);
-    process.destroyForcibly();
-    String text = Files.readString(output, StandardCharsets.ISO_8859_1);
-    assertTrue(ended && process.exitValue() == 0, text);
-    return text;
   }
 }

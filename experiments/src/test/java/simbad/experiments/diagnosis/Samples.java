@@ -63,6 +63,7 @@ final class Samples {
                 new FittedParameter("loss_per_m", 0.1234567, new Interval(-INFINITE, INFINITE))),
             finding(Effect.LATENCY, 0.004, List.of())),
         0.03,
+        0.999,
         new GapFigures(1500, 178.8, 60.25, 51.5, 0.663, new Interval(0.61, 0.7)),
         places(),
         List.of(
@@ -86,6 +87,7 @@ final class Samples {
         List.of(),
         effects(),
         unknown,
+        0.01,
         new GapFigures(data.readings().size(), 2, 2, 1.95, 0, new Interval(-0.02, 0.02)),
         List.of(),
         List.of(),

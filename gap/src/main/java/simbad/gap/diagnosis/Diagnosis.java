@@ -13,6 +13,8 @@ import simbad.sonar.effect.Effect;
  * @param effects every name of the vocabulary, most probable first
  * @param unknownProbability that something outside the vocabulary is at work, alone or beside named
  *     effects
+ * @param namedProbability that some effect of the vocabulary is at work, given that nothing outside
+ *     it is
  * @param gap its size before and after
  * @param where the places of the gap, largest share first
  * @param undetectable effects that these data could not have shown
@@ -27,6 +29,7 @@ public record Diagnosis(
     List<Effect> explanation,
     List<EffectFinding> effects,
     double unknownProbability,
+    double namedProbability,
     GapFigures gap,
     List<Place> where,
     List<Undetectable> undetectable,
@@ -41,6 +44,15 @@ public record Diagnosis(
     where = List.copyOf(where);
     undetectable = List.copyOf(undetectable);
     tried = List.copyOf(tried);
+  }
+
+  /** Returns how probable a verdict is that it is the right one; the three add up to 1. */
+  public double probability(Verdict of) {
+    return switch (of) {
+      case NONE -> (1 - unknownProbability) * (1 - namedProbability);
+      case EXPLAINED -> (1 - unknownProbability) * namedProbability;
+      case UNEXPLAINED -> unknownProbability;
+    };
   }
 
   /**

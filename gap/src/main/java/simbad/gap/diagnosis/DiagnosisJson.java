@@ -63,6 +63,10 @@ public final class DiagnosisJson {
     root.put("verdict", diagnosis.verdict().word());
     words(root.putArray("explanation"), diagnosis.explanation());
     put(root, "unknown_probability", diagnosis.unknownProbability());
+    ObjectNode verdicts = root.putObject("verdict_probability");
+    for (Verdict verdict : Verdict.values()) {
+      put(verdicts, verdict.word(), diagnosis.probability(verdict));
+    }
     gap(root.putObject("gap"), diagnosis.gap());
     diagnosis.effects().forEach(finding -> effect(root.withArray("effects").addObject(), finding));
     ArrayNode where = root.putArray("where");

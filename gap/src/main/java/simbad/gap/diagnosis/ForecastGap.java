@@ -1,5 +1,6 @@
 package simbad.gap.diagnosis;
 
+import java.util.stream.IntStream;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.Reading;
@@ -12,6 +13,9 @@ import simbad.sonar.sensing.Reading;
 public final class ForecastGap {
   /** How many quantiles a prediction has. */
   public static final int QUANTILES = 19;
+
+  private static final double[] LEVELS =
+      IntStream.range(0, QUANTILES).mapToDouble(ForecastGap::level).toArray();
 
   private ForecastGap() {}
 
@@ -31,11 +35,7 @@ public final class ForecastGap {
    * @param noEchoM the range that a no-echo counts as, metres
    */
   public static double[] quantilesM(ReadingDistribution forecast, double noEchoM) {
-    double[] quantiles = new double[QUANTILES];
-    for (int i = 0; i < QUANTILES; i++) {
-      quantiles[i] = forecast.quantileM(level(i), noEchoM);
-    }
-    return quantiles;
+    return forecast.quantilesM(LEVELS, noEchoM);
   }
 
   /**
@@ -46,7 +46,16 @@ public final class ForecastGap {
    * @param noEchoM the range that a no-echo counts as, metres
    */
   public static double gapM(double[] quantilesM, Reading reading, double noEchoM) {
-    double read = reading instanceof Echo echo ? echo.rangeM() : noEchoM;
+    return gapM(quantilesM, reading instanceof Echo echo ? echo.rangeM() : noEchoM);
+  }
+
+  /**
+   * Returns the gap of a forecast to a range in metres, at least 0.
+   *
+   * @param quantilesM the forecast's, as of {@link #quantilesM}
+   * @param read what was read, metres; for no echo, the range that it counts as
+   */
+  public static double gapM(double[] quantilesM, double read) {
     double loss = 0;
     for (int i = 0; i < QUANTILES; i++) {
       double beyond = read - quantilesM[i];

@@ -1,7 +1,9 @@
 package simbad.gap.explain;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import simbad.gap.diagnosis.ForecastGap;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.DiagnosedModel;
@@ -9,14 +11,9 @@ import simbad.sonar.effect.PingLog;
 import simbad.sonar.model.ReadingDistribution;
 
 /**
- * Measures the gap of each ping: twice the mean pinball loss of the 19 predicted quantiles q05 to
- * q95 of the reading, no-echo counted as a range; the continuous ranked probability score by
- * quantiles. Predictions never look at readings.
+ * Measures the gap of each ping, as {@link ForecastGap} says. Predictions never look at readings.
  */
 public final class GapMeter {
-  /** Number of predicted quantiles. */
-  public static final int QUANTILES = 19;
-
   private static final int FLOOR_POINTS = 12;
   private static final double LEAST = 1e-6;
 
@@ -51,40 +48,26 @@ public final class GapMeter {
         .parallel()
         .forEach(
             ping -> {
-              double[] quantiles = quantiles(forecast.get(ping));
+              double[] quantiles = ForecastGap.quantilesM(forecast.get(ping), noEchoM);
               double read = log.echo(ping) ? log.rangeM(ping) : noEchoM;
-              observed[ping] = loss(quantiles, read);
+              observed[ping] = ForecastGap.gapM(quantiles, read);
               expected[ping] = expected(forecast.get(ping), quantiles);
             });
     return new Gaps(observed, expected);
   }
 
-  private double[] quantiles(ReadingDistribution forecast) {
-    double[] quantiles = new double[QUANTILES];
-    for (int i = 0; i < QUANTILES; i++) {
-      quantiles[i] = forecast.quantileM((i + 1) / (QUANTILES + 1.0), noEchoM);
-    }
-    return quantiles;
-  }
-
   private double expected(ReadingDistribution forecast, double[] quantiles) {
     double silent = forecast.noEchoProbability();
-    double sum = silent * loss(quantiles, noEchoM);
+    double sum = silent * ForecastGap.gapM(quantiles, noEchoM);
     double each = (1 - silent) / FLOOR_POINTS;
     // Echoes and misses apart: a rare one of either costs much and would fall between quantiles.
-    for (int i = 0; i < FLOOR_POINTS && each > LEAST; i++) {
-      sum += each * loss(quantiles, forecast.quantileM((i + 0.5) * each, BEYOND_M));
+    if (each > LEAST) {
+      double[] levels = new double[FLOOR_POINTS];
+      Arrays.setAll(levels, i -> (i + 0.5) * each);
+      for (double read : forecast.quantilesM(levels, BEYOND_M)) {
+        sum += each * ForecastGap.gapM(quantiles, read);
+      }
     }
     return sum;
-  }
-
-  static double loss(double[] quantiles, double read) {
-    double sum = 0;
-    for (int i = 0; i < quantiles.length; i++) {
-      double level = (i + 1) / (quantiles.length + 1.0);
-      double over = read - quantiles[i];
-      sum += over >= 0 ? level * over : (level - 1) * over;
-    }
-    return 2 * sum / quantiles.length;
   }
 }

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.PingLog;
 
 /** How far a hypothesis is off in any slice of a log. */
 public final class Misfit {
@@ -17,7 +18,7 @@ public final class Misfit {
    * A slice with one way of being off.
    *
    * @param name of the slice
-   * @param kind echo, range or scatter
+   * @param kind echo, range, scatter; or forecast, echoes where no reading is known
    * @param z standard normal where the hypothesis is right
    * @param size share of echoes off, or normal scores off on average
    * @param rows in the slice
@@ -28,8 +29,13 @@ public final class Misfit {
   public Misfit(Evidence evidence, Hypothesis hypothesis) {
     Surprise surprise = new Surprise(evidence, hypothesis);
     double[] spread = spread(surprise);
-    for (Slicing.Cut cut : new Slicing(surprise.log, surprise.geometry).all()) {
+    List<Slicing.Cut> cuts = new Slicing(surprise.log, surprise.geometry).all();
+    for (Slicing.Cut cut : cuts) {
       look(surprise, cut, spread);
+    }
+    if (evidence.model(hypothesis).hasMemory()) {
+      Foresight foresight = Foresight.of(evidence, hypothesis);
+      cuts.forEach(cut -> lookAhead(surprise.log, foresight, cut));
     }
     slices.sort(Comparator.comparingDouble(slice -> -Math.abs(slice.z)));
   }
@@ -88,6 +94,26 @@ public final class Misfit {
     for (int at = 0; at < tallies.length; at++) {
       if (tallies[at] != null) {
         tallies[at].tell(cut.name() + "#" + at, spread, slices);
+      }
+    }
+  }
+
+  private void lookAhead(PingLog log, Foresight foresight, Slicing.Cut cut) {
+    boolean[] echo = new boolean[log.size()];
+    int[] rows = new int[cut.count()];
+    for (int i = 0; i < echo.length; i++) {
+      echo[i] = log.echo(i);
+      if (cut.slice()[i] >= 0) {
+        rows[cut.slice()[i]]++;
+      }
+    }
+    double[][] off = foresight.off(cut, echo);
+    for (int at = 0; at < rows.length; at++) {
+      double deviation = off[1][at];
+      if (rows[at] >= LEAST_ROWS && deviation * deviation >= LEAST_SUPPORT) {
+        double share = off[0][at] / rows[at];
+        slices.add(
+            new Slice(cut.name() + "#" + at, "forecast", off[0][at] / deviation, share, rows[at]));
       }
     }
   }

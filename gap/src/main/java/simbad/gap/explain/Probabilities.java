@@ -31,7 +31,7 @@ public final class Probabilities {
     double most = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < weight.length; i++) {
       Scored set = sets.get(i);
-      double nats = set.heldOut() - costNats * set.hypothesis().forms().size();
+      double nats = set.heldOut() - costNats * shares(set.hypothesis().forms().size());
       weight[i] = nats / (TEMPERATURE * clumping);
       most = Math.max(most, weight[i]);
     }
@@ -45,6 +45,14 @@ public final class Probabilities {
     }
   }
 
+  /**
+   * How many times the cost of one effect some effects cost together: three at once are rare, and
+   * what needs them is more often one thing that has no name.
+   */
+  private static double shares(int effects) {
+    return effects + 3.0 * Math.max(0, effects - 2) * Math.max(0, effects - 1) / 2;
+  }
+
   /** Returns the most probable set. */
   public Scored best() {
     int best = 0;
@@ -52,6 +60,15 @@ public final class Probabilities {
       best = weight[i] > weight[best] ? i : best;
     }
     return sets.get(best);
+  }
+
+  /** Returns the probability that no effect of the vocabulary is at work. */
+  public double ofNone() {
+    double sum = 0;
+    for (int i = 0; i < weight.length; i++) {
+      sum += sets.get(i).hypothesis().forms().isEmpty() ? weight[i] : 0;
+    }
+    return sum;
   }
 
   /** Returns the probability that an effect is at work, for each that was fitted. */

@@ -1,6 +1,5 @@
 package simbad.gap.fit;
 
-import java.util.ArrayList;
 import java.util.List;
 import simbad.sonar.effect.Change;
 import simbad.sonar.effect.DiagnosedModel;
@@ -63,9 +62,7 @@ public final class Evidence {
 
   /** Returns the model of a hypothesis. */
   public DiagnosedModel model(Hypothesis hypothesis) {
-    List<Change> changes = new ArrayList<>(calibration);
-    changes.addAll(hypothesis.changes());
-    return new DiagnosedModel(setup, changes);
+    return new DiagnosedModel(setup, DiagnosedModel.changes(calibration, hypothesis.changes()));
   }
 
   /** Returns the geometry under a hypothesis; that of the set-up where nothing changes it. */

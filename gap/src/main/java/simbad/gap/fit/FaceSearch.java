@@ -14,6 +14,8 @@ final class FaceSearch {
   private static final double WINDOW_M = 0.05;
   private static final double SPARE_RAD = Math.toRadians(6);
   private static final int BEST = 3;
+  private static final double WIDE_M = 8;
+  private static final double[] SQUARE_DEG = {8, 12, 16, 20, 25, 32, 45};
 
   private final Clues clues;
   private final int[] strange;
@@ -33,17 +35,30 @@ final class FaceSearch {
     faces.sort(Comparator.comparingInt(face -> -face.votes));
     List<double[]> starts = new ArrayList<>();
     for (Face face : faces.subList(0, Math.min(BEST, faces.size()))) {
-      starts.add(values(form, face));
+      starts.addAll(values(form, face));
     }
-    return starts.isEmpty() ? List.of(values(form, new Face(0, 0, 0, 0.3, 0))) : starts;
+    return starts.isEmpty() ? values(form, new Face(0, 0, 0, 0.3, 0)) : starts;
   }
 
-  private static double[] values(Form form, Face face) {
-    return switch (form.name()) {
-      case "post" -> new double[] {face.xM, face.zM, 0.95};
-      case "mirror" -> new double[] {face.xM, face.zM, face.normalDeg, face.halfWidthM, 0.95};
-      default -> new double[] {face.xM, face.zM, face.normalDeg, face.halfWidthM, 0.95, 25};
-    };
+  /** A face may end where the log never looked: as wide as was seen, and as wide as a room. */
+  private static List<double[]> values(Form form, Face face) {
+    if (form.name().equals("post")) {
+      return List.of(new double[] {face.xM, face.zM, 0.95});
+    }
+    List<double[]> starts = new ArrayList<>();
+    for (double width : new double[] {face.halfWidthM, WIDE_M}) {
+      double[] mirror = {face.xM, face.zM, face.normalDeg, width, 0.95};
+      if (form.name().equals("mirror")) {
+        starts.add(mirror);
+      } else {
+        for (double square : SQUARE_DEG) {
+          double[] start = Arrays.copyOf(mirror, mirror.length + 1);
+          start[mirror.length] = square;
+          starts.add(start);
+        }
+      }
+    }
+    return starts;
   }
 
   /** Strange echoes that face a normal name the place of the face on it; the fullest place wins. */

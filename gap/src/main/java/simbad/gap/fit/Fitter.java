@@ -19,7 +19,7 @@ import simbad.sonar.effect.Geometry;
 import simbad.sonar.effect.Parameter;
 
 /** Finds the values of a hypothesis that make the readings most probable. For one thread. */
-public final class Fitter {
+public class Fitter {
   private static final double ENOUGH_NATS = 0.02;
   private static final double SMALL = 0.03;
   private static final int REMEMBERED = 4;

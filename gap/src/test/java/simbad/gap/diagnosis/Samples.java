@@ -54,7 +54,7 @@ final class Samples {
 
   static Diagnosis diagnosis() {
     Form offset = Forms.find(Effect.RANGE_OFFSET, "constant", SETUP, List.of("s")).orElseThrow();
-    Form tails = SetupForms.find("tails", SETUP).orElseThrow();
+    Form tails = SetupForms.find("tails", SETUP, List.of()).orElseThrow();
     Place.Condition bearing =
         new Place.Condition(
             "bearing_deg", Optional.of(new Interval(10, 20.00000001)), Optional.empty());
@@ -64,6 +64,7 @@ final class Samples {
         List.of(Effect.RANGE_OFFSET),
         findings(),
         0.0625,
+        0.96,
         new GapFigures(2, 3.2, 1.6, 1.5, 0.5, new Interval(Double.NEGATIVE_INFINITY, 0.6)),
         List.of(new Place(List.of(bearing, run), 30, 0.4, 9, 1, GapKind.MISSED_ECHO, 1e-9)),
         List.of(

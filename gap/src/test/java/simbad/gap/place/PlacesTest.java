@@ -18,6 +18,7 @@ import simbad.gap.explain.Blocks;
 import simbad.gap.explain.GapMeter;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.fixture.Worlds;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;

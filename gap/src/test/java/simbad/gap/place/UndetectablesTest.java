@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import simbad.gap.diagnosis.Undetectable;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.fixture.Worlds;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.sensing.ReadingRow;
 

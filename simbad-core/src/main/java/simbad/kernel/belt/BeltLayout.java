@@ -124,7 +124,7 @@ public final class BeltLayout {
     return angleRad[ray];
   }
 
-  /** Finds how far the ends of the rays are from the middle of their starts. */
+  /** Finds how far the ends of the rays are from the middle between two opposite starts. */
   private void measureReach() {
     TransducerPoses poses = new TransducerPoses(size());
     place(new Placement(), poses);
@@ -144,22 +144,20 @@ public final class BeltLayout {
   }
 
   /**
-   * Sets a ball so that it holds every ray.
+   * Sets a ball so that it holds every ray; a layout without rays leaves it as it is.
    *
    * @param poses where {@link #place} has put the rays
    * @param ball is set
    */
   public void enclose(TransducerPoses poses, Ball ball) {
-    double x = 0;
-    double y = 0;
-    double z = 0;
-    for (int i = 0; i < size(); i++) {
-      x += poses.xM(i);
-      y += poses.yM(i);
-      z += poses.zM(i);
+    if (size() > 0) {
+      int opposite = size() / 2;
+      ball.set(
+          (poses.xM(0) + poses.xM(opposite)) / 2,
+          (poses.yM(0) + poses.yM(opposite)) / 2,
+          (poses.zM(0) + poses.zM(opposite)) / 2,
+          reachM);
     }
-    double share = 1.0 / Math.max(1, size());
-    ball.set(x * share, y * share, z * share, reachM);
   }
 
   /** Places every ray of a belt in the world. */

@@ -29,12 +29,12 @@ public final class Extent {
 
   /** Grows to hold a point in metres. */
   public void include(double xM, double yM, double zM) {
-    minX = Math.min(minX, xM);
-    minY = Math.min(minY, yM);
-    minZ = Math.min(minZ, zM);
-    maxX = Math.max(maxX, xM);
-    maxY = Math.max(maxY, yM);
-    maxZ = Math.max(maxZ, zM);
+    minX = lesser(minX, xM);
+    minY = lesser(minY, yM);
+    minZ = lesser(minZ, zM);
+    maxX = greater(maxX, xM);
+    maxY = greater(maxY, yM);
+    maxZ = greater(maxZ, zM);
   }
 
   /** Grows to hold another extent; an empty one changes nothing. */
@@ -63,18 +63,27 @@ public final class Extent {
   public boolean isReachedBy(Ray ray) {
     double a = (minX - ray.originX()) * ray.inverseX();
     double b = (maxX - ray.originX()) * ray.inverseX();
-    double enter = Math.max(0, Math.min(a, b));
-    double exit = Math.min(ray.lengthM(), Math.max(a, b));
+    double enter = greater(0, lesser(a, b));
+    double exit = lesser(ray.lengthM(), greater(a, b));
     a = (minZ - ray.originZ()) * ray.inverseZ();
     b = (maxZ - ray.originZ()) * ray.inverseZ();
-    enter = Math.max(enter, Math.min(a, b));
-    exit = Math.min(exit, Math.max(a, b));
+    enter = greater(enter, lesser(a, b));
+    exit = lesser(exit, greater(a, b));
     if (enter > exit) {
       return false;
     }
     a = (minY - ray.originY()) * ray.inverseY();
     b = (maxY - ray.originY()) * ray.inverseY();
-    return Math.max(enter, Math.min(a, b)) <= Math.min(exit, Math.max(a, b));
+    return greater(enter, lesser(a, b)) <= lesser(exit, greater(a, b));
+  }
+
+  /** Several times as fast as Math.min, which also orders NaN and the two zeros. */
+  private static double lesser(double a, double b) {
+    return a < b ? a : b;
+  }
+
+  private static double greater(double a, double b) {
+    return a > b ? a : b;
   }
 
   /** Returns true if a ball, its rim included, shares a point with this box. */
@@ -86,7 +95,7 @@ public final class Extent {
   }
 
   private static double gap(double at, double min, double max) {
-    return Math.max(0, Math.max(min - at, at - max));
+    return greater(0, greater(min - at, at - max));
   }
 
   /** Returns half the surface in square metres, a measure of how likely a ray meets this box. */

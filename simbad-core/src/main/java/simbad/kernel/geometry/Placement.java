@@ -181,6 +181,19 @@ public final class Placement {
     };
   }
 
+  /** Writes the rotation into a homogeneous 4 by 4 matrix, row after row; nothing else of it. */
+  public void copyRotationTo(double[] matrix) {
+    matrix[0] = m00;
+    matrix[1] = m01;
+    matrix[2] = m02;
+    matrix[4] = m10;
+    matrix[5] = m11;
+    matrix[6] = m12;
+    matrix[8] = m20;
+    matrix[9] = m21;
+    matrix[10] = m22;
+  }
+
   /** Returns the outer x of a point given in the body's frame. */
   public double outerX(double x, double y, double z) {
     return xM + turnedX(x, y, z);

@@ -19,6 +19,7 @@ public final class Ray {
   private double inverseX;
   private double inverseY;
   private double inverseZ;
+  private boolean inverted;
   private double lengthM;
 
   /** Creates a ray of no length at the origin. */
@@ -36,9 +37,17 @@ public final class Ray {
     directionX = x;
     directionY = y;
     directionZ = z;
-    inverseX = inverse(x);
-    inverseY = inverse(y);
-    inverseZ = inverse(z);
+    inverted = false;
+  }
+
+  /** Divides late: most rays are turned away from most bodies before that. */
+  private void invert() {
+    if (!inverted) {
+      inverted = true;
+      inverseX = inverse(directionX);
+      inverseY = inverse(directionY);
+      inverseZ = inverse(directionZ);
+    }
   }
 
   private static double inverse(double component) {
@@ -121,14 +130,17 @@ public final class Ray {
   }
 
   double inverseX() {
+    invert();
     return inverseX;
   }
 
   double inverseY() {
+    invert();
     return inverseY;
   }
 
   double inverseZ() {
+    invert();
     return inverseZ;
   }
 }

@@ -26,6 +26,15 @@ public final class Picture {
     clear();
   }
 
+  /** Becomes a copy of another picture of the same size. */
+  public void copyFrom(Picture other) {
+    if (other.width != width || other.height != height) {
+      throw new IllegalArgumentException(
+          "size = " + other.width + " x " + other.height + " is not " + width + " x " + height);
+    }
+    System.arraycopy(other.argb, 0, argb, 0, argb.length);
+  }
+
   /** Becomes black. */
   public void clear() {
     Arrays.fill(argb, OPAQUE);

@@ -18,6 +18,15 @@ public final class Ball {
     radiusM = newRadiusM;
   }
 
+  /** Returns true if all of another ball is inside this one; rounding may say no for yes. */
+  boolean holds(Ball other) {
+    double x = other.xM - xM;
+    double y = other.yM - yM;
+    double z = other.zM - zM;
+    double roomM = radiusM - other.radiusM;
+    return roomM >= 0 && x * x + y * y + z * z <= roomM * roomM;
+  }
+
   /** Returns the x of the centre in metres. */
   public double xM() {
     return xM;

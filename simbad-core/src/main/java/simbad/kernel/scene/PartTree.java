@@ -121,6 +121,21 @@ final class PartTree {
     }
   }
 
+  /** Returns true if no part may touch a ball, traversable or not. */
+  boolean isFree(double xM, double yM, double zM, double radiusM) {
+    int node = 0;
+    while (node < nodes) {
+      if (!covers[node].touchesBall(xM, yM, zM, radiusM)) {
+        node = skip[node];
+      } else if (leafPart[node] != INNER) {
+        return false;
+      } else {
+        node++;
+      }
+    }
+    return true;
+  }
+
   boolean stopsBall(double xM, double yM, double zM, double radiusM) {
     int node = 0;
     while (node < nodes) {

@@ -52,13 +52,23 @@ public final class Scene {
    * Finds what rays that stay inside a ball can meet.
    *
    * @param ball the ball
-   * @param except a solid that the rays pass through
-   * @param near is emptied and filled
+   * @param except a solid that the rays pass through; always the same one for the same {@code near}
+   * @param near is filled anew; keep it for the next time
    */
   public void gather(Ball ball, Solid except, Neighbourhood near) {
-    near.clear();
-    fixed.gather(ball, except, near);
+    near.keep(fixed, ball, except);
     moving.gather(ball, except, near);
+  }
+
+  /**
+   * Returns true if a ball is stopped by a present, non-traversable solid that was added as fixed.
+   *
+   * @param ball the ball
+   * @param clearance what is known from earlier calls for a ball that moves little in between
+   */
+  public boolean stopsBall(Ball ball, Clearance clearance) {
+    return !clearance.isFree(fixed, ball)
+        && fixed.stopsBall(ball.xM(), ball.yM(), ball.zM(), ball.radiusM());
   }
 
   /**

@@ -18,24 +18,32 @@ final class SolidIndex {
   private double builtCostM2;
   private boolean changed;
   private boolean moved;
+  private int revision;
 
   void add(Solid solid) {
     solid.enter(this);
     solids.add(solid);
-    changed = true;
+    noteChange();
   }
 
   void forget(Solid solid) {
     solids.remove(solid);
-    changed = true;
+    noteChange();
   }
 
   void noteMove() {
     moved = true;
+    revision++;
   }
 
   void noteChange() {
     changed = true;
+    revision++;
+  }
+
+  /** Returns a number that is another one after any solid came, went or moved. */
+  int revision() {
+    return revision;
   }
 
   boolean strike(Ray ray, Solid except) {
@@ -48,6 +56,10 @@ final class SolidIndex {
 
   boolean stopsBall(double xM, double yM, double zM, double radiusM) {
     return current().stopsBall(xM, yM, zM, radiusM);
+  }
+
+  boolean isFree(double xM, double yM, double zM, double radiusM) {
+    return current().isFree(xM, yM, zM, radiusM);
   }
 
   private PartTree current() {

@@ -39,4 +39,18 @@ class PictureTest {
         assertThrows(IllegalArgumentException.class, () -> new Picture(0, 5)).getMessage());
     assertThrows(IllegalArgumentException.class, () -> new Picture(5, 0));
   }
+
+  @Test
+  void copy_isTheSamePictureOfItsOwn_ofItsSizeOnly() {
+    Picture original = new Picture(2, 1);
+    original.argb()[1] = 0xff123456;
+    Picture copy = new Picture(2, 1);
+    copy.copyFrom(original);
+    original.clear();
+    assertEquals(0x123456, copy.rgb(1, 0));
+    assertEquals(
+        "size = 1 x 2 is not 2 x 1",
+        assertThrows(IllegalArgumentException.class, () -> copy.copyFrom(new Picture(1, 2)))
+            .getMessage());
+  }
 }

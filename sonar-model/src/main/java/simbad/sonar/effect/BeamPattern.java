@@ -6,8 +6,18 @@ package simbad.sonar.effect;
  * @param widthRad angle that sets how fast it tapers, positive; infinity is neutral
  * @param power shape of the taper, positive
  * @param law kind of the taper
+ * @param angle of what it tapers
  */
-public record BeamPattern(double widthRad, double power, Law law) implements ThresholdChange {
+public record BeamPattern(double widthRad, double power, Law law, Angle angle)
+    implements ThresholdChange {
+  /** Of what of an obstacle the angle off the axis counts. */
+  public enum Angle {
+    /** Of its centre. */
+    CENTRE,
+    /** Of the point of its outline that is nearest to the axis. */
+    OUTLINE
+  }
+
   /** How a threshold shrinks at an angle, u being the angle over the width. */
   public enum Law {
     /** exp(-u^(2 power)). */
@@ -23,8 +33,11 @@ public record BeamPattern(double widthRad, double power, Law law) implements Thr
     if (widthRad == Double.POSITIVE_INFINITY) {
       return 1;
     }
-    double angle = Math.min(Math.abs(geometry.offAxisRad(line)), geometry.coneHalfAngleRad());
-    double u = angle / widthRad;
+    double off =
+        angle == Angle.CENTRE
+            ? Math.abs(geometry.offAxisRad(line))
+            : geometry.outlineOffAxisRad(line);
+    double u = Math.min(off, geometry.coneHalfAngleRad()) / widthRad;
     return switch (law) {
       case BELL -> Math.exp(-Math.pow(u, 2 * power));
       case COSINE -> u < 1 ? Math.pow(Math.cos(Math.PI / 2 * u), power) : 0;

@@ -4,11 +4,29 @@ package simbad.sonar.effect;
  * Readings come in steps.
  *
  * @param stepM metres; 0 is neutral
- * @param centred whether a step is reported by its centre, not by its start
+ * @param reported what of a step is reported
  */
-public record CoarseResolution(double stepM, boolean centred) implements OutputChange {
+public record CoarseResolution(double stepM, Reported reported) implements OutputChange {
   /** As a share of a step: what lies so near a report is that report, rounded. */
   private static final double ROUNDING = 1e-9;
+
+  /** Which steps there are, and what each is reported as. */
+  public enum Reported {
+    /** Steps start at multiples of their length; their start is reported. */
+    START(0, 0),
+    /** Steps start at multiples of their length; their centre is reported. */
+    CENTRE(0, 0.5),
+    /** The nearest multiple of the length is reported. */
+    NEAREST(-0.5, 0.5);
+
+    private final double start;
+    private final double report;
+
+    Reported(double start, double report) {
+      this.start = start;
+      this.report = report;
+    }
+  }
 
   @Override
   public int order() {
@@ -17,15 +35,20 @@ public record CoarseResolution(double stepM, boolean centred) implements OutputC
 
   @Override
   public double reported(double rangeM) {
-    return stepM > 0 ? Math.floor(rangeM / stepM + ROUNDING) * stepM + shiftM() : rangeM;
+    return stepM > 0
+        ? (Math.floor(rangeM / stepM - reported.start + ROUNDING)
+                + reported.start
+                + reported.report)
+            * stepM
+        : rangeM;
   }
 
   @Override
   public double leastRange(double reportedM) {
-    return stepM > 0 ? Math.ceil((reportedM - shiftM()) / stepM - ROUNDING) * stepM : reportedM;
-  }
-
-  private double shiftM() {
-    return centred ? stepM / 2 : 0;
+    return stepM > 0
+        ? (Math.ceil(reportedM / stepM - reported.start - reported.report - ROUNDING)
+                + reported.start)
+            * stepM
+        : reportedM;
   }
 }

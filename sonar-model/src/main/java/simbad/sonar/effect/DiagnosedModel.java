@@ -3,6 +3,7 @@ package simbad.sonar.effect;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.random.RandomGenerator;
 import simbad.sonar.model.Part;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.model.Report;
@@ -42,6 +43,24 @@ public final class DiagnosedModel {
     sensor = Geometry.changedSensor(believed.sensor(), changes);
     report = report(PingModel.of(OutputChange.class, changes));
     memory = Memory.of(changes);
+  }
+
+  /**
+   * Joins the changes of a set-up and of effects. An effect with memory stands in the place of a
+   * calibration of the same kind, since a model holds one of each.
+   *
+   * @param calibration in what the set-up is off without an effect
+   * @param effects at work
+   */
+  public static List<Change> changes(
+      List<? extends Change> calibration, List<? extends Change> effects) {
+    List<Change> changes = new ArrayList<>(calibration);
+    changes.removeIf(
+        change ->
+            change instanceof MemoryChange
+                && effects.stream().anyMatch(effect -> effect.getClass() == change.getClass()));
+    changes.addAll(effects);
+    return changes;
   }
 
   private static Report report(List<OutputChange> outputs) {
@@ -95,6 +114,32 @@ public final class DiagnosedModel {
    */
   public List<ReadingDistribution> forecast(Geometry geometry) {
     return new Forecast(this, geometry).all();
+  }
+
+  /**
+   * Draws readings for all pings of a log, as a world with these changes might have given them.
+   *
+   * @param geometry of the log under this model's changes
+   * @param random source of chance
+   * @return what is read at each ping in metres; infinity for no echo
+   */
+  public double[] draw(Geometry geometry, RandomGenerator random) {
+    PingLog log = geometry.log();
+    PingModel pings = pings(geometry);
+    Recollection recollection = new Recollection(this, pings);
+    double[] rangeM = new double[log.size()];
+    for (int ping = 0; ping < rangeM.length; ping++) {
+      if (log.sequenceStart(ping) == ping) {
+        recollection = new Recollection(this, pings);
+      }
+      rangeM[ping] = recollection.read(ping, log.timeS(ping), random);
+    }
+    return rangeM;
+  }
+
+  /** Returns whether what is read hangs on the pings before. */
+  public boolean hasMemory() {
+    return !memory.isNone();
   }
 
   Memory memory() {

@@ -56,15 +56,16 @@ public record FittedModel(
       Optional<Effect> effect, String name, SensingSetup setup, List<String> sensors) {
     return effect.isPresent()
         ? Forms.find(effect.get(), name, setup, sensors)
-        : SetupForms.find(name, setup);
+        : SetupForms.find(name, setup, sensors);
   }
 
   /** Returns all changes, the calibration's first. */
   public List<Change> changes() {
-    List<Change> changes = new ArrayList<>();
-    calibration.forEach(fitted -> changes.add(fitted.change()));
-    effects.forEach(fitted -> changes.add(fitted.change()));
-    return changes;
+    return DiagnosedModel.changes(changes(calibration), changes(effects));
+  }
+
+  private static List<Change> changes(List<FittedForm> forms) {
+    return forms.stream().map(FittedForm::change).toList();
   }
 
   /**
@@ -89,7 +90,7 @@ public record FittedModel(
 
   /** Returns the model without its effects: calibrated only. */
   public DiagnosedModel calibrated() {
-    return new DiagnosedModel(setup, calibration.stream().map(FittedForm::change).toList());
+    return new DiagnosedModel(setup, changes(calibration));
   }
 
   /**

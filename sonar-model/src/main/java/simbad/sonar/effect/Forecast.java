@@ -12,7 +12,10 @@ import simbad.sonar.model.ReadingDistribution;
  */
 final class Forecast {
   /** Ghosts of ghosts of ghosts would fill any memory: what hardly ever happens is not followed. */
-  private static final double FOLLOWED = 1e-8;
+  private static final double FOLLOWED = 1e-7;
+
+  /** The ghost of an echo of a lesser share is left out. */
+  private static final double HAUNTS = 1e-5;
 
   /** The least share that is worth a part in a distribution, which is asked for quantiles. */
   private static final double TOLD = 1e-5;
@@ -126,7 +129,17 @@ final class Forecast {
     }
     double repeats = memory.repeats(slot, log.timeS(ping) - log.timeS(ping - slot));
     if (memory.ghosts()) {
+      double rest = 0;
       for (int part = 0; part < before.size(); part++) {
+        rest += before.share(part) > HAUNTS ? 0 : before.share(part);
+      }
+      one.clear();
+      double silentAfterRest = rest > 0 ? expect(ping, inBurst, slot, rest) : 0;
+      for (int part = 0; part < before.size(); part++) {
+        if (!(before.share(part) > HAUNTS)) {
+          miss(inBurst, slot, part, before.share(part) * silentAfterRest, repeats);
+          continue;
+        }
         one.clear();
         one.add(before.meanM(part), before.evenSpreadM(part), 1);
         double silent = expect(ping, inBurst, slot, before.share(part));

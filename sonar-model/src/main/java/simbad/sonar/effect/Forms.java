@@ -91,6 +91,11 @@ public final class Forms {
         "constant",
         v -> new RangeOffset(v[0]),
         Parameter.of("offset_m", 0, -1, 1, -0.1, -0.03, 0.03, 0.1));
+    noise();
+    steps();
+  }
+
+  private void noise() {
     add(
         Effect.RANGE_NOISE,
         "constant",
@@ -108,8 +113,16 @@ public final class Forms {
         v -> new NoiseTails(v[0], v[1]),
         Parameter.of("share", 0, 0, 1, 0.1, 0.4),
         Parameter.of("deviation_m", 0, 0, 0.25, 0.03, 0.1));
-    add(Effect.COARSE_RESOLUTION, "start", v -> new CoarseResolution(v[0], false), step());
-    add(Effect.COARSE_RESOLUTION, "centre", v -> new CoarseResolution(v[0], true), step());
+  }
+
+  private void steps() {
+    for (CoarseResolution.Reported reported : CoarseResolution.Reported.values()) {
+      add(
+          Effect.COARSE_RESOLUTION,
+          reported.name().toLowerCase(java.util.Locale.ROOT),
+          v -> new CoarseResolution(v[0], reported),
+          step());
+    }
   }
 
   private static Parameter step() {
@@ -168,7 +181,7 @@ public final class Forms {
         "bursts",
         v -> new Burst(v[0], v[1], 1),
         Parameter.of("share", 0, 0, 0.9, 0.1, 0.3),
-        Parameter.of("length_pings", 1, 1, 60, 3, 10));
+        Parameter.of("length_pings", 1, 1, 40, 3, 10));
   }
 
   private void thresholds() {
@@ -189,20 +202,9 @@ public final class Forms {
   private void beam() {
     double half = Math.toDegrees(setup.sensor().coneHalfAngleRad());
     for (BeamPattern.Law law : BeamPattern.Law.values()) {
-      double least = law == BeamPattern.Law.BELL ? 0.2 * half : 0.5 * half;
-      add(
-          Effect.BEAM_PATTERN,
-          law.name().toLowerCase(java.util.Locale.ROOT),
-          v -> new BeamPattern(toRadians(v[0]), v[1], law),
-          Parameter.of(
-              "width_deg",
-              Double.POSITIVE_INFINITY,
-              least,
-              20 * half,
-              0.7 * half,
-              1.1 * half,
-              2 * half),
-          Parameter.of("power", 1, 0.3, 8, 0.7, 2));
+      String name = law.name().toLowerCase(java.util.Locale.ROOT);
+      pattern(name, law, BeamPattern.Angle.CENTRE, half);
+      pattern(name + "-outline", law, BeamPattern.Angle.OUTLINE, half);
     }
     add(
         Effect.BEAM_WIDTH,
@@ -223,6 +225,23 @@ public final class Forms {
     if (sensors.size() > 1) {
       sensors.forEach(sensor -> misaligned("only:" + sensor, Optional.of(sensor)));
     }
+  }
+
+  private void pattern(String name, BeamPattern.Law law, BeamPattern.Angle angle, double halfDeg) {
+    double least = law == BeamPattern.Law.BELL ? 0.2 * halfDeg : 0.5 * halfDeg;
+    add(
+        Effect.BEAM_PATTERN,
+        name,
+        v -> new BeamPattern(toRadians(v[0]), v[1], law, angle),
+        Parameter.of(
+            "width_deg",
+            Double.POSITIVE_INFINITY,
+            least,
+            20 * halfDeg,
+            0.7 * halfDeg,
+            1.1 * halfDeg,
+            2 * halfDeg),
+        Parameter.of("power", 1, 0.3, 8, 0.7, 2));
   }
 
   private void misaligned(String name, Optional<String> sensor) {
@@ -282,13 +301,13 @@ public final class Forms {
     add(
         Effect.STALE_READING,
         "count",
-        v -> new StaleReading(v[0], FOREVER_S),
+        v -> new StaleReading(v[0], FOREVER_S, 1),
         Parameter.of("pings", 0, 0, 30, 1, 2, 3, 5, 8, 14));
     double period = setup.sensor().updatePeriodS();
     add(
         Effect.STALE_READING,
         "time",
-        v -> new StaleReading(HiddenState.MOST, v[0]),
+        v -> new StaleReading(HiddenState.MOST, v[0], 1),
         Parameter.of(
             "hold_s",
             0,
@@ -298,10 +317,23 @@ public final class Forms {
             2.5 * period,
             4.5 * period,
             Math.min(20, 9.5 * period)));
+    add(
+        Effect.STALE_READING,
+        "fading",
+        v -> new StaleReading(HiddenState.MOST, FOREVER_S, v[0]),
+        Parameter.of("chance", 0, 0, 0.98, 0.3, 0.6, 0.85));
+    hysteresis();
+    ghosts();
+  }
+
+  private void hysteresis() {
     Parameter gap = Parameter.of("gap", 0, 0, 0.7, 0.05, 0.15, 0.3);
     add(Effect.HYSTERESIS, "pick-up", v -> new Hysteresis(1 - v[0], 1), gap);
     add(Effect.HYSTERESIS, "hold", v -> new Hysteresis(1, 1 + v[0]), gap);
     add(Effect.HYSTERESIS, "both", v -> new Hysteresis(1 - v[0] / 2, 1 + v[0] / 2), gap);
+  }
+
+  private void ghosts() {
     Parameter spread = Parameter.of("spread_m", 0, 0, 0.1, 0.002);
     add(
         Effect.PREVIOUS_PING,

@@ -33,6 +33,10 @@ public final class Geometry {
   private final double[] bearingRad;
   private final double[] thresholdM;
   private final double[] offAxisRad;
+
+  /** Not a number until it is asked for; two threads that compute it find the same. */
+  private final double[] outlineOffAxisRad;
+
   private final SightLine sight = new SightLine();
   private final TransducerPose from = new TransducerPose();
 
@@ -80,6 +84,7 @@ public final class Geometry {
     bearingRad = new double[lines];
     thresholdM = new double[lines];
     offAxisRad = new double[lines];
+    outlineOffAxisRad = new double[lines];
   }
 
   /** Tells whether a change has to be known before geometry can be computed. */
@@ -123,6 +128,7 @@ public final class Geometry {
       centreDistanceM[line] = sight.centreDistanceM();
       bearingRad[line] = sight.bearingRad();
       thresholdM[line] = sight.thresholdM();
+      outlineOffAxisRad[line] = Double.NaN;
       offAxisRad[line] = offAxis(ping, scene.obstacles().get(obstacle));
     }
   }
@@ -220,6 +226,13 @@ public final class Geometry {
    * pi]; 0 where the axis meets it.
    */
   public double outlineOffAxisRad(int line) {
+    if (Double.isNaN(outlineOffAxisRad[line])) {
+      outlineOffAxisRad[line] = outlineOffAxis(line);
+    }
+    return outlineOffAxisRad[line];
+  }
+
+  private double outlineOffAxis(int line) {
     int ping = line / obstacles;
     Outline outline = outlines.get(line % obstacles);
     double least = Math.PI;

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
 
@@ -15,7 +16,7 @@ import simbad.sonar.scene.SonarSpec;
  */
 public final class SetupForms {
   /** Waves of a threshold's factor round the obstacle. */
-  public static final int WAVES = 5;
+  public static final int WAVES = 7;
 
   private SetupForms() {}
 
@@ -31,9 +32,28 @@ public final class SetupForms {
     return List.copyOf(forms);
   }
 
-  /** Finds a calibration by its name. */
-  public static Optional<Form> find(String name, SensingSetup setup) {
-    return all(setup).stream().filter(form -> form.name().equals(name)).findFirst();
+  /**
+   * Returns what an effect does as a calibration: what already differs while the simulation is
+   * trusted belongs to the set-up, whatever its name.
+   *
+   * @param form of an effect
+   */
+  public static Form of(Form form) {
+    return new Form(Optional.empty(), form.toString(), form.parameters(), form.maker());
+  }
+
+  /**
+   * Finds a calibration by its name.
+   *
+   * @param name of one of {@link #all}, or of an effect's form as {@link #of} names it
+   * @param setup whose obstacles and sensor it is for
+   * @param sensors labels of the transducers in the log
+   */
+  public static Optional<Form> find(String name, SensingSetup setup, List<String> sensors) {
+    return Stream.concat(
+            all(setup).stream(), Forms.all(setup, sensors).stream().map(SetupForms::of))
+        .filter(form -> form.name().equals(name))
+        .findFirst();
   }
 
   private static Form scatter(SonarSpec sensor) {

@@ -5,11 +5,12 @@ package simbad.sonar.effect;
  *
  * @param pings how often at most; a fraction is the chance of one time more; 0 is neutral
  * @param forS for how long after the last echo at most, seconds; 0 is neutral
+ * @param chance that it is repeated each time, in [0, 1]; 0 is neutral
  */
-public record StaleReading(double pings, double forS) implements MemoryChange {
+public record StaleReading(double pings, double forS, double chance) implements MemoryChange {
   @Override
   public boolean isNeutral() {
-    return pings == 0 || forS == 0;
+    return pings == 0 || forS == 0 || chance == 0;
   }
 
   /**
@@ -19,6 +20,6 @@ public record StaleReading(double pings, double forS) implements MemoryChange {
    * @param sinceS seconds since the echo
    */
   double holds(int times, double sinceS) {
-    return sinceS > forS ? 0 : Math.max(0, Math.min(1, pings - times));
+    return sinceS > forS ? 0 : chance * Math.max(0, Math.min(1, pings - times));
   }
 }

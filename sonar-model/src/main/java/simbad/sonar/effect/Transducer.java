@@ -2,26 +2,12 @@ package simbad.sonar.effect;
 
 import java.util.random.RandomGenerator;
 
-/** One transducer of a diagnosed sensor, with all that it remembers of the pings before. */
+/** One transducer of a diagnosed sensor: where it really is, and what it remembers. */
 final class Transducer {
   private final int index;
-  private final DiagnosedModel model;
-  private final Memory memory;
   private final PingModel pings;
   private final PoseTrack track;
-  private final Mixture mixture = new Mixture();
-
-  /** What the reading before came from; no part where there was none. */
-  private final Mixture before = new Mixture();
-
-  private boolean started;
-  private boolean inBurst;
-
-  /** As in {@link HiddenState}. */
-  private int slot;
-
-  private double lastM;
-  private double lastEchoS;
+  private final Recollection recollection;
 
   /**
    * Creates a transducer.
@@ -33,10 +19,9 @@ final class Transducer {
    */
   Transducer(int index, DiagnosedModel model, PingModel pings, PoseTrack track) {
     this.index = index;
-    this.model = model;
     this.pings = pings;
     this.track = track;
-    memory = model.memory();
+    recollection = new Recollection(model, pings);
   }
 
   /**
@@ -50,41 +35,6 @@ final class Transducer {
   double ping(double timeS, TruePose pose, RandomGenerator random) {
     track.next(timeS, pose);
     pings.geometry().look(index, pose);
-    passBurst(random);
-    boolean heard = slot == HiddenState.ECHO;
-    pings.mix(index, heard, before, memory.lost(inBurst ? 1 : 0), mixture);
-    int part = mixture.draw(random);
-    return part < mixture.size() ? echo(part, timeS, random) : miss(timeS, random);
-  }
-
-  private void passBurst(RandomGenerator random) {
-    if (memory.burst() != null) {
-      Burst burst = memory.burst();
-      double silenced = inBurst ? 1 - burst.ends() : burst.begins();
-      inBurst = random.nextDouble() < (started ? silenced : burst.share());
-    }
-    started = true;
-  }
-
-  private double echo(int part, double timeS, RandomGenerator random) {
-    double measured = mixture.drawM(part, random);
-    boolean known = mixture.halfWidthM(part) == 0;
-    before.clear();
-    before.add(known ? mixture.meanM(part) : measured, 0, 1);
-    slot = HiddenState.ECHO;
-    lastM = model.reportedM(measured);
-    lastEchoS = timeS;
-    return lastM;
-  }
-
-  private double miss(double timeS, RandomGenerator random) {
-    double repeats = memory.repeats(slot, timeS - lastEchoS);
-    if (slot <= HiddenState.MOST && repeats > 0 && random.nextDouble() < repeats) {
-      slot++;
-      return lastM;
-    }
-    slot = 0;
-    before.clear();
-    return Double.POSITIVE_INFINITY;
+    return recollection.read(index, timeS, random);
   }
 }

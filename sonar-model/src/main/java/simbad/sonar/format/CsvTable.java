@@ -7,7 +7,9 @@ import de.siegmar.fastcsv.reader.CsvRecord;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.DoublePredicate;
 import java.util.regex.Pattern;
 
@@ -116,7 +118,8 @@ public final class CsvTable {
         fields + " in the row, expected " + columns.size() + hint);
   }
 
-  Path file() {
+  /** Returns the file's name as messages give it. */
+  public Path file() {
     return file;
   }
 
@@ -135,6 +138,24 @@ public final class CsvTable {
 
   boolean hasColumn(String name) {
     return columns.contains(name);
+  }
+
+  /** Returns the {@code # key: value} lines in their order; of one key's lines the last. */
+  public Map<String, String> header() {
+    Map<String, String> header = new LinkedHashMap<>();
+    for (Comment comment : comments) {
+      int colon = Math.max(0, comment.text().indexOf(':'));
+      String key = comment.text().substring(0, colon).strip();
+      if (!key.isEmpty()) {
+        header.put(key, comment.text().substring(colon + 1).strip());
+      }
+    }
+    return header;
+  }
+
+  /** Returns the names of the columns in their order. */
+  public List<String> columns() {
+    return List.copyOf(columns);
   }
 
   /**

@@ -3,6 +3,7 @@ package simbad.sonar.format;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Point;
 import simbad.sonar.scene.Detection;
@@ -11,7 +12,9 @@ import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.TableDetection;
 import simbad.sonar.scene.UniformDetection;
+import simbad.sonar.shape.Crossing;
 import simbad.sonar.shape.Outline;
+import simbad.sonar.shape.Overlap;
 import simbad.sonar.shape.ThresholdTable;
 
 /** Scene files: what a simulator believes, {@code format} "sonar-gap/1". */
@@ -33,10 +36,22 @@ public final class SceneFile {
     }
     List<Obstacle> obstacles = new ArrayList<>();
     for (JsonInput item : root.items("obstacles")) {
-      obstacles.add(obstacle(item));
+      Obstacle obstacle = obstacle(item);
+      checkOverlap(item, obstacle, obstacles);
+      obstacles.add(obstacle);
     }
     return new SensingSetup(
         SensorFile.spec(root.field("sensor")), new Scene(obstacles), root.positive("no_echo_m"));
+  }
+
+  private static void checkOverlap(JsonInput item, Obstacle obstacle, List<Obstacle> before)
+      throws DataFormatException {
+    for (Obstacle other : before) {
+      if (Overlap.of(obstacle.worldOutline(), other.worldOutline())) {
+        throw item.field("outline_m")
+            .fault("obstacle " + obstacle.name() + " overlaps obstacle " + other.name());
+      }
+    }
   }
 
   private static Obstacle obstacle(JsonInput item) throws DataFormatException {
@@ -56,7 +71,17 @@ public final class SceneFile {
       corners.add(new Point(coordinate(coordinates.get(0)), coordinate(coordinates.get(1))));
     }
     try {
-      return Outline.of(corners);
+      Outline outline = Outline.of(corners);
+      Optional<Crossing> crossing = Crossing.findCrossed(outline);
+      if (crossing.isPresent()) {
+        throw item.field("outline_m")
+            .fault(
+                "the outline crosses itself: its edges from corner "
+                    + (crossing.get().firstEdge() + 1)
+                    + " and from corner "
+                    + (crossing.get().secondEdge() + 1));
+      }
+      return outline;
     } catch (IllegalArgumentException e) {
       throw item.field("outline_m").fault(String.valueOf(e.getMessage()));
     }

@@ -1,11 +1,16 @@
 package simbad.sonar.format;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import simbad.sonar.scene.SonarSpec;
 
 /** Sensors as JSON files, with the fields of {@code sensor} in a scene file. */
 public final class SensorFile {
   private static final double LARGEST_HALF_ANGLE_DEG = 180;
+
+  private static final String SENSITIVITY = "sensitivity_db";
 
   private SensorFile() {}
 
@@ -28,6 +33,37 @@ public final class SensorFile {
    */
   public static SonarSpec parse(Path name, String text) throws DataFormatException {
     return spec(JsonInput.parse(name, text));
+  }
+
+  /**
+   * Reads the curve of a sensor's sensitivity, fields {@code sensitivity_db} (pairs of degrees off
+   * the axis and decibels) and {@code sensitivity_source}.
+   *
+   * @param file JSON
+   * @return empty if the file has none
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public static Optional<Sensitivity> findSensitivity(Path file) throws DataFormatException {
+    JsonInput sensor = JsonInput.read(file);
+    if (!sensor.has(SENSITIVITY)) {
+      return Optional.empty();
+    }
+    List<Sensitivity.Point> points = new ArrayList<>();
+    for (JsonInput pair : sensor.items(SENSITIVITY)) {
+      List<JsonInput> numbers = pair.items();
+      if (numbers.size() != 2) {
+        throw pair.isNot("a pair [degrees off the axis, dB]");
+      }
+      points.add(
+          new Sensitivity.Point(
+              numbers.get(0).number(a -> a >= 0 && a <= 180, "an angle in [0, 180] degrees"),
+              numbers.get(1).number(db -> db <= 0 && db >= -200, "a level in [-200, 0] dB")));
+    }
+    try {
+      return Optional.of(new Sensitivity(sensor.text("sensitivity_source"), points));
+    } catch (IllegalArgumentException e) {
+      throw sensor.field(SENSITIVITY).fault(String.valueOf(e.getMessage()));
+    }
   }
 
   static SonarSpec spec(JsonInput sensor) throws DataFormatException {

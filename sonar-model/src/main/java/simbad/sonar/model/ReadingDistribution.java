@@ -107,31 +107,55 @@ public final class ReadingDistribution {
    * @return metres
    */
   public double quantileM(double level, double noEchoM) {
-    if (!(level > 0 && level < 1)) {
-      throw new IllegalArgumentException("level = " + level + " is not in (0, 1)");
-    }
+    return quantilesM(new double[] {level}, noEchoM)[0];
+  }
+
+  /**
+   * Returns several quantiles of the reading, faster than one after the other.
+   *
+   * @param levels in (0, 1), ascending
+   * @param noEchoM the range that a no-echo counts as, metres
+   * @return as {@link #quantileM} returns for each level, metres
+   */
+  public double[] quantilesM(double[] levels, double noEchoM) {
     requireNumber("noEchoM", noEchoM);
     double upToNoEcho = echoUpTo(noEchoM);
-    if (upToNoEcho >= level && noEchoM > 0) {
-      return Math.min(echoQuantileM(level), noEchoM);
+    double[] quantilesM = new double[levels.length];
+    long step = 0;
+    for (int i = 0; i < levels.length; i++) {
+      double level = levels[i];
+      if (!(level > 0 && level < 1)) {
+        throw new IllegalArgumentException("level = " + level + " is not in (0, 1)");
+      }
+      boolean near = upToNoEcho >= level && noEchoM > 0;
+      if (!near && upToNoEcho + noEchoProbability >= level) {
+        quantilesM[i] = noEchoM;
+        continue;
+      }
+      double reached = near ? level : level - noEchoProbability;
+      double echoM;
+      if (resolutionM > 0) {
+        step = stepQuantile(reached, step);
+        echoM = step * resolutionM;
+      } else {
+        echoM = freeQuantileM(reached);
+      }
+      quantilesM[i] = near ? Math.min(echoM, noEchoM) : echoM;
     }
-    return upToNoEcho + noEchoProbability >= level
-        ? noEchoM
-        : echoQuantileM(level - noEchoProbability);
+    return quantilesM;
   }
 
-  /** The least range with echoUpTo(range) at or above a probability that echoes do reach. */
-  private double echoQuantileM(double reached) {
-    return resolutionM > 0 ? stepQuantile(reached) * resolutionM : freeQuantileM(reached);
-  }
-
-  /** The least step that reaches it: a reading has no other values. */
-  private double stepQuantile(double reached) {
-    long low = -1;
-    long high = 1;
-    while (upToStep(high) < reached && high < Long.MAX_VALUE / 4) {
+  /**
+   * The least step that reaches a probability that echoes do reach: a reading has no other values.
+   *
+   * @param from a step that is not beyond it
+   */
+  private long stepQuantile(double reached, long from) {
+    long low = from - 1;
+    long high = from;
+    for (long stride = 1; upToStep(high) < reached && high < Long.MAX_VALUE / 4; stride *= 2) {
       low = high;
-      high *= 2;
+      high += stride;
     }
     while (high - low > 1) {
       long middle = (low + high) >>> 1;

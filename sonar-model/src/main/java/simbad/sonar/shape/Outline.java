@@ -41,6 +41,25 @@ public final class Outline {
         corners.stream().mapToDouble(Point::zM).toArray());
   }
 
+  /**
+   * Joins outlines by a line of no width from the first one's first corner to each other one's, to
+   * and fro.
+   *
+   * @param parts at least one, which do not overlap
+   */
+  public static Outline joined(List<Outline> parts) {
+    if (parts.size() == 1) {
+      return parts.get(0);
+    }
+    List<Point> corners = new ArrayList<>();
+    for (Outline part : parts) {
+      corners.addAll(part.corners());
+      corners.add(part.corners().get(0));
+      corners.add(parts.get(0).corners().get(0));
+    }
+    return of(corners);
+  }
+
   /** Returns the number of corners, which is the number of edges too. */
   public int size() {
     return xM.length;
@@ -115,6 +134,18 @@ public final class Outline {
     double length2 = ex * ex + ez * ez;
     double t = length2 == 0 ? 0 : Math.max(0, Math.min(1, (ax * ex + az * ez) / length2));
     return Math.hypot(ax - t * ex, az - t * ez);
+  }
+
+  /**
+   * Returns the area within in square metres: positive when the corners go round counter-clockwise
+   * as seen from above (x to the right, z down the page), negative when clockwise.
+   */
+  public double signedAreaM2() {
+    double twice = 0;
+    for (int i = 0, j = size() - 1; i < size(); j = i++) {
+      twice += xM[i] * zM[j] - xM[j] * zM[i];
+    }
+    return twice / 2;
   }
 
   /** Returns the length of the closed line in metres. */

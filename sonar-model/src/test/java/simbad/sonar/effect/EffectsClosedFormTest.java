@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import simbad.sonar.effect.CoarseResolution.Reported;
 import simbad.sonar.fixture.Scenes;
 import simbad.sonar.fixture.Sonars;
 import simbad.sonar.frame.Placement;
@@ -115,10 +116,13 @@ class EffectsClosedFormTest {
   /** Steps of 0.25 m: the face lies in the one from 0.75 m, its ends 6.25 deviations away. */
   @Test
   void coarseResolution_readsTheStartOrTheCentre() {
-    assertReads(P, 0.75, new CoarseResolution(0.25, false));
-    assertReads(0, 0.85, new CoarseResolution(0.25, false));
+    assertReads(P, 0.75, new CoarseResolution(0.25, Reported.START));
+    assertReads(0, 0.85, new CoarseResolution(0.25, Reported.START));
     // The centre, 0.875 m, is rounded down to the sensor's own steps.
-    assertReads(P, 0.85, new CoarseResolution(0.25, true));
+    assertReads(P, 0.85, new CoarseResolution(0.25, Reported.CENTRE));
+    // 0.85 m is nearer to 0.9 m than to 0.6 m, in steps of 0.3 m.
+    assertReads(P, 0.9, new CoarseResolution(0.3, Reported.NEAREST));
+    assertReads(0, 0.6, new CoarseResolution(0.3, Reported.NEAREST));
   }
 
   @Test
@@ -130,7 +134,7 @@ class EffectsClosedFormTest {
     assertReads(above, 0.9, new NearClamp(0.875));
     assertReads(P * 0.8943502, 0.85, new NearClamp(0.875));
     // Clamped first, then in steps of 0.25 m.
-    assertReads(P, 1, new CoarseResolution(0.25, false), new NearClamp(1.1));
+    assertReads(P, 1, new CoarseResolution(0.25, Reported.START), new NearClamp(1.1));
   }
 
   @Test
@@ -229,10 +233,10 @@ class EffectsClosedFormTest {
   void beamPattern_tapers(BeamPattern.Law law, double widthDeg, double power, double factor) {
     // exp(-0.5^3), cos^2(45 degrees), (1 - 0.5)^2.
     Pose aside = Pose.of(0, 0, Math.toRadians(-10));
-    Change taper = new BeamPattern(Math.toRadians(widthDeg), power, law);
+    Change taper = new BeamPattern(Math.toRadians(widthDeg), power, law, BeamPattern.Angle.CENTRE);
     double silent = probability(SETUP, aside, Logs.SILENCE, taper);
     assertEquals(1 - echo(1, 1.2 * factor), silent, 1e-6);
-    Change narrow = new BeamPattern(Math.toRadians(5), 1, law);
+    Change narrow = new BeamPattern(Math.toRadians(5), 1, law, BeamPattern.Angle.CENTRE);
     if (law != BeamPattern.Law.BELL) {
       assertEquals(1, probability(SETUP, aside, Logs.SILENCE, narrow), 1e-12);
     }

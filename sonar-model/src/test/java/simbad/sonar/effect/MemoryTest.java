@@ -76,7 +76,7 @@ class MemoryTest {
     return List.of(
         new Burst(world.burstShare(), world.burstLength(), world.burstDepth()),
         new Hysteresis(world.pickUp(), world.hold()),
-        new StaleReading(world.stalePings(), world.staleForS()),
+        new StaleReading(world.stalePings(), world.staleForS(), 1),
         new PreviousPing(world.ghostShare(), world.ghostFactor(), world.ghostShiftM(), 0));
   }
 

@@ -13,6 +13,7 @@ import java.util.Random;
 import java.util.Set;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import simbad.sonar.effect.CoarseResolution.Reported;
 import simbad.sonar.fixture.Scenes;
 import simbad.sonar.fixture.Sonars;
 import simbad.sonar.frame.Pose;
@@ -110,7 +111,8 @@ class OutcomesTest {
     Case plain = Case.any(random, 0.03);
     List<Change> changes =
         List.of(
-            new CoarseResolution(random.nextDouble(0.5), random.nextBoolean()),
+            new CoarseResolution(
+                random.nextDouble(0.5), random.nextBoolean() ? Reported.NEAREST : Reported.CENTRE),
             new NearClamp(random.nextDouble(1)),
             new RangeOffset(random.nextDouble(-1, 1)),
             new EarlyCrosstalk(random.nextDouble(), random.nextDouble(2), 2 + random.nextDouble()));

@@ -107,7 +107,7 @@ class SequenceTest {
       List.of(
           new Burst(0.2, 3, 1),
           new Hysteresis(0.9, 1.1),
-          new StaleReading(2, 9),
+          new StaleReading(2, 9, 1),
           new PreviousPing(0.3, 0.8, 0.05, 0.01),
           new Latency(0.7),
           new HeadingDrift(0.05, true),

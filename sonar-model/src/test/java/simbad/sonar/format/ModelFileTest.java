@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -42,7 +43,11 @@ class ModelFileTest {
         List.of(
             new NoiseTails(0.25, 0.04),
             new BearingFactor(
-                "post", List.of(0.01, 0.02, 0.0, 0.0, -0.03, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)),
+                "post",
+                DoubleStream.concat(
+                        DoubleStream.of(0.01, 0.02, 0, 0, -0.03), DoubleStream.of(new double[10]))
+                    .boxed()
+                    .toList()),
             new Gain(0.8),
             new EarlyTimeout(Double.POSITIVE_INFINITY, 0.05),
             new BeamMisalignment(Math.toRadians(5), Optional.of("right")));

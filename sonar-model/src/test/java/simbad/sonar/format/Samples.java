@@ -35,8 +35,8 @@ final class Samples {
         "setup": [
           {"form": "tails", "parameters": {"share": 0.25, "deviation_m": 0.04}},
           {"form": "threshold:post", "parameters": {
-            "constant": 0.01, "cos_1": 0.02, "sin_1": 0, "cos_2": 0, "sin_2": -0.03,
-            "cos_3": 0, "sin_3": 0, "cos_4": 0, "sin_4": 0, "cos_5": 0, "sin_5": 0}}
+            "constant": 0.01, "cos_1": 0.02, "sin_1": 0, "cos_2": 0, "sin_2": -0.03, "cos_3": 0,
+            "sin_3":0,"cos_4":0,"sin_4":0,"cos_5":0,"sin_5":0,"cos_6":0,"sin_6":0,"cos_7":0,"sin_7":0}}
         ],
         "changes": [
           {"effect": "gain", "form": "factor", "parameters": {"factor": 0.8}},

@@ -1,0 +1,83 @@
+package simbad.experiments.blindcheck;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What a withheld check was asked for. Two checks of equal order have equal results.
+ *
+ * @param version of the program that diagnoses
+ * @param source where the cases come from
+ * @param withheld names of effects that the diagnosis is not told of
+ */
+public record CheckOrder(String version, Source source, List<String> withheld) {
+
+  /** Where cases come from. */
+  public sealed interface Source permits Drawn, Foreign {}
+
+  /**
+   * Cases that blind-world draws.
+   *
+   * @param cases how many
+   * @param seed of all chance
+   * @param referenceShare the share of cases whose set-up is itself a little off and that come with
+   *     a reference
+   * @param options what else blind-world is told, as its command line has it
+   */
+  public record Drawn(int cases, long seed, double referenceShare, List<String> options)
+      implements Source {
+    /** Copies the list. */
+    public Drawn {
+      options = List.copyOf(options);
+    }
+  }
+
+  /**
+   * Data sets of others.
+   *
+   * @param folder as the user named it
+   * @param level of independence, as the user states it
+   */
+  public record Foreign(String folder, Optional<String> level) implements Source {}
+
+  /** Copies the list. */
+  public CheckOrder {
+    withheld = List.copyOf(withheld);
+  }
+
+  /** The order as a JSON object. */
+  public ObjectNode json() {
+    ObjectNode json = CheckJson.object();
+    json.put("version", version);
+    if (source instanceof Drawn drawn) {
+      json.put("cases", drawn.cases());
+      json.put("seed", drawn.seed());
+      json.put("reference_share", drawn.referenceShare());
+      drawn.options().forEach(json.putArray("options")::add);
+    } else if (source instanceof Foreign foreign) {
+      json.put("foreign", foreign.folder());
+      foreign.level().ifPresent(level -> json.put("level", level));
+    }
+    withheld.forEach(json.putArray("withheld")::add);
+    return json;
+  }
+
+  /** The command that repeats the check, less its folder. */
+  public String command() {
+    List<String> words = new ArrayList<>(List.of("./simbad blind-check"));
+    if (source instanceof Drawn drawn) {
+      words.add("--cases " + drawn.cases() + " --seed " + drawn.seed());
+      words.add("--reference " + drawn.referenceShare());
+      words.addAll(drawn.options());
+    } else if (source instanceof Foreign foreign) {
+      words.add("--foreign " + foreign.folder());
+      foreign.level().ifPresent(level -> words.add("--level '" + level + "'"));
+    }
+    if (!withheld.isEmpty()) {
+      words.add("--withhold " + String.join(",", withheld));
+    }
+    return String.join(" ", words) + " --out DIR";
+  }
+}

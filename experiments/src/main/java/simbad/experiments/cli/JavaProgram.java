@@ -1,0 +1,88 @@
+package simbad.experiments.cli;
+
+import java.io.File;
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.net.JarURLConnection;
+import java.net.URISyntaxException;
+import java.net.URL;
+import java.net.URLConnection;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A Java program that can be started as a process of its own.
+ *
+ * @param command what starts it, less its arguments
+ */
+record JavaProgram(List<String> command) {
+  private static final String BLIND_WORLD = "simbad.blindworld.Main";
+
+  JavaProgram {
+    command = List.copyOf(command);
+  }
+
+  /** This very program, with the options that this Java was started with. */
+  static JavaProgram simbad() {
+    List<String> command = new ArrayList<>(List.of(java()));
+    for (String option : ManagementFactory.getRuntimeMXBean().getInputArguments()) {
+      // It has no terminal: its progress is ours.
+      if (!option.startsWith("-Dsimbad.terminal")) {
+        command.add(option);
+      }
+    }
+    command.addAll(List.of("-cp", absolute(System.getProperty("java.class.path"))));
+    command.add(Main.class.getName());
+    return new JavaProgram(command);
+  }
+
+  /** The process runs in another folder. */
+  private static String absolute(String classPath) {
+    List<String> entries = new ArrayList<>();
+    for (String entry : classPath.split(File.pathSeparator, -1)) {
+      entries.add(Path.of(entry).toAbsolutePath().toString());
+    }
+    return String.join(File.pathSeparator, entries);
+  }
+
+  /**
+   * The blind world, which sees nothing of this program: only its own jar is on its class path.
+   *
+   * @throws IOException when this installation lacks it
+   */
+  static JavaProgram blindWorld() throws IOException {
+    String main = BLIND_WORLD.replace('.', '/') + ".class";
+    URL url = ClassLoader.getSystemResource(main);
+    if (url == null) {
+      throw new IOException("blind-world.jar is not among this program's jars");
+    }
+    return new JavaProgram(List.of(java(), "-cp", home(url, main).toString(), BLIND_WORLD));
+  }
+
+  /** The jar or the folder that a class was found in. */
+  private static Path home(URL url, String name) throws IOException {
+    URLConnection connection = url.openConnection();
+    try {
+      if (connection instanceof JarURLConnection jar) {
+        return Path.of(jar.getJarFileURL().toURI());
+      }
+      Path file = Path.of(url.toURI());
+      int depth = Path.of(name).getNameCount();
+      return file.getRoot().resolve(file.subpath(0, file.getNameCount() - depth));
+    } catch (URISyntaxException e) {
+      throw new IOException(url + ": not a place of files", e);
+    }
+  }
+
+  private static String java() {
+    return Path.of(System.getProperty("java.home"), "bin", "java").toString();
+  }
+
+  /** The whole command line. */
+  List<String> with(List<String> arguments) {
+    List<String> whole = new ArrayList<>(command);
+    whole.addAll(arguments);
+    return whole;
+  }
+}

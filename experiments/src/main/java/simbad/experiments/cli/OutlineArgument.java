@@ -1,0 +1,28 @@
+package simbad.experiments.cli;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import simbad.obstacles.Catalogue;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.OutlineDocument;
+import simbad.sonar.format.OutlineFile;
+
+/**
+ * A cross-section on the command line: an obstacle's name, an outline's file, or a folder with one.
+ */
+final class OutlineArgument {
+  private OutlineArgument() {}
+
+  static OutlineDocument parse(String argument) throws DataFormatException {
+    if (ObstacleArgument.isPath(argument)) {
+      Path path = Path.of(argument);
+      return OutlineFile.read(Files.isDirectory(path) ? path.resolve("outline.csv") : path);
+    }
+    ObstacleType type =
+        Catalogue.findAny(argument).orElseThrow(() -> ObstacleArgument.unknown(argument));
+    return new OutlineDocument(
+        type.parts(), Map.of("object", type.thresholds().header("object").orElse(type.name())));
+  }
+}

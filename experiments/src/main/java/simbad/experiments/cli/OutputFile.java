@@ -1,0 +1,36 @@
+package simbad.experiments.cli;
+
+import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import simbad.experiments.plot.Figure;
+
+/** A single file that a command writes. */
+final class OutputFile {
+  private OutputFile() {}
+
+  static void refuseExisting(Path file) throws IOException {
+    if (Files.exists(file)) {
+      throw new FileAlreadyExistsException(file.toString());
+    }
+  }
+
+  static boolean isPicture(Path file) {
+    return isPng(file) || file.toString().toLowerCase(Locale.ROOT).endsWith(".svg");
+  }
+
+  private static boolean isPng(Path file) {
+    return file.toString().toLowerCase(Locale.ROOT).endsWith(".png");
+  }
+
+  /** As PNG or SVG by the file's ending. */
+  static void draw(Figure figure, Path file) throws IOException {
+    if (isPng(file)) {
+      figure.writePng(file, Figure.PRINT_DPI);
+    } else {
+      figure.writeSvg(file);
+    }
+  }
+}

@@ -1,0 +1,106 @@
+package simbad.experiments.cli;
+
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import simbad.experiments.table.TableImport;
+import simbad.sonar.format.Provenance;
+import simbad.sonar.format.TableDocument;
+import simbad.sonar.format.TableFile;
+
+/** {@code simbad table import}. */
+@Command(
+    name = "import",
+    description = {
+      "Make a threshold table of somebody else's csv file: other column names, m, cm, mm or inches, any"
+          + " even spacing, rows in any order."
+    },
+    footer = {
+      "",
+      "Example: simbad table import bench.csv --out my-post.csv --provenance measured",
+      "Example: simbad table import plot.csv --bearing phi --threshold cm_max --unit cm --clockwise --out t.csv"
+    })
+final class TableImportCommand extends Subcommand {
+  @Parameters(paramLabel = "FILE.csv", description = "With a header row.")
+  private Path source = Path.of("");
+
+  @Option(
+      names = "--out",
+      paramLabel = "FILE",
+      description = "A file that does not exist yet. Default: print the table.")
+  private @Nullable Path file;
+
+  @Option(
+      names = "--bearing",
+      paramLabel = "COLUMN",
+      description = "Of the bearings in degrees. Default: bearing, angle, deg and the like.")
+  private @Nullable String bearing;
+
+  @Option(
+      names = "--threshold",
+      paramLabel = "COLUMN",
+      description = "Of the thresholds. Default: threshold, distance, range and the like.")
+  private @Nullable String threshold;
+
+  @Option(
+      names = "--unit",
+      paramLabel = "UNIT",
+      description = "m, cm, mm or in. Default: what the column's name ends in, else m.")
+  private TableImport.@Nullable Unit unit;
+
+  @Option(names = "--clockwise", description = "Bearings grow clockwise as seen from above.")
+  private boolean clockwise;
+
+  @Option(
+      names = "--offset",
+      paramLabel = "DEG",
+      description = "Bearing in the obstacle's frame of the file's 0. Default: ${DEFAULT-VALUE}.")
+  private double offsetDeg;
+
+  @Option(
+      names = "--provenance",
+      paramLabel = "WORD",
+      description = "One of: ${COMPLETION-CANDIDATES}.")
+  private @Nullable Provenance provenance;
+
+  @Option(names = "--object", paramLabel = "TEXT", description = "What was measured.")
+  private @Nullable String object;
+
+  @Override
+  protected void run() throws Exception {
+    if (!(Math.abs(offsetDeg) <= 360)) {
+      throw wrongUsage("--offset: " + offsetDeg + " is not in [-360, 360] degrees");
+    }
+    TableDocument document =
+        new TableImport(
+                Optional.ofNullable(bearing),
+                Optional.ofNullable(threshold),
+                Optional.ofNullable(unit),
+                clockwise,
+                offsetDeg)
+            .read(source, header());
+    if (file == null) {
+      out().print(TableFile.text(document));
+    } else {
+      OutputFile.refuseExisting(file);
+      TableFile.write(file, document);
+    }
+  }
+
+  private Map<String, String> header() {
+    Map<String, String> header = new LinkedHashMap<>();
+    if (object != null) {
+      header.put("object", object.strip());
+    }
+    if (provenance != null) {
+      header.put("provenance", provenance.word());
+    }
+    header.putIfAbsent("source", "imported from " + source.getFileName());
+    return header;
+  }
+}

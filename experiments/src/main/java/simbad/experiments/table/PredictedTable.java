@@ -1,0 +1,98 @@
+package simbad.experiments.table;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import simbad.scattering.Air;
+import simbad.scattering.Backscatter;
+import simbad.scattering.Calibration;
+import simbad.scattering.RangeLimits;
+import simbad.scattering.ThresholdPrediction;
+import simbad.sonar.format.OutlineDocument;
+import simbad.sonar.format.TableDocument;
+import simbad.sonar.format.TableFile;
+import simbad.sonar.scene.SonarSpec;
+
+/**
+ * A table that is predicted from a cross-section, with the band in which it is uncertain.
+ *
+ * @param document the table and what its file says about it
+ * @param prediction the same with its band
+ */
+public record PredictedTable(TableDocument document, ThresholdPrediction prediction) {
+  /** An SRF04 gives up after 36 ms; no sonar of its kind hears further, whatever its file says. */
+  private static final double TIME_OUT_M = 6.2;
+
+  /** Nearer than the blanking of any ranger, for files that state no minimum. */
+  private static final double LEAST_RANGE_M = 0.01;
+
+  /**
+   * Predicts a table.
+   *
+   * @param section the cross-section
+   * @param air between sensor and obstacle
+   * @param sonar whose name, minimum and maximum range are used
+   * @param calibration of the sensor's kind
+   * @param bearings how many, evenly spaced from 0
+   */
+  public static PredictedTable of(
+      OutlineDocument section, Air air, SonarSpec sonar, Calibration calibration, int bearings) {
+    ThresholdPrediction prediction =
+        ThresholdPrediction.of(
+            Backscatter.of(section.parts(), air, bearings),
+            air,
+            new RangeLimits(
+                Math.max(LEAST_RANGE_M, sonar.minRangeM()),
+                Math.min(TIME_OUT_M, sonar.maxRangeM())),
+            calibration);
+    return new PredictedTable(
+        new TableDocument(prediction.table(), header(section, air, sonar)), prediction);
+  }
+
+  private static Map<String, String> header(OutlineDocument section, Air air, SonarSpec sonar) {
+    Map<String, String> header = new LinkedHashMap<>();
+    List.of(
+            Map.entry("object", section.header("object").orElse("cross-section without a name")),
+            Map.entry("sensor", sonar.name()),
+            Map.entry("provenance", "predicted"),
+            Map.entry(
+                "source",
+                "rigid scattering at 40 kHz and the sonar equation (docs/method/scattering.md);"
+                    + " calibrated on the one inch obstacles of Kranz 2014"),
+            Map.entry("unit", "m"),
+            Map.entry("resolution", "0.001"),
+            Map.entry("reach_m", String.format(Locale.ROOT, "%.4f", section.reachM())),
+            Map.entry("temperature_c", number(air.temperatureC())),
+            Map.entry("humidity_percent", number(air.humidityPercent())),
+            Map.entry(
+                "band",
+                "threshold_low_m to threshold_high_m, "
+                    + Calibration.COVERAGE_PERCENT
+                    + " % of what was calibrated on"))
+        .forEach(entry -> header.put(entry.getKey(), entry.getValue()));
+    return header;
+  }
+
+  private static String number(double value) {
+    return String.format(Locale.ROOT, "%.6g", value).replaceAll("\\.?0+$", "");
+  }
+
+  /** Returns the table as the text of a file, the band in two further columns. */
+  public String text() {
+    StringBuilder text = new StringBuilder();
+    int row = -1; // The line of the columns' names.
+    for (String line : TableFile.text(document).lines().toList()) {
+      text.append(line);
+      if (!line.startsWith("#")) {
+        text.append(
+            row < 0
+                ? ",threshold_low_m,threshold_high_m"
+                : "," + prediction.low().valueM(row) + "," + prediction.high().valueM(row));
+        row++;
+      }
+      text.append('\n');
+    }
+    return text.toString();
+  }
+}

@@ -1,0 +1,141 @@
+package simbad.experiments.table;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import simbad.sonar.shape.ThresholdTable;
+
+/**
+ * How alike two threshold tables are, bearing by bearing, as they stand and at their best.
+ *
+ * <p>Thresholds span decades, so that the correlation is that of their logarithms, and errors are
+ * ratios. Below {@value #LEAST_M} m all thresholds count as that: no bench sets less.
+ *
+ * @param bearings of the first table, at which the second one is read off (between its own bearings
+ *     on the straight edges of its shadow)
+ * @param correlation of the logarithms, in [-1, 1]; 0 when one table is a circle
+ * @param medianRatioError median over the bearings of the greater over the lesser threshold, less 1
+ * @param meanDifferenceM mean of second less first, metres
+ * @param meanAbsoluteDifferenceM mean of the differences' sizes, metres
+ * @param best rotation and mirror of the second table that correlate best
+ */
+public record TableComparison(
+    List<Row> bearings,
+    double correlation,
+    double medianRatioError,
+    double meanDifferenceM,
+    double meanAbsoluteDifferenceM,
+    Placement best) {
+  /** What is nearer counts as this near, metres. */
+  public static final double LEAST_M = 0.01;
+
+  private static final double TURN_DEG = 360;
+
+  /**
+   * One bearing.
+   *
+   * @param bearingDeg degrees
+   * @param firstM threshold in the first table, metres
+   * @param secondM threshold in the second
+   */
+  public record Row(double bearingDeg, double firstM, double secondM) {
+    /** Returns second less first in metres. */
+    public double differenceM() {
+      return secondM - firstM;
+    }
+  }
+
+  /**
+   * How the second table has to be laid over the first.
+   *
+   * @param rotationDeg by which its bearings grow, in (-180, 180], a multiple of the first table's
+   *     spacing
+   * @param mirrored whether bearing b is taken from -b before
+   * @param correlation of the logarithms then
+   */
+  public record Placement(double rotationDeg, boolean mirrored, double correlation) {}
+
+  /** Copies the list. */
+  public TableComparison {
+    bearings = List.copyOf(bearings);
+  }
+
+  /**
+   * Compares two tables.
+   *
+   * @param first whose bearings are used
+   * @param second any number of bearings
+   */
+  public static TableComparison of(ThresholdTable first, ThresholdTable second) {
+    int n = first.size();
+    double[] a = first.valuesM();
+    double[] b =
+        IntStream.range(0, n).mapToDouble(i -> second.thresholdM(first.bearingRad(i))).toArray();
+    List<Row> rows = new ArrayList<>();
+    for (int i = 0; i < n; i++) {
+      rows.add(new Row(i * TURN_DEG / n, a[i], b[i]));
+    }
+    return new TableComparison(
+        rows,
+        correlation(a, b),
+        medianRatioError(a, b),
+        rows.stream().mapToDouble(Row::differenceM).average().orElseThrow(),
+        rows.stream().mapToDouble(row -> Math.abs(row.differenceM())).average().orElseThrow(),
+        best(a, b));
+  }
+
+  private static Placement best(double[] a, double[] b) {
+    int n = a.length;
+    Placement best = new Placement(0, false, correlation(a, b));
+    for (boolean mirrored : new boolean[] {false, true}) {
+      for (int turn = 0; turn < n; turn++) {
+        double[] laid = new double[n];
+        for (int i = 0; i < n; i++) {
+          int from = Math.floorMod(i - turn, n);
+          laid[i] = b[mirrored ? (n - from) % n : from];
+        }
+        double correlation = correlation(a, laid);
+        // A tie, as of a symmetric table with its mirror image, goes to what was tried first.
+        if (correlation > best.correlation() + 1e-12) {
+          double degrees = turn * TURN_DEG / n;
+          best =
+              new Placement(
+                  degrees > TURN_DEG / 2 ? degrees - TURN_DEG : degrees, mirrored, correlation);
+        }
+      }
+    }
+    return best;
+  }
+
+  private static double correlation(double[] a, double[] b) {
+    double[] x = logs(a);
+    double[] y = logs(b);
+    double xx = 0;
+    double yy = 0;
+    double xy = 0;
+    for (int i = 0; i < x.length; i++) {
+      xx += x[i] * x[i];
+      yy += y[i] * y[i];
+      xy += x[i] * y[i];
+    }
+    // Of a circle nothing but rounding is left.
+    return xx < 1e-20 || yy < 1e-20 ? 0 : xy / Math.sqrt(xx * yy);
+  }
+
+  /** Logarithms less their mean. */
+  private static double[] logs(double[] thresholds) {
+    double[] logs = Arrays.stream(thresholds).map(t -> Math.log(Math.max(t, LEAST_M))).toArray();
+    double mean = Arrays.stream(logs).average().orElseThrow();
+    return Arrays.stream(logs).map(value -> value - mean).toArray();
+  }
+
+  private static double medianRatioError(double[] a, double[] b) {
+    double[] sorted =
+        IntStream.range(0, a.length)
+            .mapToDouble(i -> Math.abs(Math.log(Math.max(a[i], LEAST_M) / Math.max(b[i], LEAST_M))))
+            .sorted()
+            .toArray();
+    return Math.expm1((sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]) / 2);
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package simbad.experiments.blindcheck;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,127 @@
+package simbad.experiments.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+
+/**
+ * Headless Chromium, in which pages are looked at.
+ *
+ * @param folder for its files
+ */
+public record Browser(Path folder) {
+  private static final Optional<Path> CHROMIUM =
+      Stream.of(System.getenv("PATH").split(File.pathSeparator, -1))
+          .flatMap(
+              folder ->
+                  Stream.of("chromium", "chromium-browser", "google-chrome")
+                      .map(name -> Path.of(folder, name)))
+          .filter(Files::isExecutable)
+          .findFirst();
+
+  /** Says what a reader would see amiss: errors, words over words, words cut off, a wide page. */
+  private static final String PROBE =
+      """
+      <script>
+      const found = [];
+      window.onerror = message => found.push('error: ' + message);
+      window.onload = () => {
+        const width = document.documentElement.scrollWidth;
+        if (width > window.innerWidth) found.push('wide: ' + width);
+        for (const svg of document.querySelectorAll('svg')) {
+          const box = svg.getBoundingClientRect();
+          const texts = [...svg.querySelectorAll('text')].map(t => [t.textContent, t.getBoundingClientRect()]);
+          texts.forEach(([a, p], i) => {
+            if (p.left < box.left - 1 || p.right > box.right + 1 || p.top < box.top - 1 || p.bottom > box.bottom + 1)
+              found.push('cut: ' + a);
+            texts.slice(i + 1).forEach(([b, q]) => {
+              if (p.left + 1 < q.right && q.left + 1 < p.right && p.top + 3 < q.bottom && q.top + 3 < p.bottom)
+                found.push('over each other: ' + a + ' | ' + b);
+            });
+            if (p.height < 10) found.push('small: ' + a + ' ' + p.height);
+          });
+        }
+        const out = document.createElement('pre');
+        out.id = 'probe';
+        out.textContent = '[' + found.join('; ') + ']';
+        document.body.appendChild(out);
+      };
+      </script>
+      </body>
+      """;
+
+  /** False where the machine has none. */
+  public static boolean isThere() {
+    return CHROMIUM.isPresent();
+  }
+
+  /** What a reader would see amiss in a page: a list in brackets, empty when nothing is. */
+  public String faults(String page, int width, boolean dark)
+      throws IOException, InterruptedException {
+    Path probed =
+        Files.writeString(folder.resolve("probed.html"), page.replace("</body>\n", PROBE));
+    String dom = chromium(probed, width, dark, "--dump-dom");
+    Matcher probe = Pattern.compile("<pre id=\"probe\">(.*?)</pre>", Pattern.DOTALL).matcher(dom);
+    assertTrue(probe.find(), dom);
+    assertTrue(!dom.contains("CONSOLE"), dom);
+    return probe.group(1);
+  }
+
+  /** The first screen, 800 pixels high. */
+  public BufferedImage picture(String page, int width, boolean dark)
+      throws IOException, InterruptedException {
+    Path plain = Files.writeString(folder.resolve("plain.html"), page);
+    Path png = folder.resolve("page.png");
+    chromium(plain, width, dark, "--screenshot=" + png);
+    return ImageIO.read(png.toFile());
+  }
+
+  /** Returns what Chromium prints on both streams. */
+  private String chromium(Path page, int width, boolean dark, String what)
+      throws IOException, InterruptedException {
+    List<String> command = new ArrayList<>();
+    command.add(CHROMIUM.orElseThrow().toString());
+    command.addAll(
+        List.of(
+            "--headless",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--disable-quic",
+            "--no-first-run",
+            "--disable-background-networking",
+            "--disable-component-update",
+            "--disable-sync",
+            "--disable-dev-shm-usage",
+            "--hide-scrollbars",
+            "--enable-logging=stderr",
+            "--user-data-dir=" + Files.createTempDirectory(folder, "profile"),
+            "--window-size=" + width + ",800",
+            "--blink-settings=preferredColorScheme=" + (dark ? 0 : 1),
+            what,
+            page.toUri().toString()));
+    Path output = Files.createTempFile(folder, "output", ".txt");
+    Process process =
+        new ProcessBuilder(command)
+            .redirectErrorStream(true)
+            .redirectOutput(output.toFile())
+            .start();
+    boolean ended = process.waitFor(2, TimeUnit.MINUTES);
+    process.destroyForcibly();
+    String text = Files.readString(output, StandardCharsets.ISO_8859_1);
+    assertTrue(ended && process.exitValue() == 0, text);
+    return text;
+  }
+}

@@ -1,0 +1,32 @@
+package simbad.gap.fit;
+
+/**
+ * Fits a set-up to its reference and to a log together, while the log's effects stay as they are.
+ */
+public final class JointFitter extends Fitter {
+  private final Fitter log;
+  private final Hypothesis effects;
+
+  /**
+   * Creates a fitter.
+   *
+   * @param reference without calibration
+   * @param log without calibration
+   * @param effects at work in the log alone
+   */
+  public JointFitter(Evidence reference, Evidence log, Hypothesis effects) {
+    super(reference, Fold.ALL);
+    this.log = new Fitter(log, Fold.ALL);
+    this.effects = effects;
+  }
+
+  /** Returns the log likelihood of a set-up: of the reference, and of the log with its effects. */
+  @Override
+  public double logLikelihood(Hypothesis setup) {
+    Hypothesis both = setup;
+    for (int i = 0; i < effects.forms().size(); i++) {
+      both = both.and(effects.forms().get(i), effects.valuesOf(i));
+    }
+    return super.logLikelihood(setup) + log.logLikelihood(both);
+  }
+}

@@ -1,0 +1,94 @@
+package simbad.gap.explain;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Hypothesis;
+import simbad.gap.fixture.Worlds;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.ReadingRow;
+
+class MisfitTest {
+  private static Evidence drawn(Hypothesis truth, long seed) {
+    return Worlds.evidence(Worlds.read(Worlds.poses(2000, 0.3, 2.2, seed), truth, seed + 1));
+  }
+
+  private static double top(Evidence evidence, Hypothesis hypothesis) {
+    return new Misfit(evidence, hypothesis).top(5);
+  }
+
+  /** The greatest of some hundred standard normal numbers, five ways apart. */
+  @Test
+  void rightModel_isOffByChance() {
+    for (long seed = 1; seed <= 5; seed++) {
+      double top = top(drawn(Hypothesis.NONE, seed), Hypothesis.NONE);
+      assertTrue(top > 1.5 && top < 3.9, "top " + top);
+    }
+  }
+
+  @Test
+  void rightModelWithMemory_isOffByChance() {
+    Hypothesis bursts = Worlds.effect(Effect.DROPOUT, "bursts", 0.3, 12);
+    for (long seed = 1; seed <= 3; seed++) {
+      double top = top(drawn(bursts, seed), bursts);
+      assertTrue(top > 1.5 && top < 4.1, "top " + top);
+    }
+  }
+
+  @Test
+  void wrongModel_isOff() {
+    Hypothesis gain = Worlds.effect(Effect.GAIN, "factor", 0.8);
+    assertTrue(top(drawn(gain, 7), Hypothesis.NONE) > 6);
+    assertTrue(top(drawn(gain, 7), gain) < 4);
+  }
+
+  /** Bursts learn ping by ping that it is silent far off; where no reading is known they cannot. */
+  @Test
+  void memoryThatSoaksUpSomethingElse_isSeenAhead() {
+    List<ReadingRow> rows =
+        Worlds.read(Worlds.poses(2000, 0.3, 2.2, 9), Hypothesis.NONE, 10).stream()
+            .map(row -> row.pose().position().xM() > 0.6 ? silent(row) : row)
+            .toList();
+    Evidence evidence = Worlds.evidence(rows);
+    Hypothesis bursts = Worlds.effect(Effect.DROPOUT, "bursts", 0.3, 10);
+    Misfit misfit = new Misfit(evidence, bursts);
+    Misfit.Slice worst =
+        misfit.slices().stream()
+            .filter(slice -> slice.kind().equals("forecast"))
+            .findFirst()
+            .orElseThrow();
+    assertTrue(Math.abs(worst.z()) > 5, worst::toString);
+    assertTrue(misfit.slices().size() > 100);
+  }
+
+  private static ReadingRow silent(ReadingRow row) {
+    return new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), NoEcho.NO_ECHO);
+  }
+
+  @Test
+  void blocks_holdEveryPingOnceInHalves() {
+    Evidence evidence = drawn(Hypothesis.NONE, 11);
+    Blocks blocks = new Blocks(evidence.log());
+    assertEquals(12, blocks.count());
+    for (int ping = 0; ping < evidence.log().size(); ping++) {
+      assertEquals(blocks.half(0).holds(ping), !blocks.half(1).holds(ping));
+    }
+  }
+
+  @Test
+  void gain_isMeasuredOnRowsThatWereNotFitted() {
+    Hypothesis offset = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.05);
+    Evidence evidence = drawn(offset, 13);
+    Blocks blocks = new Blocks(evidence.log());
+    Gain gain = Gain.of(evidence, blocks, offset);
+    assertTrue(gain.afterM() < gain.beforeM() - 0.005, () -> "after " + gain.afterM());
+    assertEquals(gain.afterM(), gain.floorM(), 0.1 * gain.afterM());
+    double[] shrinks = gain.resampled(blocks, 1);
+    double shrink = 1 - gain.afterM() / gain.beforeM();
+    assertTrue(shrinks[25] < shrink && shrink < shrinks[974], () -> "shrink " + shrink);
+  }
+}

@@ -1,0 +1,59 @@
+package simbad.gap.explain;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import simbad.gap.fit.Hypothesis;
+import simbad.gap.fixture.Worlds;
+import simbad.sonar.effect.Effect;
+
+class ProbabilitiesTest {
+  private static final Hypothesis GAIN = Worlds.effect(Effect.GAIN, "factor", 0.8);
+  private static final Hypothesis ABSORPTION = Worlds.effect(Effect.ABSORPTION, "hyperbolic", 0.1);
+  private static final Hypothesis BOTH = GAIN.and(ABSORPTION.forms().get(0), 0.1);
+
+  private static Scored scored(Hypothesis set, double nats) {
+    return new Scored(set, nats, nats);
+  }
+
+  /** One effect that gains just its cost is as probable as none. */
+  @Test
+  void anEffectCosts() {
+    Probabilities even =
+        new Probabilities(List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -90)), 10, 1);
+    assertEquals(0.5, even.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
+    Probabilities four =
+        new Probabilities(List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -86)), 10, 1);
+    assertEquals(1 / (1 + Math.exp(-2)), four.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
+    assertEquals(GAIN, four.best().hypothesis());
+    Probabilities clumped =
+        new Probabilities(List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -86)), 10, 2);
+    assertEquals(1 / (1 + Math.exp(-1)), clumped.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
+  }
+
+  @Test
+  void tiesAreWhatCouldStandInItsPlace() {
+    Probabilities close =
+        new Probabilities(List.of(scored(GAIN, -50), scored(ABSORPTION, -52)), 10, 1);
+    assertEquals(List.of(Effect.ABSORPTION), close.inPlaceOf(Effect.GAIN, 3));
+    assertEquals(List.of(), close.inPlaceOf(Effect.GAIN, 1));
+  }
+
+  @Test
+  void capped_aSetPredictsNoBetterThanItFits() {
+    List<Scored> capped =
+        HeldOut.capped(
+            List.of(
+                new Scored(Hypothesis.NONE, -100, -101),
+                new Scored(GAIN, -60, -61),
+                new Scored(BOTH, -59, -40)));
+    double both =
+        capped.stream()
+            .filter(set -> set.hypothesis().equals(BOTH))
+            .findFirst()
+            .orElseThrow()
+            .heldOut();
+    assertEquals(-60, both, 1e-12);
+  }
+}

@@ -1,0 +1,145 @@
+package simbad.scattering;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.ejml.data.Complex_F64;
+import org.ejml.data.ZMatrixRMaj;
+import org.ejml.dense.row.factory.LinearSolverFactory_ZDRM;
+import org.ejml.interfaces.linsol.LinearSolverDense;
+import simbad.sonar.shape.Outline;
+
+/**
+ * How a rigid, infinitely long upright body scatters plane waves of one frequency: the exterior
+ * Neumann problem of the Helmholtz equation in two dimensions, time factor e^(-i w t).
+ *
+ * <p>Direct boundary elements: total pressure p constant on each element, collocated at the
+ * middles. The equation is Burton and Miller's (1971), p/2 - M p - (i/k) N p = p_inc + (i/k)
+ * dp_inc/dn with the double layer M and its normal derivative N, because the first half alone has
+ * no unique solution at the resonances of the body's inside. N is never integrated: with p constant
+ * on an element Maue's identity leaves the tangential derivative of Green's function at the
+ * element's two ends and a weakly singular rest (Colton and Kress 2013, section 3.1).
+ *
+ * <p>Not thread-safe while it is made; what it returns may be shared.
+ */
+public final class RigidScatterer {
+  /** How uniqueness is ensured. */
+  enum Formulation {
+    /** Burton and Miller's; unique at every frequency. */
+    BURTON_MILLER,
+    /** The first half alone, wrong at resonances of the inside; only to show that. */
+    PLAIN
+  }
+
+  private final Boundary boundary;
+  private final double wavenumber;
+  private final double coupling;
+  private final LinearSolverDense<ZMatrixRMaj> solver;
+
+  private RigidScatterer(Boundary boundary, double wavenumber, Formulation formulation) {
+    this.boundary = boundary;
+    this.wavenumber = wavenumber;
+    coupling = formulation == Formulation.PLAIN ? 0 : 1 / wavenumber;
+    solver = LinearSolverFactory_ZDRM.lu(boundary.size());
+  }
+
+  /**
+   * Prepares a body.
+   *
+   * @param outlines of its cross-section's bodies, which cross neither themselves nor each other;
+   *     either sense of going round
+   * @param wavenumberPerM k = 2 pi f / c, radians per metre, positive
+   * @param elementM mean length of an edge's elements, metres, positive; a tenth of the wavelength
+   *     or less
+   */
+  public static RigidScatterer of(List<Outline> outlines, double wavenumberPerM, double elementM) {
+    return of(outlines, wavenumberPerM, elementM, Formulation.BURTON_MILLER);
+  }
+
+  static RigidScatterer of(
+      List<Outline> outlines, double wavenumberPerM, double elementM, Formulation formulation) {
+    RigidScatterer scatterer =
+        new RigidScatterer(Boundary.of(outlines, elementM), wavenumberPerM, formulation);
+    if (!scatterer.solver.setA(scatterer.matrix())) {
+      throw new IllegalArgumentException(
+          "outlines give equations that cannot be solved: " + outlines);
+    }
+    return scatterer;
+  }
+
+  /** Returns the number of elements. */
+  public int elements() {
+    return boundary.size();
+  }
+
+  private ZMatrixRMaj matrix() {
+    int n = boundary.size();
+    ZMatrixRMaj matrix = new ZMatrixRMaj(n, n);
+    LayerPotentials layers = new LayerPotentials(boundary, wavenumber);
+    IntStream.range(0, n).parallel().forEach(i -> layers.fillRow(i, coupling, matrix.data));
+    return matrix;
+  }
+
+  /**
+   * Returns the amplitude f of the echo: far away, at distance r back where the wave came from, the
+   * scattered pressure is f e^(ikr) / sqrt(r) for an incident wave of amplitude 1.
+   *
+   * @param bearingsRad of the sensor in the body's frame
+   * @return |f| per bearing, square roots of metres
+   */
+  public double[] backscatter(double[] bearingsRad) {
+    int n = boundary.size();
+    int count = bearingsRad.length;
+    ZMatrixRMaj incident = new ZMatrixRMaj(n, count);
+    for (int b = 0; b < count; b++) {
+      fillIncident(incident, b, bearingsRad[b]);
+    }
+    ZMatrixRMaj pressure = new ZMatrixRMaj(n, count);
+    solver.solve(incident, pressure);
+    double[] amplitude = new double[count];
+    for (int b = 0; b < count; b++) {
+      amplitude[b] = farField(pressure, b, bearingsRad[b]);
+    }
+    return amplitude;
+  }
+
+  private void fillIncident(ZMatrixRMaj incident, int column, double bearingRad) {
+    double towardsX = Math.sin(bearingRad);
+    double towardsZ = Math.cos(bearingRad);
+    for (int i = 0; i < boundary.size(); i++) {
+      double phase =
+          -wavenumber * (towardsX * boundary.middleX(i) + towardsZ * boundary.middleZ(i));
+      // (i/k) dp/dn = (i/k) (-i k towards.n) p
+      double factor = 1 + coupling * wavenumber * facing(i, towardsX, towardsZ);
+      incident.set(i, column, factor * Math.cos(phase), factor * Math.sin(phase));
+    }
+  }
+
+  /** Cosine of the angle between a direction and an element's normal. */
+  private double facing(int j, double towardsX, double towardsZ) {
+    return towardsX * boundary.tangentZ(j) - towardsZ * boundary.tangentX(j);
+  }
+
+  /** Each element's share is exact: a straight line of constant pressure. */
+  private double farField(ZMatrixRMaj pressure, int column, double bearingRad) {
+    double towardsX = Math.sin(bearingRad);
+    double towardsZ = Math.cos(bearingRad);
+    Complex_F64 p = new Complex_F64();
+    double re = 0;
+    double im = 0;
+    for (int j = 0; j < boundary.size(); j++) {
+      double along =
+          wavenumber
+              * boundary.lengthM(j)
+              / 2
+              * (towardsX * boundary.tangentX(j) + towardsZ * boundary.tangentZ(j));
+      double spread = Math.abs(along) < 1e-8 ? 1 : Math.sin(along) / along;
+      double weight = boundary.lengthM(j) * spread * facing(j, towardsX, towardsZ);
+      double phase =
+          -wavenumber * (towardsX * boundary.middleX(j) + towardsZ * boundary.middleZ(j));
+      pressure.get(j, column, p);
+      re += weight * (p.real * Math.cos(phase) - p.imaginary * Math.sin(phase));
+      im += weight * (p.real * Math.sin(phase) + p.imaginary * Math.cos(phase));
+    }
+    return wavenumber / Math.sqrt(8 * Math.PI * wavenumber) * Math.hypot(re, im);
+  }
+}

@@ -1,0 +1,39 @@
+package simbad.scattering;
+
+import java.util.Arrays;
+import simbad.sonar.shape.ThresholdTable;
+
+/**
+ * The thresholds that are to be expected of a cross-section.
+ *
+ * @param table predicted, metres, in steps of 1 mm
+ * @param low lower end of the band of 80 %, per bearing
+ * @param high upper end
+ */
+public record ThresholdPrediction(ThresholdTable table, ThresholdTable low, ThresholdTable high) {
+  private static final double STEPS_PER_M = 1000;
+
+  /**
+   * Predicts a table.
+   *
+   * @param target how the cross-section echoes
+   * @param air between sensor and obstacle
+   * @param limits of the sensor: blanking and time-out
+   * @param calibration of the sensor
+   */
+  public static ThresholdPrediction of(
+      Backscatter target, Air air, RangeLimits limits, Calibration calibration) {
+    SonarEquation equation = SonarEquation.of(calibration.receiver(), air, limits);
+    return new ThresholdPrediction(
+        table(equation, target, 0),
+        table(equation, target, -calibration.spreadDb()),
+        table(equation, target, calibration.spreadDb()));
+  }
+
+  private static ThresholdTable table(SonarEquation equation, Backscatter target, double raisedDb) {
+    return ThresholdTable.of(
+        Arrays.stream(equation.thresholdsM(target, raisedDb))
+            .map(metres -> Math.round(metres * STEPS_PER_M) / STEPS_PER_M)
+            .toArray());
+  }
+}

@@ -1,0 +1,49 @@
+package simbad.scattering;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class AirTest {
+  /** 40 kHz, 101.325 kPa, computed from the standard's formula by another program: dB per metre. */
+  @ParameterizedTest
+  @CsvSource({
+    "0, 10, 0.26",
+    "0, 100, 0.73",
+    "10, 50, 0.85",
+    "20, 10, 0.46",
+    "20, 30, 1.07",
+    "20, 50, 1.32",
+    "20, 80, 1.23",
+    "30, 30, 1.53",
+    "30, 90, 0.95",
+    "40, 20, 1.73",
+    "40, 100, 0.72"
+  })
+  void absorption_at40kHz(double temperatureC, double humidityPercent, double dbPerM) {
+    assertEquals(dbPerM, new Air(temperatureC, humidityPercent).absorptionDbPerM(40_000), 0.0051);
+  }
+
+  /** ISO 9613-1:1993, table 1: 1 kHz, 20 degrees, 50 %: 4.66 dB per km; 10 kHz: 159 dB per km. */
+  @ParameterizedTest
+  @CsvSource({"1000, 4.66", "10000, 159"})
+  void absorption_isTheStandardsTable(double frequencyHz, double dbPerKm) {
+    assertEquals(dbPerKm, 1000 * Air.ROOM.absorptionDbPerM(frequencyHz), 0.01 * dbPerKm);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"-10, 325.2", "0, 331.3", "20, 343.2", "40, 354.7"})
+  void soundSpeed_followsTheTemperature(double temperatureC, double speed) {
+    assertEquals(speed, new Air(temperatureC, 50).soundSpeedMPerS(), 0.05);
+  }
+
+  @Test
+  void impossibleAir_isRefused() {
+    assertThrows(IllegalArgumentException.class, () -> new Air(-41, 50));
+    assertThrows(IllegalArgumentException.class, () -> new Air(20, 101));
+    assertThrows(IllegalArgumentException.class, () -> new Air(Double.NaN, 50));
+  }
+}

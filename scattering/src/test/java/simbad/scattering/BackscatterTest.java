@@ -1,0 +1,126 @@
+package simbad.scattering;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import simbad.sonar.frame.Point;
+import simbad.sonar.shape.Outline;
+import simbad.sonar.shape.ThresholdTable;
+
+class BackscatterTest {
+  /** Halving the elements moves no logarithm of a threshold by a hundredth. */
+  @Test
+  void thresholds_haveConverged() {
+    checkConverged(Cases.angle());
+    checkConverged(Cases.square(0.0254));
+  }
+
+  private static void checkConverged(Outline outline) {
+    double elementM = Backscatter.elementM(List.of(outline), Air.ROOM);
+    double[] here = thresholds(outline, elementM);
+    double[] finer = thresholds(outline, elementM / 2);
+    double worst = 0;
+    double sum = 0;
+    for (int i = 0; i < here.length; i++) {
+      double change = Math.abs(Math.log(finer[i] / here[i]));
+      worst = Math.max(worst, change);
+      sum += change;
+    }
+    assertTrue(sum / here.length < 0.005, "mean change " + sum / here.length);
+    assertTrue(worst < 0.02, "greatest change " + worst);
+  }
+
+  private static double[] thresholds(Outline outline, double elementM) {
+    Backscatter target = Backscatter.of(List.of(outline), Air.ROOM, 72, elementM);
+    return SonarEquation.of(new Receiver(33.75, 0, 0.001), Air.ROOM, Cases.SRF04)
+        .thresholdsM(target, 0);
+  }
+
+  /** What is symmetric in space is in the table: a square by quarter turns and mirrored. */
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 5, 8})
+  void square_hasItsSymmetries(int index) {
+    Backscatter square = Cases.echo(Cases.square(0.0254));
+    assertEquals(square.levelDb(index), square.levelDb(index + 18), 1e-6);
+    assertEquals(square.levelDb(index), square.levelDb((72 - index) % 72), 1e-6);
+  }
+
+  @Test
+  void senseOfTheOutline_doesNotMatter() {
+    Outline angle = Cases.angle();
+    List<Point> corners = new ArrayList<>(angle.corners());
+    Collections.reverse(corners);
+    Backscatter one = Cases.echo(angle);
+    Backscatter other = Cases.echo(Outline.of(corners));
+    for (int i = 0; i < 12; i++) {
+      assertEquals(one.levelDb(i), other.levelDb(i), 1e-6);
+    }
+  }
+
+  /** Its lobes are where the thesis measured them: over the outer faces, +x and -z. */
+  @Test
+  void angle_echoesMostFromItsFaces() {
+    Backscatter angle = Cases.echo(Cases.angle());
+    assertTrue(angle.levelDb(18) > angle.levelDb(22) + 10);
+    assertTrue(angle.levelDb(36) > angle.levelDb(32) + 10);
+    assertTrue(angle.levelDb(63) > angle.levelDb(27) + 10, "inner corner over outer edge");
+  }
+
+  @Test
+  void smearing_ofAConstant_isTheConstant() {
+    double[] raw = new double[72];
+    Arrays.fill(raw, 0.3);
+    for (double value : Backscatter.smeared(raw, 1, 0.1)) {
+      assertEquals(0.3, value, 1e-15);
+    }
+  }
+
+  @Test
+  void largeOutlines_getElementsWithinATenthOfAWavelength() {
+    double wavelengthM = 2 * Math.PI / Air.ROOM.wavenumberPerM(Backscatter.FREQUENCY_HZ);
+    assertEquals(0.25e-3, Backscatter.elementM(List.of(Cases.square(0.025)), Air.ROOM), 1e-12);
+    assertEquals(0.5e-3, Backscatter.elementM(List.of(Cases.square(0.1)), Air.ROOM), 1e-12);
+    assertEquals(wavelengthM / 10, Backscatter.elementM(List.of(Cases.square(1)), Air.ROOM), 1e-12);
+  }
+
+  /** 72 bearings of a larger post stay within the table's limits. */
+  @Test
+  void prediction_ofALargerPost_isATable() {
+    ThresholdPrediction prediction = Cases.predicted(Cases.circle(0.05, 48), Calibration.SRF04);
+    ThresholdTable table = prediction.table();
+    for (int i = 0; i < table.size(); i++) {
+      assertTrue(prediction.low().valueM(i) <= table.valueM(i));
+      assertTrue(table.valueM(i) <= prediction.high().valueM(i));
+      assertEquals(table.valueM(0), table.valueM(i), 0.05, "a circle");
+    }
+    assertTrue(table.valueM(0) > 2, "thicker than the one inch tube of about 2 m");
+  }
+
+  /**
+   * Two posts far apart answer like one each: their mean power is twice that of one, as long as the
+   * bearings between which their echoes interfere are averaged.
+   */
+  @Test
+  void twoPosts_answerTogether() {
+    Outline one = Cases.circle(0.005, 24);
+    List<Outline> pair = List.of(shifted(one, -0.03), shifted(one, 0.03));
+    Backscatter both = Backscatter.of(pair, Air.ROOM, 72);
+    double power = 0;
+    for (int i = 0; i < both.size(); i++) {
+      power += Math.pow(10, both.levelDb(i) / 10) / both.size();
+    }
+    double single = Math.pow(10, Cases.echo(one).levelDb(0) / 10);
+    assertEquals(2, power / single, 0.3);
+  }
+
+  private static Outline shifted(Outline outline, double xM) {
+    return Outline.of(outline.corners().stream().map(c -> new Point(c.xM() + xM, c.zM())).toList());
+  }
+}
