@@ -56,7 +56,8 @@ public final class ScriptedBench implements BoardWorld {
     sensor = bind(0);
   }
 
-  private static SonarSpec ofBoard(SonarSpec spec) {
+  /** The figures of a sensor whose near limit and steps are those of the board. */
+  static SonarSpec ofBoard(SonarSpec spec) {
     return new SonarSpec(
         spec.name(),
         spec.coneHalfAngleRad(),

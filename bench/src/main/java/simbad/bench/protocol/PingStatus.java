@@ -25,7 +25,12 @@ public enum PingStatus {
     return word;
   }
 
-  static Optional<PingStatus> find(String word) {
+  /**
+   * Finds the status that a word means.
+   *
+   * @param word as in docs/protocol.csv
+   */
+  public static Optional<PingStatus> find(String word) {
     return Arrays.stream(values()).filter(status -> status.word.equals(word)).findFirst();
   }
 }

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
@@ -194,12 +193,9 @@ final class BoardCommand extends Subcommand {
   }
 
   private DetectionRule rule() {
-    for (DetectionRule rule : DetectionRule.values()) {
-      if (rule.name().toLowerCase(Locale.ROOT).equals(sensor)) {
-        return rule;
-      }
-    }
-    throw wrongUsage("--sensor: '" + sensor + "' is none of shadow, original, overlap, noisy");
+    return RuleArgument.parse(sensor)
+        .orElseThrow(
+            () -> wrongUsage("--sensor: '" + sensor + "' is none of " + RuleArgument.NAMES));
   }
 
   private void requireRange(String option, double value) {

@@ -16,8 +16,13 @@ final class Progress implements AutoCloseable {
     this.bar = bar;
   }
 
+  /** Tells whether a person looks on. */
+  static boolean onTerminal() {
+    return Boolean.getBoolean(TERMINAL_PROPERTY);
+  }
+
   static Progress of(String what, long steps) {
-    if (!Boolean.getBoolean(TERMINAL_PROPERTY)) {
+    if (!onTerminal()) {
       return new Progress(null);
     }
     return new Progress(

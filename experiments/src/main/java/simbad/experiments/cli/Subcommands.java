@@ -13,6 +13,7 @@ final class Subcommands {
         new ViewCommand(),
         new DemoCommand(),
         new TableCommand(),
+        new BenchCommand(),
         new SensorCommand(),
         new FidelityCommand(),
         new BoardCommand(),

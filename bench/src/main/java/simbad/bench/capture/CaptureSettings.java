@@ -1,0 +1,100 @@
+package simbad.bench.capture;
+
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.Set;
+import simbad.sonar.format.DataFormatException;
+
+/**
+ * How a capture was begun, as its journal's first line tells.
+ *
+ * @param plan of the sweep
+ * @param temperatureC of the air, if it was known
+ * @param origin everything else by name: obstacle, sensor, port, firmware, version, date
+ */
+public record CaptureSettings(
+    SweepPlan plan, OptionalDouble temperatureC, Map<String, String> origin) {
+  private static final String FORMAT = "format";
+  private static final String FORMAT_NAME = "bench-journal/1";
+  private static final String TEMPERATURE = "temperature_c";
+  private static final Set<String> OWN =
+      Set.of(FORMAT, TEMPERATURE, "bearings", "pings", "misses", "step_m", "near_m", "far_m");
+
+  /** Copies what stands there, in its order. */
+  public CaptureSettings {
+    origin = new LinkedHashMap<>(origin);
+  }
+
+  /** Returns one thing of the origin, empty text when it is not told. */
+  public String of(String name) {
+    return origin.getOrDefault(name, "");
+  }
+
+  /** Returns the same with one thing of the origin told. */
+  public CaptureSettings with(String name, String value) {
+    Map<String, String> all = new LinkedHashMap<>(origin);
+    all.put(name, value);
+    return new CaptureSettings(plan, temperatureC, all);
+  }
+
+  /** Returns the first entry of a journal that was begun so. */
+  public Entry.Begun entry() {
+    Map<String, String> all = new LinkedHashMap<>();
+    all.put(FORMAT, FORMAT_NAME);
+    all.put("bearings", Integer.toString(plan.bearings()));
+    all.put("pings", Integer.toString(plan.pings()));
+    all.put("misses", Integer.toString(plan.misses()));
+    all.put("step_m", Double.toString(plan.stepM()));
+    all.put("near_m", Double.toString(plan.nearM()));
+    all.put("far_m", Double.toString(plan.farM()));
+    temperatureC.ifPresent(degreesC -> all.put(TEMPERATURE, Double.toString(degreesC)));
+    all.putAll(origin);
+    return new Entry.Begun(all);
+  }
+
+  /**
+   * Reads the first entry of a journal.
+   *
+   * @throws DataFormatException if it is of another format, or a number is none
+   */
+  public static CaptureSettings of(JournalText text) throws DataFormatException {
+    Map<String, String> all = text.begun().settings();
+    Path file = text.file();
+    if (!FORMAT_NAME.equals(all.get(FORMAT))) {
+      throw DataFormatException.inField(file, 1, FORMAT, "expected " + FORMAT_NAME);
+    }
+    try {
+      return new CaptureSettings(plan(all), temperature(all), rest(all));
+    } catch (IllegalArgumentException e) {
+      throw DataFormatException.inField(file, 1, "begun", String.valueOf(e.getMessage()));
+    }
+  }
+
+  private static SweepPlan plan(Map<String, String> all) {
+    return new SweepPlan(
+        (int) number(all, "bearings"),
+        (int) number(all, "pings"),
+        (int) number(all, "misses"),
+        number(all, "step_m"),
+        number(all, "near_m"),
+        number(all, "far_m"));
+  }
+
+  private static double number(Map<String, String> all, String name) {
+    return Double.parseDouble(all.getOrDefault(name, ""));
+  }
+
+  private static OptionalDouble temperature(Map<String, String> all) {
+    return all.containsKey(TEMPERATURE)
+        ? OptionalDouble.of(number(all, TEMPERATURE))
+        : OptionalDouble.empty();
+  }
+
+  private static Map<String, String> rest(Map<String, String> all) {
+    Map<String, String> rest = new LinkedHashMap<>(all);
+    rest.keySet().removeAll(OWN);
+    return rest;
+  }
+}

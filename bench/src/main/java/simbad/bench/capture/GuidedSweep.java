@@ -1,0 +1,175 @@
+package simbad.bench.capture;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+
+/**
+ * The sweep that a person does: says what to do, takes the distance that the person read from the
+ * tape, pings there, and says whether the echo is lost. Not thread-safe.
+ */
+public final class GuidedSweep {
+  private static final double CM = 100;
+  private static final double GREATEST_CM = 10_000;
+
+  private final SweepPlan plan;
+  private final Recorder recorder;
+  private final PingSource pings;
+  private final Operator operator;
+  private final InstantSource clock;
+  private OptionalInt chosen = OptionalInt.empty();
+
+  /**
+   * Prepares a sweep.
+   *
+   * @param plan what is to be done
+   * @param recorder keeps what was done
+   * @param pings gives the readings
+   * @param operator the person
+   * @param clock tells how long a bearing takes
+   */
+  public GuidedSweep(
+      SweepPlan plan, Recorder recorder, PingSource pings, Operator operator, InstantSource clock) {
+    this.plan = plan;
+    this.recorder = recorder;
+    this.pings = pings;
+    this.operator = operator;
+    this.clock = clock;
+  }
+
+  /**
+   * Goes on until all bearings are done, or the person ends it.
+   *
+   * @return whether all are done
+   * @throws IOException if there are no readings any more, or they cannot be recorded
+   * @throws InterruptedException if the thread is interrupted
+   */
+  public boolean run() throws IOException, InterruptedException {
+    Instant begun = clock.instant();
+    int doneBefore = recorder.state().doneCount();
+    for (OptionalInt bearing = next(); bearing.isPresent(); bearing = next()) {
+      int at = bearing.getAsInt();
+      operator.show(new SweepView(plan, recorder.state(), at, left(begun, doneBefore)));
+      if (!obey(at, operator.ask(pings).strip())) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private Optional<Duration> left(Instant begun, int doneBefore) {
+    int done = recorder.state().doneCount();
+    if (done <= doneBefore) {
+      return Optional.empty();
+    }
+    Duration each = Duration.between(begun, clock.instant()).dividedBy(done - doneBefore);
+    return Optional.of(each.multipliedBy(plan.bearings() - done));
+  }
+
+  private OptionalInt next() {
+    return chosen.isPresent() ? chosen : recorder.state().nextBearing(plan);
+  }
+
+  /** Carries out what was typed; false for the end. */
+  private boolean obey(int bearing, String typed) throws IOException, InterruptedException {
+    String[] words = typed.split(" +", 2);
+    OptionalDouble number = number(words.length > 1 ? words[1] : words[0]);
+    switch (words[0]) {
+      case "q" -> {
+        return false;
+      }
+      case "", "d" -> accept(bearing);
+      case "u" -> undo(bearing);
+      case "r" -> repeat(number);
+      case "t" -> warm(number);
+      default -> take(bearing, number(typed), typed);
+    }
+    return true;
+  }
+
+  private void accept(int bearing) throws IOException {
+    List<Level> levels = recorder.state().levels(bearing);
+    boolean lost = levels.stream().anyMatch(plan::isLost);
+    boolean heard = levels.stream().anyMatch(level -> !plan.isLost(level));
+    if (!lost || !heard) {
+      operator.say("not done: there must be a distance where it is heard and one where it is lost");
+      return;
+    }
+    recorder.record(new Entry.Done(bearing));
+    chosen = OptionalInt.empty();
+    operator.say("bearing done: " + ThresholdFit.of(levels, plan).text());
+  }
+
+  /** Of the bearing that is under way, or else of the one before. */
+  private void undo(int bearing) throws IOException {
+    int at = recorder.state().levels(bearing).isEmpty() && bearing > 0 ? bearing - 1 : bearing;
+    if (recorder.state().levels(at).isEmpty()) {
+      operator.say("nothing to undo");
+      return;
+    }
+    recorder.record(new Entry.Undone(at));
+    chosen = OptionalInt.of(at);
+    operator.say("the last distance does not count any more");
+  }
+
+  private void repeat(OptionalDouble bearingDeg) throws IOException {
+    double index = bearingDeg.orElse(-1) * plan.bearings() / 360;
+    int at = (int) Math.rint(index);
+    if (at < 0 || at >= plan.bearings() || Math.abs(index - at) > 1e-6) {
+      operator.say("r and a bearing of the sweep in degrees, such as: r 35");
+      return;
+    }
+    recorder.record(new Entry.Repeated(at));
+    chosen = OptionalInt.of(at);
+  }
+
+  private void warm(OptionalDouble degreesC) throws IOException {
+    try {
+      recorder.setTemperature(degreesC.orElse(Double.NaN));
+      recorder.note("air temperature " + degreesC.orElseThrow() + " C");
+    } catch (IllegalArgumentException e) {
+      operator.say("t and the temperature of the air in degrees C, such as: t 21.5");
+    }
+  }
+
+  private void take(int bearing, OptionalDouble distanceCm, String typed)
+      throws IOException, InterruptedException {
+    if (!(distanceCm.orElse(-1) > 0 && distanceCm.getAsDouble() <= GREATEST_CM)) {
+      operator.say("'" + typed + "' is neither a distance in cm nor one of u, r, t, q");
+      return;
+    }
+    double distanceM = Math.rint(distanceCm.getAsDouble() * CM) / (CM * CM);
+    Probe probe = new Probe(distanceM, approach(bearing, distanceM));
+    pings.ping();
+    for (int ping = 0; ping < plan.pings(); ping++) {
+      operator.heard(recorder.record(bearing, probe, pings.ping()));
+    }
+    List<Level> levels = recorder.state().levels(bearing);
+    Level level = levels.get(levels.size() - 1);
+    if (plan.isLost(level)) {
+      operator.lost(level);
+    } else {
+      operator.say(
+          level.heard() + " of " + level.pings() + " heard at " + distanceCm.getAsDouble() + " cm");
+    }
+  }
+
+  private Approach approach(int bearing, double distanceM) {
+    List<Level> levels = recorder.state().levels(bearing);
+    boolean in = !levels.isEmpty() && distanceM < levels.get(levels.size() - 1).distanceM();
+    return in ? Approach.IN : Approach.OUT;
+  }
+
+  private static OptionalDouble number(String text) {
+    try {
+      return OptionalDouble.of(Double.parseDouble(text.replace(',', '.')));
+    } catch (NumberFormatException e) {
+      return OptionalDouble.empty();
+    }
+  }
+}

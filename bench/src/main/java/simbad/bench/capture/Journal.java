@@ -1,0 +1,142 @@
+package simbad.bench.capture;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+import simbad.sonar.format.DataFormatException;
+
+/**
+ * The file that a capture writes to: only ever longer, each line with a number and a checksum, on
+ * the disk before {@link #append} returns. Held by one process at a time. Not thread-safe.
+ */
+public final class Journal implements Closeable {
+  /** Of a line that was cut off, beside the journal. */
+  private static final String TORN_SUFFIX = ".torn";
+
+  private final Path file;
+  private final FileChannel channel;
+  private long lines;
+  private boolean failed;
+
+  private Journal(Path file, FileChannel channel, long lines) {
+    this.file = file;
+    this.channel = channel;
+    this.lines = lines;
+  }
+
+  /**
+   * Begins a journal.
+   *
+   * @param file does not exist yet
+   * @param begun its first entry
+   * @throws IOException if it cannot be written
+   */
+  public static Journal create(Path file, Entry.Begun begun) throws IOException {
+    Journal journal =
+        new Journal(
+            file,
+            held(
+                file,
+                FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)),
+            0);
+    journal.append(List.of(begun));
+    return journal;
+  }
+
+  /**
+   * Goes on with a journal. A last line that was torn is moved to a file beside it, whose name ends
+   * in {@code .torn}.
+   *
+   * @param text what was read of it
+   * @throws IOException if it cannot be written, or another process holds it
+   * @throws DataFormatException if it has changed since it was read
+   */
+  public static Journal resume(JournalText text) throws IOException, DataFormatException {
+    Path file = text.file();
+    FileChannel channel = held(file, FileChannel.open(file, StandardOpenOption.WRITE));
+    try {
+      if (channel.size() != text.wholeBytes() + text.torn().length()) {
+        throw DataFormatException.inFile(file, "another process is writing to it");
+      }
+      if (!text.torn().isEmpty()) {
+        setAside(file, text.torn());
+        channel.truncate(text.wholeBytes());
+        channel.force(true);
+      }
+      channel.position(text.wholeBytes());
+      return new Journal(file, channel, text.entries().size());
+    } catch (IOException | DataFormatException e) {
+      channel.close();
+      throw e;
+    }
+  }
+
+  private static FileChannel held(Path file, FileChannel channel) throws IOException {
+    try {
+      if (channel.tryLock() != null) {
+        return channel;
+      }
+    } catch (OverlappingFileLockException e) {
+      // Held by this process.
+    }
+    channel.close();
+    throw new IOException(file + ": another capture is writing to it");
+  }
+
+  private static void setAside(Path file, String torn) throws IOException {
+    Path beside = file.resolveSibling(file.getFileName() + TORN_SUFFIX);
+    try (FileChannel aside =
+        FileChannel.open(
+            beside,
+            StandardOpenOption.CREATE,
+            StandardOpenOption.WRITE,
+            StandardOpenOption.APPEND)) {
+      writeAll(aside, (torn + "\n").getBytes(StandardCharsets.ISO_8859_1));
+      aside.force(true);
+    }
+  }
+
+  /**
+   * Appends entries; they are on the disk when this returns. After a failure nothing more is
+   * written: the journal ends in a torn line at worst.
+   *
+   * @param entries in their order
+   * @throws IOException if they could not be written
+   */
+  public void append(List<Entry> entries) throws IOException {
+    if (failed) {
+      throw new IOException(file + ": nothing is written any more after it failed once");
+    }
+    StringBuilder text = new StringBuilder();
+    for (Entry entry : entries) {
+      lines++;
+      text.append(entry.line(lines).text());
+    }
+    failed = true;
+    try {
+      writeAll(channel, text.toString().getBytes(StandardCharsets.UTF_8));
+      channel.force(false);
+    } catch (IOException e) {
+      throw new IOException(file + ": cannot be written: " + e.getMessage(), e);
+    }
+    failed = false;
+  }
+
+  private static void writeAll(FileChannel channel, byte[] bytes) throws IOException {
+    ByteBuffer buffer = ByteBuffer.wrap(bytes);
+    while (buffer.hasRemaining()) {
+      channel.write(buffer);
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    channel.close();
+  }
+}

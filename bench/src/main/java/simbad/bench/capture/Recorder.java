@@ -1,0 +1,89 @@
+package simbad.bench.capture;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.time.Clock;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.BiConsumer;
+import simbad.bench.protocol.FrameLine;
+
+/**
+ * Writes what happens to the journal and keeps the state that follows from it; a reading counts
+ * when it is on the disk. Not thread-safe.
+ */
+public final class Recorder implements Closeable {
+  private static final double MS_PER_S = 1000;
+
+  private final Journal journal;
+  private final SweepState state;
+  private final Clock clock;
+  private OptionalDouble temperatureC;
+  private BiConsumer<Entry, SweepState> listener = (entry, after) -> {};
+
+  /**
+   * Begins to record.
+   *
+   * @param journal takes the entries
+   * @param state what the journal holds already
+   * @param clock for the times of the readings
+   * @param temperatureC of the air, degrees Celsius, if known
+   */
+  public Recorder(Journal journal, SweepState state, Clock clock, OptionalDouble temperatureC) {
+    this.journal = journal;
+    this.state = state;
+    this.clock = clock;
+    this.temperatureC = temperatureC;
+  }
+
+  /** Returns how far the sweep has come; changes with each entry. */
+  public SweepState state() {
+    return state;
+  }
+
+  /** Says how warm the air is from now on. */
+  public void setTemperature(double degreesC) {
+    temperatureC = OptionalDouble.of(new Ranging(degreesC).temperatureC());
+  }
+
+  /** Lets somebody know of each entry, once it is on the disk, and of the state after it. */
+  public void tell(BiConsumer<Entry, SweepState> whom) {
+    listener = whom;
+  }
+
+  /** Records that something happened. */
+  public void note(String text) throws IOException {
+    record(new Entry.Note(now(), text));
+  }
+
+  /** Records any entry that holds no reading. */
+  public void record(Entry entry) throws IOException {
+    journal.append(List.of(entry));
+    state.take(entry);
+    listener.accept(entry, state);
+  }
+
+  /**
+   * Records a reading.
+   *
+   * @param bearing index in the plan
+   * @param probe where the obstacle stands
+   * @param ping what was read
+   */
+  public Entry.Taken record(int bearing, Probe probe, FrameLine.Ping ping) throws IOException {
+    Entry.Taken taken =
+        new Entry.Taken(
+            now(), bearing, probe, ping.sequence(), ping.status(), ping.echoUs(), temperatureC);
+    record(taken);
+    return taken;
+  }
+
+  private double now() {
+    return clock.millis() / MS_PER_S;
+  }
+
+  @Override
+  public void close() throws IOException {
+    journal.close();
+  }
+}

@@ -1,0 +1,50 @@
+package simbad.bench.capture;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * What a person at the bench wants to see of a sweep.
+ *
+ * @param plan of the sweep
+ * @param state of the sweep
+ * @param bearing that is under way
+ * @param left time that the rest takes, if it goes on as so far; empty before the first is done
+ */
+public record SweepView(SweepPlan plan, SweepState state, int bearing, Optional<Duration> left) {
+  /** Returns what to do now, in a few lines. */
+  public List<String> text() {
+    double stepDeg = plan.bearingDeg(1);
+    String turn =
+        bearing == 0
+            ? "Place the obstacle with its mark towards the sensor: bearing 0 degrees."
+            : String.format(
+                Locale.ROOT,
+                "Turn it clockwise, seen from above, by %.4g to bearing %.4g degrees.",
+                stepDeg,
+                plan.bearingDeg(bearing));
+    String progress =
+        String.format(
+            Locale.ROOT,
+            "%d of %d bearings done%s, %d pings%s",
+            state.doneCount(),
+            plan.bearings(),
+            left.map(time -> ", about " + (time.toMinutes() + 1) + " min left").orElse(""),
+            state.pings(),
+            estimate());
+    return List.of(
+        progress,
+        turn,
+        "Move it away until the echo is lost, then back until it is there again.",
+        "Type the distance from the sensor to its AXIS OF ROTATION in cm (the reading is to its"
+            + " surface).",
+        "Enter: bearing done · u undo · r DEG repeat · t CELSIUS · q quit (resume goes on)");
+  }
+
+  private String estimate() {
+    List<Level> levels = state.levels(bearing);
+    return levels.isEmpty() ? "" : "; here so far: " + ThresholdFit.of(levels, plan).text();
+  }
+}

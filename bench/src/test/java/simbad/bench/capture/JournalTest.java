@@ -1,0 +1,144 @@
+package simbad.bench.capture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import simbad.bench.protocol.PingStatus;
+import simbad.sonar.format.DataFormatException;
+
+class JournalTest {
+  @TempDir Path folder = Path.of("");
+
+  private static final Entry.Begun BEGUN =
+      new Entry.Begun(Map.of("format", "bench-journal/1", "obstacle", "a post, round"));
+
+  private static Entry.Taken taken(int number) {
+    return new Entry.Taken(
+        1e9 + number / 8.0,
+        number % 72,
+        new Probe(0.02 * number, Approach.OUT),
+        number,
+        number % 3 == 0 ? PingStatus.NO_ECHO : PingStatus.ECHO,
+        number % 5 == 0 ? OptionalInt.empty() : OptionalInt.of(100 + number),
+        number % 7 == 0 ? OptionalDouble.empty() : OptionalDouble.of(19.5));
+  }
+
+  private static List<Entry> entries() {
+    List<Entry> entries = new ArrayList<>();
+    for (int i = 0; i < 30; i++) {
+      entries.add(taken(i));
+    }
+    entries.add(new Entry.Note(1e9, "the board was reset: brown-out"));
+    entries.add(new Entry.Undone(3));
+    entries.add(new Entry.Repeated(4));
+    entries.add(new Entry.Done(5));
+    return entries;
+  }
+
+  private Path written() throws IOException {
+    Path file = folder.resolve("journal.txt");
+    try (Journal journal = Journal.create(file, BEGUN)) {
+      journal.append(entries().subList(0, 10));
+      for (Entry entry : entries().subList(10, entries().size())) {
+        journal.append(List.of(entry));
+      }
+    }
+    return file;
+  }
+
+  @Test
+  void whatIsAppended_isReadAgain() throws Exception {
+    JournalText text = JournalText.read(written());
+    assertEquals(entries(), text.entries().subList(1, text.entries().size()));
+    assertEquals("a post  round", text.begun().settings().get("obstacle"));
+    assertEquals("", text.torn());
+  }
+
+  /** Cut anywhere: the whole lines stay, the rest is set aside, and the next lines fit on. */
+  @Test
+  void cutAtAnyByte_losesNoWholeLine() throws Exception {
+    byte[] all = Files.readAllBytes(written());
+    int firstLine = new String(all, StandardCharsets.UTF_8).indexOf('\n') + 1;
+    for (int cut = firstLine; cut < all.length; cut += 7) {
+      Path file = folder.resolve("cut" + cut);
+      Files.write(file, Arrays.copyOf(all, cut));
+      JournalText text = JournalText.read(file);
+      long whole =
+          new String(all, 0, cut, StandardCharsets.UTF_8).chars().filter(c -> c == '\n').count();
+      assertEquals(whole, text.entries().size());
+      assertEquals(cut, text.wholeBytes() + text.torn().length());
+      try (Journal journal = Journal.resume(text)) {
+        journal.append(List.of(taken(77)));
+      }
+      JournalText after = JournalText.read(file);
+      assertEquals(text.entries(), after.entries().subList(0, (int) whole));
+      assertEquals(taken(77), after.entries().get((int) whole));
+      Path torn = folder.resolve("cut" + cut + ".torn");
+      assertEquals(!text.torn().isEmpty(), Files.exists(torn));
+      if (Files.exists(torn)) {
+        assertEquals(
+            text.torn() + "\n", new String(Files.readAllBytes(torn), StandardCharsets.ISO_8859_1));
+      }
+    }
+  }
+
+  @Test
+  void lineThatIsChangedMissingOrThereTwice_isNamed() throws Exception {
+    List<String> lines = Files.readAllLines(written());
+    List<String> changed = new ArrayList<>(lines);
+    changed.set(4, changed.get(4).replace("echo", "ecko"));
+    checkDamaged(changed, ":5: line: damaged");
+    List<String> missing = new ArrayList<>(lines);
+    missing.remove(7);
+    checkDamaged(missing, ":8: line: damaged");
+    List<String> twice = new ArrayList<>(lines);
+    twice.add(3, lines.get(3));
+    checkDamaged(twice, ":5: line: damaged");
+    checkDamaged(List.of("bearing_deg,threshold_m", "0,1"), "damaged");
+    checkDamaged(List.of(), "is no journal");
+  }
+
+  private void checkDamaged(List<String> lines, String message) throws IOException {
+    Path file = Files.write(folder.resolve("damaged"), lines);
+    DataFormatException fault =
+        assertThrows(DataFormatException.class, () -> JournalText.read(file));
+    assertTrue(String.valueOf(fault.getMessage()).contains(message), fault.getMessage());
+  }
+
+  @Test
+  void secondWriter_isRefused() throws Exception {
+    Path file = written();
+    JournalText text = JournalText.read(file);
+    try (Journal held = Journal.resume(text)) {
+      assertThrows(IOException.class, () -> Journal.resume(text));
+      held.append(List.of(taken(1)));
+    }
+    assertThrows(DataFormatException.class, () -> Journal.resume(text), "it grew");
+    assertThrows(IOException.class, () -> Journal.create(file, BEGUN));
+  }
+
+  @Test
+  void fullDisk_isSaidAndNothingMoreIsWritten() throws Exception {
+    Path full = Files.createSymbolicLink(folder.resolve("full"), Path.of("/dev/full"));
+    JournalText text = new JournalText(full, List.of(BEGUN), 0, "", "");
+    try (Journal journal = Journal.resume(text)) {
+      IOException fault = assertThrows(IOException.class, () -> journal.append(List.of(taken(1))));
+      assertTrue(String.valueOf(fault.getMessage()).contains("full: cannot be written"));
+      IOException again = assertThrows(IOException.class, () -> journal.append(List.of(taken(1))));
+      assertTrue(String.valueOf(again.getMessage()).contains("nothing is written any more"));
+    }
+  }
+}

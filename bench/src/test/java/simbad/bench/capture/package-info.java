@@ -1,0 +1,5 @@
+/** Tests. */
+@NullMarked
+package simbad.bench.capture;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,5 @@
+/** Tests. */
+@NullMarked
+package simbad.bench.link;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,5 @@
+/** Tests. */
+@NullMarked
+package simbad.bench.session;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,123 @@
+package simbad.experiments.bench;
+
+import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.List;
+import java.util.stream.Stream;
+import simbad.bench.capture.CaptureSettings;
+import simbad.bench.capture.CapturedReadings;
+import simbad.bench.capture.Journal;
+import simbad.bench.capture.JournalText;
+import simbad.bench.capture.Ranging;
+import simbad.experiments.dataset.MadeDataSet;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.frame.Placement;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.scene.TableDetection;
+
+/**
+ * The folder of a capture: the journal, and beside it the data set that is made of it.
+ *
+ * @param path of the folder
+ */
+public record CaptureFolder(Path path) {
+  private static final String JOURNAL = "journal.txt";
+
+  /** Returns where the journal is. */
+  public Path journal() {
+    return path.resolve(JOURNAL);
+  }
+
+  /**
+   * Begins a capture in a folder that is not there yet, or empty.
+   *
+   * @param settings how it is begun
+   * @throws IOException if something is there, or nothing can be written
+   */
+  public Journal begin(CaptureSettings settings) throws IOException {
+    requireFree();
+    Files.createDirectories(path);
+    return Journal.create(journal(), settings.entry());
+  }
+
+  /**
+   * Checks that a capture can begin here.
+   *
+   * @throws IOException if something is there, but for an empty folder
+   */
+  public void requireFree() throws IOException {
+    if (Files.exists(path)) {
+      try (Stream<Path> entries = Files.list(path)) {
+        if (entries.findAny().isPresent()) {
+          throw new FileAlreadyExistsException(path.toString());
+        }
+      }
+    }
+  }
+
+  /**
+   * Reads the journal.
+   *
+   * @throws DataFormatException naming the file and the line
+   */
+  public JournalText read() throws DataFormatException {
+    return JournalText.read(journal());
+  }
+
+  /**
+   * Writes the readings as a gap data set beside the journal, over the one that was there.
+   *
+   * @param believed what the simulator expects of the obstacle
+   * @param sensor the sensor's figures
+   * @throws IOException if it cannot be written
+   * @throws DataFormatException if the journal cannot be read
+   */
+  public void writeDataSet(ObstacleType believed, SonarSpec sensor)
+      throws IOException, DataFormatException {
+    JournalText text = read();
+    CaptureSettings settings = CaptureSettings.of(text);
+    Ranging ranging = Ranging.of(settings.temperatureC());
+    SonarSpec spec =
+        new SonarSpec(
+            sensor.name(),
+            sensor.coneHalfAngleRad(),
+            sensor.minRangeM(),
+            sensor.maxRangeM(),
+            sensor.mountHeightM(),
+            ranging.soundSpeedMPerS(),
+            ranging.stepM(),
+            sensor.rangeNoiseM(),
+            sensor.missRate(),
+            sensor.edgeWidthM(),
+            sensor.updatePeriodS());
+    Obstacle obstacle =
+        new Obstacle(
+            believed.name(),
+            new Placement(0, 0, 0),
+            believed.outline(),
+            new TableDetection(believed.thresholds().table()));
+    MadeDataSet made =
+        new MadeDataSet(
+            new SensingSetup(spec, new Scene(List.of(obstacle)), spec.maxRangeM()),
+            CapturedReadings.of(text));
+    Path staging = Files.createTempDirectory(path, ".data-set");
+    made.write(staging);
+    try (Stream<Path> files = Files.list(staging)) {
+      for (Path file : files.toList()) {
+        Files.move(
+            file,
+            path.resolve(String.valueOf(file.getFileName())),
+            StandardCopyOption.ATOMIC_MOVE,
+            StandardCopyOption.REPLACE_EXISTING);
+      }
+    }
+    Files.delete(staging);
+  }
+}

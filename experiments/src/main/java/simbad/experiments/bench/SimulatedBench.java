@@ -1,0 +1,111 @@
+package simbad.experiments.bench;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.Random;
+import java.util.function.Consumer;
+import simbad.bench.board.BenchScene;
+import simbad.bench.board.BenchTarget;
+import simbad.bench.board.Board;
+import simbad.bench.board.BoardKit;
+import simbad.bench.board.BoardSetup;
+import simbad.bench.board.TurntableBench;
+import simbad.bench.capture.Stage;
+import simbad.bench.link.PortLink;
+import simbad.bench.session.SteadyRanger;
+import simbad.obstacles.Catalogue;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.model.SensorModel;
+
+/**
+ * A simulated board with an obstacle that a program moves, for a sweep without a person. Closing
+ * ends it and leaves no file behind.
+ */
+public final class SimulatedBench implements AutoCloseable {
+  private final Path folder;
+  private final Board board;
+  private final TurntableBench turntable;
+  private final BenchTarget target;
+
+  /**
+   * What is simulated.
+   *
+   * @param obstacle that stands on the turntable
+   * @param model when the sensor hears it
+   * @param seed of the model's chance
+   * @param temperatureC of the air, degrees Celsius
+   */
+  public record Setup(ObstacleType obstacle, SensorModel model, long seed, double temperatureC) {}
+
+  private SimulatedBench(Path folder, Board board, TurntableBench turntable, BenchTarget target) {
+    this.folder = folder;
+    this.board = board;
+    this.turntable = turntable;
+    this.target = target;
+  }
+
+  /**
+   * Starts the board, as fast as it goes.
+   *
+   * @param kit what the board is made of
+   * @param setup what is simulated
+   * @throws IOException if a tool is missing, or gpsim does not start
+   * @throws DataFormatException if the board's program cannot be read
+   * @throws InterruptedException if the thread is interrupted meanwhile
+   */
+  public static SimulatedBench start(BoardKit kit, Setup setup)
+      throws IOException, DataFormatException, InterruptedException {
+    BenchTarget target =
+        new BenchTarget(setup.obstacle().outline(), setup.obstacle().thresholds().table());
+    TurntableBench turntable =
+        new TurntableBench(
+            setup.model(),
+            Catalogue.srf04(),
+            new Random(setup.seed()),
+            new BenchScene(Optional.of(target), 1, 0, 0),
+            setup.temperatureC());
+    Path folder = Files.createTempDirectory("simbad-port");
+    try {
+      Board board = Board.start(kit, new BoardSetup(folder.resolve("tty"), 0), turntable);
+      return new SimulatedBench(folder, board, turntable, target);
+    } catch (IOException | DataFormatException | InterruptedException e) {
+      Files.delete(folder);
+      throw e;
+    }
+  }
+
+  /** Returns what turns and moves the obstacle. */
+  public Stage stage() {
+    return (bearingDeg, distanceM) ->
+        turntable.place(
+            new BenchScene(Optional.of(target), distanceM, 0, Math.toRadians(bearingDeg)));
+  }
+
+  /**
+   * Connects with the ranger.
+   *
+   * @param told each disturbance
+   * @throws IOException if it does not answer
+   */
+  public SteadyRanger connect(Consumer<String> told) throws IOException {
+    return new SteadyRanger(() -> PortLink.open(board.port()), SteadyRanger.Terms.SIMULATED, told);
+  }
+
+  /** Returns the board. */
+  public Board board() {
+    return board;
+  }
+
+  @Override
+  public void close() {
+    board.close();
+    try {
+      Files.deleteIfExists(folder);
+    } catch (IOException e) {
+      // An empty folder for temporary files that is left is no failure of the capture.
+    }
+  }
+}

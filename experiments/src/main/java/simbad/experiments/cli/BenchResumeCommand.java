@@ -1,0 +1,136 @@
+package simbad.experiments.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Clock;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import simbad.bench.capture.CaptureSettings;
+import simbad.bench.capture.Journal;
+import simbad.bench.capture.JournalText;
+import simbad.bench.capture.Ranging;
+import simbad.bench.capture.Recorder;
+import simbad.bench.capture.SweepState;
+import simbad.experiments.bench.CaptureFolder;
+import simbad.experiments.bench.SimulatedBench;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.DataFormatException;
+
+/** {@code simbad bench resume}. */
+@Command(
+    name = "resume",
+    description = {
+      "Go on with a capture that was interrupted, at the bearing where it stopped.",
+      "A last line that was torn is set aside in journal.txt.torn."
+    },
+    footer = {"", "Example: simbad bench resume angle-capture"})
+final class BenchResumeCommand extends Subcommand {
+  @Parameters(paramLabel = "DIR", description = "Folder of the capture.")
+  private Path folder = Path.of("");
+
+  @Option(
+      names = "--port",
+      paramLabel = "PORT",
+      description = "When the sensor is at another port now.")
+  private @Nullable Path port;
+
+  @Option(
+      names = "--web",
+      paramLabel = "[ADDRESS:]PORT",
+      description =
+          "Show the capture on a page, on this computer; at another address it asks for a token.")
+  private @Nullable String web;
+
+  @Override
+  protected void run() throws Exception {
+    CaptureFolder capture = new CaptureFolder(folder);
+    JournalText text = capture.read();
+    CaptureSettings settings = settings(text);
+    ObstacleType type = ObstacleArgument.parse(settings.of("obstacle"));
+    CaptureRun run = new CaptureRun(capture, settings, type, out(), err());
+    SweepState state = SweepState.of(text.entries());
+    say(text, settings, state);
+    if (state.nextBearing(settings.plan()).isEmpty()) {
+      run.conclude();
+      return;
+    }
+    CaptureRun.Opening opening = known -> recorder(text, known, state);
+    if (web != null) {
+      run.showAt(
+          WebArgument.parse(web)
+              .orElseThrow(() -> wrongUsage("--web: '" + web + "' is no [ADDRESS:]PORT")));
+    }
+    if (settings.of("port").isEmpty()) {
+      run.auto(simulated(capture, settings, state, type), opening);
+    } else {
+      run.guided(BenchCaptureCommand.typed(), Progress.onTerminal(), opening);
+    }
+  }
+
+  private static SimulatedBench.Setup simulated(
+      CaptureFolder capture, CaptureSettings settings, SweepState state, ObstacleType type)
+      throws DataFormatException {
+    return new SimulatedBench.Setup(
+        type,
+        RuleArgument.parse(settings.of("model"))
+            .orElseThrow(() -> damaged(capture, "model", settings)),
+        // Chance does not begin again with what was read already.
+        seed(capture, settings) + state.pings(),
+        Ranging.of(settings.temperatureC()).temperatureC());
+  }
+
+  private CaptureSettings settings(JournalText text) throws DataFormatException {
+    CaptureSettings begun = CaptureSettings.of(text);
+    if (port == null) {
+      return begun;
+    }
+    if (begun.of("port").isEmpty()) {
+      throw wrongUsage("--port: this capture was before the simulated board");
+    }
+    return begun.with("port", port.toAbsolutePath().toString());
+  }
+
+  private void say(JournalText text, CaptureSettings settings, SweepState state) {
+    if (!text.torn().isEmpty()) {
+      err()
+          .printf(
+              Locale.ROOT,
+              "bench: %s: a torn last line of %d bytes is set aside%n",
+              text.file(),
+              text.torn().length());
+    }
+    err()
+        .printf(
+            Locale.ROOT,
+            "bench: %d readings are there, %d of %d bearings done%n",
+            state.pings(),
+            state.doneCount(),
+            settings.plan().bearings());
+  }
+
+  private static Recorder recorder(JournalText text, CaptureSettings known, SweepState state)
+      throws IOException, DataFormatException {
+    Recorder recorder =
+        new Recorder(Journal.resume(text), state, Clock.systemUTC(), known.temperatureC());
+    recorder.note("resumed with " + known.of("version") + " and firmware " + known.of("firmware"));
+    return recorder;
+  }
+
+  private static long seed(CaptureFolder capture, CaptureSettings settings)
+      throws DataFormatException {
+    try {
+      return Long.parseLong(settings.of("seed"));
+    } catch (NumberFormatException e) {
+      throw damaged(capture, "seed", settings);
+    }
+  }
+
+  private static DataFormatException damaged(
+      CaptureFolder capture, String field, CaptureSettings settings) {
+    return DataFormatException.inField(
+        capture.journal(), 1, field, "'" + settings.of(field) + "' is none");
+  }
+}

@@ -1,0 +1,126 @@
+package simbad.experiments.cli;
+
+import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import simbad.bench.capture.CaptureSettings;
+import simbad.bench.capture.CapturedTable;
+import simbad.bench.capture.JournalText;
+import simbad.bench.capture.ThresholdFit;
+import simbad.experiments.bench.CaptureFolder;
+import simbad.experiments.plot.Figure;
+import simbad.experiments.report.TablePicture;
+import simbad.obstacles.Catalogue;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.shape.ThresholdTable;
+
+/** {@code simbad bench table}. */
+@Command(
+    name = "table",
+    description = {
+      "Make the threshold table of a capture that is done; simbad run takes it.",
+      "Columns besides bearing and threshold: a 95 % interval, the furthest distances heard on the"
+          + " way out and in, the number of pings."
+    },
+    footer = {
+      "",
+      "Example: simbad bench table angle-capture --out mine.csv --compare angle --plot mine.svg"
+    })
+final class BenchTableCommand extends Subcommand {
+  private static final double CM = 100;
+
+  @Parameters(paramLabel = "DIR", description = "Folder of the capture.")
+  private Path folder = Path.of("");
+
+  @Option(
+      names = "--out",
+      paramLabel = "FILE",
+      required = true,
+      description = "A file that does not exist yet.")
+  private Path file = Path.of("");
+
+  @Option(
+      names = "--compare",
+      paramLabel = "OBSTACLE",
+      description = "Another table: square, round, angle, or TABLE.csv.")
+  private @Nullable String other;
+
+  @Option(names = "--plot", paramLabel = "FILE", description = "A polar plot, *.png or *.svg.")
+  private @Nullable Path plot;
+
+  @Override
+  protected void run() throws Exception {
+    refuseExisting(file);
+    CaptureFolder capture = new CaptureFolder(folder);
+    JournalText text = capture.read();
+    CapturedTable table = CapturedTable.of(text);
+    ObstacleType type = ObstacleArgument.parse(CaptureSettings.of(text).of("obstacle"));
+    if (plot != null) {
+      refuseExisting(plot);
+      draw(TablePicture.of(new ObstacleType(type.name(), type.outline(), table.document())), plot);
+    }
+    Files.writeString(file, table.text());
+    capture.writeDataSet(type, Catalogue.srf04());
+    out()
+        .printf(
+            Locale.ROOT,
+            "%s: %d bearings, intervals %.1f cm wide in the mean%n",
+            file,
+            table.fits().size(),
+            CM
+                * table.fits().stream()
+                    .mapToDouble(fit -> fit.highM() - fit.lowM())
+                    .average()
+                    .orElse(0));
+    if (other != null) {
+      compare(table, ObstacleArgument.parse(other).thresholds().table());
+    }
+  }
+
+  private void compare(CapturedTable table, ThresholdTable known) {
+    double sum = 0;
+    double most = 0;
+    int within = 0;
+    int size = table.fits().size();
+    for (int i = 0; i < size; i++) {
+      ThresholdFit fit = table.fits().get(i);
+      double knownM = known.thresholdM(table.document().table().bearingRad(i));
+      double difference = Math.abs(fit.thresholdM() - knownM);
+      sum += difference;
+      most = Math.max(most, difference);
+      within += fit.lowM() <= knownM + 1e-9 && knownM <= fit.highM() + 1e-9 ? 1 : 0;
+    }
+    out()
+        .printf(
+            Locale.ROOT,
+            "against %s: mean difference %.2f cm, largest %.2f cm; %d of %d within the interval%n",
+            other,
+            CM * sum / size,
+            CM * most,
+            within,
+            size);
+  }
+
+  private void draw(Figure figure, Path target) throws IOException {
+    String name = target.toString().toLowerCase(Locale.ROOT);
+    if (name.endsWith(".png")) {
+      figure.writePng(target, Figure.PRINT_DPI);
+    } else if (name.endsWith(".svg")) {
+      figure.writeSvg(target);
+    } else {
+      throw wrongUsage("--plot: '" + target + "' ends neither in .png nor in .svg");
+    }
+  }
+
+  private static void refuseExisting(Path path) throws IOException {
+    if (Files.exists(path)) {
+      throw new FileAlreadyExistsException(path.toString());
+    }
+  }
+}

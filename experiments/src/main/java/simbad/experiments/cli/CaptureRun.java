@@ -1,0 +1,178 @@
+package simbad.experiments.cli;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.time.Clock;
+import java.util.Locale;
+import java.util.Optional;
+import simbad.bench.board.BoardKit;
+import simbad.bench.capture.CaptureSettings;
+import simbad.bench.capture.GuidedSweep;
+import simbad.bench.capture.Operator;
+import simbad.bench.capture.PingSource;
+import simbad.bench.capture.Ranging;
+import simbad.bench.capture.Recorder;
+import simbad.bench.capture.Sweep;
+import simbad.bench.capture.SweepListener;
+import simbad.bench.capture.SweepPlan;
+import simbad.bench.capture.SweepState;
+import simbad.bench.capture.ThresholdFit;
+import simbad.bench.link.PortLink;
+import simbad.bench.protocol.FrameLine;
+import simbad.bench.session.SteadyRanger;
+import simbad.experiments.bench.CaptureFolder;
+import simbad.experiments.bench.LivePage;
+import simbad.experiments.bench.LiveState;
+import simbad.experiments.bench.SimulatedBench;
+import simbad.obstacles.Catalogue;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.DataFormatException;
+
+/** A capture from where its journal ends to where it is done or ends for another reason. */
+final class CaptureRun {
+  private final CaptureFolder folder;
+  private final CaptureSettings settings;
+  private final ObstacleType obstacle;
+  private final PrintWriter out;
+  private final PrintWriter err;
+  private final LiveState live;
+  private Optional<Recorder> recorder = Optional.empty();
+  private Optional<LivePage> page = Optional.empty();
+
+  CaptureRun(
+      CaptureFolder folder,
+      CaptureSettings settings,
+      ObstacleType obstacle,
+      PrintWriter out,
+      PrintWriter err) {
+    this.folder = folder;
+    this.settings = settings;
+    this.obstacle = obstacle;
+    this.out = out;
+    this.err = err;
+    live = new LiveState(obstacle.name(), settings.plan(), Ranging.of(settings.temperatureC()));
+  }
+
+  /** Opens the journal, once it is known who answers. */
+  @FunctionalInterface
+  interface Opening {
+    Recorder open(CaptureSettings settings) throws IOException, DataFormatException;
+  }
+
+  /** The sweep that a program drives, before the simulated board. */
+  void auto(SimulatedBench.Setup setup, Opening opening)
+      throws IOException, DataFormatException, InterruptedException {
+    try (SimulatedBench bench =
+            SimulatedBench.start(BoardKit.ofProject(ProjectFolder.find()), setup);
+        Progress progress = Progress.of("bearings", settings.plan().bearings());
+        SteadyRanger ranger = bench.connect(this::note)) {
+      Thread ending = new Thread(bench::close);
+      Runtime.getRuntime().addShutdownHook(ending);
+      Recorder known = open(ranger, opening);
+      new Sweep(settings.plan(), known, shown(ranger), bench.stage()).run(told(progress));
+      Runtime.getRuntime().removeShutdownHook(ending);
+    } finally {
+      end();
+    }
+  }
+
+  /** The sweep that a person does, at the port of the settings. */
+  void guided(BufferedReader in, boolean terminal, Opening opening)
+      throws IOException, DataFormatException, InterruptedException {
+    Path port = Path.of(settings.of("port"));
+    try (SteadyRanger ranger =
+        new SteadyRanger(() -> PortLink.open(port), SteadyRanger.Terms.BENCH, this::note)) {
+      Recorder known = open(ranger, opening);
+      Operator person =
+          new TerminalOperator(in, out, Ranging.of(settings.temperatureC()), terminal);
+      new GuidedSweep(settings.plan(), known, shown(ranger), person, Clock.systemUTC()).run();
+    } finally {
+      end();
+    }
+  }
+
+  private Recorder open(SteadyRanger ranger, Opening opening)
+      throws IOException, DataFormatException {
+    Recorder known = opening.open(settings.with("firmware", firmware(ranger.identity())));
+    recorder = Optional.of(known);
+    if (page.isPresent()) {
+      live.show(known.state());
+      known.tell(live::take);
+    }
+    return known;
+  }
+
+  private PingSource shown(SteadyRanger ranger) {
+    return () -> {
+      FrameLine.Ping ping = ranger.ping();
+      live.read(ping);
+      return ping;
+    };
+  }
+
+  /** Shows the capture on a page as well, until it ends. */
+  void showAt(InetSocketAddress address) throws IOException {
+    page = Optional.of(LivePage.open(address, live));
+    out.println("page: " + page.get().url());
+  }
+
+  private void end() throws IOException, DataFormatException {
+    page.ifPresent(LivePage::close);
+    if (recorder.isPresent()) {
+      recorder.get().close();
+      conclude();
+    }
+  }
+
+  private static String firmware(FrameLine.Identity identity) {
+    return identity.name() + " " + identity.version() + " " + identity.build();
+  }
+
+  private void note(String text) {
+    err.println("bench: " + text);
+    try {
+      if (recorder.isPresent()) {
+        recorder.get().note(text);
+      }
+    } catch (IOException e) {
+      // The next reading fails for the same reason, and is said.
+    }
+  }
+
+  private SweepListener told(Progress progress) {
+    SweepPlan plan = settings.plan();
+    return new SweepListener() {
+      @Override
+      public void done(int bearing, ThresholdFit fit, SweepState state) {
+        progress.step();
+        progress.clearLine();
+        out.println(line(plan, bearing, fit));
+      }
+    };
+  }
+
+  private static String line(SweepPlan plan, int bearing, ThresholdFit fit) {
+    return String.format(Locale.ROOT, "bearing %5.1f: %s", plan.bearingDeg(bearing), fit.text());
+  }
+
+  /** Says how far it came, and writes the data set. */
+  void conclude() throws IOException, DataFormatException {
+    folder.writeDataSet(obstacle, Catalogue.srf04());
+    SweepState state = SweepState.of(folder.read().entries());
+    int bearings = settings.plan().bearings();
+    out.printf(
+        Locale.ROOT,
+        "%d of %d bearings, %d pings: %s%n",
+        state.doneCount(),
+        bearings,
+        state.pings(),
+        folder.path());
+    out.println(
+        state.doneCount() == bearings
+            ? "now: simbad bench table " + folder.path() + " --out TABLE.csv"
+            : "go on with: simbad bench resume " + folder.path());
+  }
+}

@@ -1,0 +1,21 @@
+package simbad.experiments.cli;
+
+import java.util.Locale;
+import java.util.Optional;
+import simbad.sonar.model.DetectionRule;
+
+/** When the simulated board's sensor hears, as named on the command line. */
+final class RuleArgument {
+  static final String NAMES = "shadow, original, overlap, noisy";
+
+  private RuleArgument() {}
+
+  static Optional<DetectionRule> parse(String word) {
+    for (DetectionRule rule : DetectionRule.values()) {
+      if (rule.name().toLowerCase(Locale.ROOT).equals(word)) {
+        return Optional.of(rule);
+      }
+    }
+    return Optional.empty();
+  }
+}

@@ -1,0 +1,5 @@
+/** Tests. */
+@NullMarked
+package simbad.experiments.bench;
+
+import org.jspecify.annotations.NullMarked;

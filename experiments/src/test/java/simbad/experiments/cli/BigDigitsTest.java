@@ -1,0 +1,22 @@
+package simbad.experiments.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class BigDigitsTest {
+  @Test
+  void figures_areFiveLinesHigh() {
+    assertEquals(
+        List.of(
+            "  ██    ██████", //
+            "████        ██",
+            "  ██        ██",
+            "  ██        ██",
+            "██████      ██"),
+        BigDigits.of("17"));
+    assertEquals(5, BigDigits.of("12.3").size());
+    assertEquals(List.of("", "", "", "", ""), BigDigits.of(" "));
+  }
+}
