@@ -40,7 +40,7 @@ public record SweepView(SweepPlan plan, SweepState state, int bearing, Optional<
         "Move it away until the echo is lost, then back until it is there again.",
         "Type the distance from the sensor to its AXIS OF ROTATION in cm (the reading is to its"
             + " surface).",
-        "Enter: bearing done · u undo · r DEG repeat · t CELSIUS · q quit (resume goes on)");
+        "Enter: bearing done · u undo · r DEG repeat · p pause · t CELSIUS · q quit (resume goes on)");
   }
 
   private String estimate() {
