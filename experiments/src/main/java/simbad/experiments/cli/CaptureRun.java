@@ -42,6 +42,7 @@ final class CaptureRun {
   private final LiveState live;
   private Optional<Recorder> recorder = Optional.empty();
   private Optional<LivePage> page = Optional.empty();
+  private volatile boolean interrupted;
 
   CaptureRun(
       CaptureFolder folder,
@@ -72,11 +73,9 @@ final class CaptureRun {
                   SimulatedBench.start(BoardKit.ofProject(ProjectFolder.find()), setup);
               Progress progress = Progress.of("bearings", settings.plan().bearings());
               SteadyRanger ranger = bench.connect(this::note)) {
-            Thread ending = new Thread(bench::close);
-            Runtime.getRuntime().addShutdownHook(ending);
             Recorder known = open(ranger, opening);
-            new Sweep(settings.plan(), known, shown(ranger), bench.stage()).run(told(progress));
-            Runtime.getRuntime().removeShutdownHook(ending);
+            Sweep sweep = new Sweep(settings.plan(), known, shown(ranger), bench.stage());
+            interruptible(() -> sweep.run(told(progress)), bench::close);
           }
         });
   }
@@ -89,7 +88,9 @@ final class CaptureRun {
         () -> {
           try (SteadyRanger ranger = connected(Path.of(settings.of("port")))) {
             Recorder known = open(ranger, opening);
-            new GuidedSweep(settings.plan(), known, shown(ranger), person, Clock.systemUTC()).run();
+            GuidedSweep sweep =
+                new GuidedSweep(settings.plan(), known, shown(ranger), person, Clock.systemUTC());
+            interruptible(sweep::run, () -> {});
           }
         });
   }
@@ -98,6 +99,27 @@ final class CaptureRun {
   @FunctionalInterface
   private interface Work {
     void run() throws IOException, DataFormatException, InterruptedException;
+  }
+
+  /** Ctrl-C ends it; that is said, and how it goes on. */
+  private void interruptible(Work work, Runnable atTheEnd)
+      throws IOException, DataFormatException, InterruptedException {
+    Thread ending =
+        new Thread(
+            () -> {
+              interrupted = true;
+              err.println(
+                  "bench: all readings are kept; go on with: simbad bench resume " + folder.path());
+              atTheEnd.run();
+            });
+    Runtime.getRuntime().addShutdownHook(ending);
+    try {
+      work.run();
+    } finally {
+      if (!interrupted) {
+        Runtime.getRuntime().removeShutdownHook(ending);
+      }
+    }
   }
 
   /** However it ends, what was read is kept and said; why it ended is what is complained about. */
@@ -161,6 +183,10 @@ final class CaptureRun {
   }
 
   private void note(String text) {
+    if (interrupted) {
+      // It is the end that disturbs the line.
+      return;
+    }
     err.println("bench: " + text);
     try {
       if (recorder.isPresent()) {

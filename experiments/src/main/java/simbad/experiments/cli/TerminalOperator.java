@@ -103,11 +103,12 @@ final class TerminalOperator implements Operator {
       List<String> left = BigDigits.of(window.isLost() ? "LOST" : reading);
       for (int row = 0; row < left.size(); row++) {
         drawn.append(left.get(row)).append(REST_OF_LINE);
-        drawn.append(RIGHT).append(bearing.get(row)).append("\r\n");
+        drawn.append(RIGHT).append(PLAIN).append(bearing.get(row)).append("\r\n");
+        drawn.append(window.isLost() ? ALARM : "");
       }
       drawn.append(PLAIN).append(REST_OF_LINE).append("\r\n");
       drawn.append("cm to the SURFACE, ").append(window.text()).append(REST_OF_LINE);
-      out.print(drawn.append(RIGHT).append("bearing to turn to").append(RESTORE));
+      out.print(drawn.append(RIGHT).append("turn it to this bearing").append(RESTORE));
     }
     out.flush();
   }
