@@ -80,6 +80,7 @@ public record CapturedTable(TableDocument document, List<ThresholdFit> fits) {
             ranging.temperatureC(),
             settings.temperatureC().isPresent() ? "" : " (assumed)",
             ranging.soundSpeedMPerS()));
+    header.put("clock", String.format(Locale.ROOT, "1 us: %.2f mm", 1000 * ranging.stepM()));
     header.put("firmware", settings.of("firmware"));
     header.put("captured with", settings.of("version"));
     header.values().removeIf(String::isEmpty);

@@ -23,6 +23,7 @@ public final class GuidedSweep {
   private final Operator operator;
   private final InstantSource clock;
   private OptionalInt chosen = OptionalInt.empty();
+  private Duration paused = Duration.ZERO;
 
   /**
    * Prepares a sweep.
@@ -67,7 +68,8 @@ public final class GuidedSweep {
     if (done <= doneBefore) {
       return Optional.empty();
     }
-    Duration each = Duration.between(begun, clock.instant()).dividedBy(done - doneBefore);
+    Duration worked = Duration.between(begun, clock.instant()).minus(paused);
+    Duration each = worked.dividedBy(done - doneBefore);
     return Optional.of(each.multipliedBy(plan.bearings() - done));
   }
 
@@ -86,6 +88,7 @@ public final class GuidedSweep {
       case "", "d" -> accept(bearing);
       case "u" -> undo(bearing);
       case "r" -> repeat(number);
+      case "p" -> pause();
       case "t" -> warm(number);
       default -> take(bearing, number(typed), typed);
     }
@@ -128,6 +131,13 @@ public final class GuidedSweep {
     chosen = OptionalInt.of(at);
   }
 
+  private void pause() throws IOException {
+    Instant begun = clock.instant();
+    operator.pause();
+    paused = paused.plus(Duration.between(begun, clock.instant()));
+    operator.say("going on");
+  }
+
   private void warm(OptionalDouble degreesC) throws IOException {
     try {
       recorder.setTemperature(degreesC.orElse(Double.NaN));
@@ -140,7 +150,7 @@ public final class GuidedSweep {
   private void take(int bearing, OptionalDouble distanceCm, String typed)
       throws IOException, InterruptedException {
     if (!(distanceCm.orElse(-1) > 0 && distanceCm.getAsDouble() <= GREATEST_CM)) {
-      operator.say("'" + typed + "' is neither a distance in cm nor one of u, r, t, q");
+      operator.say("'" + typed + "' is neither a distance in cm nor one of u, r, p, t, q");
       return;
     }
     double distanceM = Math.rint(distanceCm.getAsDouble() * CM) / (CM * CM);

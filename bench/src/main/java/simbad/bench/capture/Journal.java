@@ -6,7 +6,10 @@ import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
 import simbad.sonar.format.DataFormatException;
@@ -31,22 +34,50 @@ public final class Journal implements Closeable {
   }
 
   /**
-   * Begins a journal.
+   * Begins a journal: it is there when its first line is whole, and not before.
    *
    * @param file does not exist yet
    * @param begun its first entry
    * @throws IOException if it cannot be written
    */
   public static Journal create(Path file, Entry.Begun begun) throws IOException {
+    if (Files.exists(file)) {
+      throw new FileAlreadyExistsException(file.toString());
+    }
+    Path beginning = beginning(file);
     Journal journal =
         new Journal(
             file,
             held(
                 file,
-                FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)),
+                FileChannel.open(
+                    beginning,
+                    StandardOpenOption.CREATE,
+                    StandardOpenOption.TRUNCATE_EXISTING,
+                    StandardOpenOption.WRITE)),
             0);
-    journal.append(List.of(begun));
-    return journal;
+    try {
+      journal.append(List.of(begun));
+      Files.move(beginning, file, StandardCopyOption.ATOMIC_MOVE);
+      syncFolder(file);
+      return journal;
+    } catch (IOException e) {
+      journal.close();
+      throw e;
+    }
+  }
+
+  /** Returns where a journal is until its first line is whole; what is left there is nothing. */
+  public static Path beginning(Path file) {
+    return file.resolveSibling(file.getFileName() + ".beginning");
+  }
+
+  /** That the file is there must survive a power cut, too. */
+  private static void syncFolder(Path file) throws IOException {
+    try (FileChannel folder =
+        FileChannel.open(file.toAbsolutePath().getParent(), StandardOpenOption.READ)) {
+      folder.force(true);
+    }
   }
 
   /**

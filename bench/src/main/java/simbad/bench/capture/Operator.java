@@ -17,6 +17,13 @@ public interface Operator {
    */
   String ask(PingSource live) throws IOException, InterruptedException;
 
+  /**
+   * Waits for a line that the person types; nothing pings meanwhile.
+   *
+   * @throws IOException if nothing can be read
+   */
+  void pause() throws IOException;
+
   /** Says something in one line. */
   void say(String text);
 

@@ -3,17 +3,14 @@ package simbad.bench.capture;
 import java.util.OptionalDouble;
 
 /**
- * Makes distances of times: the one place for the speed of sound, the step of the clock and the
- * constant of the thesis's firmware.
+ * Makes distances of times: the one place for the speed of sound and the step of the clock. Numbers
+ * of the thesis's mode become times first ({@link simbad.bench.protocol.ThesisLine#echoUs}).
  *
  * @param temperatureC of the air, degrees Celsius, in [-50, 80]
  */
 public record Ranging(double temperatureC) {
   /** Taken when nobody says how warm it is. */
   public static final double ASSUMED_C = 20;
-
-  /** What the thesis's firmware divides by, for the way there and back; right at 13 degrees. */
-  public static final double THESIS_US_PER_CM = 59;
 
   private static final double SPEED_AT_ZERO_M_PER_S = 331.3;
   private static final double ZERO_K = 273.15;

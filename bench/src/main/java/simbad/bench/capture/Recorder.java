@@ -19,6 +19,7 @@ public final class Recorder implements Closeable {
   private final SweepState state;
   private final Clock clock;
   private OptionalDouble temperatureC;
+  private long lastMs;
   private BiConsumer<Entry, SweepState> listener = (entry, after) -> {};
 
   /**
@@ -78,8 +79,10 @@ public final class Recorder implements Closeable {
     return taken;
   }
 
+  /** Later than the time before, whatever the clock says: no two readings have the same. */
   private double now() {
-    return clock.millis() / MS_PER_S;
+    lastMs = Math.max(lastMs + 1, clock.millis());
+    return lastMs / MS_PER_S;
   }
 
   @Override

@@ -28,23 +28,32 @@ public record SweepView(SweepPlan plan, SweepState state, int bearing, Optional<
     String progress =
         String.format(
             Locale.ROOT,
-            "%d of %d bearings done%s, %d pings%s",
+            "%d of %d bearings done%s, %d pings",
             state.doneCount(),
             plan.bearings(),
             left.map(time -> ", about " + (time.toMinutes() + 1) + " min left").orElse(""),
-            state.pings(),
-            estimate());
+            state.pings());
     return List.of(
         progress,
         turn,
+        "Threshold here so far: " + estimate(),
         "Move it away until the echo is lost, then back until it is there again.",
-        "Type the distance from the sensor to its AXIS OF ROTATION in cm (the reading is to its"
-            + " surface).",
-        "Enter: bearing done · u undo · r DEG repeat · t CELSIUS · q quit (resume goes on)");
+        "At each place type the distance from the sensor to the AXIS OF ROTATION in cm",
+        "(not to its surface, as the reading is).",
+        "Enter done · u undo · r DEG repeat · p pause · t CELSIUS · q quit, to resume");
   }
 
+  /** A threshold lies between what is heard and what is lost; one of them alone is none. */
   private String estimate() {
     List<Level> levels = state.levels(bearing);
-    return levels.isEmpty() ? "" : "; here so far: " + ThresholdFit.of(levels, plan).text();
+    List<Level> lost = levels.stream().filter(plan::isLost).toList();
+    if (levels.isEmpty()) {
+      return "nothing taken yet";
+    } else if (lost.isEmpty()) {
+      return "not lost yet";
+    } else if (lost.size() == levels.size()) {
+      return "not heard yet";
+    }
+    return ThresholdFit.of(levels, plan).text();
   }
 }

@@ -111,6 +111,7 @@ public final class ThesisCapture {
             ranging.temperatureC(),
             meaning.temperatureC().isPresent() ? "" : " (assumed)",
             ranging.soundSpeedMPerS()));
+    header.put("clock", ThesisLine.STEP_US + " us a step, taken in its middle");
     return header;
   }
 }

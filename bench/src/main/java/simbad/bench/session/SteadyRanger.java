@@ -15,7 +15,10 @@ import simbad.bench.protocol.PingStatus;
  */
 public final class SteadyRanger implements AutoCloseable {
   private static final Duration RETRY = Duration.ofMillis(200);
-  private static final Duration CONNECT = Duration.ofMillis(4500);
+
+  /** Nobody there must be said within 5 s, and the program takes some of them to begin. */
+  private static final Duration CONNECT = Duration.ofSeconds(3);
+
   private static final int MOST_STUCK = 20;
 
   /** So long is a ping still heard. */

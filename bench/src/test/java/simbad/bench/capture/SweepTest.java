@@ -160,6 +160,11 @@ class SweepTest {
     }
 
     @Override
+    public void pause() {
+      said.add("paused before " + ask(SweepTest.this::ping));
+    }
+
+    @Override
     public void say(String text) {
       said.add(text);
     }
@@ -211,12 +216,14 @@ class SweepTest {
 
   @Test
   void nonsense_isSaidAndNothingIsRecorded() throws Exception {
-    Typist typist = new Typist("u", "far", "-3", "0", "99999", "r 7", "r", "t cold", "x 3", "q");
+    Typist typist =
+        new Typist("p", "7", "u", "far", "-3", "0", "99999", "r 7", "r", "t cold", "x 3", "q");
     try (Recorder recorder = begun()) {
       assertFalse(guide(recorder, typist));
       assertEquals(0, recorder.state().pings());
     }
     String said = String.join("\n", typist.said);
+    assertTrue(said.contains("paused before 7\ngoing on"), said);
     assertTrue(said.contains("nothing to undo"), said);
     assertTrue(said.contains("'far' is neither a distance"), said);
     assertTrue(said.contains("r and a bearing"), said);

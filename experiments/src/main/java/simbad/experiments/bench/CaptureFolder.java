@@ -50,12 +50,13 @@ public record CaptureFolder(Path path) {
   /**
    * Checks that a capture can begin here.
    *
-   * @throws IOException if something is there, but for an empty folder
+   * @throws IOException if something is there, but for an empty folder or one in which a capture
+   *     was ended before it had begun
    */
   public void requireFree() throws IOException {
     if (Files.exists(path)) {
       try (Stream<Path> entries = Files.list(path)) {
-        if (entries.findAny().isPresent()) {
+        if (entries.anyMatch(entry -> !entry.equals(Journal.beginning(journal())))) {
           throw new FileAlreadyExistsException(path.toString());
         }
       }
@@ -107,17 +108,32 @@ public record CaptureFolder(Path path) {
         new MadeDataSet(
             new SensingSetup(spec, new Scene(List.of(obstacle)), spec.maxRangeM()),
             CapturedReadings.of(text));
+    write(made);
+  }
+
+  /** Whole files only: what is under way has another name, and is gone when it fails. */
+  private void write(MadeDataSet made) throws IOException {
     Path staging = Files.createTempDirectory(path, ".data-set");
-    made.write(staging);
-    try (Stream<Path> files = Files.list(staging)) {
-      for (Path file : files.toList()) {
+    try {
+      made.write(staging);
+      for (Path file : files(staging)) {
         Files.move(
             file,
             path.resolve(String.valueOf(file.getFileName())),
             StandardCopyOption.ATOMIC_MOVE,
             StandardCopyOption.REPLACE_EXISTING);
       }
+    } finally {
+      for (Path file : files(staging)) {
+        Files.delete(file);
+      }
+      Files.delete(staging);
     }
-    Files.delete(staging);
+  }
+
+  private static List<Path> files(Path folder) throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      return files.toList();
+    }
   }
 }

@@ -5,8 +5,8 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.HashMap;
 import java.util.Map;
-import java.util.OptionalInt;
 import simbad.bench.capture.Entry;
+import simbad.bench.capture.Level;
 import simbad.bench.capture.Ranging;
 import simbad.bench.capture.SweepPlan;
 import simbad.bench.capture.SweepState;
@@ -26,6 +26,8 @@ public final class LiveState {
   private final Ranging ranging;
   private final Map<Integer, ThresholdFit> fits = new HashMap<>();
   private final ObjectNode node = MAPPER.createObjectNode();
+  private int bearing;
+  private long readings;
   private volatile String json = "{}";
 
   /** Prepares for a sweep of an obstacle, with the speed of sound that holds there. */
@@ -34,6 +36,7 @@ public final class LiveState {
     this.plan = plan;
     this.ranging = ranging;
     node.put("reading_cm", "-");
+    node.put("readings", 0);
   }
 
   /** Takes a reading, recorded or not. */
@@ -43,25 +46,42 @@ public final class LiveState {
         ping.status() == PingStatus.ECHO
             ? Double.toString(Math.rint(1000 * ranging.rangeM(ping.echoUs().orElse(0))) / 10)
             : ping.status().word());
+    readings++;
+    node.put("readings", readings);
     json = node.toString();
   }
 
   /** Takes the state of the sweep after an entry. */
   public synchronized void take(Entry entry, SweepState state) {
-    if (entry instanceof Entry.Done done && !state.levels(done.bearing()).isEmpty()) {
-      fits.put(done.bearing(), ThresholdFit.of(state.levels(done.bearing()), plan));
+    if (entry instanceof Entry.Done done) {
+      if (!state.levels(done.bearing()).isEmpty()) {
+        fits.put(done.bearing(), ThresholdFit.of(state.levels(done.bearing()), plan));
+      }
+      bearing = state.nextBearing(plan).orElse(done.bearing());
+    } else if (entry instanceof Entry.Taken taken) {
+      bearing = taken.bearing();
+    } else if (entry instanceof Entry.Undone undone) {
+      bearing = undone.bearing();
+    } else if (entry instanceof Entry.Repeated repeated) {
+      bearing = repeated.bearing();
     }
-    show(state);
+    write(state);
   }
 
   /** Shows what a sweep came to before it was gone on with. */
   public synchronized void show(SweepState state) {
+    bearing = state.nextBearing(plan).orElse(0);
+    write(state);
+  }
+
+  private void write(SweepState state) {
     node.put("obstacle", obstacle);
     node.put("bearings", plan.bearings());
+    node.put("pings_each", plan.pings());
     node.put("done", state.doneCount());
     node.put("pings", state.pings());
-    OptionalInt bearing = state.nextBearing(plan);
-    node.put("bearing_deg", bearing.isPresent() ? plan.bearingDeg(bearing.getAsInt()) : 360);
+    node.put("bearing_deg", plan.bearingDeg(bearing));
+    writeLevels(state);
     ArrayNode points = node.putArray("points");
     for (int i = 0; i < plan.bearings(); i++) {
       if (state.isDone(i) && !state.levels(i).isEmpty()) {
@@ -75,6 +95,17 @@ public final class LiveState {
       }
     }
     json = node.toString();
+  }
+
+  /**
+   * What was tried at the bearing under way: distance, pings, how many were heard, whether lost.
+   */
+  private void writeLevels(SweepState state) {
+    ArrayNode levels = node.putArray("levels");
+    for (Level level : state.levels(bearing)) {
+      boolean lost = level.pings() - level.heard() >= plan.misses();
+      levels.addArray().add(level.distanceM()).add(level.pings()).add(level.heard()).add(lost);
+    }
   }
 
   /** Returns all of it as a JSON object. */

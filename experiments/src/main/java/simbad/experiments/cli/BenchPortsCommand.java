@@ -20,7 +20,7 @@ import simbad.bench.session.Ranger;
     },
     footer = {"", "Example: simbad bench ports /dev/ttyUSB0"})
 final class BenchPortsCommand extends Subcommand {
-  private static final Duration LIMIT = Duration.ofMillis(4500);
+  private static final Duration LIMIT = Duration.ofSeconds(3);
 
   @Parameters(paramLabel = "PORT", arity = "0..*", description = "Only these.")
   private List<Path> named = new ArrayList<>();

@@ -3,19 +3,19 @@ package simbad.experiments.cli;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Numbers that can be read from two metres away: each figure five lines high. */
+/** Numbers and LOST that can be read from two metres away: each figure five lines high. */
 final class BigDigits {
   private static final int ROWS = 5;
-  private static final String KNOWN = "0123456789.-";
+  private static final String KNOWN = "0123456789.-\u00b0LOST";
 
   /** A row of three marks for each figure of KNOWN, from above. */
   private static final List<String> MARKS =
       List.of(
-          "### .#. ### ### #.# ### ### ### ### ### ... ...",
-          "#.# ##. ..# ..# #.# #.. #.. ..# #.# #.# ... ...",
-          "#.# .#. ### ### ### ### ### ..# ### ### ... ###",
-          "#.# .#. #.. ..# ..# ..# #.# ..# #.# ..# ... ...",
-          "### ### ### ### ..# ### ### ..# ### ### .#. ...");
+          "### .#. ### ### #.# ### ### ### ### ### ... ... ### #.. ### ### ###",
+          "#.# ##. ..# ..# #.# #.. #.. ..# #.# #.# ... ... #.# #.. #.# #.. .#.",
+          "#.# .#. ### ### ### ### ### ..# ### ### ... ### ### #.. #.# ### .#.",
+          "#.# .#. #.. ..# ..# ..# #.# ..# #.# ..# ... ... ... #.. #.# ..# .#.",
+          "### ### ### ### ..# ### ### ..# ### ### .#. ... ... ### ### ### .#.");
 
   private BigDigits() {}
 

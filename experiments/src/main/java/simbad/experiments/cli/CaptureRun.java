@@ -22,6 +22,7 @@ import simbad.bench.capture.SweepState;
 import simbad.bench.capture.ThresholdFit;
 import simbad.bench.link.PortLink;
 import simbad.bench.protocol.FrameLine;
+import simbad.bench.session.Disturbance;
 import simbad.bench.session.SteadyRanger;
 import simbad.experiments.bench.CaptureFolder;
 import simbad.experiments.bench.LivePage;
@@ -41,6 +42,7 @@ final class CaptureRun {
   private final LiveState live;
   private Optional<Recorder> recorder = Optional.empty();
   private Optional<LivePage> page = Optional.empty();
+  private volatile boolean interrupted;
 
   CaptureRun(
       CaptureFolder folder,
@@ -65,32 +67,81 @@ final class CaptureRun {
   /** The sweep that a program drives, before the simulated board. */
   void auto(SimulatedBench.Setup setup, Opening opening)
       throws IOException, DataFormatException, InterruptedException {
-    try (SimulatedBench bench =
-            SimulatedBench.start(BoardKit.ofProject(ProjectFolder.find()), setup);
-        Progress progress = Progress.of("bearings", settings.plan().bearings());
-        SteadyRanger ranger = bench.connect(this::note)) {
-      Thread ending = new Thread(bench::close);
-      Runtime.getRuntime().addShutdownHook(ending);
-      Recorder known = open(ranger, opening);
-      new Sweep(settings.plan(), known, shown(ranger), bench.stage()).run(told(progress));
-      Runtime.getRuntime().removeShutdownHook(ending);
-    } finally {
-      end();
-    }
+    concluded(
+        () -> {
+          try (SimulatedBench bench =
+                  SimulatedBench.start(BoardKit.ofProject(ProjectFolder.find()), setup);
+              Progress progress = Progress.of("bearings", settings.plan().bearings());
+              SteadyRanger ranger = bench.connect(this::note)) {
+            Recorder known = open(ranger, opening);
+            Sweep sweep = new Sweep(settings.plan(), known, shown(ranger), bench.stage());
+            interruptible(() -> sweep.run(told(progress)), bench::close);
+          }
+        });
   }
 
   /** The sweep that a person does, at the port of the settings. */
   void guided(BufferedReader in, boolean terminal, Opening opening)
       throws IOException, DataFormatException, InterruptedException {
-    Path port = Path.of(settings.of("port"));
-    try (SteadyRanger ranger =
-        new SteadyRanger(() -> PortLink.open(port), SteadyRanger.Terms.BENCH, this::note)) {
-      Recorder known = open(ranger, opening);
-      Operator person =
-          new TerminalOperator(in, out, Ranging.of(settings.temperatureC()), terminal);
-      new GuidedSweep(settings.plan(), known, shown(ranger), person, Clock.systemUTC()).run();
+    Operator person = new TerminalOperator(in, out, Ranging.of(settings.temperatureC()), terminal);
+    concluded(
+        () -> {
+          try (SteadyRanger ranger = connected(Path.of(settings.of("port")))) {
+            Recorder known = open(ranger, opening);
+            GuidedSweep sweep =
+                new GuidedSweep(settings.plan(), known, shown(ranger), person, Clock.systemUTC());
+            interruptible(sweep::run, () -> {});
+          }
+        });
+  }
+
+  /** The part of a run that may fail. */
+  @FunctionalInterface
+  private interface Work {
+    void run() throws IOException, DataFormatException, InterruptedException;
+  }
+
+  /** Ctrl-C ends it; that is said, and how it goes on. */
+  private void interruptible(Work work, Runnable atTheEnd)
+      throws IOException, DataFormatException, InterruptedException {
+    Thread ending =
+        new Thread(
+            () -> {
+              interrupted = true;
+              err.println(
+                  "bench: all readings are kept; go on with: simbad bench resume " + folder.path());
+              atTheEnd.run();
+            });
+    Runtime.getRuntime().addShutdownHook(ending);
+    try {
+      work.run();
     } finally {
-      end();
+      if (!interrupted) {
+        Runtime.getRuntime().removeShutdownHook(ending);
+      }
+    }
+  }
+
+  /** However it ends, what was read is kept and said; why it ended is what is complained about. */
+  private void concluded(Work work) throws IOException, DataFormatException, InterruptedException {
+    try {
+      work.run();
+    } catch (IOException | DataFormatException | InterruptedException e) {
+      try {
+        end();
+      } catch (IOException | DataFormatException later) {
+        e.addSuppressed(later);
+      }
+      throw e;
+    }
+    end();
+  }
+
+  private SteadyRanger connected(Path port) throws IOException {
+    try {
+      return new SteadyRanger(() -> PortLink.open(port), SteadyRanger.Terms.BENCH, this::note);
+    } catch (Disturbance e) {
+      throw new IOException(port + ": " + e.getMessage(), e);
     }
   }
 
@@ -132,6 +183,10 @@ final class CaptureRun {
   }
 
   private void note(String text) {
+    if (interrupted) {
+      // It is the end that disturbs the line.
+      return;
+    }
     err.println("bench: " + text);
     try {
       if (recorder.isPresent()) {
@@ -160,7 +215,6 @@ final class CaptureRun {
 
   /** Says how far it came, and writes the data set. */
   void conclude() throws IOException, DataFormatException {
-    folder.writeDataSet(obstacle, Catalogue.srf04());
     SweepState state = SweepState.of(folder.read().entries());
     int bearings = settings.plan().bearings();
     out.printf(
@@ -174,5 +228,6 @@ final class CaptureRun {
         state.doneCount() == bearings
             ? "now: simbad bench table " + folder.path() + " --out TABLE.csv"
             : "go on with: simbad bench resume " + folder.path());
+    folder.writeDataSet(obstacle, Catalogue.srf04());
   }
 }

@@ -18,5 +18,7 @@ class BigDigitsTest {
         BigDigits.of("17"));
     assertEquals(5, BigDigits.of("12.3").size());
     assertEquals(List.of("", "", "", "", ""), BigDigits.of(" "));
+    assertEquals("██      ██████  ██████  ██████", BigDigits.of("LOST").get(0));
+    assertEquals("██████  ██████", BigDigits.of("0°").get(0));
   }
 }
