@@ -72,7 +72,8 @@ while (($# > 0)); do
   [[ $1 == -f ]] && root=${2%/pom.xml}
   shift
 done
-mkdir -p "$root/experiments/target/lib"
+mkdir -p "$root/experiments/target/lib" "$root/cluster/target/spark/jars"
+touch "$root/cluster/target/cluster.jar" "$root/cluster/target/spark/jars/s.jar"
 touch "$root/experiments/target/experiments.jar" "$root/experiments/target/lib/a.jar"
 if [[ -n ${FAKE_SKIPPED:-} ]]; then
   mkdir -p "$root/experiments/target/surefire-reports"
@@ -87,8 +88,9 @@ END
 new_project() {
   rm -rf "${work:?}"/{bin,jvm,tools,"my project"}
   project="$work/my project"
-  mkdir -p "$project/.mvn" "$project/experiments/src/main/java/deep"
+  mkdir -p "$project/.mvn" "$project/experiments/src/main/java/deep" "$project/cluster/src/main"
   cp "$here/../simbad" "$project/simbad"
+  touch "$project/cluster/src/main/java-options"
   touch "$project/pom.xml" "$project/experiments/pom.xml" "$project/experiments/src/main/java/deep/"{A,B}.java
   fake_system
   fake_jdk "$work/jvm/jdk-17" 17
@@ -127,6 +129,21 @@ prints_not() { [[ $output != *"$1"* ]]; }
 calls() { grep -q -- "^$1" "$work/calls.log"; }
 calls_not() { ! calls "$1"; }
 builds() { [[ -e $project/experiments/target/launcher/stamp ]]; }
+
+adds_spark_where_it_is_asked_for() {
+  new_project
+  simbad batch spec.json --out x
+  check "a batch has no Spark" prints_not 'spark'
+  check "nor is it built" calls_not 'mvn.*cluster'
+  simbad batch spec.json --out x --spark=local[2]
+  check "Spark is built when it is asked for" calls 'mvn.*-pl cluster'
+  check "its options come before the class path" prints 'spark/java-options>'
+  check "its jars come first" prints '/spark/jars/*:'
+  simbad batch spec.json --out x --spark 'local[2]'
+  check "and once" calls_not mvn
+  simbad batch --spark --help
+  check "help does without" prints_not 'spark/java-options'
+}
 
 builds_what_is_out_of_date() {
   new_project
@@ -297,6 +314,7 @@ check_style() {
   check "shellcheck finds nothing" status_is 0
 }
 
+adds_spark_where_it_is_asked_for
 builds_what_is_out_of_date
 keeps_builds_apart
 reports_a_failed_build
