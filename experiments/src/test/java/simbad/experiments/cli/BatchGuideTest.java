@@ -84,10 +84,9 @@ class BatchGuideTest {
       ControllerMaker maker =
           (ControllerMaker) loader.loadClass("ArcMaker").getDeclaredConstructor().newInstance();
       Command command = new Command();
-      maker
-          .make(0.1, 0.05, Map.of("turn_deg_per_s", 90.0))
-          .decide(new Readings(1), command);
-      assertEquals(List.of(0.1, Math.PI / 2), List.of(command.speedMPerS(), command.turnRateRadPerS()));
+      maker.make(0.1, 0.05, Map.of("turn_deg_per_s", 90.0)).decide(new Readings(1), command);
+      assertEquals(
+          List.of(0.1, Math.PI / 2), List.of(command.speedMPerS(), command.turnRateRadPerS()));
     }
   }
 }
