@@ -74,8 +74,8 @@ class EnduranceTest {
   }
 
   @Test
-  void threeThousandPings_areAllRecordedInTheirOrder() throws Exception {
-    checkPings(3000);
+  void thousandPings_areAllRecordedInTheirOrder() throws Exception {
+    checkPings(1000);
   }
 
   @Test

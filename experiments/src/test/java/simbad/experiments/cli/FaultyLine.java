@@ -196,9 +196,13 @@ final class FaultyLine implements AutoCloseable {
   }
 
   @Override
-  public void close() throws InterruptedException {
+  public void close() {
     open = false;
-    threads.get(0).join(2000);
+    try {
+      threads.get(0).join(2000);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
     outer.close();
     inner.close();
   }

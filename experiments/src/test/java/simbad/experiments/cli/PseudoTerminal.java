@@ -56,7 +56,11 @@ final class PseudoTerminal implements AutoCloseable {
   }
 
   @Override
-  public void close() throws InterruptedException {
-    bridge.destroyForcibly().waitFor();
+  public void close() {
+    try {
+      bridge.destroyForcibly().waitFor();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
   }
 }
