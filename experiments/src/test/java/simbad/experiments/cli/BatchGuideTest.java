@@ -7,6 +7,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.net.URL;
 import java.net.URLClassLoader;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -78,7 +79,7 @@ class BatchGuideTest {
     int status =
         ToolProvider.getSystemJavaCompiler()
             .run(null, null, errors, "-proc:none", "-cp", classPath, source.toString());
-    assertEquals(0, status, errors.toString());
+    assertEquals(0, status, errors.toString(StandardCharsets.UTF_8));
     try (URLClassLoader loader =
         new URLClassLoader(new URL[] {folder.toUri().toURL()}, getClass().getClassLoader())) {
       ControllerMaker maker =
