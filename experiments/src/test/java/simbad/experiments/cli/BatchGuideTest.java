@@ -1,5 +1,6 @@
 package simbad.experiments.cli;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -78,16 +79,15 @@ class BatchGuideTest {
     int status =
         ToolProvider.getSystemJavaCompiler()
             .run(null, null, errors, "-proc:none", "-cp", classPath, source.toString());
-    assertEquals(0, status, errors.toString());
+    assertEquals(0, status, errors.toString(UTF_8));
     try (URLClassLoader loader =
         new URLClassLoader(new URL[] {folder.toUri().toURL()}, getClass().getClassLoader())) {
       ControllerMaker maker =
           (ControllerMaker) loader.loadClass("ArcMaker").getDeclaredConstructor().newInstance();
       Command command = new Command();
-      maker
-          .make(0.1, 0.05, Map.of("turn_deg_per_s", 90.0))
-          .decide(new Readings(1), command);
-      assertEquals(List.of(0.1, Math.PI / 2), List.of(command.speedMPerS(), command.turnRateRadPerS()));
+      maker.make(0.1, 0.05, Map.of("turn_deg_per_s", 90.0)).decide(new Readings(1), command);
+      assertEquals(
+          List.of(0.1, Math.PI / 2), List.of(command.speedMPerS(), command.turnRateRadPerS()));
     }
   }
 }
