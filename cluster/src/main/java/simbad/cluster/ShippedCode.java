@@ -35,7 +35,7 @@ record ShippedCode(List<String> jars, String folders) {
   private static List<Path> own() {
     Path spark = sparkJars();
     return classPath()
-        .filter(entry -> !Files.isRegularFile(spark.resolve(entry.getFileName())))
+        .filter(entry -> !Files.isRegularFile(spark.resolve(String.valueOf(entry.getFileName()))))
         .toList();
   }
 
