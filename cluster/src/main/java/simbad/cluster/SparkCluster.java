@@ -23,6 +23,8 @@ public final class SparkCluster implements Cluster {
             .setAppName("simbad batch")
             .setJars(code.jars().toArray(String[]::new))
             .setIfMissing("spark.executor.extraClassPath", code.folders())
+            // What is under way is limited by the waves.
+            .setIfMissing("spark.driver.maxResultSize", "0")
             .setIfMissing("spark.ui.enabled", "false");
     try {
       return new SparkWorkers(new JavaSparkContext(conf));

@@ -159,7 +159,14 @@ public final class ResultLog implements AutoCloseable {
       }
       write(outcome.row());
     } catch (IOException e) {
-      throw new IOException(file.getParent() + ": run " + done + ": " + e.getMessage(), e);
+      throw new IOException(
+          file.getParent()
+              + ": run "
+              + done
+              + ": "
+              + e.getMessage()
+              + "; the runs before it are kept, the same command goes on",
+          e);
     }
     done++;
     failed += outcome.failed() ? 1 : 0;

@@ -69,7 +69,15 @@ final class BatchCommand extends Subcommand {
     if (where.jobs < 1) {
       throw wrongUsage("--jobs: " + where.jobs + " is not at least 1");
     }
-    BatchJob job = job(TextFile.read(spec));
+    try {
+      drive(job(TextFile.read(spec)));
+    } catch (AccessDeniedException e) {
+      // The spec is as it should be; it is the work that cannot be done here.
+      throw new IOException(e.getFile() + ": permission denied", e);
+    }
+  }
+
+  private void drive(BatchJob job) throws IOException, DataFormatException, InterruptedException {
     try (ResultLog log = ResultLog.open(out, job)) {
       long before = log.done();
       if (before > 0) {
@@ -99,9 +107,6 @@ final class BatchCommand extends Subcommand {
       BatchFolder.write(staged.path(), job, version);
       staged.publish();
       return job;
-    } catch (AccessDeniedException e) {
-      // The spec is as it should be; it is the work that cannot be done here.
-      throw new IOException(e.getFile() + ": permission denied", e);
     }
   }
 

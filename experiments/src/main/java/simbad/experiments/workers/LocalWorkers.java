@@ -16,7 +16,7 @@ import java.util.concurrent.Future;
  * only so many are begun ahead.
  */
 public final class LocalWorkers implements Workers {
-  private static final int AHEAD_PER_THREAD = 32;
+  private static final int AHEAD_PER_THREAD = 16;
 
   private final int ahead;
   private final ExecutorService threads;

@@ -1,5 +1,6 @@
 package simbad.experiments.cli;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -7,7 +8,6 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.net.URL;
 import java.net.URLClassLoader;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -79,7 +79,7 @@ class BatchGuideTest {
     int status =
         ToolProvider.getSystemJavaCompiler()
             .run(null, null, errors, "-proc:none", "-cp", classPath, source.toString());
-    assertEquals(0, status, errors.toString(StandardCharsets.UTF_8));
+    assertEquals(0, status, errors.toString(UTF_8));
     try (URLClassLoader loader =
         new URLClassLoader(new URL[] {folder.toUri().toURL()}, getClass().getClassLoader())) {
       ControllerMaker maker =
