@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.apache.spark.SparkContext;
 
@@ -16,18 +15,16 @@ import org.apache.spark.SparkContext;
  * not lie beside Spark's jar.
  *
  * @param jars to send to the workers
- * @param folders of classes, as development has them, joined as in a class path: they are not sent,
- *     workers on the same machine read them
+ * @param onThisMachine of development, which has folders of classes among its jars, the whole part
+ *     as a class path: nothing is sent, workers on the same machine read it. A class in a folder
+ *     would not find one in a jar that was sent, for what is sent is loaded by another loader.
  */
-record ShippedCode(List<String> jars, String folders) {
+record ShippedCode(List<String> jars, String onThisMachine) {
   static ShippedCode ofThisProgram() {
-    List<Path> own = own();
-    return new ShippedCode(
-        own.stream().filter(Files::isRegularFile).map(Path::toString).toList(),
-        own.stream()
-            .filter(Files::isDirectory)
-            .map(Path::toString)
-            .collect(Collectors.joining(File.pathSeparator)));
+    List<String> own = own().stream().map(Path::toString).toList();
+    return own().stream().allMatch(Files::isRegularFile)
+        ? new ShippedCode(own, "")
+        : new ShippedCode(List.of(), String.join(File.pathSeparator, own));
   }
 
   private static List<Path> own() {

@@ -22,7 +22,7 @@ public final class SparkCluster implements Cluster {
             .setMaster(master)
             .setAppName("simbad batch")
             .setJars(code.jars().toArray(String[]::new))
-            .setIfMissing("spark.executor.extraClassPath", code.folders())
+            .setIfMissing("spark.executor.extraClassPath", code.onThisMachine())
             // What is under way is limited by the waves.
             .setIfMissing("spark.driver.maxResultSize", "0")
             .setIfMissing("spark.ui.enabled", "false");
