@@ -49,6 +49,16 @@ public final class Blocks {
 
   /** Returns every other block, from the first or the second on. */
   public Fold half(int first) {
-    return ping -> block[ping] % 2 == first;
+    return part(first, 2);
+  }
+
+  /**
+   * Returns every so manieth block.
+   *
+   * @param first from 0 on
+   * @param parts that the blocks are dealt to
+   */
+  public Fold part(int first, int parts) {
+    return ping -> block[ping] % parts == first;
   }
 }

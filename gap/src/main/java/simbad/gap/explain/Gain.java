@@ -2,18 +2,23 @@ package simbad.gap.explain;
 
 import java.util.Random;
 import simbad.gap.fit.Evidence;
-import simbad.gap.fit.Fitter;
+import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.fit.Refit;
 
 /**
  * How far the gap shrinks on rows that the fit never saw: each half of the blocks is predicted by
- * values that were fitted on the other half.
+ * values that were fitted on the other half; a table of thresholds a sixth by the rest.
  *
  * @param before gap of each ping under the simulator as it is
  * @param after gap of each ping under the explanation
  */
 public record Gain(GapMeter.Gaps before, GapMeter.Gaps after) {
   private static final int RESAMPLES = 1000;
+  private static final int EVALUATIONS = 20;
+
+  /** Half of a log may lack whole sides of an obstacle, which a table cannot know then. */
+  private static final int TABLE_PARTS = 6;
 
   /** Measures. */
   public static Gain of(Evidence evidence, Blocks blocks, Hypothesis explanation) {
@@ -24,16 +29,14 @@ public record Gain(GapMeter.Gaps before, GapMeter.Gaps after) {
     }
     double[] observed = new double[evidence.log().size()];
     double[] expected = new double[observed.length];
-    for (int half = 0; half < 2; half++) {
+    int parts = explanation.size() > Refit.TABLE ? TABLE_PARTS : 2;
+    for (int part = 0; part < parts; part++) {
+      Fold left = blocks.part(part, parts);
       Hypothesis fitted =
-          explanation.size() > 12
-              ? explanation
-              : new Fitter(evidence, blocks.half(1 - half))
-                  .polish(explanation, 20 + 20 * explanation.size())
-                  .hypothesis();
+          new Refit(evidence, ping -> !left.holds(ping)).of(explanation, EVALUATIONS);
       GapMeter.Gaps gaps = meter.measure(evidence, fitted);
       for (int i = 0; i < observed.length; i++) {
-        if (blocks.half(half).holds(i)) {
+        if (left.holds(i)) {
           observed[i] = gaps.observedM()[i];
           expected[i] = gaps.expectedM()[i];
         }

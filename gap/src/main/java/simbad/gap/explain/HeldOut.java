@@ -12,6 +12,7 @@ import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.fit.Refit;
 import simbad.sonar.effect.Effect;
 
 /**
@@ -19,7 +20,7 @@ import simbad.sonar.effect.Effect;
  * of time predict the blocks between, and the other way round.
  */
 final class HeldOut {
-  private static final int TABLE = 12;
+  private static final int EVALUATIONS = 15;
 
   private final Evidence evidence;
   private final Blocks blocks;
@@ -82,12 +83,12 @@ final class HeldOut {
   }
 
   private double[] scores(List<Fit> smallFirst, int half) {
-    Fitter fitter = new Fitter(evidence, blocks.half(half));
+    Refit again = new Refit(evidence, blocks.half(half));
     Fitter other = new Fitter(evidence, blocks.half(1 - half));
     Map<Set<Effect>, Hypothesis> fitted = new HashMap<>();
     double[] scores = new double[smallFirst.size()];
     for (int i = 0; i < scores.length; i++) {
-      Hypothesis own = refit(fitter, smallFirst.get(i).hypothesis(), fitted);
+      Hypothesis own = refit(again, smallFirst.get(i).hypothesis(), fitted);
       fitted.put(new TreeSet<>(own.effects()), own);
       scores[i] = other.logLikelihood(own);
     }
@@ -95,10 +96,11 @@ final class HeldOut {
   }
 
   private static Hypothesis refit(
-      Fitter fitter, Hypothesis whole, Map<Set<Effect>, Hypothesis> fitted) {
-    if (whole.size() == 0 || whole.size() > TABLE) {
+      Refit again, Hypothesis whole, Map<Set<Effect>, Hypothesis> fitted) {
+    if (whole.size() == 0) {
       return whole;
     }
+    Fitter fitter = again.fitter();
     // From where its best subset was fitted on this half: else a set would seem to predict better
     // than its subset only because its values moved less.
     Hypothesis start = whole;
@@ -114,7 +116,7 @@ final class HeldOut {
         }
       }
     }
-    return fitter.polish(start, 15 + 15 * start.size()).hypothesis();
+    return again.of(start, EVALUATIONS);
   }
 
   /** A set with the values of a subset where both have the same forms. */

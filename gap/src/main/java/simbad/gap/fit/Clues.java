@@ -16,8 +16,14 @@ final class Clues {
   private final double[] logLikelihood;
   private final double[] nearest;
   private final double edgeWidthM;
+  private final Fold fold;
 
   Clues(Evidence evidence, Hypothesis hypothesis) {
+    this(evidence, hypothesis, Fold.ALL);
+  }
+
+  Clues(Evidence evidence, Hypothesis hypothesis, Fold fold) {
+    this.fold = fold;
     log = evidence.log();
     edgeWidthM = evidence.setup().sensor().edgeWidthM();
     DiagnosedModel model = evidence.model(hypothesis);
@@ -31,6 +37,16 @@ final class Clues {
         nearest[ping] = Math.min(nearest[ping], geometry.nearestM(ping * geometry.obstacles() + o));
       }
     }
+  }
+
+  /** Pings that count and have an obstacle in the cone. */
+  IntStream inCone(int obstacle) {
+    return IntStream.range(0, log.size())
+        .filter(fold::holds)
+        .filter(
+            ping ->
+                geometry.nearestM(ping * geometry.obstacles() + obstacle)
+                    < Double.POSITIVE_INFINITY);
   }
 
   /** Softness of the threshold as believed, metres. */

@@ -81,8 +81,19 @@ public final class Evidence {
    */
   public void logLikelihood(DiagnosedModel model, Geometry geometry, double[] into) {
     model.likelihood(geometry, into);
+    double silent = -1;
+    double logSilent = 0;
     for (int i = 0; i < into.length; i++) {
-      into[i] = Math.log((1 - BROAD) * into[i] + broad[i]);
+      if (log.echo(i)) {
+        into[i] = Math.log((1 - BROAD) * into[i] + broad[i]);
+      } else {
+        // Many pings have nothing in the cone and are alike; a logarithm costs as much as the rest.
+        if (into[i] != silent) {
+          silent = into[i];
+          logSilent = Math.log((1 - BROAD) * silent + broad[i]);
+        }
+        into[i] = logSilent;
+      }
     }
   }
 

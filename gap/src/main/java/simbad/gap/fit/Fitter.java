@@ -21,6 +21,7 @@ import simbad.sonar.effect.Parameter;
 /** Finds the values of a hypothesis that make the readings most probable. For one thread. */
 public class Fitter {
   private static final double ENOUGH_NATS = 0.02;
+  private static final double ROUGHLY_NATS = 0.2;
   private static final double SMALL = 0.03;
   private static final int REMEMBERED = 4;
 
@@ -97,7 +98,18 @@ public class Fitter {
    * @param most number of evaluations
    */
   public Fit refine(Hypothesis start, int from, int most) {
-    return climb(start, from, most, 1);
+    return climb(start, from, most, 1, ENOUGH_NATS);
+  }
+
+  /**
+   * Refines the values of a start from one on, only as far as a choice among many starts needs.
+   *
+   * @param start whose values the parameters are moved from
+   * @param from index of the first value that is moved
+   * @param most number of evaluations
+   */
+  Fit approach(Hypothesis start, int from, int most) {
+    return climb(start, from, most, 1, ROUGHLY_NATS);
   }
 
   /**
@@ -107,10 +119,11 @@ public class Fitter {
    * @param most number of evaluations
    */
   public Fit polish(Hypothesis start, int most) {
-    return climb(start, 0, most, SMALL);
+    return climb(start, 0, most, SMALL, ENOUGH_NATS);
   }
 
-  private Fit climb(Hypothesis start, int from, int most, double stride) {
+  private Fit climb(
+      Hypothesis start, int from, int most, double stride, double enoughNats) {
     Climb climb = new Climb(start, from);
     if (start.size() == from || most <= 0) {
       return climb.best();
@@ -119,7 +132,7 @@ public class Fitter {
     Arrays.fill(steps, stride);
     try {
       PointValuePair ignored =
-          new SimplexOptimizer(0, ENOUGH_NATS)
+          new SimplexOptimizer(0, enoughNats)
               .optimize(
                   new MaxEval(most),
                   new ObjectiveFunction(climb),

@@ -100,6 +100,6 @@ public final class Screen {
     int size = form.parameters().size();
     return size > TABLE
         ? best
-        : fitter.refine(best.hypothesis(), base.hypothesis().size(), 14 + 10 * size);
+        : fitter.approach(best.hypothesis(), base.hypothesis().size(), 14 + 10 * size);
   }
 }

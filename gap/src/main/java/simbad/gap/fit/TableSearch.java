@@ -46,27 +46,22 @@ final class TableSearch {
 
   private double greatestDistance() {
     Geometry g = clues.geometry;
-    double greatest = 0;
-    for (int ping = 0; ping < clues.log.size(); ping++) {
-      int line = ping * g.obstacles() + obstacle;
-      if (g.nearestM(line) < Double.POSITIVE_INFINITY) {
-        greatest = Math.max(greatest, g.centreDistanceM(line));
-      }
-    }
-    return greatest;
+    return clues
+        .inCone(obstacle)
+        .mapToDouble(ping -> g.centreDistanceM(ping * g.obstacles() + obstacle))
+        .max()
+        .orElse(0);
   }
 
   private void tally(double[][] score) {
     Geometry g = clues.geometry;
-    for (int ping = 0; ping < clues.log.size(); ping++) {
+    for (int ping : clues.inCone(obstacle).toArray()) {
       int line = ping * g.obstacles() + obstacle;
-      if (g.nearestM(line) < Double.POSITIVE_INFINITY) {
-        int cell = (int) Math.rint(g.bearingRad(line) / (2 * Math.PI) * size) % size;
-        for (int k = 0; k < score[cell].length; k++) {
-          double beyond = (g.centreDistanceM(line) - k * STEP_M) / SOFT_M;
-          double echo = 0.01 + 0.98 / (1 + Math.exp(beyond));
-          score[cell][k] += Math.log(clues.log.echo(ping) ? echo : 1 - echo);
-        }
+      int cell = (int) Math.rint(g.bearingRad(line) / (2 * Math.PI) * size) % size;
+      for (int k = 0; k < score[cell].length; k++) {
+        double beyond = (g.centreDistanceM(line) - k * STEP_M) / SOFT_M;
+        double echo = 0.01 + 0.98 / (1 + Math.exp(beyond));
+        score[cell][k] += Math.log(clues.log.echo(ping) ? echo : 1 - echo);
       }
     }
   }

@@ -46,11 +46,9 @@ final class TableSweep {
       cells.add(new ArrayList<>());
     }
     Geometry g = clues.geometry;
-    for (int ping = 0; ping < clues.log.size(); ping++) {
+    for (int ping : clues.inCone(obstacle).toArray()) {
       int line = ping * g.obstacles() + obstacle;
-      if (g.nearestM(line) < Double.POSITIVE_INFINITY) {
-        cells.get((int) (g.bearingRad(line) / (2 * Math.PI) * size) % size).add(ping);
-      }
+      cells.get((int) (g.bearingRad(line) / (2 * Math.PI) * size) % size).add(ping);
     }
     return cells;
   }

@@ -10,4 +10,9 @@ public non-sealed interface ArrivalChange extends Change {
    * @param arrivals takes what answers
    */
   void add(Moment moment, Arrivals arrivals);
+
+  /** Returns whether what answers hangs on where the sensor is and looks. */
+  default boolean hangsOnPose() {
+    return true;
+  }
 }

@@ -12,4 +12,9 @@ public record FloorEcho(double rangeM, double spreadM, double share) implements 
   public void add(Moment moment, Arrivals arrivals) {
     arrivals.add(rangeM, spreadM, share);
   }
+
+  @Override
+  public boolean hangsOnPose() {
+    return false;
+  }
 }

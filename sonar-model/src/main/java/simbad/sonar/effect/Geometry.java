@@ -35,12 +35,15 @@ public final class Geometry {
   private final double[] centreDistanceM;
   private final double[] bearingRad;
   private final double[] thresholdM;
-  private final double[] offAxisRad;
 
   /** Not a number until it is asked for; two threads that compute it find the same. */
+  private final double[] offAxisRad;
+
   private final double[] outlineOffAxisRad;
 
   private final double[] nearestOffAxisRad;
+
+  private final boolean[] empty;
 
   private final SightLine sight = new SightLine();
   private final TransducerPose from = new TransducerPose();
@@ -91,6 +94,7 @@ public final class Geometry {
     offAxisRad = new double[lines];
     outlineOffAxisRad = new double[lines];
     nearestOffAxisRad = new double[lines];
+    empty = new boolean[pings];
   }
 
   /** Tells whether a change has to be known before geometry can be computed. */
@@ -126,18 +130,24 @@ public final class Geometry {
     xM[ping] = pose.xM();
     zM[ping] = pose.zM();
     headingRad[ping] = pose.headingRad();
-    from.aim(xM[ping], zM[ping], headingRad[ping]);
+    if (ping < log.size() && pose.headingRad() == log.headingRad(ping)) {
+      // A fit looks from the same poses thousands of times.
+      from.aim(xM[ping], zM[ping], log.directionX(ping), log.directionZ(ping));
+    } else {
+      from.aim(xM[ping], zM[ping], headingRad[ping]);
+    }
+    empty[ping] = true;
     for (int obstacle = 0; obstacle < obstacles; obstacle++) {
       int line = ping * obstacles + obstacle;
       model.trace(obstacle, from, sight);
       nearestM[line] = sight.nearestM();
+      empty[ping] &= nearestM[line] == Double.POSITIVE_INFINITY;
       centreDistanceM[line] = sight.centreDistanceM();
       bearingRad[line] = sight.bearingRad();
       thresholdM[line] = sight.thresholdM();
+      offAxisRad[line] = Double.NaN;
       outlineOffAxisRad[line] = Double.NaN;
       nearestOffAxisRad[line] = Double.NaN;
-      Placement place = scene.obstacles().get(obstacle).worldFromObstacle();
-      offAxisRad[line] = offAxis(ping, place.xM(), place.zM());
     }
   }
 
@@ -169,6 +179,11 @@ public final class Geometry {
   /** Returns the number of obstacles. */
   public int obstacles() {
     return obstacles;
+  }
+
+  /** Returns whether no obstacle has a point in the cone. */
+  public boolean isEmpty(int ping) {
+    return empty[ping];
   }
 
   /** Returns the sensor's x in metres. */
@@ -219,6 +234,10 @@ public final class Geometry {
    * counter-clockwise.
    */
   public double offAxisRad(int line) {
+    if (Double.isNaN(offAxisRad[line])) {
+      Placement place = scene.obstacles().get(line % obstacles).worldFromObstacle();
+      offAxisRad[line] = offAxis(line / obstacles, place.xM(), place.zM());
+    }
     return offAxisRad[line];
   }
 

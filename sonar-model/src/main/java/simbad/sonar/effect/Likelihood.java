@@ -40,10 +40,46 @@ final class Likelihood {
   }
 
   void into(double[] probability) {
+    boolean alike = memory.burst() == null && pings.emptyOnesAreAlike();
+    double empty = -1;
     for (int ping = 0; ping < log.size(); ping++) {
-      expect(ping);
-      probability[ping] = learn(ping);
+      boolean known = alike && isUneventful(ping);
+      if (known && empty >= 0) {
+        // Most pings of most logs: nothing in the cone, nothing read, nothing to remember.
+        probability[ping] = empty;
+        restart(ping);
+      } else if (memory.isNone()) {
+        probability[ping] = alone(ping);
+      } else {
+        expect(ping);
+        probability[ping] = learn(ping);
+      }
+      empty = known ? probability[ping] : empty;
     }
+  }
+
+  /** Whether a ping has nothing in its cone and no echo, and so has the one before. */
+  private boolean isUneventful(int ping) {
+    return !log.echo(ping)
+        && pings.geometry().isEmpty(ping)
+        && (memory.isNone() || log.sequenceStart(ping) == ping || !log.echo(ping - 1));
+  }
+
+  private void restart(int ping) {
+    if (log.sequenceStart(ping) == ping) {
+      before.clear();
+      state.start(0);
+    }
+  }
+
+  /** Of a ping that hangs on no other. */
+  private double alone(int ping) {
+    pings.mix(ping, false, Mixture.EMPTY, 0, mixture);
+    if (!log.echo(ping)) {
+      return Math.max(0, 1 - mixture.echoShare());
+    }
+    double range = log.rangeM(ping);
+    return mixture.within(model.stepStartM(range), model.stepEndM(range));
   }
 
   void into(Expectation expectation) {

@@ -25,6 +25,8 @@ public final class PingLog {
   private final double[] xM;
   private final double[] zM;
   private final double[] headingRad;
+  private final double[] directionX;
+  private final double[] directionZ;
   private final boolean[] echo;
   private final double[] rangeM;
   private final double[] runStartS;
@@ -53,6 +55,8 @@ public final class PingLog {
     xM = new double[size];
     zM = new double[size];
     headingRad = new double[size];
+    directionX = new double[size];
+    directionZ = new double[size];
     echo = new boolean[size];
     rangeM = new double[size];
     runStartS = new double[size];
@@ -71,6 +75,8 @@ public final class PingLog {
     xM[i] = from.pose().position().xM();
     zM[i] = from.pose().position().zM();
     headingRad[i] = from.pose().heading().radians();
+    directionX[i] = Math.cos(headingRad[i]);
+    directionZ[i] = -Math.sin(headingRad[i]);
     runStartS[i] = starts.getOrDefault(from.run(), 0.0);
     if (from.reading() instanceof Echo heard) {
       echo[i] = true;
@@ -162,6 +168,16 @@ public final class PingLog {
   /** Returns the believed heading of the sensor in radians. */
   public double headingRad(int ping) {
     return headingRad[ping];
+  }
+
+  /** Returns the x component of the believed heading, of length 1 with the z component. */
+  double directionX(int ping) {
+    return directionX[ping];
+  }
+
+  /** Returns the z component of the believed heading. */
+  double directionZ(int ping) {
+    return directionZ[ping];
   }
 
   /** Returns whether an echo was read. */

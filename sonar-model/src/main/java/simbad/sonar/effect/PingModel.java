@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -56,11 +58,26 @@ final class PingModel {
   }
 
   static <T> List<T> of(Class<T> kind, List<? extends Change> changes) {
-    return changes.stream().filter(kind::isInstance).map(kind::cast).toList();
+    List<T> some = new ArrayList<>();
+    for (Change change : changes) {
+      if (kind.isInstance(change)) {
+        some.add(kind.cast(change));
+      }
+    }
+    return some;
   }
 
   Geometry geometry() {
     return geometry;
+  }
+
+  /**
+   * Returns whether all pings with nothing in the cone, after pings without an echo, may read the
+   * same.
+   */
+  boolean emptyOnesAreAlike() {
+    return (arrivalChanges.length == 0 || losses.length == 0)
+        && Arrays.stream(arrivalChanges).noneMatch(ArrivalChange::hangsOnPose);
   }
 
   /**

@@ -1,5 +1,6 @@
 package simbad.sonar.effect;
 
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 
@@ -9,13 +10,12 @@ final class PoseTrack {
 
   /** Starts to follow one sensor through one run. */
   PoseTrack(List<? extends Change> changes, String sensor, double runStartS) {
-    tracks =
-        changes.stream()
-            .filter(PoseChange.class::isInstance)
-            .map(PoseChange.class::cast)
-            .sorted(Comparator.comparingInt(PoseChange::order))
-            .map(change -> change.start(sensor, runStartS))
-            .toArray(PoseChange.Track[]::new);
+    List<PoseChange> moves = PingModel.of(PoseChange.class, changes);
+    tracks = new PoseChange.Track[moves.size()];
+    if (tracks.length > 0) {
+      moves.sort(Comparator.comparingInt(PoseChange::order));
+      Arrays.setAll(tracks, i -> moves.get(i).start(sensor, runStartS));
+    }
   }
 
   void next(double timeS, TruePose pose) {

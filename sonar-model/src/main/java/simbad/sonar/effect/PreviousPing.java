@@ -27,4 +27,9 @@ public record PreviousPing(double share, double factor, double shiftM, double sp
       }
     }
   }
+
+  @Override
+  public boolean hangsOnPose() {
+    return false;
+  }
 }

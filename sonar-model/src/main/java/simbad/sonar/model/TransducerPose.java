@@ -35,10 +35,24 @@ public final class TransducerPose {
    * @return this
    */
   public TransducerPose aim(double atXM, double atZM, double headingRad) {
+    return aim(atXM, atZM, Math.cos(headingRad), -Math.sin(headingRad));
+  }
+
+  /**
+   * Puts the transducer at a place and lets it look in a direction.
+   *
+   * @param atXM metres
+   * @param atZM metres
+   * @param newDirectionX of length 1 with the next
+   * @param newDirectionZ likewise
+   * @return this
+   */
+  public TransducerPose aim(
+      double atXM, double atZM, double newDirectionX, double newDirectionZ) {
     xM = atXM;
     zM = atZM;
-    directionX = Math.cos(headingRad);
-    directionZ = -Math.sin(headingRad);
+    directionX = newDirectionX;
+    directionZ = newDirectionZ;
     return this;
   }
 }

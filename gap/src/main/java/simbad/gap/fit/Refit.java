@@ -1,0 +1,62 @@
+package simbad.gap.fit;
+
+import simbad.sonar.effect.Form;
+
+/**
+ * Fits a hypothesis that is known roughly once more, to some of the pings: values by simplex, tables
+ * of thresholds, which have too many values for it, read off the log anew.
+ */
+public final class Refit {
+  /** More values than these are a table. */
+  public static final int TABLE = 12;
+
+  private final Evidence evidence;
+  private final Fold fold;
+  private final Fitter fitter;
+
+  /**
+   * Creates for the pings that count.
+   *
+   * @param evidence the log
+   * @param fold the pings that count
+   */
+  public Refit(Evidence evidence, Fold fold) {
+    this.evidence = evidence;
+    this.fold = fold;
+    fitter = new Fitter(evidence, fold);
+  }
+
+  /** Returns the fitter of the pings that count. */
+  public Fitter fitter() {
+    return fitter;
+  }
+
+  /**
+   * Fits all values again.
+   *
+   * @param start known roughly
+   * @param evaluations for each value that is no threshold
+   */
+  public Hypothesis of(Hypothesis start, int evaluations) {
+    Hypothesis tables = Hypothesis.NONE;
+    Hypothesis rest = Hypothesis.NONE;
+    for (int i = 0; i < start.forms().size(); i++) {
+      Form form = start.forms().get(i);
+      if (form.parameters().size() > TABLE) {
+        Clues clues = new Clues(evidence, start.without(form.effect()), fold);
+        tables = tables.and(form, new TableSearch(clues, form).start());
+      } else {
+        rest = rest.and(form, start.valuesOf(i));
+      }
+    }
+    int most = evaluations * (1 + rest.size());
+    if (tables.size() == 0) {
+      return fitter.polish(start, most).hypothesis();
+    }
+    Hypothesis both = tables;
+    for (int i = 0; i < rest.forms().size(); i++) {
+      both = both.and(rest.forms().get(i), rest.valuesOf(i));
+    }
+    return fitter.refine(both, tables.size(), rest.size() == 0 ? 0 : most).hypothesis();
+  }
+}
