@@ -11,6 +11,7 @@ import simbad.sonar.frame.Angles;
 /** Looks for a flat face that strange echoes agree on, by a vote of all over normals and places. */
 final class FaceSearch {
   private static final double NORMAL_STEP_DEG = 5;
+  private static final double FINE_STEP_DEG = 1;
   private static final double WINDOW_M = 0.05;
   private static final double SPARE_RAD = Math.toRadians(6);
   private static final int BEST = 3;
@@ -25,26 +26,39 @@ final class FaceSearch {
     strange = clues.strangeEchoes().toArray();
   }
 
-  private record Face(double xM, double zM, double normalDeg, double halfWidthM, int votes) {}
+  private record Face(double xM, double zM, double normalDeg, double halfWidthM, double reachM, int votes) {}
 
   List<double[]> starts(Form form) {
     List<Face> faces = new ArrayList<>();
     for (double normal = -180; normal < 180; normal += NORMAL_STEP_DEG) {
       vote(normal, faces);
     }
-    faces.sort(Comparator.comparingInt(face -> -face.votes));
     List<double[]> starts = new ArrayList<>();
-    for (Face face : faces.subList(0, Math.min(BEST, faces.size()))) {
-      starts.addAll(values(form, face));
+    for (Face face : best(faces)) {
+      starts.addAll(values(form, refined(face)));
     }
-    return starts.isEmpty() ? values(form, new Face(0, 0, 0, 0.3, 0)) : starts;
+    return starts.isEmpty() ? values(form, new Face(0, 0, 0, 0.3, 1, 0)) : starts;
+  }
+
+  private static List<Face> best(List<Face> faces) {
+    return faces.stream()
+        .sorted(Comparator.comparingInt(face -> -face.votes))
+        .limit(BEST)
+        .toList();
+  }
+
+  /** A wide face is found by a narrow step of its normal only. */
+  private Face refined(Face rough) {
+    List<Face> near = new ArrayList<>(List.of(rough));
+    for (double turn = FINE_STEP_DEG; turn < NORMAL_STEP_DEG; turn += FINE_STEP_DEG) {
+      vote(rough.normalDeg - turn, near);
+      vote(rough.normalDeg + turn, near);
+    }
+    return best(near).get(0);
   }
 
   /** A face may end where the log never looked: as wide as was seen, and as wide as a room. */
   private static List<double[]> values(Form form, Face face) {
-    if (form.name().equals("post")) {
-      return List.of(new double[] {face.xM, face.zM, 0.95});
-    }
     List<double[]> starts = new ArrayList<>();
     for (double width : new double[] {face.halfWidthM, WIDE_M}) {
       double[] mirror = {face.xM, face.zM, face.normalDeg, width, 0.95};
@@ -52,9 +66,10 @@ final class FaceSearch {
         starts.add(mirror);
       } else {
         for (double square : SQUARE_DEG) {
-          double[] start = Arrays.copyOf(mirror, mirror.length + 1);
-          start[mirror.length] = square;
-          starts.add(start);
+          starts.add(
+              new double[] {
+                face.xM, face.zM, face.normalDeg, width, 0.95, square, face.reachM + WINDOW_M
+              });
         }
       }
     }
@@ -84,8 +99,19 @@ final class FaceSearch {
               at * normalZ + middle * normalX,
               normalDeg,
               Math.max(0.05, (high - low) / 2),
+              farthest(facing, normalX, normalZ, at),
               along.length));
     }
+  }
+
+  private double farthest(int[] facing, double normalX, double normalZ, double at) {
+    double[] ranges =
+        Arrays.stream(facing)
+            .filter(i -> Math.abs(place(i, normalX, normalZ) - at) < WINDOW_M)
+            .mapToDouble(clues.log::rangeM)
+            .sorted()
+            .toArray();
+    return Modes.quantile(ranges, 0.98);
   }
 
   private double off(int ping, double normalDeg) {

@@ -24,10 +24,10 @@ final class Starts {
     List<List<Double>> tries = new ArrayList<>();
     form.parameters().forEach(parameter -> tries.add(parameter.tries()));
     return switch (form.effect()) {
-      case FLOOR_ECHO -> product(form, modes(strange(), 0.02), List.of(0.01, 0.04), tries.get(2));
-      case UNMODELLED_OBJECT -> new FaceSearch(clues).starts(form);
-      case MULTIPATH -> product(form, tries.get(0), detours(form), List.of(0.01, 0.05));
-      case PREVIOUS_PING -> product(form, tries.get(0), ghosts(form), tries.get(2));
+      case FLOOR_ECHO -> floor(form, tries);
+      case UNMODELLED_OBJECT -> object(form);
+      case MULTIPATH -> multipath(form, tries);
+      case PREVIOUS_PING -> ghosts(form, tries);
       case CROSSTALK -> crosstalk(form, tries.get(0));
       case COARSE_RESOLUTION -> product(form, new Rhythm(clues.log).steps());
       case NEAR_CLAMP -> product(form, leastReadings(tries.get(0)));
@@ -73,23 +73,75 @@ final class Starts {
     return Modes.of(values, width, MODES);
   }
 
-  private List<Double> detours(Form form) {
-    IntStream late =
-        clues.echoesInCone().filter(i -> clues.log.rangeM(i) > clues.nearestM(i) + 0.02);
-    return form.name().equals("added")
-        ? modes(late.mapToDouble(i -> clues.log.rangeM(i) - clues.nearestM(i)), 0.04)
-        : modes(late.mapToDouble(i -> clues.log.rangeM(i) / clues.nearestM(i)), 0.04);
+  private List<double[]> object(Form form) {
+    return form.name().equals("post")
+        ? new PostSearch(clues, form.parameters().get(3).high()).starts()
+        : new FaceSearch(clues).starts(form);
   }
 
-  private List<Double> ghosts(Form form) {
-    IntStream early =
-        clues
-            .strangeEchoes()
-            .filter(clues::hasEchoBefore)
-            .filter(i -> clues.log.rangeM(i) < clues.log.rangeM(i - 1));
-    return form.name().equals("shift")
-        ? modes(early.mapToDouble(i -> clues.log.rangeM(i - 1) - clues.log.rangeM(i)), 0.03)
-        : modes(early.mapToDouble(i -> clues.log.rangeM(i) / clues.log.rangeM(i - 1)), 0.03);
+  private List<double[]> floor(Form form, List<List<Double>> tries) {
+    tries.set(0, modes(strange(), 0.02));
+    tries.set(1, List.of(0.01, 0.04));
+    return all(form, tries);
+  }
+
+  private List<double[]> multipath(Form form, List<List<Double>> tries) {
+    return switch (form.name()) {
+      case "added" -> product(form, tries.get(0), longerBy(), List.of(0.01, 0.05));
+      case "factor" -> product(form, tries.get(0), longerTimes(), List.of(0.01, 0.05));
+      default ->
+          product(form, List.of(0.1), longerBy(), List.of(0.1), longerTimes(), List.of(0.03));
+    };
+  }
+
+  /** Echoes that came by a longer way than to the nearest obstacle. */
+  private IntStream late() {
+    return clues.echoesInCone().filter(i -> clues.log.rangeM(i) > clues.nearestM(i) + 0.02);
+  }
+
+  private List<Double> longerBy() {
+    return modes(late().mapToDouble(i -> clues.log.rangeM(i) - clues.nearestM(i)), 0.04);
+  }
+
+  private List<Double> longerTimes() {
+    return modes(late().mapToDouble(i -> clues.log.rangeM(i) / clues.nearestM(i)), 0.04);
+  }
+
+  private List<double[]> ghosts(Form form, List<List<Double>> tries) {
+    if (form.name().equals("shift")) {
+      tries.set(
+          1, modes(early().mapToDouble(i -> clues.log.rangeM(i - 1) - clues.log.rangeM(i)), 0.03));
+    } else if (form.name().equals("line")) {
+      return lines(form, tries);
+    } else {
+      tries.set(
+          1, modes(early().mapToDouble(i -> clues.log.rangeM(i) / clues.log.rangeM(i - 1)), 0.03));
+    }
+    return all(form, tries);
+  }
+
+  /** For each factor the shift that most early echoes agree on. */
+  private List<double[]> lines(Form form, List<List<Double>> tries) {
+    List<double[]> starts = new ArrayList<>();
+    for (double factor : tries.get(1)) {
+      tries.set(1, List.of(factor));
+      tries.set(
+          2,
+          Modes.of(
+              early().mapToDouble(i -> factor * clues.log.rangeM(i - 1) - clues.log.rangeM(i)),
+              0.03,
+              1));
+      starts.addAll(all(form, tries));
+    }
+    return starts;
+  }
+
+  /** Strange echoes that are nearer than the reading before. */
+  private IntStream early() {
+    return clues
+        .strangeEchoes()
+        .filter(clues::hasEchoBefore)
+        .filter(i -> clues.log.rangeM(i) < clues.log.rangeM(i - 1));
   }
 
   private List<double[]> crosstalk(Form form, List<Double> shares) {

@@ -11,7 +11,7 @@ import simbad.sonar.effect.Geometry;
 final class TableSearch {
   private static final double SOFT_M = 0.06;
   private static final double STEP_M = 0.05;
-  private static final double HOLD = 0.5;
+  private static final double HOLD = 2;
   private static final int ROUNDS = 3;
 
   private final Clues clues;

@@ -16,7 +16,7 @@ final class TableSweep {
   };
 
   /** Against needless zigzag, nats for each metre that a value stands off its neighbours. */
-  private static final double HOLD = 0.3;
+  private static final double HOLD = 1.2;
 
   private static final double LEAST_ECHO = 0.01;
 

@@ -122,9 +122,9 @@ final class Probes {
       int ping = (int) ((i + 0.5) / OBJECTS * log.size());
       double x = log.xM(ping) + AHEAD_M * Math.cos(log.headingRad(ping));
       double z = log.zM(ping) - AHEAD_M * Math.sin(log.headingRad(ping));
-      places.add(new double[] {x, z, 0});
+      places.add(new double[] {x, z, 0, setup.sensor().maxRangeM(), 0, 90});
     }
-    return List.of(new Probe(form(Effect.UNMODELLED_OBJECT, "post"), 2, 0.5, places));
+    return List.of(new Probe(form(Effect.UNMODELLED_OBJECT, "post"), 4, 0.5, places));
   }
 
   /** A threshold that swings twice about the believed one in a turn, of any that is uniform. */

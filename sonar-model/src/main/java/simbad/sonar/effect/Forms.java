@@ -26,6 +26,12 @@ public final class Forms {
 
   private static final double FOREVER_S = 1e9;
 
+  /** Spread of a detour over its length, and for one in proportion over that of an echo at 1 m. */
+  private static final double MOST_SPREAD = 0.5;
+
+  /** What comes from nearly the same range each time has to do with something. */
+  private static final double LEAST_BAND_M = 0.3;
+
   private final SensingSetup setup;
   private final List<String> sensors;
   private final List<Form> forms = new ArrayList<>();
@@ -136,21 +142,21 @@ public final class Forms {
     add(
         Effect.CROSSTALK,
         "any",
-        v -> new Crosstalk(v[0], v[1], Math.max(v[1] + 0.01, v[2]), false),
+        v -> new Crosstalk(v[0], v[1], Math.max(v[1] + LEAST_BAND_M, v[2]), false),
         SMALL_SHARE,
         low,
         high);
     add(
         Effect.CROSSTALK,
         "silent",
-        v -> new Crosstalk(v[0], v[1], Math.max(v[1] + 0.01, v[2]), true),
+        v -> new Crosstalk(v[0], v[1], Math.max(v[1] + LEAST_BAND_M, v[2]), true),
         SMALL_SHARE,
         low,
         high);
     add(
         Effect.CROSSTALK,
         "earlier",
-        v -> new EarlyCrosstalk(v[0], v[1], Math.max(v[1] + 0.01, v[2])),
+        v -> new EarlyCrosstalk(v[0], v[1], Math.max(v[1] + LEAST_BAND_M, v[2])),
         SMALL_SHARE,
         low,
         high);
@@ -161,17 +167,35 @@ public final class Forms {
     add(
         Effect.MULTIPATH,
         "added",
-        v -> new Multipath(v[0], 1, v[1], v[2]),
+        v -> added(v[0], v[1], v[2]),
         SMALL_SHARE,
         Parameter.of("extra_m", 0, 0.02, 2, 0.1, 0.3, 0.6),
         spread);
     add(
         Effect.MULTIPATH,
         "factor",
-        v -> new Multipath(v[0], v[1], 0, v[2]),
+        v -> scaled(v[0], v[1], v[2]),
         SMALL_SHARE,
         Parameter.of("factor", 1, 1.02, 3, 1.2, 1.5, 2),
         spread);
+    add(
+        Effect.MULTIPATH,
+        "both",
+        v -> new MixedMultipath(added(v[0], v[1], v[4]), scaled(v[2], v[3], v[4])),
+        SMALL_SHARE,
+        Parameter.of("extra_m", 0, 0.02, 2, 0.1, 0.3, 0.6),
+        Parameter.of("scaled_share", 0, 0, 0.7, 0.1),
+        Parameter.of("factor", 1, 1.02, 3, 1.2, 1.5, 2),
+        spread);
+  }
+
+  /** A way that scatters by more than it is longer would be noise. */
+  private static Multipath added(double share, double extraM, double spreadM) {
+    return new Multipath(share, 1, extraM, Math.min(spreadM, MOST_SPREAD * extraM));
+  }
+
+  private static Multipath scaled(double share, double factor, double spreadM) {
+    return new Multipath(share, factor, 0, Math.min(spreadM, MOST_SPREAD * (factor - 1)));
   }
 
   private void losses() {
@@ -181,7 +205,7 @@ public final class Forms {
         "bursts",
         v -> new Burst(v[0], v[1], 1),
         Parameter.of("share", 0, 0, 0.9, 0.1, 0.3),
-        Parameter.of("length_pings", 1, 1, 40, 3, 10));
+        Parameter.of("length_pings", 1, 1, 25, 3, 10));
   }
 
   private void thresholds() {
@@ -250,7 +274,7 @@ public final class Forms {
         Effect.BEAM_MISALIGNMENT,
         name,
         v -> new BeamMisalignment(toRadians(v[0]), sensor),
-        Parameter.of("turn_deg", 0, -60, 60, -12, -6, -3, 3, 6, 12));
+        Parameter.of("turn_deg", 0, -30, 30, -12, -6, -3, 3, 6, 12));
   }
 
   private void floor() {
@@ -262,6 +286,15 @@ public final class Forms {
         Parameter.of("range_m", most, 0.02, most, 0.3 * most),
         Parameter.of("spread_m", 0, 0, 0.15, 0.02),
         SHARE);
+    add(
+        Effect.FLOOR_ECHO,
+        "two",
+        v -> new TwoFloorEchoes(new FloorEcho(v[0], v[1], v[2]), v[3], v[4]),
+        Parameter.of("range_m", most, 0.02, most, 0.3 * most),
+        Parameter.of("spread_m", 0, 0, 0.15, 0.02),
+        SHARE,
+        Parameter.of("apart_m", 0, 0.01, 0.4, 0.05),
+        Parameter.of("farther_share", 0, 0, 1, 0.2));
   }
 
   private void objects() {
@@ -270,10 +303,12 @@ public final class Forms {
     Parameter normal = Parameter.of("normal_deg", 0, -400, 400, 0);
     Parameter width = Parameter.of("half_width_m", 0, 0.02, 10, 0.4);
     Parameter sure = Parameter.of("share", 0, 0.1, 1, 0.95);
+    double most = setup.sensor().maxRangeM();
+    Parameter reach = Parameter.of("reach_m", most, 0.05, most, most);
     add(
         Effect.UNMODELLED_OBJECT,
         "mirror",
-        v -> new UnmodelledObject(v[0], v[1], toRadians(v[2]), v[3], 0, v[4]),
+        v -> new UnmodelledObject(v[0], v[1], toRadians(v[2]), v[3], 0, most, v[4]),
         x,
         z,
         normal,
@@ -282,20 +317,24 @@ public final class Forms {
     add(
         Effect.UNMODELLED_OBJECT,
         "face",
-        v -> new UnmodelledObject(v[0], v[1], toRadians(v[2]), v[3], toRadians(v[5]), v[4]),
+        v -> new UnmodelledObject(v[0], v[1], toRadians(v[2]), v[3], toRadians(v[5]), v[6], v[4]),
         x,
         z,
         normal,
         width,
         sure,
-        Parameter.of("square_deg", 30, 3, 90, 15, 40));
+        Parameter.of("square_deg", 30, 3, 90, 15, 40),
+        reach);
     add(
         Effect.UNMODELLED_OBJECT,
         "post",
-        v -> new UnmodelledObject(v[0], v[1], 0, 0, 0, v[2]),
+        v -> new UnmodelledPost(v[0], v[1], v[2], v[3], toRadians(v[5]), v[4]),
         x,
         z,
-        sure);
+        Parameter.of("radius_m", 0, 0, 0.5, 0.05),
+        reach,
+        sure,
+        Parameter.of("square_deg", 90, 3, 90, 90));
   }
 
   private void memory() {
@@ -349,6 +388,14 @@ public final class Forms {
         v -> new PreviousPing(v[0], v[1], 0, v[2]),
         GHOSTS,
         Parameter.of("factor", 1, 0.05, 0.96, 0.3, 0.5, 0.8),
+        spread);
+    add(
+        Effect.PREVIOUS_PING,
+        "line",
+        v -> new PreviousPing(v[0], v[1], v[2], v[3]),
+        GHOSTS,
+        Parameter.of("factor", 1, 0.05, 2.2, 0.3, 0.5, 0.8, 2),
+        Parameter.of("shift_m", 0, -0.3, 5, -0.05, 0.05),
         spread);
   }
 
@@ -412,9 +459,29 @@ public final class Forms {
         "path",
         v -> new OdometryScale(v[0]),
         Parameter.of("factor", 1, 0.5, 1.6, 0.9, 0.96, 1.04, 1.1));
+    add(
+        Effect.ODOMETRY_SCALE,
+        "along",
+        v -> new PathScale(v[0]),
+        Parameter.of("factor", 1, 0.5, 1, 0.86, 0.9, 0.94, 0.98));
+    drifts();
+  }
+
+  private void drifts() {
     Parameter drift = Parameter.of("rate_deg_s", 0, -5, 5, -1, -0.3, -0.1, 0.1, 0.3, 1);
     add(Effect.HEADING_DRIFT, "heading", v -> new HeadingDrift(toRadians(v[0]), false), drift);
     add(Effect.HEADING_DRIFT, "reckoned", v -> new HeadingDrift(toRadians(v[0]), true), drift);
+    add(
+        Effect.HEADING_DRIFT,
+        "settling",
+        v -> new HeadingDrift(toRadians(v[0]), v[1], false),
+        drift,
+        Parameter.of("settling_s", Double.POSITIVE_INFINITY, 1, 1000, 10, 40));
+    add(
+        Effect.HEADING_DRIFT,
+        "way",
+        v -> new HeadingDriftByWay(toRadians(v[0])),
+        Parameter.of("rate_deg_m", 0, -60, 60, -8, -3, -1, 1, 3, 8));
   }
 
   private void gates() {

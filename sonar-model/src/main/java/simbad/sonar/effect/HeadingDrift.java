@@ -3,10 +3,18 @@ package simbad.sonar.effect;
 /**
  * The believed heading drifts with the time since the start of a run.
  *
- * @param radPerS true less believed heading, for each second; 0 is neutral
+ * @param radPerS true less believed heading, for each second at the start; 0 is neutral
+ * @param settlingS after how long the drift has slowed to a share of 1/e, seconds; infinity for one
+ *     that does not slow
  * @param reckoned whether places were reckoned with the drifting heading, so that the way is bent
  */
-public record HeadingDrift(double radPerS, boolean reckoned) implements PoseChange {
+public record HeadingDrift(double radPerS, double settlingS, boolean reckoned)
+    implements PoseChange {
+  /** Creates a drift that does not slow. */
+  public HeadingDrift(double radPerS, boolean reckoned) {
+    this(radPerS, Double.POSITIVE_INFINITY, reckoned);
+  }
+
   @Override
   public int order() {
     return 1;
@@ -18,13 +26,18 @@ public record HeadingDrift(double radPerS, boolean reckoned) implements PoseChan
       return Track.STILL;
     }
     return reckoned
-        ? new Bend(radPerS, runStartS)
-        : (timeS, pose) -> pose.turn(radPerS * (timeS - runStartS));
+        ? new Bend(runStartS)
+        : (timeS, pose) -> pose.turn(turnRad(timeS - runStartS));
+  }
+
+  private double turnRad(double sinceS) {
+    return settlingS == Double.POSITIVE_INFINITY
+        ? radPerS * sinceS
+        : -radPerS * settlingS * Math.expm1(-sinceS / settlingS);
   }
 
   /** Lays the way from its start again, each piece turned by the drift of its time. */
-  private static final class Bend implements Track {
-    private final double radPerS;
+  private final class Bend implements Track {
     private final double runStartS;
     private final TruePose believed = new TruePose();
     private double xM;
@@ -32,15 +45,14 @@ public record HeadingDrift(double radPerS, boolean reckoned) implements PoseChan
     private double turnRad;
     private boolean started;
 
-    Bend(double radPerS, double runStartS) {
-      this.radPerS = radPerS;
+    Bend(double runStartS) {
       this.runStartS = runStartS;
     }
 
     @Override
     public void next(double timeS, TruePose pose) {
       double before = turnRad;
-      turnRad = radPerS * (timeS - runStartS);
+      turnRad = HeadingDrift.this.turnRad(timeS - runStartS);
       if (started) {
         double angle = (before + turnRad) / 2;
         double dx = pose.xM() - believed.xM();

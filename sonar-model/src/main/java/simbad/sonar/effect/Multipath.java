@@ -20,7 +20,11 @@ public record Multipath(double share, double factor, double extraM, double sprea
     if (share == 0) {
       return;
     }
-    int parts = mixture.size();
+    apply(mixture, mixture.size());
+  }
+
+  /** Sends some of the first parts alone the long way. */
+  void apply(Mixture mixture, int parts) {
     for (int part = 0; part < parts; part++) {
       double own = factor * mixture.deviationM(part);
       mixture.add(

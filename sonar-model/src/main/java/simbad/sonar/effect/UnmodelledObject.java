@@ -12,10 +12,17 @@ package simbad.sonar.effect;
  * @param normalRad heading of the face's normal
  * @param halfWidthM half its width, metres; at least 0; 0 is a post, which has no normal
  * @param squareRad greatest angle between the heading and the normal's opposite; 0 is a mirror
+ * @param reachM greatest distance that it is heard from, metres
  * @param share of such pings that it answers, in [0, 1]; 0 is neutral
  */
 public record UnmodelledObject(
-    double xM, double zM, double normalRad, double halfWidthM, double squareRad, double share)
+    double xM,
+    double zM,
+    double normalRad,
+    double halfWidthM,
+    double squareRad,
+    double reachM,
+    double share)
     implements ArrivalChange {
   @Override
   public void add(Moment moment, Arrivals arrivals) {
@@ -41,7 +48,7 @@ public record UnmodelledObject(
     double heading = geometry.headingRad(ping);
     double facing = (toX * Math.cos(heading) - toZ * Math.sin(heading)) / distance;
     boolean inCone = facing >= Math.cos(geometry.coneHalfAngleRad());
-    if (inCone && distance <= geometry.sensor().maxRangeM() && isSquare(heading)) {
+    if (inCone && distance <= Math.min(reachM, geometry.sensor().maxRangeM()) && isSquare(heading)) {
       arrivals.add(distance, 0, share);
     }
   }
