@@ -3,6 +3,7 @@ package simbad.gap;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
@@ -44,6 +45,13 @@ public final class Diagnoser {
   private static final double OFF = 2;
 
   private static final double TIE_NATS = 3;
+
+  /** Of the effects named in logs that were checked, so many were there (docs/method/gap.md). */
+  private static final double NAMED_RIGHTLY = 0.96;
+
+  /** Beside something that has no name, so many of those named only stood in for it. */
+  private static final double STAND_IN = 0.75;
+
   private static final double NORMAL_95 = 1.96;
   private static final int TABLE = 12;
 
@@ -130,7 +138,7 @@ public final class Diagnoser {
     return new Diagnosis(
         verdict(best, unknown),
         best.effects(),
-        new Findings(evidence, sets, probabilities, calibration.clumping()).all(),
+        new Findings(evidence, sets, probabilities, unknown, calibration.clumping()).all(),
         unknown,
         1 - probabilities.ofNone(),
         figures(gain, blocks),
@@ -196,10 +204,15 @@ public final class Diagnoser {
 
   /** What is said of each effect. */
   private record Findings(
-      Evidence evidence, List<Scored> sets, Probabilities probabilities, double clumping) {
+      Evidence evidence,
+      List<Scored> sets,
+      Probabilities probabilities,
+      double unknown,
+      double clumping) {
 
     List<EffectFinding> all() {
-      Map<Effect, Double> probability = probabilities.ofEffects();
+      Map<Effect, Double> probability = new EnumMap<>(Effect.class);
+      probabilities.ofEffects().forEach((effect, p) -> probability.put(effect, stated(p)));
       Hypothesis best = probabilities.best().hypothesis();
       double[] deviations =
           best.size() > TABLE
@@ -214,6 +227,11 @@ public final class Diagnoser {
       }
       findings.sort(Comparator.comparingDouble(finding -> -finding.probability()));
       return findings;
+    }
+
+    /** That it is at work, when what has no name may be at work in its place. */
+    private double stated(double amongTheNamed) {
+      return NAMED_RIGHTLY * (1 - STAND_IN * unknown) * amongTheNamed;
     }
 
     private static double[] infinite(int size) {

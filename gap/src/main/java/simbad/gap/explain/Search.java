@@ -27,6 +27,10 @@ public final class Search {
   private static final int JOINT = 3;
   private static final int PROMISING = 8;
   private static final int TABLE = 12;
+  private static final int RUNNERS_UP = 2;
+
+  /** A set whose greatest misfits are beyond this leaves something over. */
+  private static final double OFF = 4;
 
   /** How many sets get a held-out score. */
   private static final int SCORED = 10;
@@ -56,11 +60,25 @@ public final class Search {
 
   /** Returns all sets that were fitted, the most probable held-out first. */
   public List<Scored> run() {
-    Fit best = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
-    keep(best);
-    List<Fit> singles = best(new Screen(evidence, best).all(forms).values());
+    Fit nominal = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
+    keep(nominal);
+    List<Fit> singles = best(new Screen(evidence, nominal).all(forms).values());
     singles.forEach(this::keep);
-    List<Fit> added = singles;
+    Fit best = built(nominal, singles, singles);
+    if (isOff(best)) {
+      // The first was perhaps only the one that soaks up most: from the runners-up once more.
+      singles.stream()
+          .filter(single -> !best.hypothesis().effects().containsAll(single.hypothesis().effects()))
+          .limit(RUNNERS_UP)
+          .forEach(single -> built(nominal, List.of(single), singles));
+    }
+    return scored();
+  }
+
+  /** Builds upon the first of some sets as long as it is worth it. */
+  private Fit built(Fit nominal, List<Fit> starts, List<Fit> singles) {
+    Fit best = nominal;
+    List<Fit> added = starts;
     while (worth(added, best) && best.hypothesis().forms().size() < MOST_EFFECTS) {
       best = joint(swapped(added.get(0), singles));
       keep(best);
@@ -70,7 +88,11 @@ public final class Search {
       added = grown(best, open);
     }
     prune(best);
-    return scored();
+    return best;
+  }
+
+  private boolean isOff(Fit best) {
+    return new Misfit(evidence, best.hypothesis()).top(Unknown.TOP) > OFF;
   }
 
   private boolean worth(List<Fit> added, Fit base) {

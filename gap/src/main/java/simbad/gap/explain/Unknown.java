@@ -8,12 +8,21 @@ import simbad.sonar.effect.Burst;
  * How probable it is that something is at work that the best set of effects does not account for.
  */
 public final class Unknown {
-  private static final int TOP = 5;
+  /** How many of the greatest misfits count. */
+  static final int TOP = 5;
 
   /** Mean of the five greatest misfits at which it is as probable as not, and how fast it turns. */
   private static final double EVEN = 4.4;
 
   private static final double WIDTH = 0.35;
+
+  /**
+   * Of logs that were checked and fitted well, so many held what has no name; of those that fitted
+   * badly, so many did (docs/method/gap.md).
+   */
+  private static final double LEAST = 0.015;
+
+  private static final double MOST = 0.9;
 
   /** A gap that is left and is a smaller share of the gap before does not matter. */
   private static final double SMALL_SHARE = 0.05;
@@ -43,7 +52,7 @@ public final class Unknown {
     if (small && effects > 0 && best.changes().stream().noneMatch(Burst.class::isInstance)) {
       logit -= THIRD;
     }
-    return 1 / (1 + Math.exp(-logit));
+    return LEAST + (MOST - LEAST) / (1 + Math.exp(-logit));
   }
 
   private static double mean(double[] values) {

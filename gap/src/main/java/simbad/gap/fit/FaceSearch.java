@@ -26,7 +26,8 @@ final class FaceSearch {
     strange = clues.strangeEchoes().toArray();
   }
 
-  private record Face(double xM, double zM, double normalDeg, double halfWidthM, double reachM, int votes) {}
+  private record Face(
+      double xM, double zM, double normalDeg, double halfWidthM, double reachM, int votes) {}
 
   List<double[]> starts(Form form) {
     List<Face> faces = new ArrayList<>();
@@ -41,10 +42,7 @@ final class FaceSearch {
   }
 
   private static List<Face> best(List<Face> faces) {
-    return faces.stream()
-        .sorted(Comparator.comparingInt(face -> -face.votes))
-        .limit(BEST)
-        .toList();
+    return faces.stream().sorted(Comparator.comparingInt(face -> -face.votes)).limit(BEST).toList();
   }
 
   /** A wide face is found by a narrow step of its normal only. */

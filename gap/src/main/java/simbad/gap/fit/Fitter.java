@@ -122,8 +122,7 @@ public class Fitter {
     return climb(start, 0, most, SMALL, ENOUGH_NATS);
   }
 
-  private Fit climb(
-      Hypothesis start, int from, int most, double stride, double enoughNats) {
+  private Fit climb(Hypothesis start, int from, int most, double stride, double enoughNats) {
     Climb climb = new Climb(start, from);
     if (start.size() == from || most <= 0) {
       return climb.best();

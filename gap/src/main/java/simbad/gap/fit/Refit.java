@@ -3,8 +3,8 @@ package simbad.gap.fit;
 import simbad.sonar.effect.Form;
 
 /**
- * Fits a hypothesis that is known roughly once more, to some of the pings: values by simplex, tables
- * of thresholds, which have too many values for it, read off the log anew.
+ * Fits a hypothesis that is known roughly once more, to some of the pings: values by simplex,
+ * tables of thresholds, which have too many values for it, read off the log anew.
  */
 public final class Refit {
   /** More values than these are a table. */

@@ -12,6 +12,10 @@ final class TableSearch {
   private static final double SOFT_M = 0.06;
   private static final double STEP_M = 0.05;
   private static final double HOLD = 2;
+
+  /** Of bearings that no ping speaks for any value between their neighbours would do. */
+  private static final double MIDDLE = 0.1;
+
   private static final int ROUNDS = 3;
 
   private final Clues clues;
@@ -71,7 +75,8 @@ final class TableSearch {
     double most = Double.NEGATIVE_INFINITY;
     for (int k = 0; k < score.length; k++) {
       double away = Math.abs(k * STEP_M - left) + Math.abs(k * STEP_M - right);
-      double value = score[k] - HOLD * away;
+      double aside = Math.abs(k * STEP_M - (left + right) / 2);
+      double value = score[k] - HOLD * away - MIDDLE * aside;
       if (value > most) {
         most = value;
         best = k;

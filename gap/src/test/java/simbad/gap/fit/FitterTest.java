@@ -76,7 +76,7 @@ class FitterTest {
   @CsvSource({
     "NEAR_CLAMP, clamp, 0.5",
     "OBSTACLE_OFFSET, all, 0.08 0.03",
-    "UNMODELLED_OBJECT, post, 1 0.4 0.9",
+    "UNMODELLED_OBJECT, post, 1 0.4 0.05 3 0.9 90",
     "COARSE_RESOLUTION, nearest, 0.06",
     "COARSE_RESOLUTION, centre, 0.08",
     "FLOOR_ECHO, fixed, 0.9 0.01 0.5",

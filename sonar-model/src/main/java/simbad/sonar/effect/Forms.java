@@ -5,10 +5,7 @@ import static java.lang.Math.toRadians;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.IntStream;
 import simbad.sonar.scene.SensingSetup;
-import simbad.sonar.scene.UniformDetection;
-import simbad.sonar.shape.ThresholdTable;
 
 /**
  * The catalogue of the forms that an effect can take before a given set-up: the one place where
@@ -33,12 +30,10 @@ public final class Forms {
   private static final double LEAST_BAND_M = 0.3;
 
   private final SensingSetup setup;
-  private final List<String> sensors;
   private final List<Form> forms = new ArrayList<>();
 
-  private Forms(SensingSetup setup, List<String> sensors) {
+  private Forms(SensingSetup setup) {
     this.setup = setup;
-    this.sensors = List.copyOf(sensors);
   }
 
   /**
@@ -48,7 +43,7 @@ public final class Forms {
    * @param sensors labels of the transducers in the log
    */
   public static List<Form> all(SensingSetup setup, List<String> sensors) {
-    Forms forms = new Forms(setup, sensors);
+    Forms forms = new Forms(setup);
     forms.ranges();
     forms.crosstalk();
     forms.detours();
@@ -58,9 +53,8 @@ public final class Forms {
     forms.floor();
     forms.objects();
     forms.memory();
-    forms.scene();
-    forms.poses();
     forms.gates();
+    forms.forms.addAll(PlaceForms.all(setup, sensors));
     forms.forms.sort(java.util.Comparator.comparing(Form::effect));
     return List.copyOf(forms.forms);
   }
@@ -246,10 +240,6 @@ public final class Forms {
             1.5,
             0.2 * half,
             0.4 * half));
-    misaligned("all", Optional.empty());
-    if (sensors.size() > 1) {
-      sensors.forEach(sensor -> misaligned("only:" + sensor, Optional.of(sensor)));
-    }
   }
 
   private void pattern(String name, BeamPattern.Law law, BeamPattern.Angle angle, double halfDeg) {
@@ -267,14 +257,6 @@ public final class Forms {
             1.1 * halfDeg,
             2 * halfDeg),
         Parameter.of("power", 1, 0.3, 8, 0.7, 2));
-  }
-
-  private void misaligned(String name, Optional<String> sensor) {
-    add(
-        Effect.BEAM_MISALIGNMENT,
-        name,
-        v -> new BeamMisalignment(toRadians(v[0]), sensor),
-        Parameter.of("turn_deg", 0, -30, 30, -12, -6, -3, 3, 6, 12));
   }
 
   private void floor() {
@@ -397,91 +379,6 @@ public final class Forms {
         Parameter.of("factor", 1, 0.05, 2.2, 0.3, 0.5, 0.8, 2),
         Parameter.of("shift_m", 0, -0.3, 5, -0.05, 0.05),
         spread);
-  }
-
-  private void scene() {
-    placed("all", Optional.empty());
-    List<String> labels = Scenes.labels(setup.scene());
-    for (int i = 0; i < labels.size(); i++) {
-      if (labels.size() > 1) {
-        placed("only:" + labels.get(i), Optional.of(labels.get(i)));
-      }
-      if (setup.scene().obstacles().get(i).detection() instanceof UniformDetection uniform) {
-        shadowed(labels.get(i), i, uniform.greatestM());
-      }
-    }
-  }
-
-  private void placed(String name, Optional<String> only) {
-    add(
-        Effect.OBSTACLE_TURN,
-        name,
-        v -> new ObstacleTurn(toRadians(v[0]), only),
-        Parameter.of("turn_deg", 0, -180, 180, -30, -20, -12, -7, -3, 3, 7, 12, 20, 30));
-    add(
-        Effect.OBSTACLE_OFFSET,
-        name,
-        v -> new ObstacleOffset(v[0], v[1], only),
-        Parameter.of("x_m", 0, -1, 1, -0.06, 0, 0.06),
-        Parameter.of("z_m", 0, -1, 1, -0.06, 0, 0.06));
-  }
-
-  private void shadowed(String label, int obstacle, double uniformM) {
-    Parameter[] table =
-        IntStream.range(0, TABLE_SIZE)
-            .mapToObj(
-                i ->
-                    Parameter.of(
-                        "threshold_" + i * 360 / TABLE_SIZE + "_deg_m", uniformM, 0, 20, uniformM))
-            .toArray(Parameter[]::new);
-    add(
-        Effect.ORIENTATION_SHADOW,
-        "table:" + label + "#" + obstacle,
-        v -> new OrientationShadow(Optional.of(label), ThresholdTable.of(v)),
-        table);
-  }
-
-  private void poses() {
-    double period = setup.sensor().updatePeriodS();
-    add(
-        Effect.LATENCY,
-        "time",
-        v -> new Latency(v[0]),
-        Parameter.of(
-            "delay_s", 0, 0, 5, Math.min(5, period), Math.min(5, 2 * period), 0.3, 0.6, 1.2));
-    add(
-        Effect.LATENCY,
-        "pings",
-        v -> new PingDelay(v[0]),
-        Parameter.of("pings", 0, 0, 30, 1, 2, 4, 8));
-    add(
-        Effect.ODOMETRY_SCALE,
-        "path",
-        v -> new OdometryScale(v[0]),
-        Parameter.of("factor", 1, 0.5, 1.6, 0.9, 0.96, 1.04, 1.1));
-    add(
-        Effect.ODOMETRY_SCALE,
-        "along",
-        v -> new PathScale(v[0]),
-        Parameter.of("factor", 1, 0.5, 1, 0.86, 0.9, 0.94, 0.98));
-    drifts();
-  }
-
-  private void drifts() {
-    Parameter drift = Parameter.of("rate_deg_s", 0, -5, 5, -1, -0.3, -0.1, 0.1, 0.3, 1);
-    add(Effect.HEADING_DRIFT, "heading", v -> new HeadingDrift(toRadians(v[0]), false), drift);
-    add(Effect.HEADING_DRIFT, "reckoned", v -> new HeadingDrift(toRadians(v[0]), true), drift);
-    add(
-        Effect.HEADING_DRIFT,
-        "settling",
-        v -> new HeadingDrift(toRadians(v[0]), v[1], false),
-        drift,
-        Parameter.of("settling_s", Double.POSITIVE_INFINITY, 1, 1000, 10, 40));
-    add(
-        Effect.HEADING_DRIFT,
-        "way",
-        v -> new HeadingDriftByWay(toRadians(v[0])),
-        Parameter.of("rate_deg_m", 0, -60, 60, -8, -3, -1, 1, 3, 8));
   }
 
   private void gates() {

@@ -25,9 +25,7 @@ public record HeadingDrift(double radPerS, double settlingS, boolean reckoned)
     if (radPerS == 0) {
       return Track.STILL;
     }
-    return reckoned
-        ? new Bend(runStartS)
-        : (timeS, pose) -> pose.turn(turnRad(timeS - runStartS));
+    return reckoned ? new Bend(runStartS) : (timeS, pose) -> pose.turn(turnRad(timeS - runStartS));
   }
 
   private double turnRad(double sinceS) {

@@ -10,7 +10,7 @@ package simbad.sonar.effect;
  * @param xM middle of the face, metres
  * @param zM middle of the face, metres
  * @param normalRad heading of the face's normal
- * @param halfWidthM half its width, metres; at least 0; 0 is a post, which has no normal
+ * @param halfWidthM half its width, metres
  * @param squareRad greatest angle between the heading and the normal's opposite; 0 is a mirror
  * @param reachM greatest distance that it is heard from, metres
  * @param share of such pings that it answers, in [0, 1]; 0 is neutral
@@ -38,8 +38,7 @@ public record UnmodelledObject(
     double before = dx * normalX + dz * normalZ;
     double along = dz * normalX - dx * normalZ;
     double beside = along - Math.max(-halfWidthM, Math.min(halfWidthM, along));
-    boolean post = halfWidthM == 0;
-    if (!post && (before <= 0 || (beside != 0 && squareRad == 0))) {
+    if (before <= 0 || (beside != 0 && squareRad == 0)) {
       return;
     }
     double toX = -before * normalX + beside * normalZ;
@@ -48,13 +47,15 @@ public record UnmodelledObject(
     double heading = geometry.headingRad(ping);
     double facing = (toX * Math.cos(heading) - toZ * Math.sin(heading)) / distance;
     boolean inCone = facing >= Math.cos(geometry.coneHalfAngleRad());
-    if (inCone && distance <= Math.min(reachM, geometry.sensor().maxRangeM()) && isSquare(heading)) {
+    if (inCone
+        && distance <= Math.min(reachM, geometry.sensor().maxRangeM())
+        && isSquare(heading)) {
       arrivals.add(distance, 0, share);
     }
   }
 
   private boolean isSquare(double heading) {
     double against = -Math.cos(heading - normalRad);
-    return halfWidthM == 0 || squareRad == 0 || against >= Math.cos(squareRad);
+    return squareRad == 0 || against >= Math.cos(squareRad);
   }
 }

@@ -47,8 +47,7 @@ public final class TransducerPose {
    * @param newDirectionZ likewise
    * @return this
    */
-  public TransducerPose aim(
-      double atXM, double atZM, double newDirectionX, double newDirectionZ) {
+  public TransducerPose aim(double atXM, double atZM, double newDirectionX, double newDirectionZ) {
     xM = atXM;
     zM = atZM;
     directionX = newDirectionX;

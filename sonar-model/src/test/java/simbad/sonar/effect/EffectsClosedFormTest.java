@@ -173,6 +173,10 @@ class EffectsClosedFormTest {
     assertReads(0.4 * P * WITHIN_1_25, 1.75, new Multipath(0.4, 2, 0.025, 0));
     assertReads(0.4 * P * 0.6826895, 1.15, new Multipath(0.4, 1, 0.3, 0.015));
     assertEcho(P, added);
+    Change both = new MixedMultipath(new Multipath(0.4, 1, 0.3, 0), new Multipath(0.5, 2, 0, 0));
+    assertReads(0.4 * P * WITHIN_1_25, 1.15, both);
+    assertReads(0.6 * 0.5 * P * WITHIN_1_25, 0.85, both);
+    assertEcho(P, both);
   }
 
   @Test
@@ -306,30 +310,8 @@ class EffectsClosedFormTest {
     assertReads(0.6 * 0.6826895, 0.45, before);
     assertReads(0.4 * P * WITHIN_1_25, 0.85, before);
     assertEcho(P + (1 - P) * 0.6, beyond);
-  }
-
-  /** A board across the heading 2.975 m ahead, its normal towards the sensor. */
-  @Test
-  void unmodelledObject_answersWhereItIsSeenSquarely() {
-    Change face = new UnmodelledObject(2.975, 0, Math.PI, 0.5, Math.toRadians(20), 0.8);
-    assertReads((1 - P) * 0.8 * WITHIN_1_25, 2.95, face);
-    // Beside the board a mirror shows nothing, a face its end: hypot(2.975, 0.6 - 0.5).
-    Pose beside = Pose.of(0, 0.6, 0);
-    Change mirror = new UnmodelledObject(2.975, 0, Math.PI, 0.5, 0, 0.8);
-    SensingSetup empty = setup(Scenes.of());
-    assertEquals(1, probability(empty, beside, Logs.SILENCE, mirror));
-    assertEquals(0.2, probability(empty, beside, Logs.SILENCE, face), 1e-12);
-    assertEquals(0.2, probability(empty, Pose.of(0, 0.4, 0), Logs.SILENCE, mirror), 1e-12);
-    // Looked at 25 degrees askew it is not square enough for a face, but for a post.
-    Pose askew = Pose.of(0, 0, Math.toRadians(25));
-    assertEquals(1, probability(empty, askew, Logs.SILENCE, face));
-    Change post = new UnmodelledObject(2.975, 0, 0, 0, 0, 0.8);
-    assertEquals(0.2, probability(empty, askew, Logs.SILENCE, post), 1e-12);
-    // Out of the cone, out of range, from behind.
-    Pose away = Pose.of(0, 0, Math.toRadians(30));
-    assertEquals(1, probability(empty, away, Logs.SILENCE, post));
-    assertEquals(1, probability(empty, Pose.of(-3.1, 0, 0), Logs.SILENCE, post));
-    assertEquals(1, probability(empty, Pose.of(4, 0, Math.PI), Logs.SILENCE, face));
+    Change two = new TwoFloorEchoes(new FloorEcho(1.475, 0, 0.6), 0.2, 0.5);
+    assertReads((1 - P) * 0.4 * 0.5 * WITHIN_1_25, 1.65, two);
   }
 
   @Test

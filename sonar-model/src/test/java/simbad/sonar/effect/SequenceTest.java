@@ -3,6 +3,7 @@ package simbad.sonar.effect;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -223,6 +224,35 @@ class SequenceTest {
     // The latency is taken from the bent way, whatever the order of the list.
     Geometry late = geometry(straight, new Latency(1), new HeadingDrift(quarter, true));
     assertPose(late, 2, half, -half, quarter);
+  }
+
+  /** 0.1 rad/s that falls to 1/e in 2 s has turned by 0.2 (1 - 1/e) after 2 s. */
+  @Test
+  void headingDrift_settles() {
+    Geometry geometry = geometry(way(), new HeadingDrift(0.1, 2, false));
+    assertPose(geometry, 0, 0.1, 0, 0);
+    assertPose(geometry, 1, 0.2, 0.1, 0.2 + 0.2 * (1 - Math.exp(-0.5)));
+    assertPose(geometry, 3, 0.7, 0.1, 0.4 + 0.2 * (1 - Math.exp(-1.5)));
+  }
+
+  @Test
+  void headingDriftByWay_turnsWithTheWayMade() {
+    Geometry geometry = geometry(way(), new HeadingDriftByWay(0.5));
+    double first = Math.sqrt(0.02);
+    assertPose(geometry, 0, 0.1, 0, 0);
+    assertPose(geometry, 1, 0.2, 0.1, 0.2 + 0.5 * first);
+    assertPose(geometry, 3, 0.7, 0.1, 0.4 + 0.5 * (first + 0.5));
+  }
+
+  /** Half of the way of sqrt(0.02) + 0.5 m lies on the second, straight piece. */
+  @Test
+  void pathScale_staysOnThePath() {
+    Geometry geometry = geometry(way(), new PathScale(0.5));
+    double first = Math.sqrt(0.02);
+    assertPose(geometry, 0, 0.1, 0, 0);
+    assertPose(geometry, 1, 0.15, 0.05, 0.1);
+    assertPose(geometry, 3, 0.2 + (first + 0.5) / 2 - first, 0.1, 0.2);
+    assertThrows(IllegalArgumentException.class, () -> new PathScale(1.01));
   }
 
   /** The drift's clock is the run's, the way's start the sequence's own. */

@@ -1,0 +1,64 @@
+package simbad.gap.fit;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import simbad.gap.fixture.Worlds;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.frame.Pose;
+import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.ReadingRow;
+
+/** A post that is in no scene is found from the echoes that nothing else explains. */
+class PostSearchTest {
+  private static List<ReadingRow> lookingRound() {
+    Random random = new Random(11);
+    List<ReadingRow> rows = new ArrayList<>();
+    for (int i = 0; i < 600; i++) {
+      Pose pose =
+          Pose.of(
+              4 * random.nextDouble() - 2,
+              4 * random.nextDouble() - 2,
+              2 * Math.PI * random.nextDouble());
+      rows.add(new ReadingRow("r", "s", 0.05 * i, pose, NoEcho.NO_ECHO));
+    }
+    return rows;
+  }
+
+  private static Clues clues(Hypothesis truth) {
+    Evidence evidence = Worlds.evidence(Worlds.read(lookingRound(), truth, 12));
+    return new Clues(evidence, Hypothesis.NONE);
+  }
+
+  @Test
+  void starts_areWhereThePostIs() {
+    Hypothesis truth =
+        Worlds.effect(Effect.UNMODELLED_OBJECT, "post", 0.9, -0.6, 0.05, 4, 0.95, 90);
+    List<double[]> starts = new PostSearch(clues(truth), 4).starts();
+    double nearest =
+        starts.stream().mapToDouble(s -> Math.hypot(s[0] - 0.9, s[1] + 0.6)).min().orElseThrow();
+    assertTrue(nearest < 0.12, "nearest start is " + nearest + " m away");
+  }
+
+  @Test
+  void starts_reachAsFarAsEchoesCame() {
+    Hypothesis truth =
+        Worlds.effect(Effect.UNMODELLED_OBJECT, "post", 0.9, -0.6, 0.05, 1.5, 0.95, 90);
+    List<double[]> starts = new PostSearch(clues(truth), 4).starts();
+    assertTrue(starts.stream().anyMatch(s -> s[3] > 1.3 && s[3] < 1.7));
+    assertTrue(starts.stream().anyMatch(s -> s[3] == 4));
+  }
+
+  @Test
+  void starts_withoutAnyStrangeEcho_areOne() {
+    List<ReadingRow> silent = lookingRound().subList(0, 5);
+    Clues clues = new Clues(Worlds.evidence(silent), Hypothesis.NONE);
+    List<double[]> starts = new PostSearch(clues, 4).starts();
+    assertEquals(1, starts.size());
+    assertEquals(6, starts.get(0).length);
+  }
+}

@@ -1,0 +1,139 @@
+package simbad.sonar.effect;
+
+import static java.lang.Math.toRadians;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.UniformDetection;
+import simbad.sonar.shape.ThresholdTable;
+
+/** The forms of effects on where sensors and obstacles are, and on each obstacle's thresholds. */
+final class PlaceForms {
+  private final SensingSetup setup;
+  private final List<String> sensors;
+  private final List<Form> forms = new ArrayList<>();
+
+  private PlaceForms(SensingSetup setup, List<String> sensors) {
+    this.setup = setup;
+    this.sensors = sensors;
+  }
+
+  static List<Form> all(SensingSetup setup, List<String> sensors) {
+    PlaceForms places = new PlaceForms(setup, sensors);
+    places.sensors();
+    places.scene();
+    places.poses();
+    return places.forms;
+  }
+
+  private void add(Effect effect, String name, Form.Maker maker, Parameter... parameters) {
+    forms.add(new Form(effect, name, List.of(parameters), maker));
+  }
+
+  private void sensors() {
+    misaligned("all", Optional.empty());
+    if (sensors.size() > 1) {
+      sensors.forEach(sensor -> misaligned("only:" + sensor, Optional.of(sensor)));
+    }
+  }
+
+  private void misaligned(String name, Optional<String> sensor) {
+    add(
+        Effect.BEAM_MISALIGNMENT,
+        name,
+        v -> new BeamMisalignment(toRadians(v[0]), sensor),
+        Parameter.of("turn_deg", 0, -30, 30, -12, -6, -3, 3, 6, 12));
+  }
+
+  private void scene() {
+    placed("all", Optional.empty());
+    List<String> labels = Scenes.labels(setup.scene());
+    for (int i = 0; i < labels.size(); i++) {
+      if (labels.size() > 1) {
+        placed("only:" + labels.get(i), Optional.of(labels.get(i)));
+      }
+      if (setup.scene().obstacles().get(i).detection() instanceof UniformDetection uniform) {
+        shadowed(labels.get(i), i, uniform.greatestM());
+      }
+    }
+  }
+
+  private void placed(String name, Optional<String> only) {
+    add(
+        Effect.OBSTACLE_TURN,
+        name,
+        v -> new ObstacleTurn(toRadians(v[0]), only),
+        Parameter.of("turn_deg", 0, -180, 180, -30, -20, -12, -7, -3, 3, 7, 12, 20, 30));
+    add(
+        Effect.OBSTACLE_OFFSET,
+        name,
+        v -> new ObstacleOffset(v[0], v[1], only),
+        Parameter.of("x_m", 0, -1, 1, -0.06, 0, 0.06),
+        Parameter.of("z_m", 0, -1, 1, -0.06, 0, 0.06));
+  }
+
+  private void shadowed(String label, int obstacle, double uniformM) {
+    Parameter[] table =
+        IntStream.range(0, Forms.TABLE_SIZE)
+            .mapToObj(
+                i ->
+                    Parameter.of(
+                        "threshold_" + i * 360 / Forms.TABLE_SIZE + "_deg_m",
+                        uniformM,
+                        0,
+                        20,
+                        uniformM))
+            .toArray(Parameter[]::new);
+    add(
+        Effect.ORIENTATION_SHADOW,
+        "table:" + label + "#" + obstacle,
+        v -> new OrientationShadow(Optional.of(label), ThresholdTable.of(v)),
+        table);
+  }
+
+  private void poses() {
+    double period = setup.sensor().updatePeriodS();
+    add(
+        Effect.LATENCY,
+        "time",
+        v -> new Latency(v[0]),
+        Parameter.of(
+            "delay_s", 0, 0, 5, Math.min(5, period), Math.min(5, 2 * period), 0.3, 0.6, 1.2));
+    add(
+        Effect.LATENCY,
+        "pings",
+        v -> new PingDelay(v[0]),
+        Parameter.of("pings", 0, 0, 30, 1, 2, 4, 8));
+    add(
+        Effect.ODOMETRY_SCALE,
+        "path",
+        v -> new OdometryScale(v[0]),
+        Parameter.of("factor", 1, 0.5, 1.6, 0.9, 0.96, 1.04, 1.1));
+    add(
+        Effect.ODOMETRY_SCALE,
+        "along",
+        v -> new PathScale(v[0]),
+        Parameter.of("factor", 1, 0.5, 1, 0.86, 0.9, 0.94, 0.98));
+    drifts();
+  }
+
+  private void drifts() {
+    Parameter drift = Parameter.of("rate_deg_s", 0, -5, 5, -1, -0.3, -0.1, 0.1, 0.3, 1);
+    add(Effect.HEADING_DRIFT, "heading", v -> new HeadingDrift(toRadians(v[0]), false), drift);
+    add(Effect.HEADING_DRIFT, "reckoned", v -> new HeadingDrift(toRadians(v[0]), true), drift);
+    add(
+        Effect.HEADING_DRIFT,
+        "settling",
+        v -> new HeadingDrift(toRadians(v[0]), v[1], false),
+        drift,
+        Parameter.of("settling_s", Double.POSITIVE_INFINITY, 1, 1000, 10, 40));
+    add(
+        Effect.HEADING_DRIFT,
+        "way",
+        v -> new HeadingDriftByWay(toRadians(v[0])),
+        Parameter.of("rate_deg_m", 0, -60, 60, -8, -3, -1, 1, 3, 8));
+  }
+}
