@@ -185,7 +185,7 @@ class DiagnosedSensorTest {
     Scene scene = Scenes.of(Scenes.box(2, 0, 5));
     SensingSetup setup = new SensingSetup(EXACT, scene, 6.5);
     Sensor sensor =
-        model(EXACT, scene, fitted(setup, "beam-misalignment/only:b", 40.0))
+        model(EXACT, scene, fitted(setup, "beam-misalignment/only:b", 30.0))
             .bind(EXACT, scene, new Random(1));
     Pose pose = Pose.of(0, 0, 0);
     List<Reading> read = ping(sensor, 0, pose, pose, pose);
