@@ -12,6 +12,7 @@ import simbad.gap.fixture.Worlds;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.SetupForms;
 import simbad.sonar.sensing.ReadingRow;
 
 /** Logs that a model drew are fitted by that model. */
@@ -69,6 +70,20 @@ class FitterTest {
         new Fitter(reference, Fold.ALL).logLikelihood(setup)
             + new Fitter(log, Fold.ALL)
                 .logLikelihood(setup.and(effects.forms().get(0), effects.values()));
+    assertEquals(expected, new JointFitter(reference, log, effects).logLikelihood(setup), 1e-9);
+  }
+
+  /** Two bursts at once are no model: the effect's stands in the place of the set-up's. */
+  @Test
+  void jointFitter_takesTheMemoryOfTheEffects() {
+    Evidence reference = drawn(Hypothesis.NONE, 17);
+    Evidence log = drawn(Hypothesis.NONE, 19);
+    Hypothesis effects = Worlds.effect(Effect.DROPOUT, "bursts", 0.3, 4);
+    Hypothesis setup =
+        Hypothesis.NONE.and(SetupForms.of(effects.forms().get(0)), new double[] {0.01, 2});
+    double expected =
+        new Fitter(reference, Fold.ALL).logLikelihood(setup)
+            + new Fitter(log, Fold.ALL).logLikelihood(effects);
     assertEquals(expected, new JointFitter(reference, log, effects).logLikelihood(setup), 1e-9);
   }
 
