@@ -20,6 +20,8 @@ public final class Screen {
   private static final int TABLE = 8;
 
   private static final int REFINED = 6;
+  private static final int FEW = 3;
+  private static final int RESTARTS = 2;
 
   private final Evidence evidence;
   private final Fit base;
@@ -64,9 +66,20 @@ public final class Screen {
   private Fit refined(Fit rough) {
     int from = base.hypothesis().size();
     int size = rough.hypothesis().size() - from;
-    return size > TABLE
-        ? rough
-        : new Fitter(evidence, Fold.ALL).refine(rough.hypothesis(), from, 20 + 20 * size);
+    if (size > TABLE) {
+      return rough;
+    }
+    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    Fit fit = fitter.refine(rough.hypothesis(), from, 20 + 20 * size);
+    // A simplex of many values flattens before it has arrived; a fresh one goes on.
+    for (int again = 0; again < RESTARTS && size > FEW; again++) {
+      double before = fit.logLikelihood();
+      fit = fitter.refine(fit.hypothesis(), from, 20 + 20 * size);
+      if (fit.logLikelihood() - before < CHANCE_NATS) {
+        break;
+      }
+    }
+    return fit;
   }
 
   private Fit bestOf(List<Form> forms) {

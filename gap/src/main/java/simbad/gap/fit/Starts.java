@@ -113,6 +113,8 @@ final class Starts {
           1, modes(early().mapToDouble(i -> clues.log.rangeM(i - 1) - clues.log.rangeM(i)), 0.03));
     } else if (form.name().equals("line")) {
       return lines(form, tries);
+    } else if (form.name().equals("nearer")) {
+      return nearer(form, tries);
     } else {
       tries.set(
           1, modes(early().mapToDouble(i -> clues.log.rangeM(i) / clues.log.rangeM(i - 1)), 0.03));
@@ -132,6 +134,34 @@ final class Starts {
               0.03,
               1));
       starts.addAll(all(form, tries));
+    }
+    return starts;
+  }
+
+  /** Echoes too near by an amount: for pairs of factors the shift that most agree on. */
+  private List<double[]> nearer(Form form, List<List<Double>> tries) {
+    int[] near =
+        clues
+            .echoesInCone()
+            .filter(clues::hasEchoBefore)
+            .filter(i -> clues.log.rangeM(i) < clues.nearestM(i) - 0.02)
+            .toArray();
+    List<double[]> starts = new ArrayList<>();
+    for (int pair = 0; pair < tries.get(1).size(); pair++) {
+      double own = tries.get(1).get(pair);
+      double before = tries.get(2).get(pair);
+      List<Double> shift =
+          Modes.of(
+              Arrays.stream(near)
+                  .mapToDouble(
+                      i ->
+                          own * clues.nearestM(i)
+                              + before * clues.log.rangeM(i - 1)
+                              - clues.log.rangeM(i)),
+              0.03,
+              1);
+      starts.addAll(
+          product(form, tries.get(0), List.of(own), List.of(before), shift, tries.get(4)));
     }
     return starts;
   }

@@ -352,6 +352,11 @@ public final class Forms {
     Parameter gap = Parameter.of("gap", 0, 0, 0.7, 0.05, 0.15, 0.3);
     add(Effect.HYSTERESIS, "pick-up", v -> new Hysteresis(1 - v[0], 1), gap);
     add(Effect.HYSTERESIS, "hold", v -> new Hysteresis(1, 1 + v[0]), gap);
+    add(
+        Effect.HYSTERESIS,
+        "metres",
+        v -> new Hysteresis(1, 1, v[0]),
+        Parameter.of("pick_up_m", 0, 0, 2, 0.05, 0.15, 0.4));
     add(Effect.HYSTERESIS, "both", v -> new Hysteresis(1 - v[0] / 2, 1 + v[0] / 2), gap);
   }
 
@@ -378,6 +383,15 @@ public final class Forms {
         GHOSTS,
         Parameter.of("factor", 1, 0.05, 2.2, 0.3, 0.5, 0.8, 2),
         Parameter.of("shift_m", 0, -0.3, 5, -0.05, 0.05),
+        spread);
+    add(
+        Effect.PREVIOUS_PING,
+        "nearer",
+        v -> new NearerByPrevious(v[0], v[1], v[2], v[3], v[4]),
+        GHOSTS,
+        Parameter.of("own_factor", 1, 0.5, 2.2, 1, 2),
+        Parameter.of("before_factor", 0, -1.5, 1, -0.3, -1),
+        Parameter.of("shift_m", 0, -1, 3, 0, 0.2),
         spread);
   }
 

@@ -5,14 +5,21 @@ package simbad.sonar.effect;
  *
  * @param pickUpFactor of the threshold after a miss; 1 is neutral
  * @param holdFactor of the threshold after an echo; 1 is neutral
+ * @param pickUpM what the threshold is shorter by after a miss, metres; 0 is neutral
  */
-public record Hysteresis(double pickUpFactor, double holdFactor) implements MemoryChange {
-  @Override
-  public boolean isNeutral() {
-    return pickUpFactor == 1 && holdFactor == 1;
+public record Hysteresis(double pickUpFactor, double holdFactor, double pickUpM)
+    implements MemoryChange {
+  /** Creates one in proportion to the threshold. */
+  public Hysteresis(double pickUpFactor, double holdFactor) {
+    this(pickUpFactor, holdFactor, 0);
   }
 
-  double factor(boolean heardBefore) {
-    return heardBefore ? holdFactor : pickUpFactor;
+  @Override
+  public boolean isNeutral() {
+    return pickUpFactor == 1 && holdFactor == 1 && pickUpM == 0;
+  }
+
+  double thresholdM(double thresholdM, boolean heardBefore) {
+    return heardBefore ? thresholdM * holdFactor : thresholdM * pickUpFactor - pickUpM;
   }
 }

@@ -22,7 +22,9 @@ record Memory(
         only(Burst.class, changes),
         only(Hysteresis.class, changes),
         only(StaleReading.class, changes),
-        PingModel.of(PreviousPing.class, changes).stream().anyMatch(ping -> ping.share() > 0));
+        PingModel.of(PreviousPing.class, changes).stream().anyMatch(ping -> ping.share() > 0)
+            || PingModel.of(NearerByPrevious.class, changes).stream()
+                .anyMatch(ping -> ping.share() > 0));
   }
 
   private static <T extends MemoryChange> @Nullable T only(

@@ -112,7 +112,7 @@ final class PingModel {
       threshold *= change.factor(geometry, line);
     }
     if (hysteresis != null) {
-      threshold *= hysteresis.factor(heardBefore);
+      threshold = hysteresis.thresholdM(threshold, heardBefore);
     }
     double probability =
         nominal.echoProbability(geometry.nearestM(line), geometry.centreDistanceM(line), threshold);
@@ -147,7 +147,7 @@ final class PingModel {
 
   private void read(Mixture into) {
     for (MixtureChange change : detours) {
-      change.apply(into);
+      change.apply(moment, into);
     }
     for (int part = 0; part < into.size(); part++) {
       double range = into.meanM(part);
