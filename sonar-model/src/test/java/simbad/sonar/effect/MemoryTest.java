@@ -188,6 +188,46 @@ class MemoryTest {
     assertEquals(1, Logs.likelihood(SETUP, rows, changes)[1], 1e-12);
   }
 
+  /** Twice 0.875 m less the 0.875 m before less 0.3 m; the farther box's would not be nearer. */
+  @Test
+  void nearerByPrevious_standsInThePlaceOfTheEcho() {
+    List<Change> changes = List.of(new NearerByPrevious(0.4, 2, -1, 0.3, 0));
+    double[] plain = Logs.likelihood(SETUP, twice(0.875, 0.875), List.of());
+    assertEquals(0.4 * plain[1], Logs.likelihood(SETUP, twice(0.875, 0.575), changes)[1], 1e-12);
+    assertEquals(0.6 * plain[1], Logs.likelihood(SETUP, twice(0.875, 0.875), changes)[1], 1e-12);
+    double far = Logs.likelihood(SETUP, twice(0.875, 1.475), List.of())[1];
+    assertEquals(far, Logs.likelihood(SETUP, twice(0.875, 1.475), changes)[1], 1e-12);
+    // After a miss there is nothing that could come first.
+    List<ReadingRow> missed = List.of(Logs.row(0, Pose.of(0, 0, 0), OptionalDouble.of(0.875)));
+    assertEquals(
+        Logs.likelihood(SETUP, missed, List.of())[0],
+        Logs.likelihood(SETUP, missed, changes)[0],
+        1e-12);
+  }
+
+  /** The threshold of 0.95 m is 0.1 m less after a miss, so that 1 m is 0.15 m beyond it. */
+  @Test
+  void hysteresis_inMetres() {
+    List<Change> changes = List.of(new Hysteresis(1, 1, 0.1));
+    SensingSetup nearer = new SensingSetup(SETUP.sensor(), Scenes.of(Scenes.box(1, 0, 0.85)), 6.5);
+    SensingSetup alone = new SensingSetup(SETUP.sensor(), Scenes.of(Scenes.box(1, 0, 0.95)), 6.5);
+    List<ReadingRow> rows = twice(0.875, 0.875);
+    assertEquals(
+        Logs.likelihood(nearer, rows, List.of())[0],
+        Logs.likelihood(alone, rows, changes)[0],
+        1e-12);
+    assertEquals(
+        Logs.likelihood(alone, rows, List.of())[1],
+        Logs.likelihood(alone, rows, changes)[1],
+        1e-12);
+  }
+
+  private static List<ReadingRow> twice(double firstM, double thenM) {
+    return List.of(
+        Logs.row(0, Pose.of(0, 0, 0), OptionalDouble.of(HistoryTree.rounded(firstM))),
+        Logs.row(1, Pose.of(0, 0, 0), OptionalDouble.of(HistoryTree.rounded(thenM))));
+  }
+
   /**
    * Ghosts come of the echo, not of the noise in its reading: against 200,000 histories drawn at
    * random.
