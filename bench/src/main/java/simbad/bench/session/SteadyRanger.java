@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.function.Consumer;
 import simbad.bench.link.LinkSource;
+import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.FrameLine;
 import simbad.bench.protocol.PingStatus;
 
@@ -38,15 +39,29 @@ public final class SteadyRanger implements AutoCloseable {
    * @param patience how long a board that does not answer, or a port that is gone, is waited for
    * @param spacing least time from ping to ping, by this clock and by the board's: the ping before
    *     is heard for 65 ms. Zero where nothing echoes
+   * @param mode in which the board reports
    */
-  public record Terms(Duration answer, Duration patience, Duration spacing) {
+  public record Terms(Duration answer, Duration patience, Duration spacing, FirmwareMode mode) {
     /** Terms for a bench. */
     public static final Terms BENCH =
-        new Terms(Duration.ofSeconds(1), Duration.ofSeconds(60), Duration.ofMillis(68));
+        new Terms(
+            Duration.ofSeconds(1),
+            Duration.ofSeconds(60),
+            Duration.ofMillis(68),
+            FirmwareMode.FRAME);
 
     /** Terms for a simulated board, whose time is not this one's and whose air does not ring. */
     public static final Terms SIMULATED =
-        new Terms(Duration.ofSeconds(5), Duration.ofSeconds(60), Duration.ZERO);
+        new Terms(Duration.ofSeconds(5), Duration.ofSeconds(60), Duration.ZERO, FirmwareMode.FRAME);
+
+    /** As the thesis spaced them; in its mode the board does not tell its own clock. */
+    private static final Duration THESIS_SPACING = Duration.ofMillis(250);
+
+    /** Returns the same in a mode. */
+    public Terms in(FirmwareMode other) {
+      boolean slow = other == FirmwareMode.THESIS && !spacing.isZero();
+      return new Terms(answer, patience, slow ? THESIS_SPACING : spacing, other);
+    }
   }
 
   /**
@@ -61,7 +76,7 @@ public final class SteadyRanger implements AutoCloseable {
     this.source = source;
     this.terms = terms;
     this.told = told;
-    ranger = Optional.of(Ranger.connect(source.open(), CONNECT));
+    ranger = Optional.of(Ranger.connect(source.open(), CONNECT, terms.mode()));
   }
 
   /**
@@ -135,7 +150,7 @@ public final class SteadyRanger implements AutoCloseable {
     while (true) {
       try {
         if (ranger.isEmpty()) {
-          ranger = Optional.of(Ranger.connect(source.open(), CONNECT));
+          ranger = Optional.of(Ranger.connect(source.open(), CONNECT, terms.mode()));
         } else {
           ranger.get().settle(CONNECT);
         }

@@ -28,7 +28,6 @@ import simbad.bench.board.Board;
 import simbad.bench.board.BoardKit;
 import simbad.bench.board.BoardSetup;
 import simbad.bench.board.TurntableBench;
-import simbad.bench.capture.JournalText;
 import simbad.bench.capture.SweepState;
 import simbad.experiments.bench.CaptureFolder;
 import simbad.obstacles.Catalogue;
@@ -127,7 +126,7 @@ class BenchCommandTest {
     assertEquals(0, last.process().waitFor(), () -> "complaints in " + last.err());
     checkKept(capture, before, "the end");
     checkTable("killed", bearings);
-    SweepState state = SweepState.of(JournalText.read(capture.journal()).entries());
+    SweepState state = capture.read().state();
     for (int bearing = 0; bearing < bearings; bearing++) {
       state.levels(bearing).forEach(level -> assertEquals(pings, level.pings()));
     }
@@ -141,7 +140,7 @@ class BenchCommandTest {
       return before;
     }
     byte[] after = Files.readAllBytes(capture.journal());
-    long whole = JournalText.read(capture.journal()).wholeBytes();
+    long whole = capture.read().text().wholeBytes();
     assertTrue(whole >= before.length, when);
     assertArrayEquals(before, Arrays.copyOf(after, before.length), when);
     return Arrays.copyOf(after, (int) whole);

@@ -28,6 +28,7 @@ import simbad.bench.capture.JournalText;
 import simbad.bench.capture.SweepState;
 import simbad.bench.protocol.PingStatus;
 import simbad.experiments.bench.CaptureFolder;
+import simbad.sonar.format.DataFormatException;
 
 /**
  * The bench program as a process, the ranger's program in gpsim, between them real ports and
@@ -67,9 +68,15 @@ class BenchFaultTest {
     }
   }
 
+  private static List<Entry> entries(Path journal) throws DataFormatException {
+    List<Entry> entries = new ArrayList<>();
+    JournalText.read(journal, entries::add);
+    return entries;
+  }
+
   private static void checkTrue(CaptureFolder capture, Staircase world) throws Exception {
     long last = 0;
-    for (Entry entry : JournalText.read(capture.journal()).entries()) {
+    for (Entry entry : entries(capture.journal())) {
       if (entry instanceof Entry.Taken taken) {
         assertEquals(PingStatus.ECHO, taken.status(), taken.toString());
         last = world.after(last, taken);
@@ -106,7 +113,7 @@ class BenchFaultTest {
       assertEquals(0, bench.process().exitValue(), bench.complaints().toString());
       assertEquals(0, line.left(), "faults that did not come");
       checkTrue(capture, world);
-      SweepState state = SweepState.of(JournalText.read(capture.journal()).entries());
+      SweepState state = capture.read().state();
       assertEquals(readings, state.levels(0).get(0).pings());
       assertEquals(readings, state.levels(0).get(0).heard());
       assertTrue(bench.complaints().size() >= faults.size() * 8 / 10, "few complaints");
@@ -162,10 +169,10 @@ class BenchFaultTest {
     assertEquals(1, said.size(), said.toString());
     assertTrue(said.get(0).contains("journal.txt: cannot be written: No space left"), said.get(0));
     assertEquals(List.of("journal.txt"), Files.readAllLines(folder.resolve("left.txt")));
-    JournalText before = JournalText.read(folder.resolve("before.txt"));
-    JournalText after = JournalText.read(folder.resolve("after/journal.txt"));
-    assertTrue(before.entries().size() > 250, "24 kB hold some 320 readings");
-    assertEquals(before.entries(), after.entries().subList(0, before.entries().size()));
-    assertEquals(3, SweepState.of(after.entries()).doneCount());
+    List<Entry> before = entries(folder.resolve("before.txt"));
+    List<Entry> after = entries(folder.resolve("after/journal.txt"));
+    assertTrue(before.size() > 250, "24 kB hold some 320 readings");
+    assertEquals(before, after.subList(0, before.size()));
+    assertEquals(3, new CaptureFolder(folder.resolve("after")).read().state().doneCount());
   }
 }
