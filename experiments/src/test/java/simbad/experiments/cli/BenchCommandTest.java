@@ -13,9 +13,12 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.concurrent.Callable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -59,8 +62,13 @@ class BenchCommandTest {
 
   /** Every bearing of the table within the step of the search and the clock's of 0.2 mm. */
   private void checkTable(String capture, int bearings) throws Exception {
-    checkDone(Shell.simbad("bench", "table", at(capture), "--out", at(capture + "-now.csv")));
-    ThresholdTable found = TableFile.read(Path.of(at(capture + "-now.csv"))).table();
+    checkTable(folder.resolve(capture), bearings);
+  }
+
+  private static void checkTable(Path capture, int bearings) throws Exception {
+    String file = capture + "-now.csv";
+    checkDone(Shell.simbad("bench", "table", capture.toString(), "--out", file));
+    ThresholdTable found = TableFile.read(Path.of(file)).table();
     ThresholdTable behind = Catalogue.angleTable().table();
     assertEquals(bearings, found.size());
     for (int i = 0; i < bearings; i++) {
@@ -103,33 +111,36 @@ class BenchCommandTest {
     return Files.exists(capture.journal()) ? Files.size(capture.journal()) : 0;
   }
 
-  private SimbadProcess goingOn(CaptureFolder capture, int bearings, int pings) throws IOException {
+  private static SimbadProcess goingOn(Path where, CaptureFolder capture, int bearings)
+      throws IOException {
     String words =
         Files.exists(capture.journal())
             ? "resume " + capture.path()
-            : "capture --auto --obstacle angle --bearings %d --pings %d --out %s"
-                .formatted(bearings, pings, capture.path());
-    return SimbadProcess.start(folder, "", ("bench " + words).split(" ", -1));
+            : "capture --auto --obstacle angle --bearings %d --out %s"
+                .formatted(bearings, capture.path());
+    return SimbadProcess.start(where, "", ("bench " + words).split(" ", -1));
   }
 
   /** Killed at random moments, then left alone: what was recorded stays, byte for byte. */
-  private void checkKills(int kills, int bearings, int pings, Random random) throws Exception {
-    CaptureFolder capture = new CaptureFolder(folder.resolve("killed"));
+  private static Void checkKills(Path where, int kills, int bearings, Random random)
+      throws Exception {
+    CaptureFolder capture = new CaptureFolder(where.resolve("killed"));
     byte[] before = new byte[0];
     for (int kill = 1; kill <= kills; kill++) {
-      Process process = goingOn(capture, bearings, pings).process();
+      Process process = goingOn(where, capture, bearings).process();
       letLive(process, capture, before.length, random);
       process.destroyForcibly().waitFor();
       before = checkKept(capture, before, "kill " + kill);
     }
-    SimbadProcess last = goingOn(capture, bearings, pings);
+    SimbadProcess last = goingOn(where, capture, bearings);
     assertEquals(0, last.process().waitFor(), () -> "complaints in " + last.err());
     checkKept(capture, before, "the end");
-    checkTable("killed", bearings);
+    checkTable(capture.path(), bearings);
     SweepState state = capture.read().state();
     for (int bearing = 0; bearing < bearings; bearing++) {
-      state.levels(bearing).forEach(level -> assertEquals(pings, level.pings()));
+      state.levels(bearing).forEach(level -> assertEquals(10, level.pings()));
     }
+    return null;
   }
 
   /** The whole lines that are there, when they begin with those that were. */
@@ -150,18 +161,25 @@ class BenchCommandTest {
   void tenKills_loseNothingAndLeaveNoSimulator() throws Exception {
     needTools();
     long others = gpsims();
-    checkKills(10, 4, 10, new Random(1));
+    checkKills(folder, 10, 4, new Random(1));
     for (int i = 0; i < 100 && gpsims() > others; i++) {
       Thread.sleep(100);
     }
     assertEquals(others, gpsims());
   }
 
+  /** Two captures at once: most of the time is that in which programs begin. */
   @Test
   @Tag("full")
   void thousandKills_loseNothing() throws Exception {
     needTools();
-    checkKills(1000, 72, 20, new Random(2));
+    List<Callable<Void>> halves = new ArrayList<>();
+    for (int half = 0; half < 2; half++) {
+      Path where = Files.createDirectory(folder.resolve("half" + half));
+      Random random = new Random(2 + half);
+      halves.add(() -> checkKills(where, 500, 72, random));
+    }
+    Concurrently.run(halves);
   }
 
   // ---------------------------------------------------------------- by hand
