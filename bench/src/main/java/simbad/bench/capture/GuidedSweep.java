@@ -129,6 +129,7 @@ public final class GuidedSweep {
     }
     recorder.record(new Entry.Repeated(at));
     chosen = OptionalInt.of(at);
+    operator.say("nothing of this bearing counts any more: take it anew");
   }
 
   private void pause() throws IOException {

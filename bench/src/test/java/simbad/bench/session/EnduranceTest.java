@@ -33,7 +33,11 @@ import simbad.bench.protocol.PingStatus;
 class EnduranceTest {
   private static final SteadyRanger.Terms TERMS =
       new SteadyRanger.Terms(
-          Duration.ofSeconds(20), Duration.ofSeconds(20), Duration.ZERO, FirmwareMode.FRAME);
+          Duration.ofSeconds(3),
+          Duration.ofSeconds(20),
+          Duration.ofSeconds(20),
+          Duration.ZERO,
+          FirmwareMode.FRAME);
 
   /** One ping every 68 ms for 24 hours. */
   private static final int DAY = 24 * 3600 * 1000 / 68;

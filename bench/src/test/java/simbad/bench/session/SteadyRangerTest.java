@@ -27,7 +27,11 @@ import simbad.bench.protocol.FrameLine;
 class SteadyRangerTest {
   private static final SteadyRanger.Terms QUICK =
       new SteadyRanger.Terms(
-          Duration.ofMillis(300), Duration.ofSeconds(20), Duration.ZERO, FirmwareMode.FRAME);
+          Duration.ofSeconds(3),
+          Duration.ofMillis(300),
+          Duration.ofSeconds(20),
+          Duration.ZERO,
+          FirmwareMode.FRAME);
 
   @TempDir Path folder = Path.of("");
 
@@ -134,7 +138,11 @@ class SteadyRangerTest {
     MemoryLink.Pair line = MemoryLink.pair();
     SteadyRanger.Terms terms =
         new SteadyRanger.Terms(
-            Duration.ofMillis(100), Duration.ofMillis(500), Duration.ZERO, FirmwareMode.FRAME);
+            Duration.ofSeconds(3),
+            Duration.ofMillis(100),
+            Duration.ofMillis(500),
+            Duration.ZERO,
+            FirmwareMode.FRAME);
     FakeRanger fake = new FakeRanger(line.there(), Map.of());
     try (SteadyRanger ranger = new SteadyRanger(line::here, terms, text -> {})) {
       fake.close();
@@ -164,6 +172,7 @@ class SteadyRangerTest {
     MemoryLink.Pair line = MemoryLink.pair();
     SteadyRanger.Terms terms =
         new SteadyRanger.Terms(
+            Duration.ofSeconds(3),
             Duration.ofSeconds(1),
             Duration.ofSeconds(9),
             Duration.ofMillis(68),

@@ -21,7 +21,7 @@ import simbad.bench.session.Ranger;
     },
     footer = {"", "Example: simbad bench ports /dev/ttyUSB0"})
 final class BenchPortsCommand extends Subcommand {
-  private static final Duration LIMIT = Duration.ofSeconds(3);
+  private static final Duration LIMIT = Duration.ofSeconds(2);
 
   @Parameters(paramLabel = "PORT", arity = "0..*", description = "Only these.")
   private List<Path> named = new ArrayList<>();

@@ -84,6 +84,10 @@ final class CaptureRun {
   void guided(BufferedReader in, boolean terminal, Opening opening)
       throws IOException, DataFormatException, InterruptedException {
     Operator person = new TerminalOperator(in, out, settings.ranging(), terminal);
+    if (terminal) {
+      // What was printed at the begin is cleared away.
+      page.ifPresent(at -> person.say("page: " + at.url()));
+    }
     concluded(
         () -> {
           try (SteadyRanger ranger = connected(Path.of(settings.of("port")))) {

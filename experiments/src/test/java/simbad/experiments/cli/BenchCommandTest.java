@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -74,6 +75,28 @@ class BenchCommandTest {
     for (int i = 0; i < bearings; i++) {
       assertEquals(behind.thresholdM(found.bearingRad(i)), found.valueM(i), 0.0202, "bearing " + i);
     }
+  }
+
+  /** Steps of 118 us, no checksum: the same thresholds, for they are distances of the tape. */
+  @Test
+  void closedLoop_inTheThesissMode() throws Exception {
+    needTools();
+    checkDone(
+        Shell.simbad(
+            ("bench capture --auto --mode thesis --obstacle angle --bearings 3 --pings 3 --out "
+                    + at("thesis"))
+                .split(" ")));
+    checkTable("thesis", 3);
+    String table = Files.readString(folder.resolve("thesis-now.csv"));
+    assertTrue(table.contains("# clock: 118.0 us a step, taken in its middle\n"), table);
+    try (Stream<String> rows = Files.lines(folder.resolve("thesis/journal.txt"))) {
+      assertTrue(
+          rows.filter(row -> row.contains(",echo,"))
+              .allMatch(
+                  row -> Integer.parseInt(row.replaceFirst(".*echo,(\\d+),.*", "$1")) % 118 == 59));
+    }
+    String scene = Files.readString(folder.resolve("thesis/scene.json"));
+    assertTrue(scene.contains("0.0202"), scene);
   }
 
   @Test
@@ -292,6 +315,7 @@ class BenchCommandTest {
         "2 | capture --auto --obstacle angle --out x --pings 3 --misses 4 | misses = 4.0",
         "2 | capture --auto --obstacle angle --out x --temperature 99 | temperatureC = 99.0",
         "2 | capture --auto --obstacle angle --out x --sensor ears | --sensor: 'ears' is none",
+        "2 | capture --auto --obstacle angle --out x --mode ears | --mode: 'ears' is neither",
         "2 | capture --auto --obstacle angle --out ../docs | ../docs",
         "1 | capture --port /dev/ttyNOWHERE --obstacle angle --out x | /dev/ttyNOWHERE: there is no",
         "1 | ports /dev/ttyNOWHERE | /dev/ttyNOWHERE: there is no such port",

@@ -1,12 +1,15 @@
 package simbad.experiments.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFileAttributes;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -27,6 +30,7 @@ import simbad.bench.board.BoardWorld;
 import simbad.bench.capture.Entry;
 import simbad.bench.capture.JournalText;
 import simbad.bench.capture.SweepState;
+import simbad.bench.link.PortLink;
 import simbad.bench.protocol.PingStatus;
 import simbad.experiments.bench.CaptureFolder;
 import simbad.sonar.format.DataFormatException;
@@ -142,6 +146,72 @@ class BenchFaultTest {
       fifths.add(() -> checkCampaign(where, each(12, 2), seed));
     }
     Concurrently.run(fifths);
+  }
+
+  private SimbadProcess captureAt(Path port, String... before) throws Exception {
+    Path where = Files.createTempDirectory(folder, "try");
+    List<String> command = new ArrayList<>(List.of(before));
+    command.addAll(
+        SimbadProcess.command(
+            "bench capture --obstacle angle --port %s --out %s"
+                .formatted(port, where.resolve("x"))
+                .split(" ")));
+    return SimbadProcess.start(where, "", command);
+  }
+
+  private static void checkRefused(SimbadProcess bench, String message) throws Exception {
+    assertEquals(1, bench.process().waitFor(), bench.complaints().toString());
+    assertEquals(1, bench.complaints().size(), bench.complaints().toString());
+    assertTrue(bench.complaints().get(0).contains(message), bench.complaints().toString());
+    assertFalse(Files.exists(bench.err().resolveSibling("x")), "nothing is begun");
+  }
+
+  @Test
+  void deviceThatSaysSomethingElse_isSaid() throws Exception {
+    try (PseudoTerminal port = PseudoTerminal.open()) {
+      SimbadProcess bench = captureAt(port.path());
+      while (bench.process().isAlive()) {
+        port.send("$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n");
+        Thread.sleep(50);
+      }
+      checkRefused(bench, "nobody answers who says that it is a ranger");
+    }
+  }
+
+  @Test
+  void deviceThatSaysNothing_isSaid() throws Exception {
+    try (PseudoTerminal port = PseudoTerminal.open()) {
+      checkRefused(captureAt(port.path()), "nobody answers who says that it is a ranger");
+    }
+  }
+
+  @Test
+  void portThatAnotherProgramHolds_isSaid() throws Exception {
+    try (PseudoTerminal port = PseudoTerminal.open();
+        PortLink held = PortLink.open(port.path())) {
+      checkRefused(captureAt(port.path()), "another program holds it");
+      held.write(new byte[1]);
+    }
+  }
+
+  /** The owner may not, the group may; root is made to obey as others do. */
+  @Test
+  void portWithoutPermission_namesTheGroup() throws Exception {
+    try (PseudoTerminal port = PseudoTerminal.open()) {
+      Files.setPosixFilePermissions(port.path(), PosixFilePermissions.fromString("---rw----"));
+      PosixFileAttributes is = Files.readAttributes(port.path(), PosixFileAttributes.class);
+      String[] asOthers =
+          System.getProperty("user.name").equals("root")
+              ? new String[] {"setpriv", "--bounding-set", "-dac_override,-dac_read_search"}
+              : new String[0];
+      checkRefused(
+          captureAt(port.path(), asOthers),
+          ": no permission; your user must be in the group " + is.group().getName() + " (");
+      Files.setPosixFilePermissions(port.path(), PosixFilePermissions.fromString("---------"));
+      checkRefused(
+          captureAt(port.path(), asOthers),
+          ": no permission; only its owner, " + is.owner().getName() + ", may open it");
+    }
   }
 
   /** A disk of 24 kB; then it is given more room. */
