@@ -298,7 +298,7 @@ class BenchCommandTest {
       }
       assertTrue(board.isRunning());
     }
-    assertEquals(9, commands);
+    assertEquals(10, commands);
     checkTable("my-trial", 12);
     checkDone(Shell.simbad("bench", "resume", at("my-trial")));
   }
