@@ -29,7 +29,7 @@ class JournalTest {
     return new Entry.Taken(
         1e9 + number / 8.0,
         number % 72,
-        new Probe(0.02 * number, Approach.OUT),
+        new Probe(0.02 * (1 + number), Approach.OUT),
         number,
         number % 3 == 0 ? PingStatus.NO_ECHO : PingStatus.ECHO,
         number % 5 == 0 ? OptionalInt.empty() : OptionalInt.of(100 + number),
@@ -114,6 +114,16 @@ class JournalTest {
     checkDamaged(twice, ":5: line: damaged");
     checkDamaged(List.of("bearing_deg,threshold_m", "0,1"), "damaged");
     checkDamaged(List.of(), "is no journal");
+  }
+
+  /** Well summed up, but nobody can stand there. */
+  @Test
+  void distanceThatIsNone_isDamage() throws Exception {
+    List<String> lines = new ArrayList<>(Files.readAllLines(written()));
+    List<String> fields = new ArrayList<>(EntryFields.of(taken(1)));
+    fields.set(2, "-0.04");
+    lines.set(2, new JournalLine(3, "ping", fields).text().strip());
+    checkDamaged(lines, ":3: line: damaged");
   }
 
   private void checkDamaged(List<String> lines, String message) throws IOException {
