@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
+import simbad.bench.protocol.FirmwareMode;
 import simbad.sonar.format.DataFormatException;
 
 /**
@@ -18,6 +19,10 @@ public record CaptureSettings(
     SweepPlan plan, OptionalDouble temperatureC, Map<String, String> origin) {
   private static final String FORMAT = "format";
   private static final String FORMAT_NAME = "bench-journal/1";
+
+  /** What the mode is called among the origin. */
+  public static final String MODE = "mode";
+
   private static final String TEMPERATURE = "temperature_c";
   private static final Set<String> OWN =
       Set.of(FORMAT, TEMPERATURE, "bearings", "pings", "misses", "step_m", "near_m", "far_m");
@@ -37,6 +42,26 @@ public record CaptureSettings(
     Map<String, String> all = new LinkedHashMap<>(origin);
     all.put(name, value);
     return new CaptureSettings(plan, temperatureC, all);
+  }
+
+  /**
+   * Returns the mode in which the board reports; of journals from before there was a choice, frame
+   * mode.
+   *
+   * @throws IllegalArgumentException if there is no such mode
+   */
+  public FirmwareMode mode() {
+    String word = of(MODE);
+    if (word.isEmpty()) {
+      return FirmwareMode.FRAME;
+    }
+    return FirmwareMode.find(word)
+        .orElseThrow(() -> new IllegalArgumentException("mode = '" + word + "' is none"));
+  }
+
+  /** Returns what makes distances of this capture's times, as far as it was known at its begin. */
+  public Ranging ranging() {
+    return Ranging.of(temperatureC, mode());
   }
 
   /** Returns the first entry of a journal that was begun so. */
@@ -66,7 +91,9 @@ public record CaptureSettings(
       throw DataFormatException.inField(file, 1, FORMAT, "expected " + FORMAT_NAME);
     }
     try {
-      return new CaptureSettings(plan(all), temperature(all), rest(all));
+      CaptureSettings settings = new CaptureSettings(plan(all), temperature(all), rest(all));
+      settings.ranging();
+      return settings;
     } catch (IllegalArgumentException e) {
       throw DataFormatException.inField(file, 1, "begun", String.valueOf(e.getMessage()));
     }

@@ -1,9 +1,9 @@
 package simbad.bench.capture;
 
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
-import java.util.List;
+import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.Map;
+import java.util.function.Consumer;
 import simbad.bench.protocol.PingStatus;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.frame.Pose;
@@ -14,7 +14,7 @@ import simbad.sonar.sensing.ReadingRow;
 
 /**
  * The readings of a journal as a gap data set has them: the obstacle at the origin, unturned, and
- * the sensor round it, looking at its axis.
+ * the sensor round it, looking at its axis. In the same little memory however many they are.
  *
  * <p>What does not count in the sweep is not in it either; nor is an echo from too near, whose time
  * says nothing.
@@ -22,45 +22,61 @@ import simbad.sonar.sensing.ReadingRow;
 public final class CapturedReadings {
   private static final double QUARTER_RAD = Math.PI / 2;
 
-  private CapturedReadings() {}
+  private final JournalText text;
+  private final CaptureSettings settings;
+  private final VoidPings counting;
 
-  /**
-   * Makes the rows.
-   *
-   * @param text journal
-   * @return in the order in which they were read; one run per bearing
-   * @throws DataFormatException if the journal's settings are damaged
-   */
-  public static List<ReadingRow> of(JournalText text) throws DataFormatException {
-    CaptureSettings settings = CaptureSettings.of(text);
-    Map<Integer, List<Entry.Taken>> counting = new LinkedHashMap<>();
-    for (Entry entry : text.entries()) {
-      if (entry instanceof Entry.Taken taken) {
-        counting.computeIfAbsent(taken.bearing(), unused -> new ArrayList<>()).add(taken);
-      } else if (entry instanceof Entry.Undone undone) {
-        forgetLast(counting.getOrDefault(undone.bearing(), List.of()));
-      } else if (entry instanceof Entry.Repeated repeated) {
-        counting.remove(repeated.bearing());
-      }
-    }
-    List<ReadingRow> rows = new ArrayList<>();
-    for (List<Entry.Taken> bearing : counting.values()) {
-      for (Entry.Taken taken : bearing) {
-        if (taken.status() != PingStatus.TOO_NEAR) {
-          rows.add(row(taken, settings));
-        }
-      }
-    }
-    return rows;
+  private CapturedReadings(JournalText text, CaptureSettings settings, VoidPings counting) {
+    this.text = text;
+    this.settings = settings;
+    this.counting = counting;
   }
 
-  private static void forgetLast(List<Entry.Taken> bearing) {
-    if (!bearing.isEmpty()) {
-      Probe last = bearing.get(bearing.size() - 1).probe();
-      while (!bearing.isEmpty() && bearing.get(bearing.size() - 1).probe().equals(last)) {
-        bearing.remove(bearing.size() - 1);
-      }
-    }
+  /**
+   * Reads a journal once, for what counts of it.
+   *
+   * @param journal file that nobody writes to meanwhile
+   * @throws DataFormatException if it is damaged
+   */
+  public static CapturedReadings of(Path journal) throws DataFormatException {
+    VoidPings counting = new VoidPings();
+    JournalText text = JournalText.read(journal, counting::take);
+    return new CapturedReadings(text, CaptureSettings.of(text), counting);
+  }
+
+  /** Returns what is known of the journal. */
+  public JournalText text() {
+    return text;
+  }
+
+  /** Returns how the capture was begun. */
+  public CaptureSettings settings() {
+    return settings;
+  }
+
+  /** Returns the state of the sweep after the journal's last entry. */
+  public SweepState state() {
+    return counting.state();
+  }
+
+  /**
+   * Reads the journal once more and makes the rows.
+   *
+   * @param each is given every row, in the order in which they were read; one run per bearing
+   * @throws DataFormatException if the journal has changed
+   */
+  public void forEach(Consumer<ReadingRow> each) throws DataFormatException {
+    Map<Integer, Integer> counts = new HashMap<>();
+    JournalText.read(
+        text.file(),
+        entry -> {
+          if (entry instanceof Entry.Taken taken) {
+            int number = counts.merge(taken.bearing(), 1, Integer::sum) - 1;
+            if (counting.counts(taken.bearing(), number) && taken.status() != PingStatus.TOO_NEAR) {
+              each.accept(row(taken, settings));
+            }
+          }
+        });
   }
 
   private static ReadingRow row(Entry.Taken taken, CaptureSettings settings) {
@@ -85,7 +101,8 @@ public final class CapturedReadings {
     }
     Ranging ranging =
         Ranging.of(
-            taken.temperatureC().isPresent() ? taken.temperatureC() : settings.temperatureC());
+            taken.temperatureC().isPresent() ? taken.temperatureC() : settings.temperatureC(),
+            settings.mode());
     return new Echo(ranging.rangeM(taken.echoUs().getAsInt()));
   }
 }

@@ -27,12 +27,12 @@ public record CapturedTable(TableDocument document, List<ThresholdFit> fits) {
    * Makes the table of a journal.
    *
    * @param text journal of a capture that is done
+   * @param state of the sweep after its last entry
    * @throws DataFormatException if bearings are missing, or the journal's settings are damaged
    */
-  public static CapturedTable of(JournalText text) throws DataFormatException {
+  public static CapturedTable of(JournalText text, SweepState state) throws DataFormatException {
     CaptureSettings settings = CaptureSettings.of(text);
     SweepPlan plan = settings.plan();
-    SweepState state = SweepState.of(text.entries());
     OptionalInt missing = state.nextBearing(plan);
     if (missing.isPresent()) {
       throw DataFormatException.inFile(
@@ -61,7 +61,6 @@ public record CapturedTable(TableDocument document, List<ThresholdFit> fits) {
   private static Map<String, String> header(
       CaptureSettings settings, JournalText text, SweepState state) {
     SweepPlan plan = settings.plan();
-    Ranging ranging = Ranging.of(settings.temperatureC());
     Map<String, String> header = new LinkedHashMap<>();
     header.put("object", settings.of("obstacle"));
     header.put("sensor", settings.of("sensor"));
@@ -72,15 +71,7 @@ public record CapturedTable(TableDocument document, List<ThresholdFit> fits) {
     header.put("resolution", Double.toString(plan.stepM()));
     header.put("pings", state.pings() + " in all, " + plan.pings() + " at each distance");
     header.put("lost", "from " + plan.misses() + " misses of " + plan.pings() + " on");
-    header.put(
-        "temperature",
-        String.format(
-            Locale.ROOT,
-            "%.1f degrees C%s: sound at %.1f m/s",
-            ranging.temperatureC(),
-            settings.temperatureC().isPresent() ? "" : " (assumed)",
-            ranging.soundSpeedMPerS()));
-    header.put("clock", String.format(Locale.ROOT, "1 us: %.2f mm", 1000 * ranging.stepM()));
+    settings.ranging().describe(header, settings.temperatureC().isPresent());
     header.put("firmware", settings.of("firmware"));
     header.put("captured with", settings.of("version"));
     header.values().removeIf(String::isEmpty);

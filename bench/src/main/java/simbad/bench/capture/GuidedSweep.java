@@ -129,6 +129,7 @@ public final class GuidedSweep {
     }
     recorder.record(new Entry.Repeated(at));
     chosen = OptionalInt.of(at);
+    operator.say("nothing of this bearing counts any more: take it anew");
   }
 
   private void pause() throws IOException {
@@ -157,7 +158,9 @@ public final class GuidedSweep {
     Probe probe = new Probe(distanceM, approach(bearing, distanceM));
     pings.ping();
     for (int ping = 0; ping < plan.pings(); ping++) {
-      operator.heard(recorder.record(bearing, probe, pings.ping()));
+      Entry.Taken taken = recorder.record(bearing, probe, pings.ping());
+      recorder.sync();
+      operator.heard(taken);
     }
     List<Level> levels = recorder.state().levels(bearing);
     Level level = levels.get(levels.size() - 1);

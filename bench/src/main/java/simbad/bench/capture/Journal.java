@@ -15,8 +15,11 @@ import java.util.List;
 import simbad.sonar.format.DataFormatException;
 
 /**
- * The file that a capture writes to: only ever longer, each line with a number and a checksum, on
- * the disk before {@link #append} returns. Held by one process at a time. Not thread-safe.
+ * The file that a capture writes to: only ever longer, each line with a number and a checksum. Held
+ * by one process at a time. Not thread-safe.
+ *
+ * <p>When {@link #append} returns, the lines survive the end of this process, however it comes. The
+ * disk follows at once, as fast as it is; when {@link #sync} returns, they survive a loss of power.
  */
 public final class Journal implements Closeable {
   /** Of a line that was cut off, beside the journal. */
@@ -24,12 +27,14 @@ public final class Journal implements Closeable {
 
   private final Path file;
   private final FileChannel channel;
+  private final DiskSync disk;
   private long lines;
   private boolean failed;
 
-  private Journal(Path file, FileChannel channel, long lines) {
+  private Journal(Path file, FileChannel channel, DiskSync disk, long lines) {
     this.file = file;
     this.channel = channel;
+    this.disk = disk;
     this.lines = lines;
   }
 
@@ -45,19 +50,18 @@ public final class Journal implements Closeable {
       throw new FileAlreadyExistsException(file.toString());
     }
     Path beginning = beginning(file);
-    Journal journal =
-        new Journal(
+    FileChannel channel =
+        held(
             file,
-            held(
-                file,
-                FileChannel.open(
-                    beginning,
-                    StandardOpenOption.CREATE,
-                    StandardOpenOption.TRUNCATE_EXISTING,
-                    StandardOpenOption.WRITE)),
-            0);
+            FileChannel.open(
+                beginning,
+                StandardOpenOption.CREATE,
+                StandardOpenOption.TRUNCATE_EXISTING,
+                StandardOpenOption.WRITE));
+    Journal journal = new Journal(file, channel, DiskSync.of(channel, 0), 0);
     try {
       journal.append(List.of(begun));
+      journal.sync();
       Files.move(beginning, file, StandardCopyOption.ATOMIC_MOVE);
       syncFolder(file);
       return journal;
@@ -101,7 +105,7 @@ public final class Journal implements Closeable {
         channel.force(true);
       }
       channel.position(text.wholeBytes());
-      return new Journal(file, channel, text.entries().size());
+      return new Journal(file, channel, DiskSync.of(channel, text.lines()), text.lines());
     } catch (IOException | DataFormatException e) {
       channel.close();
       throw e;
@@ -134,8 +138,8 @@ public final class Journal implements Closeable {
   }
 
   /**
-   * Appends entries; they are on the disk when this returns. After a failure nothing more is
-   * written: the journal ends in a torn line at worst.
+   * Appends entries: they are in the file when this returns, and soon on the disk. After a failure
+   * nothing more is written: the journal ends in a torn line at worst.
    *
    * @param entries in their order
    * @throws IOException if they could not be written
@@ -152,11 +156,34 @@ public final class Journal implements Closeable {
     failed = true;
     try {
       writeAll(channel, text.toString().getBytes(StandardCharsets.UTF_8));
-      channel.force(false);
     } catch (IOException e) {
-      throw new IOException(file + ": cannot be written: " + e.getMessage(), e);
+      throw unwritable(e);
     }
     failed = false;
+    disk.written(lines);
+  }
+
+  /**
+   * Waits until all that was appended is on the disk.
+   *
+   * @throws IOException if the disk failed; nothing more is written then
+   */
+  public void sync() throws IOException {
+    try {
+      disk.await();
+    } catch (IOException e) {
+      failed = true;
+      throw unwritable(e);
+    }
+  }
+
+  /** Returns how many of the lines that were appended, the last ones, are not on the disk yet. */
+  public long underWay() {
+    return lines - disk.synced();
+  }
+
+  private IOException unwritable(IOException cause) {
+    return new IOException(file + ": cannot be written: " + cause.getMessage(), cause);
   }
 
   private static void writeAll(FileChannel channel, byte[] bytes) throws IOException {
@@ -166,8 +193,10 @@ public final class Journal implements Closeable {
     }
   }
 
+  /** Lets go of the file, once all of it is on the disk; without a word if the disk has failed. */
   @Override
   public void close() throws IOException {
+    disk.close();
     channel.close();
   }
 }

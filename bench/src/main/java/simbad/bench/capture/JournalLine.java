@@ -1,9 +1,10 @@
 package simbad.bench.capture;
 
 import java.nio.charset.StandardCharsets;
+import java.util.HexFormat;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import java.util.zip.CRC32;
 
 /**
@@ -16,6 +17,7 @@ import java.util.zip.CRC32;
  */
 record JournalLine(long number, String kind, List<String> fields) {
   private static final int CRC_LENGTH = 8;
+  private static final Pattern NUMBER = Pattern.compile("\\d{1,15}");
 
   JournalLine {
     fields = List.copyOf(fields);
@@ -35,7 +37,7 @@ record JournalLine(long number, String kind, List<String> fields) {
   private static String checksum(String text) {
     CRC32 crc = new CRC32();
     crc.update(text.getBytes(StandardCharsets.UTF_8));
-    return String.format(Locale.ROOT, "%08x", crc.getValue());
+    return HexFormat.of().toHexDigits((int) crc.getValue());
   }
 
   /** Reads a line without its end; empty when its checksum does not fit. */
@@ -48,7 +50,7 @@ record JournalLine(long number, String kind, List<String> fields) {
     String[] parts = told.split(",", -1);
     if (parts.length < 2
         || !checksum(told).equals(line.substring(star + 1))
-        || !parts[0].matches("\\d{1,15}")) {
+        || !NUMBER.matcher(parts[0]).matches()) {
       return Optional.empty();
     }
     return Optional.of(

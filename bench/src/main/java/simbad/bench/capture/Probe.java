@@ -3,7 +3,14 @@ package simbad.bench.capture;
 /**
  * A distance that is to be tried.
  *
- * @param distanceM from the sensor to the obstacle's axis, metres
+ * @param distanceM from the sensor to the obstacle's axis, metres, above 0
  * @param approach why
  */
-public record Probe(double distanceM, Approach approach) {}
+public record Probe(double distanceM, Approach approach) {
+  /** Checks the distance. */
+  public Probe {
+    if (!(distanceM > 0 && distanceM < Double.POSITIVE_INFINITY)) {
+      throw new IllegalArgumentException("distanceM = " + distanceM + " is not in (0, infinity)");
+    }
+  }
+}

@@ -3,14 +3,17 @@ package simbad.bench.capture;
 import java.io.Closeable;
 import java.io.IOException;
 import java.time.Clock;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
+import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.FrameLine;
 
 /**
- * Writes what happens to the journal and keeps the state that follows from it; a reading counts
- * when it is on the disk. Not thread-safe.
+ * Writes what happens to the journal and keeps the state that follows from it. A reading is written
+ * at once; it counts, and is told, when it is on the disk. Not thread-safe.
  */
 public final class Recorder implements Closeable {
   private static final double MS_PER_S = 1000;
@@ -20,6 +23,10 @@ public final class Recorder implements Closeable {
   private final Clock clock;
   private OptionalDouble temperatureC;
   private long lastMs;
+
+  /** Written and not known to be on the disk: the journal's last lines. */
+  private final Deque<Entry> underWay = new ArrayDeque<>();
+
   private BiConsumer<Entry, SweepState> listener = (entry, after) -> {};
 
   /**
@@ -37,14 +44,16 @@ public final class Recorder implements Closeable {
     this.temperatureC = temperatureC;
   }
 
-  /** Returns how far the sweep has come; changes with each entry. */
+  /** Returns how far the sweep has come; changes with each entry that is on the disk. */
   public SweepState state() {
     return state;
   }
 
   /** Says how warm the air is from now on. */
   public void setTemperature(double degreesC) {
-    temperatureC = OptionalDouble.of(new Ranging(degreesC).temperatureC());
+    OptionalDouble warm = OptionalDouble.of(degreesC);
+    Ranging.of(warm, FirmwareMode.FRAME);
+    temperatureC = warm;
   }
 
   /** Lets somebody know of each entry, once it is on the disk, and of the state after it. */
@@ -57,15 +66,40 @@ public final class Recorder implements Closeable {
     record(new Entry.Note(now(), text));
   }
 
-  /** Records any entry that holds no reading. */
+  /** Records any entry that holds no reading; it is on the disk when this returns. */
   public void record(Entry entry) throws IOException {
-    journal.append(List.of(entry));
-    state.take(entry);
-    listener.accept(entry, state);
+    write(entry);
+    sync();
   }
 
   /**
-   * Records a reading.
+   * Waits until all that was recorded is on the disk and counts.
+   *
+   * @throws IOException if the disk failed
+   */
+  public void sync() throws IOException {
+    journal.sync();
+    acknowledge();
+  }
+
+  private void write(Entry entry) throws IOException {
+    journal.append(List.of(entry));
+    underWay.add(entry);
+    acknowledge();
+  }
+
+  private void acknowledge() {
+    long waiting = journal.underWay();
+    while (underWay.size() > waiting) {
+      Entry entry = underWay.remove();
+      state.take(entry);
+      listener.accept(entry, state);
+    }
+  }
+
+  /**
+   * Records a reading: it is in the journal when this returns, and counts when it is on the disk,
+   * at the latest after {@link #sync}.
    *
    * @param bearing index in the plan
    * @param probe where the obstacle stands
@@ -75,7 +109,7 @@ public final class Recorder implements Closeable {
     Entry.Taken taken =
         new Entry.Taken(
             now(), bearing, probe, ping.sequence(), ping.status(), ping.echoUs(), temperatureC);
-    record(taken);
+    write(taken);
     return taken;
   }
 

@@ -35,7 +35,7 @@ public final class Sweep {
   /**
    * Goes on until all bearings are done.
    *
-   * @param listener is told of each reading and each bearing
+   * @param listener is told of each bearing
    * @throws IOException if there are no readings any more, or they cannot be recorded
    * @throws InterruptedException if the thread is interrupted
    */
@@ -45,7 +45,7 @@ public final class Sweep {
       int bearing = next.getAsInt();
       Optional<Probe> probe = search.next(state.levels(bearing));
       if (probe.isPresent()) {
-        take(bearing, probe.get(), listener);
+        take(bearing, probe.get());
       } else {
         recorder.record(new Entry.Done(bearing));
         List<Level> levels = state.levels(bearing);
@@ -55,20 +55,20 @@ public final class Sweep {
     }
   }
 
-  private void take(int bearing, Probe probe, SweepListener listener)
-      throws IOException, InterruptedException {
+  private void take(int bearing, Probe probe) throws IOException, InterruptedException {
     stage.place(plan.bearingDeg(bearing), probe.distanceM());
     // One for the air to become still, and in case that the move was seen by it.
     pings.ping();
-    SweepState state = recorder.state();
-    List<Level> levels = state.levels(bearing);
+    List<Level> levels = recorder.state().levels(bearing);
     int last = levels.size() - 1;
     int had =
         last >= 0 && levels.get(last).isAt(probe.distanceM(), probe.approach())
             ? levels.get(last).pings()
             : 0;
     for (int ping = had; ping < plan.pings(); ping++) {
-      listener.taken(recorder.record(bearing, probe, pings.ping()), state);
+      recorder.record(bearing, probe, pings.ping());
     }
+    // Where to go next is decided by what no loss of power can take away.
+    recorder.sync();
   }
 }

@@ -1,15 +1,8 @@
 package simbad.bench.capture;
 
 /** Is told how a sweep goes on. Called by the thread that runs it. */
+@FunctionalInterface
 public interface SweepListener {
-  /**
-   * A reading was recorded.
-   *
-   * @param taken what was recorded
-   * @param state of the sweep with it
-   */
-  default void taken(Entry.Taken taken, SweepState state) {}
-
   /**
    * A bearing is done.
    *
@@ -17,5 +10,5 @@ public interface SweepListener {
    * @param fit what came of it
    * @param state of the sweep with it
    */
-  default void done(int bearing, ThresholdFit fit, SweepState state) {}
+  void done(int bearing, ThresholdFit fit, SweepState state);
 }

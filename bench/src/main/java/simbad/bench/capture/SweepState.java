@@ -3,6 +3,7 @@ package simbad.bench.capture;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeMap;
@@ -16,18 +17,13 @@ public final class SweepState {
   private final Map<Integer, List<Level>> levels = new TreeMap<>();
   private final Set<Integer> done = new TreeSet<>();
   private long pings;
-
-  /** Takes all entries of a journal. */
-  public static SweepState of(List<Entry> entries) {
-    SweepState state = new SweepState();
-    entries.forEach(state::take);
-    return state;
-  }
+  private OptionalDouble temperatureC = OptionalDouble.empty();
 
   /** Takes the next entry. */
   public void take(Entry entry) {
     if (entry instanceof Entry.Taken taken) {
       pings++;
+      temperatureC = taken.temperatureC();
       add(taken);
     } else if (entry instanceof Entry.Done finished) {
       done.add(finished.bearing());
@@ -76,6 +72,11 @@ public final class SweepState {
   /** Returns how many pings were recorded, those that count no longer included. */
   public long pings() {
     return pings;
+  }
+
+  /** Returns how warm the air was at the last ping; empty when it was not known. */
+  public OptionalDouble temperatureC() {
+    return temperatureC;
   }
 
   /** Returns the first bearing that is not done; empty when all are. */

@@ -16,15 +16,11 @@ import java.util.Optional;
 public record SweepView(SweepPlan plan, SweepState state, int bearing, Optional<Duration> left) {
   /** Returns what to do now, in a few lines. */
   public List<String> text() {
-    double stepDeg = plan.bearingDeg(1);
     String turn =
         bearing == 0
             ? "Place the obstacle with its mark towards the sensor: bearing 0 degrees."
-            : String.format(
-                Locale.ROOT,
-                "Turn it clockwise, seen from above, by %.4g to bearing %.4g degrees.",
-                stepDeg,
-                plan.bearingDeg(bearing));
+            : "Turn it clockwise, seen from above, to bearing %s degrees: %s on from the one before."
+                .formatted(degrees(bearing), degrees(1));
     String progress =
         String.format(
             Locale.ROOT,
@@ -41,6 +37,10 @@ public record SweepView(SweepPlan plan, SweepState state, int bearing, Optional<
         "At each place type the distance from the sensor to the AXIS OF ROTATION in cm",
         "(not to its surface, as the reading is).",
         "Enter done · u undo · r DEG repeat · p pause · t CELSIUS · q quit, to resume");
+  }
+
+  private String degrees(int index) {
+    return String.format(Locale.ROOT, "%.4f", plan.bearingDeg(index)).replaceFirst("\\.?0+$", "");
   }
 
   /** A threshold lies between what is heard and what is lost; one of them alone is none. */

@@ -4,10 +4,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.ThesisLine;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.Provenance;
@@ -44,7 +44,11 @@ public final class ThesisCapture {
   }
 
   /** What the numbers were measured of. */
-  record Meaning(String name, Outline outline, OptionalDouble temperatureC) {}
+  record Meaning(String name, Outline outline, OptionalDouble temperatureC) {
+    Ranging ranging() {
+      return Ranging.of(temperatureC, FirmwareMode.THESIS);
+    }
+  }
 
   static TableDocument parse(Path file, String text, Meaning meaning) throws DataFormatException {
     List<Double> rangesM = new ArrayList<>();
@@ -52,7 +56,7 @@ public final class ThesisCapture {
     for (String line : text.lines().toList()) {
       number++;
       if (!line.isBlank() && !line.startsWith("#")) {
-        rangesM.add(rangeM(file, number, line.strip(), Ranging.of(meaning.temperatureC())));
+        rangesM.add(rangeM(file, number, line.strip(), meaning.ranging()));
       }
     }
     if (rangesM.size() < ThresholdTable.LEAST_SIZE) {
@@ -95,7 +99,6 @@ public final class ThesisCapture {
   }
 
   private static Map<String, String> header(Path file, Meaning meaning) {
-    Ranging ranging = Ranging.of(meaning.temperatureC());
     Map<String, String> header = new LinkedHashMap<>();
     header.put("object", meaning.name());
     header.put("sensor", "Devantech SRF04");
@@ -103,15 +106,7 @@ public final class ThesisCapture {
     header.put("source", "numbers of the thesis's display; " + file.getFileName());
     header.put("unit", "m");
     header.put("resolution", Double.toString(ThesisLine.STEP_M));
-    header.put(
-        "temperature",
-        String.format(
-            Locale.ROOT,
-            "%.1f degrees C%s: sound at %.1f m/s",
-            ranging.temperatureC(),
-            meaning.temperatureC().isPresent() ? "" : " (assumed)",
-            ranging.soundSpeedMPerS()));
-    header.put("clock", ThesisLine.STEP_US + " us a step, taken in its middle");
+    meaning.ranging().describe(header, meaning.temperatureC().isPresent());
     return header;
   }
 }

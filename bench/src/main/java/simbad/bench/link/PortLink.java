@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFileAttributes;
+import java.nio.file.attribute.PosixFilePermission;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
@@ -57,8 +58,7 @@ public final class PortLink implements SerialLink {
       throw new IOException(path + ": is no serial port; ports here: " + listed());
     }
     if (!Files.isReadable(path) || !Files.isWritable(path)) {
-      throw new IOException(
-          path + ": no permission; your user must be in the group " + group(path));
+      throw new IOException(path + ": no permission; " + remedy(path));
     }
     return opened(path);
   }
@@ -87,11 +87,19 @@ public final class PortLink implements SerialLink {
     return ports.isEmpty() ? "none" : ports.stream().collect(Collectors.joining(", "));
   }
 
-  private static String group(Path path) {
+  /** Most ports belong to a group, whatever its name here. */
+  private static String remedy(Path path) {
     try {
-      return Files.readAttributes(path, PosixFileAttributes.class).group().getName();
+      PosixFileAttributes port = Files.readAttributes(path, PosixFileAttributes.class);
+      if (port.permissions().contains(PosixFilePermission.GROUP_READ)
+          && port.permissions().contains(PosixFilePermission.GROUP_WRITE)) {
+        String group = port.group().getName();
+        return "your user must be in the group %s (sudo usermod -aG %s USER; then log in anew)"
+            .formatted(group, group);
+      }
+      return "only its owner, %s, may open it".formatted(port.owner().getName());
     } catch (IOException | UnsupportedOperationException e) {
-      return "dialout";
+      return "your user must be in the group that may open it, dialout on most systems";
     }
   }
 

@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.function.Consumer;
 import simbad.bench.link.LinkSource;
+import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.FrameLine;
 import simbad.bench.protocol.PingStatus;
 
@@ -15,9 +16,6 @@ import simbad.bench.protocol.PingStatus;
  */
 public final class SteadyRanger implements AutoCloseable {
   private static final Duration RETRY = Duration.ofMillis(200);
-
-  /** Nobody there must be said within 5 s, and the program takes some of them to begin. */
-  private static final Duration CONNECT = Duration.ofSeconds(3);
 
   private static final int MOST_STUCK = 20;
 
@@ -34,19 +32,43 @@ public final class SteadyRanger implements AutoCloseable {
   /**
    * How it is asked.
    *
+   * @param connect how long it is asked who it is
    * @param answer how long a ping's answer is waited for
    * @param patience how long a board that does not answer, or a port that is gone, is waited for
    * @param spacing least time from ping to ping, by this clock and by the board's: the ping before
    *     is heard for 65 ms. Zero where nothing echoes
+   * @param mode in which the board reports
    */
-  public record Terms(Duration answer, Duration patience, Duration spacing) {
-    /** Terms for a bench. */
+  public record Terms(
+      Duration connect, Duration answer, Duration patience, Duration spacing, FirmwareMode mode) {
+    /**
+     * Terms for a bench: nobody there must be said within 5 s, and a program takes some to begin.
+     */
     public static final Terms BENCH =
-        new Terms(Duration.ofSeconds(1), Duration.ofSeconds(60), Duration.ofMillis(68));
+        new Terms(
+            Duration.ofSeconds(2),
+            Duration.ofSeconds(1),
+            Duration.ofSeconds(60),
+            Duration.ofMillis(68),
+            FirmwareMode.FRAME);
 
     /** Terms for a simulated board, whose time is not this one's and whose air does not ring. */
     public static final Terms SIMULATED =
-        new Terms(Duration.ofSeconds(5), Duration.ofSeconds(60), Duration.ZERO);
+        new Terms(
+            Duration.ofSeconds(5),
+            Duration.ofSeconds(5),
+            Duration.ofSeconds(60),
+            Duration.ZERO,
+            FirmwareMode.FRAME);
+
+    /** As the thesis spaced them; in its mode the board does not tell its own clock. */
+    private static final Duration THESIS_SPACING = Duration.ofMillis(250);
+
+    /** Returns the same in a mode. */
+    public Terms in(FirmwareMode other) {
+      boolean slow = other == FirmwareMode.THESIS && !spacing.isZero();
+      return new Terms(connect, answer, patience, slow ? THESIS_SPACING : spacing, other);
+    }
   }
 
   /**
@@ -55,13 +77,13 @@ public final class SteadyRanger implements AutoCloseable {
    * @param source opens the line
    * @param terms how it is asked
    * @param told each disturbance, in one line
-   * @throws IOException if there is no ranger, within 5 s
+   * @throws IOException if there is no ranger
    */
   public SteadyRanger(LinkSource source, Terms terms, Consumer<String> told) throws IOException {
     this.source = source;
     this.terms = terms;
     this.told = told;
-    ranger = Optional.of(Ranger.connect(source.open(), CONNECT));
+    ranger = Optional.of(Ranger.connect(source.open(), terms.connect(), terms.mode()));
   }
 
   /**
@@ -135,9 +157,9 @@ public final class SteadyRanger implements AutoCloseable {
     while (true) {
       try {
         if (ranger.isEmpty()) {
-          ranger = Optional.of(Ranger.connect(source.open(), CONNECT));
+          ranger = Optional.of(Ranger.connect(source.open(), terms.connect(), terms.mode()));
         } else {
-          ranger.get().settle(CONNECT);
+          ranger.get().settle(terms.connect());
         }
         return;
       } catch (IOException e) {

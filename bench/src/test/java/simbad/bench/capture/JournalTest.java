@@ -29,7 +29,7 @@ class JournalTest {
     return new Entry.Taken(
         1e9 + number / 8.0,
         number % 72,
-        new Probe(0.02 * number, Approach.OUT),
+        new Probe(0.02 * (1 + number), Approach.OUT),
         number,
         number % 3 == 0 ? PingStatus.NO_ECHO : PingStatus.ECHO,
         number % 5 == 0 ? OptionalInt.empty() : OptionalInt.of(100 + number),
@@ -61,8 +61,11 @@ class JournalTest {
 
   @Test
   void whatIsAppended_isReadAgain() throws Exception {
-    JournalText text = JournalText.read(written());
-    assertEquals(entries(), text.entries().subList(1, text.entries().size()));
+    Path file = written();
+    JournalText text = JournalEntries.text(file);
+    List<Entry> read = JournalEntries.of(file);
+    assertEquals(entries(), read.subList(1, read.size()));
+    assertEquals(read.size(), text.lines());
     assertEquals("a post  round", text.begun().settings().get("obstacle"));
     assertEquals("", text.torn());
   }
@@ -75,17 +78,19 @@ class JournalTest {
     for (int cut = firstLine; cut < all.length; cut += 7) {
       Path file = folder.resolve("cut" + cut);
       Files.write(file, Arrays.copyOf(all, cut));
-      JournalText text = JournalText.read(file);
+      JournalText text = JournalEntries.text(file);
+      List<Entry> before = JournalEntries.of(file);
       long whole =
           new String(all, 0, cut, StandardCharsets.UTF_8).chars().filter(c -> c == '\n').count();
-      assertEquals(whole, text.entries().size());
+      assertEquals(whole, text.lines());
+      assertEquals(whole, before.size());
       assertEquals(cut, text.wholeBytes() + text.torn().length());
       try (Journal journal = Journal.resume(text)) {
         journal.append(List.of(taken(77)));
       }
-      JournalText after = JournalText.read(file);
-      assertEquals(text.entries(), after.entries().subList(0, (int) whole));
-      assertEquals(taken(77), after.entries().get((int) whole));
+      List<Entry> after = JournalEntries.of(file);
+      assertEquals(before, after.subList(0, (int) whole));
+      assertEquals(taken(77), after.get((int) whole));
       Path torn = folder.resolve("cut" + cut + ".torn");
       assertEquals(!text.torn().isEmpty(), Files.exists(torn));
       if (Files.exists(torn)) {
@@ -111,17 +116,27 @@ class JournalTest {
     checkDamaged(List.of(), "is no journal");
   }
 
+  /** Well summed up, but nobody can stand there. */
+  @Test
+  void distanceThatIsNone_isDamage() throws Exception {
+    List<String> lines = new ArrayList<>(Files.readAllLines(written()));
+    List<String> fields = new ArrayList<>(EntryFields.of(taken(1)));
+    fields.set(2, "-0.04");
+    lines.set(2, new JournalLine(3, "ping", fields).text().strip());
+    checkDamaged(lines, ":3: line: damaged");
+  }
+
   private void checkDamaged(List<String> lines, String message) throws IOException {
     Path file = Files.write(folder.resolve("damaged"), lines);
     DataFormatException fault =
-        assertThrows(DataFormatException.class, () -> JournalText.read(file));
+        assertThrows(DataFormatException.class, () -> JournalEntries.text(file));
     assertTrue(String.valueOf(fault.getMessage()).contains(message), fault.getMessage());
   }
 
   @Test
   void secondWriter_isRefused() throws Exception {
     Path file = written();
-    JournalText text = JournalText.read(file);
+    JournalText text = JournalEntries.text(file);
     try (Journal held = Journal.resume(text)) {
       assertThrows(IOException.class, () -> Journal.resume(text));
       held.append(List.of(taken(1)));
@@ -133,7 +148,7 @@ class JournalTest {
   @Test
   void fullDisk_isSaidAndNothingMoreIsWritten() throws Exception {
     Path full = Files.createSymbolicLink(folder.resolve("full"), Path.of("/dev/full"));
-    JournalText text = new JournalText(full, List.of(BEGUN), 0, "", "");
+    JournalText text = new JournalText(full, BEGUN, 1, 0, "", "");
     try (Journal journal = Journal.resume(text)) {
       IOException fault = assertThrows(IOException.class, () -> journal.append(List.of(taken(1))));
       assertTrue(String.valueOf(fault.getMessage()).contains("full: cannot be written"));

@@ -71,13 +71,26 @@ class SweepTest {
   }
 
   private Recorder resumed() throws IOException, DataFormatException {
-    JournalText text = JournalText.read(journal());
     return new Recorder(
-        Journal.resume(text), SweepState.of(text.entries()), CLOCK, OptionalDouble.of(20));
+        Journal.resume(JournalEntries.text(journal())),
+        JournalEntries.state(journal()),
+        CLOCK,
+        OptionalDouble.of(20));
+  }
+
+  private CapturedTable table() throws DataFormatException {
+    CapturedReadings readings = CapturedReadings.of(journal());
+    return CapturedTable.of(readings.text(), readings.state());
+  }
+
+  private List<ReadingRow> rows() throws DataFormatException {
+    List<ReadingRow> rows = new ArrayList<>();
+    CapturedReadings.of(journal()).forEach(rows::add);
+    return rows;
   }
 
   private void checkTable() throws DataFormatException {
-    CapturedTable table = CapturedTable.of(JournalText.read(journal()));
+    CapturedTable table = table();
     for (int i = 0; i < EDGES_M.length; i++) {
       ThresholdFit fit = table.fits().get(i);
       assertTrue(
@@ -90,7 +103,7 @@ class SweepTest {
   @Test
   void unattendedSweep_findsTheThresholds() throws Exception {
     try (Recorder recorder = begun()) {
-      new Sweep(PLAN, recorder, this::ping, this::place).run(new SweepListener() {});
+      new Sweep(PLAN, recorder, this::ping, this::place).run((bearing, fit, state) -> {});
     }
     checkTable();
   }
@@ -106,7 +119,7 @@ class SweepTest {
     while (!done) {
       pingsUntilTheEnd = 17;
       try (Recorder recorder = resumed()) {
-        new Sweep(PLAN, recorder, this::ping, this::place).run(new SweepListener() {});
+        new Sweep(PLAN, recorder, this::ping, this::place).run((bearing, fit, state) -> {});
         done = true;
       } catch (IOException e) {
         interruptions++;
@@ -115,7 +128,7 @@ class SweepTest {
     assertTrue(interruptions > 10);
     checkTable();
     for (int bearing = 0; bearing < 4; bearing++) {
-      for (Level level : SweepState.of(JournalText.read(journal()).entries()).levels(bearing)) {
+      for (Level level : JournalEntries.state(journal()).levels(bearing)) {
         assertEquals(PLAN.pings(), level.pings(), level.toString());
       }
     }
@@ -127,11 +140,10 @@ class SweepTest {
       pingsUntilTheEnd = 100;
       assertThrows(
           IOException.class,
-          () -> new Sweep(PLAN, recorder, this::ping, this::place).run(new SweepListener() {}));
+          () ->
+              new Sweep(PLAN, recorder, this::ping, this::place).run((bearing, fit, state) -> {}));
     }
-    DataFormatException fault =
-        assertThrows(
-            DataFormatException.class, () -> CapturedTable.of(JournalText.read(journal())));
+    DataFormatException fault = assertThrows(DataFormatException.class, this::table);
     assertTrue(String.valueOf(fault.getMessage()).contains("of 4 bearings are done"));
   }
 
@@ -209,7 +221,7 @@ class SweepTest {
       assertEquals(
           List.of(0.28, 0.29), recorder.state().levels(0).stream().map(Level::distanceM).toList());
     }
-    List<ReadingRow> rows = CapturedReadings.of(JournalText.read(journal()));
+    List<ReadingRow> rows = rows();
     assertEquals(8, rows.size());
     assertTrue(rows.stream().allMatch(row -> row.reading() instanceof Echo));
   }
@@ -238,7 +250,7 @@ class SweepTest {
       standsAtM = 0.5;
       recorder.record(1, new Probe(0.5, Approach.OUT), ping());
     }
-    ReadingRow row = CapturedReadings.of(JournalText.read(journal())).get(0);
+    ReadingRow row = rows().get(0);
     assertEquals(0.5, row.pose().position().xM(), 1e-12);
     assertEquals(0, row.pose().position().zM(), 1e-12);
     double headingRad = row.pose().heading().radians();
@@ -251,15 +263,15 @@ class SweepTest {
   @Test
   void settings_surviveTheJournal() throws Exception {
     begun().close();
-    CaptureSettings read = CaptureSettings.of(JournalText.read(journal()));
+    CaptureSettings read = CaptureSettings.of(JournalEntries.text(journal()));
     assertEquals(SETTINGS.plan(), read.plan());
     assertEquals(SETTINGS.temperatureC(), read.temperatureC());
     assertEquals(SETTINGS.origin(), read.origin());
     Path other = folder.resolve("other");
     Journal.create(other, new Entry.Begun(Map.of("format", "else"))).close();
-    assertThrows(DataFormatException.class, () -> CaptureSettings.of(JournalText.read(other)));
+    assertThrows(DataFormatException.class, () -> CaptureSettings.of(JournalEntries.text(other)));
     Path bad = folder.resolve("bad");
     Journal.create(bad, new Entry.Begun(Map.of("format", "bench-journal/1"))).close();
-    assertThrows(DataFormatException.class, () -> CaptureSettings.of(JournalText.read(bad)));
+    assertThrows(DataFormatException.class, () -> CaptureSettings.of(JournalEntries.text(bad)));
   }
 }

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
@@ -18,11 +19,12 @@ import org.junit.jupiter.api.io.TempDir;
 import simbad.bench.capture.Approach;
 import simbad.bench.capture.Entry;
 import simbad.bench.capture.Journal;
-import simbad.bench.capture.JournalText;
+import simbad.bench.capture.JournalEntries;
 import simbad.bench.capture.Probe;
 import simbad.bench.capture.Recorder;
 import simbad.bench.capture.SweepState;
 import simbad.bench.link.MemoryLink;
+import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.FrameLine;
 import simbad.bench.protocol.PingStatus;
 
@@ -30,7 +32,12 @@ import simbad.bench.protocol.PingStatus;
 @Timeout(3600)
 class EnduranceTest {
   private static final SteadyRanger.Terms TERMS =
-      new SteadyRanger.Terms(Duration.ofSeconds(20), Duration.ofSeconds(20), Duration.ZERO);
+      new SteadyRanger.Terms(
+          Duration.ofSeconds(3),
+          Duration.ofSeconds(20),
+          Duration.ofSeconds(20),
+          Duration.ZERO,
+          FirmwareMode.FRAME);
 
   /** One ping every 68 ms for 24 hours. */
   private static final int DAY = 24 * 3600 * 1000 / 68;
@@ -58,14 +65,16 @@ class EnduranceTest {
       for (int i = 0; i < count; i++) {
         recorder.record(i / 1500 % 72, probe(i), ranger.ping());
       }
+      recorder.sync();
+      assertEquals(count, recorder.state().pings(), "on the disk");
       fake.mute(true);
     }
     double perS = count / ((System.nanoTime() - begunNs) / 1e9);
     System.out.printf("%d pings recorded, %.0f in a second%n", count, perS);
-    JournalText text = JournalText.read(folder.resolve("journal.txt"));
-    assertEquals(1 + count, text.entries().size());
+    List<Entry> entries = JournalEntries.of(folder.resolve("journal.txt"));
+    assertEquals(1 + count, entries.size());
     int last = -1;
-    for (Entry entry : text.entries().subList(1, 1 + count)) {
+    for (Entry entry : entries.subList(1, 1 + count)) {
       Entry.Taken taken = (Entry.Taken) entry;
       assertEquals(last < 0 ? taken.sequence() : (last + 1) % 65536, taken.sequence());
       assertEquals(1000 + taken.sequence() % 20_000, taken.echoUs().orElseThrow());

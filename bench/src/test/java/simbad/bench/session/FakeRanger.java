@@ -3,10 +3,12 @@ package simbad.bench.session;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedDeque;
 import org.jspecify.annotations.Nullable;
 import simbad.bench.link.SerialLink;
 
@@ -45,6 +47,8 @@ public final class FakeRanger implements AutoCloseable {
   private int sequence;
   private boolean running = true;
   private volatile boolean mute;
+  private boolean thesisMode;
+  private final Deque<String> numbers = new ConcurrentLinkedDeque<>();
 
   /** Starts it, pinging of itself as after a reset. */
   public FakeRanger(SerialLink link, Map<Integer, Fault> faults) {
@@ -58,6 +62,11 @@ public final class FakeRanger implements AutoCloseable {
   /** Lets it say nothing at all, or speak again. */
   public void mute(boolean silent) {
     mute = silent;
+  }
+
+  /** What it answers to the next pings while it is in the thesis's mode. */
+  public void sayInThesisMode(String... lines) {
+    numbers.addAll(List.of(lines));
   }
 
   private void serve() {
@@ -93,11 +102,15 @@ public final class FakeRanger implements AutoCloseable {
         running = false;
         answer(command);
         asked++;
-        fail(faults.remove(asked));
+        if (thesisMode) {
+          say(numbers.remove() + "\n\r");
+        } else {
+          fail(faults.remove(asked));
+        }
       }
-      case 't' -> {
-        running = false;
-        say("49\n\r");
+      case 'f', 't' -> {
+        thesisMode = command == 't';
+        answer(command);
       }
       default -> answer(command);
     }

@@ -20,12 +20,18 @@ import org.junit.jupiter.api.io.TempDir;
 import simbad.bench.link.MemoryLink;
 import simbad.bench.link.PortLink;
 import simbad.bench.link.PtyLink;
+import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.FrameLine;
 
 @Timeout(300)
 class SteadyRangerTest {
   private static final SteadyRanger.Terms QUICK =
-      new SteadyRanger.Terms(Duration.ofMillis(300), Duration.ofSeconds(20), Duration.ZERO);
+      new SteadyRanger.Terms(
+          Duration.ofSeconds(3),
+          Duration.ofMillis(300),
+          Duration.ofSeconds(20),
+          Duration.ZERO,
+          FirmwareMode.FRAME);
 
   @TempDir Path folder = Path.of("");
 
@@ -131,7 +137,12 @@ class SteadyRangerTest {
   void boardThatStaysAway_isGivenUp() throws Exception {
     MemoryLink.Pair line = MemoryLink.pair();
     SteadyRanger.Terms terms =
-        new SteadyRanger.Terms(Duration.ofMillis(100), Duration.ofMillis(500), Duration.ZERO);
+        new SteadyRanger.Terms(
+            Duration.ofSeconds(3),
+            Duration.ofMillis(100),
+            Duration.ofMillis(500),
+            Duration.ZERO,
+            FirmwareMode.FRAME);
     FakeRanger fake = new FakeRanger(line.there(), Map.of());
     try (SteadyRanger ranger = new SteadyRanger(line::here, terms, text -> {})) {
       fake.close();
@@ -160,7 +171,12 @@ class SteadyRangerTest {
   void spacing_isKept() throws Exception {
     MemoryLink.Pair line = MemoryLink.pair();
     SteadyRanger.Terms terms =
-        new SteadyRanger.Terms(Duration.ofSeconds(1), Duration.ofSeconds(9), Duration.ofMillis(68));
+        new SteadyRanger.Terms(
+            Duration.ofSeconds(3),
+            Duration.ofSeconds(1),
+            Duration.ofSeconds(9),
+            Duration.ofMillis(68),
+            FirmwareMode.FRAME);
     try (FakeRanger fake = new FakeRanger(line.there(), Map.of());
         SteadyRanger ranger = new SteadyRanger(line::here, terms, text -> {})) {
       long begunNs = System.nanoTime();

@@ -1,6 +1,8 @@
 package simbad.experiments.bench;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -10,11 +12,12 @@ import java.util.stream.Stream;
 import simbad.bench.capture.CaptureSettings;
 import simbad.bench.capture.CapturedReadings;
 import simbad.bench.capture.Journal;
-import simbad.bench.capture.JournalText;
 import simbad.bench.capture.Ranging;
-import simbad.experiments.dataset.MadeDataSet;
+import simbad.gap.diagnosis.DataSetFolder;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.ReadingsWriter;
+import simbad.sonar.format.SceneWriter;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
@@ -64,27 +67,53 @@ public record CaptureFolder(Path path) {
   }
 
   /**
-   * Reads the journal.
+   * Reads the journal, whose readings may be asked for then.
    *
    * @throws DataFormatException naming the file and the line
    */
-  public JournalText read() throws DataFormatException {
-    return JournalText.read(journal());
+  public CapturedReadings read() throws DataFormatException {
+    return CapturedReadings.of(journal());
   }
 
   /**
-   * Writes the readings as a gap data set beside the journal, over the one that was there.
+   * Writes readings as a gap data set beside the journal, over the one that was there. Whole files
+   * only: what is under way has another name, and is gone when it fails.
    *
+   * @param readings of this folder's journal
    * @param believed what the simulator expects of the obstacle
    * @param sensor the sensor's figures
    * @throws IOException if it cannot be written
    * @throws DataFormatException if the journal cannot be read
    */
-  public void writeDataSet(ObstacleType believed, SonarSpec sensor)
+  public void writeDataSet(CapturedReadings readings, ObstacleType believed, SonarSpec sensor)
       throws IOException, DataFormatException {
-    JournalText text = read();
-    CaptureSettings settings = CaptureSettings.of(text);
-    Ranging ranging = Ranging.of(settings.temperatureC());
+    Path staging = Files.createTempDirectory(path, ".data-set");
+    try {
+      Files.writeString(
+          staging.resolve(DataSetFolder.SCENE),
+          SceneWriter.text(setup(readings.settings().ranging(), believed, sensor)),
+          StandardCharsets.UTF_8);
+      try (ReadingsWriter rows = ReadingsWriter.open(staging.resolve(DataSetFolder.READINGS))) {
+        readings.forEach(rows::write);
+      } catch (UncheckedIOException e) {
+        throw e.getCause();
+      }
+      for (Path file : files(staging)) {
+        Files.move(
+            file,
+            path.resolve(String.valueOf(file.getFileName())),
+            StandardCopyOption.ATOMIC_MOVE,
+            StandardCopyOption.REPLACE_EXISTING);
+      }
+    } finally {
+      for (Path file : files(staging)) {
+        Files.delete(file);
+      }
+      Files.delete(staging);
+    }
+  }
+
+  private static SensingSetup setup(Ranging ranging, ObstacleType believed, SonarSpec sensor) {
     SonarSpec spec =
         new SonarSpec(
             sensor.name(),
@@ -104,31 +133,7 @@ public record CaptureFolder(Path path) {
             new Placement(0, 0, 0),
             believed.outline(),
             new TableDetection(believed.thresholds().table()));
-    MadeDataSet made =
-        new MadeDataSet(
-            new SensingSetup(spec, new Scene(List.of(obstacle)), spec.maxRangeM()),
-            CapturedReadings.of(text));
-    write(made);
-  }
-
-  /** Whole files only: what is under way has another name, and is gone when it fails. */
-  private void write(MadeDataSet made) throws IOException {
-    Path staging = Files.createTempDirectory(path, ".data-set");
-    try {
-      made.write(staging);
-      for (Path file : files(staging)) {
-        Files.move(
-            file,
-            path.resolve(String.valueOf(file.getFileName())),
-            StandardCopyOption.ATOMIC_MOVE,
-            StandardCopyOption.REPLACE_EXISTING);
-      }
-    } finally {
-      for (Path file : files(staging)) {
-        Files.delete(file);
-      }
-      Files.delete(staging);
-    }
+    return new SensingSetup(spec, new Scene(List.of(obstacle)), spec.maxRangeM());
   }
 
   private static List<Path> files(Path folder) throws IOException {

@@ -14,6 +14,7 @@ import simbad.bench.board.BoardSetup;
 import simbad.bench.board.TurntableBench;
 import simbad.bench.capture.Stage;
 import simbad.bench.link.PortLink;
+import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.session.SteadyRanger;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
@@ -87,11 +88,13 @@ public final class SimulatedBench implements AutoCloseable {
   /**
    * Connects with the ranger.
    *
+   * @param mode in which it shall report
    * @param told each disturbance
    * @throws IOException if it does not answer
    */
-  public SteadyRanger connect(Consumer<String> told) throws IOException {
-    return new SteadyRanger(() -> PortLink.open(board.port()), SteadyRanger.Terms.SIMULATED, told);
+  public SteadyRanger connect(FirmwareMode mode, Consumer<String> told) throws IOException {
+    return new SteadyRanger(
+        () -> PortLink.open(board.port()), SteadyRanger.Terms.SIMULATED.in(mode), told);
   }
 
   /** Returns the board. */

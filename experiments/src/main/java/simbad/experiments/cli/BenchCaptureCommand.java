@@ -9,18 +9,17 @@ import java.time.Clock;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import simbad.bench.capture.CaptureSettings;
 import simbad.bench.capture.Journal;
-import simbad.bench.capture.Ranging;
 import simbad.bench.capture.Recorder;
 import simbad.bench.capture.SweepPlan;
 import simbad.bench.capture.SweepState;
+import simbad.bench.protocol.FirmwareMode;
 import simbad.experiments.bench.CaptureFolder;
 import simbad.experiments.bench.SimulatedBench;
 import simbad.obstacles.ObstacleType;
@@ -51,12 +50,7 @@ final class BenchCaptureCommand extends Subcommand {
       description = "Of a real sensor, whose obstacle you move.")
   private @Nullable Path port;
 
-  @Option(
-      names = "--obstacle",
-      paramLabel = "NAME",
-      required = true,
-      description = "What is swept: square, round, angle, or TABLE.csv.")
-  private String obstacle = "";
+  @Mixin private SweptObstacle obstacle = new SweptObstacle();
 
   @Option(
       names = "--out",
@@ -90,10 +84,12 @@ final class BenchCaptureCommand extends Subcommand {
   private double stepM = 0.02;
 
   @Option(
-      names = "--temperature",
-      paramLabel = "CELSIUS",
-      description = "Of the air. Default: not known, 20 assumed.")
-  private @Nullable Double temperatureC;
+      names = "--mode",
+      paramLabel = "MODE",
+      description =
+          "In which the board reports: frame (microseconds), or thesis (steps of 2 cm, not"
+              + " protected against a disturbed line). Default: frame.")
+  private String mode = FirmwareMode.FRAME.word();
 
   @Option(
       names = "--sensor",
@@ -104,29 +100,20 @@ final class BenchCaptureCommand extends Subcommand {
   @Option(names = "--seed", paramLabel = "N", description = "With --auto, of the noisy sensor.")
   private long seed = 1;
 
-  @Option(
-      names = "--web",
-      paramLabel = "[ADDRESS:]PORT",
-      description =
-          "Show the capture on a page, on this computer; at another address it asks for a token.")
-  private @Nullable String web;
+  @Mixin private WebOption web = new WebOption();
 
   @Override
   protected void run() throws Exception {
     if (auto == (port != null)) {
       throw wrongUsage("exactly one of --port and --auto is needed");
     }
-    ObstacleType type = ObstacleArgument.parse(obstacle);
+    ObstacleType type = obstacle.type();
     CaptureSettings settings = settings(type);
     CaptureFolder target = new CaptureFolder(folder);
     target.requireFree();
     CaptureRun run = new CaptureRun(target, settings, type, out(), err());
     CaptureRun.Opening opening = known -> recorder(target, known);
-    if (web != null) {
-      run.showAt(
-          WebArgument.parse(web)
-              .orElseThrow(() -> wrongUsage("--web: '" + web + "' is no [ADDRESS:]PORT")));
-    }
+    web.show(run);
     if (auto) {
       run.auto(simulated(type, settings), opening);
     } else {
@@ -146,19 +133,18 @@ final class BenchCaptureCommand extends Subcommand {
             .orElseThrow(
                 () -> wrongUsage("--sensor: '" + sensor + "' is none of " + RuleArgument.NAMES)),
         seed,
-        Ranging.of(settings.temperatureC()).temperatureC());
+        settings.ranging().temperatureC());
   }
 
   private static Recorder recorder(CaptureFolder target, CaptureSettings known)
       throws IOException, DataFormatException {
     Journal journal = target.begin(known);
-    return new Recorder(
-        journal, SweepState.of(List.of(known.entry())), Clock.systemUTC(), known.temperatureC());
+    return new Recorder(journal, new SweepState(), Clock.systemUTC(), known.temperatureC());
   }
 
   private CaptureSettings settings(ObstacleType type) throws IOException {
     Map<String, String> origin = new LinkedHashMap<>();
-    origin.put("obstacle", obstacle);
+    origin.put("obstacle", obstacle.name());
     origin.put("object", type.thresholds().header("object").orElse(type.name()));
     if (port == null) {
       origin.put("sensor", "SRF04, simulated board (gpsim), " + sensor + " model");
@@ -168,14 +154,18 @@ final class BenchCaptureCommand extends Subcommand {
       origin.put("sensor", "Devantech SRF04");
       origin.put("port", port.toAbsolutePath().toString());
     }
+    origin.put(
+        CaptureSettings.MODE,
+        FirmwareMode.find(mode)
+            .orElseThrow(() -> wrongUsage("--mode: '" + mode + "' is neither frame nor thesis"))
+            .word());
     origin.put("date", LocalDate.now(ZoneOffset.UTC).toString());
     origin.put("version", BuildVersion.text());
     try {
       SweepPlan plan = SweepPlan.ofBearings(bearings).with(pings, half(), stepM);
-      OptionalDouble degreesC =
-          temperatureC == null ? OptionalDouble.empty() : OptionalDouble.of(temperatureC);
-      Ranging.of(degreesC);
-      return new CaptureSettings(plan, degreesC, origin);
+      CaptureSettings settings = new CaptureSettings(plan, obstacle.temperatureC(), origin);
+      settings.ranging();
+      return settings;
     } catch (IllegalArgumentException e) {
       throw wrongUsage(String.valueOf(e.getMessage()));
     }

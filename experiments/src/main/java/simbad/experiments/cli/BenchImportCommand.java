@@ -1,13 +1,9 @@
 package simbad.experiments.cli;
 
-import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.OptionalDouble;
-import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Option;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 import simbad.bench.capture.ThesisCapture;
 import simbad.obstacles.ObstacleType;
@@ -27,37 +23,17 @@ final class BenchImportCommand extends Subcommand {
   @Parameters(paramLabel = "FILE", description = "The numbers.")
   private Path numbers = Path.of("");
 
-  @Option(
-      names = "--obstacle",
-      paramLabel = "NAME",
-      required = true,
-      description = "What was swept: square, round, angle; its cross-section is needed.")
-  private String obstacle = "";
+  @Mixin private SweptObstacle obstacle = new SweptObstacle();
 
-  @Option(
-      names = "--temperature",
-      paramLabel = "CELSIUS",
-      description = "Of the air. Default: not known, 20 assumed.")
-  private @Nullable Double temperatureC;
-
-  @Option(
-      names = "--out",
-      paramLabel = "FILE",
-      required = true,
-      description = "A file that does not exist yet.")
-  private Path file = Path.of("");
+  @Mixin private TableOutput output = new TableOutput();
 
   @Override
   protected void run() throws Exception {
-    if (Files.exists(file)) {
-      throw new FileAlreadyExistsException(file.toString());
-    }
-    ObstacleType type = ObstacleArgument.parse(obstacle);
-    OptionalDouble degreesC =
-        temperatureC == null ? OptionalDouble.empty() : OptionalDouble.of(temperatureC);
+    Path file = output.file();
+    ObstacleType type = obstacle.type();
     TableDocument table;
     try {
-      table = ThesisCapture.read(numbers, type.name(), type.outline(), degreesC);
+      table = ThesisCapture.read(numbers, type.name(), type.outline(), obstacle.temperatureC());
     } catch (IllegalArgumentException e) {
       throw wrongUsage(String.valueOf(e.getMessage()));
     }

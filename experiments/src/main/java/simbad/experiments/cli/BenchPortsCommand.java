@@ -8,6 +8,7 @@ import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import simbad.bench.link.PortLink;
+import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.FrameLine;
 import simbad.bench.session.Ranger;
 
@@ -20,7 +21,7 @@ import simbad.bench.session.Ranger;
     },
     footer = {"", "Example: simbad bench ports /dev/ttyUSB0"})
 final class BenchPortsCommand extends Subcommand {
-  private static final Duration LIMIT = Duration.ofSeconds(3);
+  private static final Duration LIMIT = Duration.ofSeconds(2);
 
   @Parameters(paramLabel = "PORT", arity = "0..*", description = "Only these.")
   private List<Path> named = new ArrayList<>();
@@ -37,7 +38,7 @@ final class BenchPortsCommand extends Subcommand {
   }
 
   private void ask(Path port) {
-    try (Ranger ranger = Ranger.connect(PortLink.open(port), LIMIT)) {
+    try (Ranger ranger = Ranger.connect(PortLink.open(port), LIMIT, FirmwareMode.FRAME)) {
       FrameLine.Identity identity = ranger.identity();
       out()
           .println(

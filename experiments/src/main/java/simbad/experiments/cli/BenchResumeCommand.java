@@ -4,14 +4,15 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import simbad.bench.capture.CaptureSettings;
+import simbad.bench.capture.CapturedReadings;
 import simbad.bench.capture.Journal;
 import simbad.bench.capture.JournalText;
-import simbad.bench.capture.Ranging;
 import simbad.bench.capture.Recorder;
 import simbad.bench.capture.SweepState;
 import simbad.experiments.bench.CaptureFolder;
@@ -28,8 +29,7 @@ import simbad.sonar.format.DataFormatException;
     },
     footer = {"", "Example: simbad bench resume angle-capture"})
 final class BenchResumeCommand extends Subcommand {
-  @Parameters(paramLabel = "DIR", description = "Folder of the capture.")
-  private Path folder = Path.of("");
+  @Mixin private CaptureArgument argument = new CaptureArgument();
 
   @Option(
       names = "--port",
@@ -37,32 +37,24 @@ final class BenchResumeCommand extends Subcommand {
       description = "When the sensor is at another port now.")
   private @Nullable Path port;
 
-  @Option(
-      names = "--web",
-      paramLabel = "[ADDRESS:]PORT",
-      description =
-          "Show the capture on a page, on this computer; at another address it asks for a token.")
-  private @Nullable String web;
+  @Mixin private WebOption web = new WebOption();
 
   @Override
   protected void run() throws Exception {
-    CaptureFolder capture = new CaptureFolder(folder);
-    JournalText text = capture.read();
-    CaptureSettings settings = settings(text);
+    CaptureFolder capture = argument.folder();
+    CapturedReadings known = capture.read();
+    JournalText text = known.text();
+    CaptureSettings settings = settings(known.settings());
     ObstacleType type = ObstacleArgument.parse(settings.of("obstacle"));
     CaptureRun run = new CaptureRun(capture, settings, type, out(), err());
-    SweepState state = SweepState.of(text.entries());
+    SweepState state = known.state();
     say(text, settings, state);
     if (state.nextBearing(settings.plan()).isEmpty()) {
-      run.conclude();
+      run.conclude(known);
       return;
     }
-    CaptureRun.Opening opening = known -> recorder(text, known, state);
-    if (web != null) {
-      run.showAt(
-          WebArgument.parse(web)
-              .orElseThrow(() -> wrongUsage("--web: '" + web + "' is no [ADDRESS:]PORT")));
-    }
+    CaptureRun.Opening opening = firmware -> recorder(text, firmware, state);
+    web.show(run);
     if (settings.of("port").isEmpty()) {
       run.auto(simulated(capture, settings, state, type), opening);
     } else {
@@ -79,11 +71,10 @@ final class BenchResumeCommand extends Subcommand {
             .orElseThrow(() -> damaged(capture, "model", settings)),
         // Chance does not begin again with what was read already.
         seed(capture, settings) + state.pings(),
-        Ranging.of(settings.temperatureC()).temperatureC());
+        settings.ranging().temperatureC());
   }
 
-  private CaptureSettings settings(JournalText text) throws DataFormatException {
-    CaptureSettings begun = CaptureSettings.of(text);
+  private CaptureSettings settings(CaptureSettings begun) {
     if (port == null) {
       return begun;
     }
@@ -113,8 +104,10 @@ final class BenchResumeCommand extends Subcommand {
 
   private static Recorder recorder(JournalText text, CaptureSettings known, SweepState state)
       throws IOException, DataFormatException {
-    Recorder recorder =
-        new Recorder(Journal.resume(text), state, Clock.systemUTC(), known.temperatureC());
+    // What the person said of the air last.
+    OptionalDouble temperatureC =
+        state.temperatureC().isPresent() ? state.temperatureC() : known.temperatureC();
+    Recorder recorder = new Recorder(Journal.resume(text), state, Clock.systemUTC(), temperatureC);
     recorder.note("resumed with " + known.of("version") + " and firmware " + known.of("firmware"));
     return recorder;
   }

@@ -1,17 +1,15 @@
 package simbad.experiments.cli;
 
 import java.io.IOException;
-import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
-import simbad.bench.capture.CaptureSettings;
+import simbad.bench.capture.CapturedReadings;
 import simbad.bench.capture.CapturedTable;
-import simbad.bench.capture.JournalText;
 import simbad.bench.capture.ThresholdFit;
 import simbad.experiments.bench.CaptureFolder;
 import simbad.experiments.plot.Figure;
@@ -35,15 +33,9 @@ import simbad.sonar.shape.ThresholdTable;
 final class BenchTableCommand extends Subcommand {
   private static final double CM = 100;
 
-  @Parameters(paramLabel = "DIR", description = "Folder of the capture.")
-  private Path folder = Path.of("");
+  @Mixin private CaptureArgument argument = new CaptureArgument();
 
-  @Option(
-      names = "--out",
-      paramLabel = "FILE",
-      required = true,
-      description = "A file that does not exist yet.")
-  private Path file = Path.of("");
+  @Mixin private TableOutput output = new TableOutput();
 
   @Option(
       names = "--compare",
@@ -56,17 +48,16 @@ final class BenchTableCommand extends Subcommand {
 
   @Override
   protected void run() throws Exception {
-    refuseExisting(file);
-    CaptureFolder capture = new CaptureFolder(folder);
-    JournalText text = capture.read();
-    CapturedTable table = CapturedTable.of(text);
-    ObstacleType type = ObstacleArgument.parse(CaptureSettings.of(text).of("obstacle"));
+    Path file = output.file();
+    CaptureFolder capture = argument.folder();
+    CapturedReadings readings = capture.read();
+    CapturedTable table = CapturedTable.of(readings.text(), readings.state());
+    ObstacleType type = ObstacleArgument.parse(readings.settings().of("obstacle"));
     if (plot != null) {
-      refuseExisting(plot);
       draw(TablePicture.of(new ObstacleType(type.name(), type.outline(), table.document())), plot);
     }
     Files.writeString(file, table.text());
-    capture.writeDataSet(type, Catalogue.srf04());
+    capture.writeDataSet(readings, type, Catalogue.srf04());
     out()
         .printf(
             Locale.ROOT,
@@ -108,19 +99,10 @@ final class BenchTableCommand extends Subcommand {
   }
 
   private void draw(Figure figure, Path target) throws IOException {
-    String name = target.toString().toLowerCase(Locale.ROOT);
-    if (name.endsWith(".png")) {
-      figure.writePng(target, Figure.PRINT_DPI);
-    } else if (name.endsWith(".svg")) {
-      figure.writeSvg(target);
-    } else {
+    if (!OutputFile.isPicture(target)) {
       throw wrongUsage("--plot: '" + target + "' ends neither in .png nor in .svg");
     }
-  }
-
-  private static void refuseExisting(Path path) throws IOException {
-    if (Files.exists(path)) {
-      throw new FileAlreadyExistsException(path.toString());
-    }
+    OutputFile.refuseExisting(target);
+    OutputFile.draw(figure, target);
   }
 }

@@ -10,10 +10,10 @@ import java.util.Locale;
 import java.util.Optional;
 import simbad.bench.board.BoardKit;
 import simbad.bench.capture.CaptureSettings;
+import simbad.bench.capture.CapturedReadings;
 import simbad.bench.capture.GuidedSweep;
 import simbad.bench.capture.Operator;
 import simbad.bench.capture.PingSource;
-import simbad.bench.capture.Ranging;
 import simbad.bench.capture.Recorder;
 import simbad.bench.capture.Sweep;
 import simbad.bench.capture.SweepListener;
@@ -55,7 +55,7 @@ final class CaptureRun {
     this.obstacle = obstacle;
     this.out = out;
     this.err = err;
-    live = new LiveState(obstacle.name(), settings.plan(), Ranging.of(settings.temperatureC()));
+    live = new LiveState(obstacle.name(), settings.plan(), settings.ranging());
   }
 
   /** Opens the journal, once it is known who answers. */
@@ -72,7 +72,7 @@ final class CaptureRun {
           try (SimulatedBench bench =
                   SimulatedBench.start(BoardKit.ofProject(ProjectFolder.find()), setup);
               Progress progress = Progress.of("bearings", settings.plan().bearings());
-              SteadyRanger ranger = bench.connect(this::note)) {
+              SteadyRanger ranger = bench.connect(settings.mode(), this::note)) {
             Recorder known = open(ranger, opening);
             Sweep sweep = new Sweep(settings.plan(), known, shown(ranger), bench.stage());
             interruptible(() -> sweep.run(told(progress)), bench::close);
@@ -83,7 +83,11 @@ final class CaptureRun {
   /** The sweep that a person does, at the port of the settings. */
   void guided(BufferedReader in, boolean terminal, Opening opening)
       throws IOException, DataFormatException, InterruptedException {
-    Operator person = new TerminalOperator(in, out, Ranging.of(settings.temperatureC()), terminal);
+    Operator person = new TerminalOperator(in, out, settings.ranging(), terminal);
+    if (terminal) {
+      // What was printed at the begin is cleared away.
+      page.ifPresent(at -> person.say("page: " + at.url()));
+    }
     concluded(
         () -> {
           try (SteadyRanger ranger = connected(Path.of(settings.of("port")))) {
@@ -139,7 +143,8 @@ final class CaptureRun {
 
   private SteadyRanger connected(Path port) throws IOException {
     try {
-      return new SteadyRanger(() -> PortLink.open(port), SteadyRanger.Terms.BENCH, this::note);
+      return new SteadyRanger(
+          () -> PortLink.open(port), SteadyRanger.Terms.BENCH.in(settings.mode()), this::note);
     } catch (Disturbance e) {
       throw new IOException(port + ": " + e.getMessage(), e);
     }
@@ -174,7 +179,7 @@ final class CaptureRun {
     page.ifPresent(LivePage::close);
     if (recorder.isPresent()) {
       recorder.get().close();
-      conclude();
+      conclude(folder.read());
     }
   }
 
@@ -199,13 +204,10 @@ final class CaptureRun {
 
   private SweepListener told(Progress progress) {
     SweepPlan plan = settings.plan();
-    return new SweepListener() {
-      @Override
-      public void done(int bearing, ThresholdFit fit, SweepState state) {
-        progress.step();
-        progress.clearLine();
-        out.println(line(plan, bearing, fit));
-      }
+    return (bearing, fit, state) -> {
+      progress.step();
+      progress.clearLine();
+      out.println(line(plan, bearing, fit));
     };
   }
 
@@ -214,8 +216,8 @@ final class CaptureRun {
   }
 
   /** Says how far it came, and writes the data set. */
-  void conclude() throws IOException, DataFormatException {
-    SweepState state = SweepState.of(folder.read().entries());
+  void conclude(CapturedReadings readings) throws IOException, DataFormatException {
+    SweepState state = readings.state();
     int bearings = settings.plan().bearings();
     out.printf(
         Locale.ROOT,
@@ -228,6 +230,6 @@ final class CaptureRun {
         state.doneCount() == bearings
             ? "now: simbad bench table " + folder.path() + " --out TABLE.csv"
             : "go on with: simbad bench resume " + folder.path());
-    folder.writeDataSet(obstacle, Catalogue.srf04());
+    folder.writeDataSet(readings, obstacle, Catalogue.srf04());
   }
 }

@@ -26,6 +26,7 @@ import simbad.bench.capture.Probe;
 import simbad.bench.capture.Ranging;
 import simbad.bench.capture.SweepPlan;
 import simbad.bench.capture.SweepState;
+import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.FrameLine;
 import simbad.bench.protocol.PingStatus;
 
@@ -34,7 +35,7 @@ class LivePageTest {
       new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
 
   private static LiveState state() {
-    return new LiveState("post", SweepPlan.ofBearings(4), new Ranging(20));
+    return new LiveState("post", SweepPlan.ofBearings(4), new Ranging(20, FirmwareMode.FRAME));
   }
 
   private static HttpResponse<String> get(String method, String url) throws Exception {

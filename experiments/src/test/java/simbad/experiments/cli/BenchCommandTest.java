@@ -13,9 +13,13 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -28,7 +32,6 @@ import simbad.bench.board.Board;
 import simbad.bench.board.BoardKit;
 import simbad.bench.board.BoardSetup;
 import simbad.bench.board.TurntableBench;
-import simbad.bench.capture.JournalText;
 import simbad.bench.capture.SweepState;
 import simbad.experiments.bench.CaptureFolder;
 import simbad.obstacles.Catalogue;
@@ -60,13 +63,40 @@ class BenchCommandTest {
 
   /** Every bearing of the table within the step of the search and the clock's of 0.2 mm. */
   private void checkTable(String capture, int bearings) throws Exception {
-    checkDone(Shell.simbad("bench", "table", at(capture), "--out", at(capture + "-now.csv")));
-    ThresholdTable found = TableFile.read(Path.of(at(capture + "-now.csv"))).table();
+    checkTable(folder.resolve(capture), bearings);
+  }
+
+  private static void checkTable(Path capture, int bearings) throws Exception {
+    String file = capture + "-now.csv";
+    checkDone(Shell.simbad("bench", "table", capture.toString(), "--out", file));
+    ThresholdTable found = TableFile.read(Path.of(file)).table();
     ThresholdTable behind = Catalogue.angleTable().table();
     assertEquals(bearings, found.size());
     for (int i = 0; i < bearings; i++) {
       assertEquals(behind.thresholdM(found.bearingRad(i)), found.valueM(i), 0.0202, "bearing " + i);
     }
+  }
+
+  /** Steps of 118 us, no checksum: the same thresholds, for they are distances of the tape. */
+  @Test
+  void closedLoop_inTheThesissMode() throws Exception {
+    needTools();
+    checkDone(
+        Shell.simbad(
+            ("bench capture --auto --mode thesis --obstacle angle --bearings 3 --pings 3 --out "
+                    + at("thesis"))
+                .split(" ")));
+    checkTable("thesis", 3);
+    String table = Files.readString(folder.resolve("thesis-now.csv"));
+    assertTrue(table.contains("# clock: 118.0 us a step, taken in its middle\n"), table);
+    try (Stream<String> rows = Files.lines(folder.resolve("thesis/journal.txt"))) {
+      assertTrue(
+          rows.filter(row -> row.contains(",echo,"))
+              .allMatch(
+                  row -> Integer.parseInt(row.replaceFirst(".*echo,(\\d+),.*", "$1")) % 118 == 59));
+    }
+    String scene = Files.readString(folder.resolve("thesis/scene.json"));
+    assertTrue(scene.contains("0.0202"), scene);
   }
 
   @Test
@@ -104,33 +134,36 @@ class BenchCommandTest {
     return Files.exists(capture.journal()) ? Files.size(capture.journal()) : 0;
   }
 
-  private SimbadProcess goingOn(CaptureFolder capture, int bearings, int pings) throws IOException {
+  private static SimbadProcess goingOn(Path where, CaptureFolder capture, int bearings)
+      throws IOException {
     String words =
         Files.exists(capture.journal())
             ? "resume " + capture.path()
-            : "capture --auto --obstacle angle --bearings %d --pings %d --out %s"
-                .formatted(bearings, pings, capture.path());
-    return SimbadProcess.start(folder, "", ("bench " + words).split(" ", -1));
+            : "capture --auto --obstacle angle --bearings %d --out %s"
+                .formatted(bearings, capture.path());
+    return SimbadProcess.start(where, "", ("bench " + words).split(" ", -1));
   }
 
   /** Killed at random moments, then left alone: what was recorded stays, byte for byte. */
-  private void checkKills(int kills, int bearings, int pings, Random random) throws Exception {
-    CaptureFolder capture = new CaptureFolder(folder.resolve("killed"));
+  private static Void checkKills(Path where, int kills, int bearings, Random random)
+      throws Exception {
+    CaptureFolder capture = new CaptureFolder(where.resolve("killed"));
     byte[] before = new byte[0];
     for (int kill = 1; kill <= kills; kill++) {
-      Process process = goingOn(capture, bearings, pings).process();
+      Process process = goingOn(where, capture, bearings).process();
       letLive(process, capture, before.length, random);
       process.destroyForcibly().waitFor();
       before = checkKept(capture, before, "kill " + kill);
     }
-    SimbadProcess last = goingOn(capture, bearings, pings);
+    SimbadProcess last = goingOn(where, capture, bearings);
     assertEquals(0, last.process().waitFor(), () -> "complaints in " + last.err());
     checkKept(capture, before, "the end");
-    checkTable("killed", bearings);
-    SweepState state = SweepState.of(JournalText.read(capture.journal()).entries());
+    checkTable(capture.path(), bearings);
+    SweepState state = capture.read().state();
     for (int bearing = 0; bearing < bearings; bearing++) {
-      state.levels(bearing).forEach(level -> assertEquals(pings, level.pings()));
+      state.levels(bearing).forEach(level -> assertEquals(10, level.pings()));
     }
+    return null;
   }
 
   /** The whole lines that are there, when they begin with those that were. */
@@ -141,7 +174,7 @@ class BenchCommandTest {
       return before;
     }
     byte[] after = Files.readAllBytes(capture.journal());
-    long whole = JournalText.read(capture.journal()).wholeBytes();
+    long whole = capture.read().text().wholeBytes();
     assertTrue(whole >= before.length, when);
     assertArrayEquals(before, Arrays.copyOf(after, before.length), when);
     return Arrays.copyOf(after, (int) whole);
@@ -151,18 +184,25 @@ class BenchCommandTest {
   void tenKills_loseNothingAndLeaveNoSimulator() throws Exception {
     needTools();
     long others = gpsims();
-    checkKills(10, 4, 10, new Random(1));
+    checkKills(folder, 10, 4, new Random(1));
     for (int i = 0; i < 100 && gpsims() > others; i++) {
       Thread.sleep(100);
     }
     assertEquals(others, gpsims());
   }
 
+  /** Two captures at once: most of the time is that in which programs begin. */
   @Test
   @Tag("full")
   void thousandKills_loseNothing() throws Exception {
     needTools();
-    checkKills(1000, 72, 20, new Random(2));
+    List<Callable<Void>> halves = new ArrayList<>();
+    for (int half = 0; half < 2; half++) {
+      Path where = Files.createDirectory(folder.resolve("half" + half));
+      Random random = new Random(2 + half);
+      halves.add(() -> checkKills(where, 500, 72, random));
+    }
+    Concurrently.run(halves);
   }
 
   // ---------------------------------------------------------------- by hand
@@ -258,7 +298,7 @@ class BenchCommandTest {
       }
       assertTrue(board.isRunning());
     }
-    assertEquals(9, commands);
+    assertEquals(10, commands);
     checkTable("my-trial", 12);
     checkDone(Shell.simbad("bench", "resume", at("my-trial")));
   }
@@ -275,6 +315,7 @@ class BenchCommandTest {
         "2 | capture --auto --obstacle angle --out x --pings 3 --misses 4 | misses = 4.0",
         "2 | capture --auto --obstacle angle --out x --temperature 99 | temperatureC = 99.0",
         "2 | capture --auto --obstacle angle --out x --sensor ears | --sensor: 'ears' is none",
+        "2 | capture --auto --obstacle angle --out x --mode ears | --mode: 'ears' is neither",
         "2 | capture --auto --obstacle angle --out ../docs | ../docs",
         "1 | capture --port /dev/ttyNOWHERE --obstacle angle --out x | /dev/ttyNOWHERE: there is no",
         "1 | ports /dev/ttyNOWHERE | /dev/ttyNOWHERE: there is no such port",

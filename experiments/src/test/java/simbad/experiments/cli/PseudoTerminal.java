@@ -19,21 +19,27 @@ final class PseudoTerminal implements AutoCloseable {
   /** Opens one; its program, bench's, is compiled the first time. */
   static PseudoTerminal open() throws IOException, InterruptedException {
     Path program = Path.of("target", "pty").toAbsolutePath();
-    if (!Files.exists(program)) {
-      Process cc =
-          new ProcessBuilder("cc", "-o", program.toString(), "../bench/src/test/c/pty.c", "-lutil")
-              .inheritIO()
-              .start();
-      if (cc.waitFor() != 0) {
-        throw new IOException("pty.c cannot be compiled");
-      }
-    }
+    compile(program);
     Process bridge = new ProcessBuilder(program.toString()).start();
     StringBuilder name = new StringBuilder();
     for (int c = bridge.getInputStream().read(); c > '\n'; c = bridge.getInputStream().read()) {
       name.append((char) c);
     }
     return new PseudoTerminal(bridge, Path.of(name.toString()));
+  }
+
+  /** Once, however many tests ask for it at the same time. */
+  private static synchronized void compile(Path program) throws IOException, InterruptedException {
+    if (Files.exists(program)) {
+      return;
+    }
+    Process cc =
+        new ProcessBuilder("cc", "-o", program.toString(), "../bench/src/test/c/pty.c", "-lutil")
+            .inheritIO()
+            .start();
+    if (cc.waitFor() != 0) {
+      throw new IOException("pty.c cannot be compiled");
+    }
   }
 
   Path path() {

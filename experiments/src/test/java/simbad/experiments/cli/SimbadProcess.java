@@ -25,10 +25,15 @@ record SimbadProcess(Process process, Path out, Path err) {
 
   /** Starts it with lines to read, if any; what it says is added to files in a folder. */
   static SimbadProcess start(Path folder, String typed, String... arguments) throws IOException {
+    return start(folder, typed, command(arguments));
+  }
+
+  /** Starts a command that ends in that of the program. */
+  static SimbadProcess start(Path folder, String typed, List<String> command) throws IOException {
     Path out = folder.resolve("out.txt");
     Path err = folder.resolve("err.txt");
     Process process =
-        new ProcessBuilder(command(arguments))
+        new ProcessBuilder(command)
             .redirectOutput(ProcessBuilder.Redirect.appendTo(out.toFile()))
             .redirectError(ProcessBuilder.Redirect.appendTo(err.toFile()))
             .start();

@@ -2,29 +2,76 @@ package simbad.sonar.format;
 
 import de.siegmar.fastcsv.writer.CsvWriter;
 import de.siegmar.fastcsv.writer.LineDelimiter;
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
+import java.io.Writer;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.ReadingRow;
 
-/** Writes what {@link ReadingsFile} reads, rounded to what a bench can tell. */
-public final class ReadingsWriter {
+/**
+ * Writes what {@link ReadingsFile} reads, rounded to what a bench can tell: milliseconds, tenths of
+ * a millimetre, thousandths of a degree. Row by row, or all rows as a text. Not thread-safe.
+ */
+public final class ReadingsWriter implements Closeable {
   private static final int DECIMALS_S = 3;
   private static final int DECIMALS_M = 4;
   private static final int DECIMALS_DEG = 3;
 
-  private ReadingsWriter() {}
+  private final CsvWriter csv;
+  private final boolean withRange;
+
+  private ReadingsWriter(CsvWriter csv, boolean withRange) {
+    this.csv = csv;
+    this.withRange = withRange;
+  }
+
+  private static ReadingsWriter begin(Writer target, boolean withRange) {
+    CsvWriter csv = CsvWriter.builder().lineDelimiter(LineDelimiter.LF).build(target);
+    List<String> head = new ArrayList<>(List.of(ReadingsFile.POSE_COLUMNS));
+    if (withRange) {
+      head.add(ReadingsFile.RANGE);
+    }
+    csv.writeRecord(head);
+    return new ReadingsWriter(csv, withRange);
+  }
+
+  /**
+   * Begins a file of rows with their readings.
+   *
+   * @param file is written over if it is there
+   * @throws IOException if it cannot be written
+   */
+  public static ReadingsWriter open(Path file) throws IOException {
+    return begin(Files.newBufferedWriter(file, StandardCharsets.UTF_8), true);
+  }
+
+  /**
+   * Writes the next row.
+   *
+   * @throws UncheckedIOException if it cannot be written
+   */
+  public void write(ReadingRow row) {
+    csv.writeRecord(fields(row));
+  }
+
+  @Override
+  public void close() throws IOException {
+    csv.close();
+  }
 
   /**
    * Returns rows with their readings as the text of a file.
    *
-   * @param rows in the order of the text; milliseconds, tenths of a millimetre and thousandths of a
-   *     degree are kept
+   * @param rows in the order of the text
    */
   public static String text(List<ReadingRow> rows) {
     return text(rows, true);
@@ -41,20 +88,15 @@ public final class ReadingsWriter {
 
   private static String text(List<ReadingRow> rows, boolean withRange) {
     StringWriter text = new StringWriter();
-    try (CsvWriter csv = CsvWriter.builder().lineDelimiter(LineDelimiter.LF).build(text)) {
-      List<String> head = new ArrayList<>(List.of(ReadingsFile.POSE_COLUMNS));
-      if (withRange) {
-        head.add(ReadingsFile.RANGE);
-      }
-      csv.writeRecord(head);
-      rows.forEach(row -> csv.writeRecord(fields(row, withRange)));
+    try (ReadingsWriter writer = begin(text, withRange)) {
+      rows.forEach(writer::write);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
     return text.toString();
   }
 
-  private static List<String> fields(ReadingRow row, boolean withRange) {
+  private List<String> fields(ReadingRow row) {
     List<String> fields =
         new ArrayList<>(
             List.of(
