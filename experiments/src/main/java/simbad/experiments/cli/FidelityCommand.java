@@ -83,6 +83,7 @@ final class FidelityCommand extends Subcommand {
     for (RunResult result : results) {
       String verdict = FidelityVerdict.of(result, FidelityLimits.STANDARD).sentence();
       out().println(result.type().name() + ", " + result.sensor().word() + ": " + verdict);
+      out().println("  " + FidelityVerdict.figures(result));
     }
   }
 

@@ -62,6 +62,6 @@ final class TableCalibrateCommand extends Subcommand {
   }
 
   private static String text(String name, double value, String unit) {
-    return String.format(Locale.ROOT, "  %s %.6g %s", name, value, unit).stripTrailing();
+    return String.format(Locale.ROOT, "  %s %s %s", name, value, unit).stripTrailing();
   }
 }

@@ -33,6 +33,7 @@ import simbad.sonar.shape.Outline;
     })
 final class TablePredictCommand extends Subcommand {
   private static final double MOST_REACH_M = 0.25;
+  private static final double LEAST_REACH_M = 0.001;
   private static final int MOST_BEARINGS = 3600;
 
   /** Each is an unknown at least; their equations take memory by the square, time by the cube. */
@@ -100,14 +101,15 @@ final class TablePredictCommand extends Subcommand {
   }
 
   private void checkSize(OutlineDocument section) throws DataFormatException {
-    if (section.reachM() > MOST_REACH_M) {
+    if (section.reachM() < LEAST_REACH_M || section.reachM() > MOST_REACH_M) {
       throw DataFormatException.inArgument(
           outline,
-          "reaches "
-              + String.format(Locale.ROOT, "%.4g", section.reachM())
-              + " m from the axis, expected at most "
-              + MOST_REACH_M
-              + " m: the method is for posts");
+          String.format(
+              Locale.ROOT,
+              "reaches %.4g m from the axis, expected a post of %s to %s m",
+              section.reachM(),
+              LEAST_REACH_M,
+              MOST_REACH_M));
     }
     int corners = section.parts().stream().mapToInt(Outline::size).sum();
     if (corners > MOST_CORNERS) {

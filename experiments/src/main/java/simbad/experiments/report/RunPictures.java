@@ -50,7 +50,7 @@ final class RunPictures {
     Caption caption =
         new Caption(
             "Detection thresholds: " + first.name() + " and " + second.name(),
-            first.name() + ": " + provenance(first));
+            first.name() + ", " + provenance(first));
     PolarSeries under =
         new PolarSeries(
             second.name() + " (" + second.thresholds().provenanceWord() + ")",
