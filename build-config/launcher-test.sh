@@ -145,6 +145,14 @@ adds_spark_where_it_is_asked_for() {
   check "help does without" prints_not 'spark/java-options'
 }
 
+compiles_once_for_a_second() {
+  new_project
+  simbad table predict square
+  check "a prediction does without the second compiler" prints 'argument <-XX:TieredStopAtLevel=1>'
+  simbad table plot square
+  check "others have it" prints_not TieredStopAtLevel
+}
+
 adds_the_users_classes() {
   new_project
   mkdir -p "$work/my classes"
@@ -335,6 +343,7 @@ check_style() {
 
 adds_spark_where_it_is_asked_for
 adds_the_users_classes
+compiles_once_for_a_second
 builds_what_is_out_of_date
 keeps_builds_apart
 reports_a_failed_build
