@@ -13,7 +13,7 @@ import simbad.sonar.scene.SonarSpec;
 class HearingTestOfMyModelTest extends FidelitySuite {
   @Override
   protected SensorModel model() {
-    return DetectionRule.SHADOW::bind;
+    return DetectionRule.SHADOW;
   }
 
   @Override
