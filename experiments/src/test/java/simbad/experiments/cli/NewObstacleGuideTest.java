@@ -100,7 +100,9 @@ class NewObstacleGuideTest {
     }
   }
 
-  /** The page's own shell lines make the jar; a program with it on its class path knows the type. */
+  /**
+   * The page's own shell lines make the jar; a program with it on its class path knows the type.
+   */
   @Test
   void jar_addsItsTypes() throws Exception {
     Files.writeString(folder.resolve("MyObstacles.java"), blocks("java").get(0));
