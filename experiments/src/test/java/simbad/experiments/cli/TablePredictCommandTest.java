@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TableDocument;
 import simbad.sonar.format.TableFile;
@@ -135,6 +136,15 @@ class TablePredictCommandTest {
     checkRefused(
         Shell.simbad("table", "predict", file.toString()),
         "has 1001 corners, expected at most 1000");
+  }
+
+  /** The committed tables are what the command prints. */
+  @ParameterizedTest
+  @ValueSource(strings = {"half-round", "hexagon", "plate", "tee", "channel", "leg-pair"})
+  void shippedTables_areThePredictions(String name) throws IOException {
+    Path type = Path.of("..", "data", "obstacles", name);
+    Shell shell = Shell.simbad("table", "predict", type.resolve("outline.csv").toString());
+    assertEquals(Files.readString(type.resolve("table.csv")), shell.out(), shell.err());
   }
 
   /** The committed constants are what the command fits. */
