@@ -106,7 +106,7 @@ simbad() {
     SIMBAD_INCLUDE_DIRECTORY="$work/include" \
     FAKE_UID="${FAKE_UID:-1000}" FAKE_COMMIT="${FAKE_COMMIT:-1234}" FAKE_STATUS="${FAKE_STATUS:-0}" \
     FAKE_MAVEN="${FAKE_MAVEN:-}" FAKE_SKIPPED="${FAKE_SKIPPED:-}" FAKE_WORK="$work" CI="${ci:-}" DISPLAY=:7 \
-    SIMBAD_TESTING="${testing:-}" bash "${launcher:-$project/simbad}" "$@" </dev/null 2>&1)
+    SIMBAD_TESTING="${testing:-}" SIMBAD_CLASS_PATH="${own_classes:-}" bash "${launcher:-$project/simbad}" "$@" </dev/null 2>&1)
   status=$?
 }
 
@@ -143,6 +143,33 @@ adds_spark_where_it_is_asked_for() {
   check "and once" calls_not mvn
   simbad batch --spark --help
   check "help does without" prints_not 'spark/java-options'
+}
+
+compiles_once_for_a_second() {
+  new_project
+  simbad table predict square
+  check "a prediction does without the second compiler" prints 'argument <-XX:TieredStopAtLevel=1>'
+  simbad table plot square
+  check "others have it" prints_not TieredStopAtLevel
+}
+
+adds_the_users_classes() {
+  new_project
+  mkdir -p "$work/my classes"
+  touch "$work/mine.jar"
+  local own_classes="mine.jar:$work/my classes"
+  simbad table types
+  check "the user's jar and folder follow the program" prints "/experiments.jar:mine.jar:$work/my classes>"
+  check "the main class is named" prints $'argument <simbad.experiments.cli.Main>\nargument <table>\nargument <types>'
+  simbad batch spec.json --out x --spark
+  check "Spark gets them too" prints "/*:mine.jar:$work/my classes>"
+  own_classes="jars/*:mine.jar"
+  simbad table types
+  check "a folder of jars that is not there: status 2" status_is 2
+  check "it is named" prints 'simbad: SIMBAD_CLASS_PATH: jars/*: there is no such jar or folder'
+  own_classes=
+  simbad table types
+  check "without any the jar is run" prints $'argument <-jar>\n'
 }
 
 builds_what_is_out_of_date() {
@@ -315,6 +342,8 @@ check_style() {
 }
 
 adds_spark_where_it_is_asked_for
+adds_the_users_classes
+compiles_once_for_a_second
 builds_what_is_out_of_date
 keeps_builds_apart
 reports_a_failed_build

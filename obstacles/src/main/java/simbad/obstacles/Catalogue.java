@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import java.util.Set;
 import simbad.sonar.format.DataFormatException;
@@ -60,18 +61,31 @@ public final class Catalogue {
    * those in the folder that the system property {@value #FOLDER_PROPERTY} or else the environment
    * variable {@value #FOLDER_VARIABLE} names. Of two with one name the first stands.
    *
-   * @throws DataFormatException if a file in that folder is broken
+   * @throws DataFormatException if a file in that folder is broken, or a jar names a provider that
+   *     it does not hold
    */
   public static List<ObstacleType> all() throws DataFormatException {
     List<ObstacleType> all = new ArrayList<>(shipped());
-    ServiceLoader.load(ObstacleTypeProvider.class)
-        .forEach(provider -> all.addAll(provider.types()));
+    all.addAll(provided());
     Optional<Path> folder = ownFolder();
     if (folder.isPresent()) {
       all.addAll(ObstacleFiles.scan(folder.get()));
     }
     Set<String> names = new HashSet<>();
     return all.stream().filter(type -> names.add(type.name())).toList();
+  }
+
+  private static List<ObstacleType> provided() throws DataFormatException {
+    List<ObstacleType> types = new ArrayList<>();
+    try {
+      for (ObstacleTypeProvider provider : ServiceLoader.load(ObstacleTypeProvider.class)) {
+        types.addAll(provider.types());
+      }
+    } catch (ServiceConfigurationError e) {
+      throw DataFormatException.inArgument(
+          "a jar of the class path", String.valueOf(e.getMessage()));
+    }
+    return types;
   }
 
   private static Optional<Path> ownFolder() {

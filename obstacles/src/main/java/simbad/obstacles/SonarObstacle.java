@@ -1,17 +1,21 @@
 package simbad.obstacles;
 
 import java.util.List;
+import java.util.Locale;
 import javax.media.j3d.Transform3D;
 import javax.vecmath.Vector3d;
 import simbad.kernel.geometry.PrismShape;
 import simbad.kernel.geometry.Shape;
 import simbad.scene3d.Figure;
 import simbad.sim.BlockWorldObject;
+import simbad.sim.StaticObject;
+import simbad.sim.World;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.TableDetection;
 import simbad.sonar.shape.DetectionShadow;
 import simbad.sonar.shape.Outline;
+import simbad.sonar.shape.Overlap;
 
 /**
  * An upright extrusion in the world that carries its detection shadow. Agents run against its body,
@@ -62,6 +66,43 @@ public class SonarObstacle extends BlockWorldObject {
         worldFromObstacle(),
         type.outline(),
         new TableDetection(type.thresholds().table()));
+  }
+
+  /**
+   * Enters a world. Nothing stops it from being moved into another obstacle later.
+   *
+   * @throws IllegalArgumentException if its body would lie over that of another one in that world
+   */
+  @Override
+  protected void setWorld(World world) {
+    for (StaticObject standing : world.getStaticObjects()) {
+      if (standing instanceof SonarObstacle other
+          && other != this
+          && other.getSolid().isPresent()
+          && overlaps(other)) {
+        throw new IllegalArgumentException(this + " overlaps " + other);
+      }
+    }
+    super.setWorld(world);
+  }
+
+  private boolean overlaps(SonarObstacle other) {
+    List<Outline> others = other.placedParts();
+    return placedParts().stream()
+        .anyMatch(part -> others.stream().anyMatch(it -> Overlap.of(part, it)));
+  }
+
+  private List<Outline> placedParts() {
+    Placement placement = worldFromObstacle();
+    return type.parts().stream().map(part -> part.placed(placement)).toList();
+  }
+
+  /** Returns its type and place, metres. */
+  @Override
+  public String toString() {
+    Placement at = worldFromObstacle();
+    return String.format(
+        Locale.ROOT, "obstacle %s at x %.4g, z %.4g m", type.name(), at.xM(), at.zM());
   }
 
   /** Adds the shadow to what the window shows. */

@@ -1,15 +1,22 @@
 package simbad.obstacles;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import javax.vecmath.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.Provenance;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.shape.Outline;
@@ -96,6 +103,24 @@ class CatalogueTest {
       twice += outline.xM(j) * outline.zM(i) - outline.xM(i) * outline.zM(j);
     }
     return Math.abs(twice) / 2;
+  }
+
+  /** A jar whose list of services names a class that is not in it. */
+  @Test
+  void brokenJar_isNamed(@TempDir Path folder) throws Exception {
+    Path services = Files.createDirectories(folder.resolve("META-INF/services"));
+    Files.writeString(services.resolve(ObstacleTypeProvider.class.getName()), "NoSuchTypes\n");
+    Thread thread = Thread.currentThread();
+    ClassLoader before = thread.getContextClassLoader();
+    try (URLClassLoader broken = new URLClassLoader(new URL[] {folder.toUri().toURL()}, before)) {
+      thread.setContextClassLoader(broken);
+      DataFormatException fault = assertThrows(DataFormatException.class, Catalogue::all);
+      assertTrue(
+          String.valueOf(fault.getMessage()).contains("Provider NoSuchTypes not found"),
+          fault.getMessage());
+    } finally {
+      thread.setContextClassLoader(before);
+    }
   }
 
   @Test

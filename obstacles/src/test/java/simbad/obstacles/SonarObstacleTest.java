@@ -2,14 +2,18 @@ package simbad.obstacles;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.stream.Stream;
 import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import simbad.sim.EnvironmentDescription;
 import simbad.sim.RangeSensorBelt;
+import simbad.sim.World;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Point;
 import simbad.sonar.scene.Obstacle;
@@ -51,6 +55,61 @@ class SonarObstacleTest {
     // atan2(dx, dz) - turn, with dx = 1 and dz = 1.5.
     assertEquals(Math.atan2(1, 1.5) - 0.3, before, TINY);
     assertEquals(Math.toRadians(5), after - before, TINY);
+  }
+
+  private static World world(SonarObstacle... obstacles) {
+    EnvironmentDescription environment = new EnvironmentDescription();
+    Stream.of(obstacles).forEach(environment::add);
+    return new World(environment);
+  }
+
+  private static SonarObstacle placed(String type, double xM, double zM, double turnRad) {
+    return new SonarObstacle(new Vector3d(xM, 0, zM), turnRad, Catalogue.find(type).orElseThrow());
+  }
+
+  /** As in a scene's file, but for worlds that are built in code. */
+  @Test
+  void overlappingObstacles_areRefusedByTheWorld() {
+    SonarObstacle tee = placed("tee", 1, 0, 0.3);
+    SonarObstacle plate = placed("plate", 1.01, 0, 0);
+    String complaint =
+        assertThrows(IllegalArgumentException.class, () -> world(tee, plate)).getMessage();
+    assertEquals(
+        "obstacle plate at x 1.010, z 0.000 m overlaps obstacle tee at x 1.000, z 0.000 m",
+        complaint);
+  }
+
+  /** The line that joins a pair's legs for a sensor is no body. */
+  @Test
+  void obstacleBetweenLegs_isNoOverlap() {
+    World world = world(placed("leg-pair", 0, 0, 0), placed("square", 0, 0, 0.2));
+    assertEquals(2, world.getStaticObjects().size());
+    SonarObstacle inALeg = placed("round", 0.075, 0, 0);
+    assertThrows(
+        IllegalArgumentException.class, () -> world.addObjectToPickableSceneBranch(inALeg));
+    assertEquals(2, world.getStaticObjects().size());
+  }
+
+  /** A plate of 50 mm beside a post: turned towards it they meet, along it they do not. */
+  @Test
+  void turn_decides() {
+    assertEquals(
+        2,
+        world(placed("plate", 0, 0, Math.PI / 2), placed("round", 0.03, 0, 0))
+            .getStaticObjects()
+            .size());
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> world(placed("plate", 0, 0, 0), placed("round", 0.03, 0, 0)));
+  }
+
+  @Test
+  void detachedObstacle_isInNobodysWay() {
+    SonarObstacle tee = placed("tee", 0, 0, 0);
+    World world = world(tee);
+    world.detach(tee);
+    world.addObjectToPickableSceneBranch(placed("round", 0, 0, 0));
+    assertEquals(2, world.getStaticObjects().size());
   }
 
   @Test

@@ -19,8 +19,8 @@ public final class Backscatter {
   /** Standard deviation of the bearing over which an echo's power is averaged. */
   public static final double SMEARING_DEG = 4;
 
-  /** Mean element on outlines of up to 20 cm all round: over 30 in a wavelength. */
-  private static final double FINE_ELEMENT_M = 0.25e-3;
+  /** Greatest element on outlines of up to 16 cm all round: over 40 in a wavelength. */
+  private static final double FINE_ELEMENT_M = 0.2e-3;
 
   /** Larger outlines get this many elements, as long as they are short enough. */
   private static final int ELEMENTS = 800;
@@ -49,7 +49,7 @@ public final class Backscatter {
     return of(outlines, air, bearings, elementM(outlines, air));
   }
 
-  /** The same with elements of another mean length, to see whether it makes a difference. */
+  /** The same with elements of another greatest length, to see whether it makes a difference. */
   static Backscatter of(List<Outline> outlines, Air air, int bearings, double elementM) {
     double wavenumber = air.wavenumberPerM(FREQUENCY_HZ);
     int fine = samplesPerBearing(outlines, wavenumber, bearings);
@@ -59,7 +59,7 @@ public final class Backscatter {
     return new Backscatter(smeared(raw, fine, Math.toRadians(SMEARING_DEG)));
   }
 
-  /** Returns the mean element that {@link #of(List, Air, int)} uses, metres. */
+  /** Returns the greatest element that {@link #of(List, Air, int)} uses, metres. */
   static double elementM(List<Outline> outlines, Air air) {
     double wavelengthM = Angles.TURN_RAD / air.wavenumberPerM(FREQUENCY_HZ);
     double perimeterM = outlines.stream().mapToDouble(Outline::perimeterM).sum();

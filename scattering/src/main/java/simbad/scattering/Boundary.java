@@ -13,20 +13,21 @@ import simbad.sonar.shape.Outline;
  * <p>A section of several bodies has several such lines, one after the other.
  */
 final class Boundary {
-  /** Towards a corner elements shrink to this share of the middle ones. */
-  private static final double CORNER_SHARE = 0.25;
-
-  /** Thin edges count too: a plate's end is where its echo along the plate comes from. */
-  private static final int LEAST_PER_EDGE = 4;
+  /** A corner that turns by less is one of a curve's. */
+  private static final double SHARP_RAD = Math.toRadians(30);
 
   private final double[] fromX;
   private final double[] fromZ;
+  private final double[] atX;
+  private final double[] atZ;
   private final double[] toX;
   private final double[] toZ;
 
-  private Boundary(List<Point> from, List<Point> to) {
+  private Boundary(List<Point> from, List<Point> at, List<Point> to) {
     fromX = from.stream().mapToDouble(Point::xM).toArray();
     fromZ = from.stream().mapToDouble(Point::zM).toArray();
+    atX = at.stream().mapToDouble(Point::xM).toArray();
+    atZ = at.stream().mapToDouble(Point::zM).toArray();
     toX = to.stream().mapToDouble(Point::xM).toArray();
     toZ = to.stream().mapToDouble(Point::zM).toArray();
   }
@@ -35,50 +36,71 @@ final class Boundary {
    * Cuts outlines.
    *
    * @param outlines that cross neither themselves nor each other; either sense of going round
-   * @param elementM mean length of an edge's elements, metres, positive
+   * @param elementM greatest length of an element, metres, positive
    */
   static Boundary of(List<Outline> outlines, double elementM) {
     List<Point> from = new ArrayList<>();
+    List<Point> at = new ArrayList<>();
     List<Point> to = new ArrayList<>();
     for (Outline outline : outlines) {
-      List<Point> loop = loop(outline, elementM);
+      List<Point> loop = new ArrayList<>();
+      addLoop(corners(outline), elementM, loop, at);
       from.addAll(loop);
       Collections.rotate(loop, -1);
       to.addAll(loop);
     }
-    return new Boundary(from, to);
+    return new Boundary(from, at, to);
   }
 
-  private static List<Point> loop(Outline outline, double elementM) {
-    List<Point> corners = new ArrayList<>(outline.corners());
+  /** Without corners that stand twice, clockwise in x and z. */
+  private static List<Point> corners(Outline outline) {
+    List<Point> corners = new ArrayList<>();
+    for (Point corner : outline.corners()) {
+      if (corners.isEmpty() || !corner.equals(corners.get(corners.size() - 1))) {
+        corners.add(corner);
+      }
+    }
+    if (corners.get(0).equals(corners.get(corners.size() - 1))) {
+      corners.remove(corners.size() - 1);
+    }
     // With z down the page a positive area is counter-clockwise there, clockwise in x and z.
     if (outline.signedAreaM2() > 0) {
       Collections.reverse(corners);
     }
-    List<Point> nodes = new ArrayList<>();
-    for (int i = 0; i < corners.size(); i++) {
-      addEdge(corners.get(i), corners.get((i + 1) % corners.size()), elementM, nodes);
-    }
-    return nodes;
+    return corners;
   }
 
-  /** Nodes from one corner up to, not with, the next. */
-  private static void addEdge(Point from, Point to, double elementM, List<Point> nodes) {
-    double lengthM = from.distanceM(to);
-    if (lengthM == 0) {
-      return;
-    }
-    int count = Math.max(LEAST_PER_EDGE, (int) Math.ceil(lengthM / elementM));
-    for (int i = 0; i < count; i++) {
-      double t = graded(i / (double) count);
-      nodes.add(
-          new Point(from.xM() + t * (to.xM() - from.xM()), from.zM() + t * (to.zM() - from.zM())));
+  private static void addLoop(
+      List<Point> corners, double elementM, List<Point> nodes, List<Point> at) {
+    int n = corners.size();
+    for (int i = 0; i < n; i++) {
+      Point from = corners.get(i);
+      Point to = corners.get((i + 1) % n);
+      EdgeCut cut =
+          new EdgeCut(
+              from.distanceM(to),
+              elementM,
+              isSharp(corners.get((i + n - 1) % n), from, to),
+              isSharp(from, to, corners.get((i + 2) % n)));
+      for (int e = 0; e < cut.count(); e++) {
+        nodes.add(between(from, to, cut.atM(e) / cut.lengthM()));
+        at.add(between(from, to, cut.atM(e + 0.5) / cut.lengthM()));
+      }
     }
   }
 
-  /** From 0 to 1, slower at both ends: the pressure bends sharply at a corner. */
-  private static double graded(double t) {
-    return t - (1 - CORNER_SHARE) * Math.sin(2 * Math.PI * t) / (2 * Math.PI);
+  private static boolean isSharp(Point before, Point corner, Point after) {
+    double inX = corner.xM() - before.xM();
+    double inZ = corner.zM() - before.zM();
+    double outX = after.xM() - corner.xM();
+    double outZ = after.zM() - corner.zM();
+    double turnRad = Math.atan2(inX * outZ - inZ * outX, inX * outX + inZ * outZ);
+    return Math.abs(turnRad) > SHARP_RAD;
+  }
+
+  private static Point between(Point from, Point to, double share) {
+    return new Point(
+        from.xM() + share * (to.xM() - from.xM()), from.zM() + share * (to.zM() - from.zM()));
   }
 
   int size() {
@@ -99,6 +121,19 @@ final class Boundary {
 
   double toZ(int j) {
     return toZ[j];
+  }
+
+  /**
+   * Where the equation of an element holds. Half-way by {@link EdgeCut}'s count of elements: there,
+   * and not at the middle of an element that has a longer neighbour and a shorter one, are
+   * differences of constant pressures derivatives of the second order.
+   */
+  double collocationX(int i) {
+    return atX[i];
+  }
+
+  double collocationZ(int i) {
+    return atZ[i];
   }
 
   double middleX(int j) {

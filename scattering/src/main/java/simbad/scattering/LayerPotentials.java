@@ -32,7 +32,7 @@ final class LayerPotentials {
   /**
    * Writes row i of p/2 - M p - i coupling N p.
    *
-   * @param i element whose middle the equation is for
+   * @param i element at whose point the equation holds
    * @param coupling of N, metres
    * @param data of the matrix, row by row, real and imaginary parts by turns
    */
@@ -52,7 +52,7 @@ final class LayerPotentials {
   }
 
   /**
-   * Derivative of G along element i at its middle, for a source at each element's begin less one at
+   * Derivative of G along element i at its point, for a source at each element's begin less one at
    * its end.
    */
   private double[] endTerms(int i) {
@@ -75,8 +75,8 @@ final class LayerPotentials {
   }
 
   private double[] slope(int i, double sourceX, double sourceZ) {
-    double dx = boundary.middleX(i) - sourceX;
-    double dz = boundary.middleZ(i) - sourceZ;
+    double dx = boundary.collocationX(i) - sourceX;
+    double dz = boundary.collocationZ(i) - sourceZ;
     double r = Math.hypot(dx, dz);
     double slope = (dx * boundary.tangentX(i) + dz * boundary.tangentZ(i)) / r;
     Hankel h = Hankel.at(k * r);
@@ -89,8 +89,8 @@ final class LayerPotentials {
     double tx = boundary.tangentX(j);
     double tz = boundary.tangentZ(j);
     double half = boundary.lengthM(j) / 2;
-    double dx = boundary.middleX(i) - boundary.middleX(j);
-    double dz = boundary.middleZ(i) - boundary.middleZ(j);
+    double dx = boundary.collocationX(i) - boundary.middleX(j);
+    double dz = boundary.collocationZ(i) - boundary.middleZ(j);
     boolean far = Math.hypot(dx, dz) > FAR_LENGTHS * 2 * half;
     double[] nodes = far ? FAR_NODES : NODES;
     double[] weights = far ? FAR_WEIGHTS : WEIGHTS;
@@ -112,18 +112,27 @@ final class LayerPotentials {
     return sums;
   }
 
-  /** Over the element itself: s = half u^3 takes the logarithm away; straight, so no dG/dn. */
+  /** Over the element itself, to both sides of its point; straight, so no dG/dn. */
   private double[] ownLayers(int i) {
-    double half = boundary.lengthM(i) / 2;
     double[] sums = new double[4];
+    double beginM =
+        Math.hypot(
+            boundary.collocationX(i) - boundary.fromX(i),
+            boundary.collocationZ(i) - boundary.fromZ(i));
+    addSide(beginM, sums);
+    addSide(boundary.lengthM(i) - beginM, sums);
+    return sums;
+  }
+
+  /** s = length u^3 takes the logarithm away. */
+  private void addSide(double lengthM, double[] sums) {
     for (int g = 0; g < NODES.length; g++) {
       double u = (1 + NODES[g]) / 2;
-      Hankel h = Hankel.at(k * half * u * u * u);
-      // Both halves of the element alike; du is half of the rule's interval.
-      double single = 2 * WEIGHTS[g] / 2 * 3 * u * u * half / 4;
+      Hankel h = Hankel.at(k * lengthM * u * u * u);
+      // du is half of the rule's interval.
+      double single = WEIGHTS[g] / 2 * 3 * u * u * lengthM / 4;
       sums[0] -= single * h.y0();
       sums[1] += single * h.j0();
     }
-    return sums;
   }
 }

@@ -12,8 +12,8 @@ import simbad.sonar.shape.Outline;
  * How a rigid, infinitely long upright body scatters plane waves of one frequency: the exterior
  * Neumann problem of the Helmholtz equation in two dimensions, time factor e^(-i w t).
  *
- * <p>Direct boundary elements: total pressure p constant on each element, collocated at the
- * middles. The equation is Burton and Miller's (1971), p/2 - M p - (i/k) N p = p_inc + (i/k)
+ * <p>Direct boundary elements: total pressure p constant on each element, collocated at one point
+ * of each. The equation is Burton and Miller's (1971), p/2 - M p - (i/k) N p = p_inc + (i/k)
  * dp_inc/dn with the double layer M and its normal derivative N, because the first half alone has
  * no unique solution at the resonances of the body's inside. N is never integrated: with p constant
  * on an element Maue's identity leaves the tangential derivative of Green's function at the
@@ -48,8 +48,8 @@ public final class RigidScatterer {
    * @param outlines of its cross-section's bodies, which cross neither themselves nor each other;
    *     either sense of going round
    * @param wavenumberPerM k = 2 pi f / c, radians per metre, positive
-   * @param elementM mean length of an edge's elements, metres, positive; a tenth of the wavelength
-   *     or less
+   * @param elementM greatest length of an element, metres, positive; a tenth of the wavelength or
+   *     less
    */
   public static RigidScatterer of(List<Outline> outlines, double wavenumberPerM, double elementM) {
     return of(outlines, wavenumberPerM, elementM, Formulation.BURTON_MILLER);
@@ -107,7 +107,7 @@ public final class RigidScatterer {
     double towardsZ = Math.cos(bearingRad);
     for (int i = 0; i < boundary.size(); i++) {
       double phase =
-          -wavenumber * (towardsX * boundary.middleX(i) + towardsZ * boundary.middleZ(i));
+          -wavenumber * (towardsX * boundary.collocationX(i) + towardsZ * boundary.collocationZ(i));
       // (i/k) dp/dn = (i/k) (-i k towards.n) p
       double factor = 1 + coupling * wavenumber * facing(i, towardsX, towardsZ);
       incident.set(i, column, factor * Math.cos(phase), factor * Math.sin(phase));

@@ -72,7 +72,19 @@ final class SonarEquation {
         low = middle + 1;
       }
     }
-    return low == 0 ? 0 : minRangeM + (low - 1) * STEP_M;
+    if (low == 0) {
+      return 0;
+    }
+    return minRangeM + (low - 1 + passed(low, targetDb)) * STEP_M;
+  }
+
+  /** Share of the step before the first negative sum at which the sum passes 0. */
+  private double passed(int low, double targetDb) {
+    if (low == leastMarginDb.length) {
+      return 0;
+    }
+    double before = leastMarginDb[low - 1];
+    return (before + targetDb) / (before - leastMarginDb[low]);
   }
 
   /** Returns the thresholds of all bearings, every level raised by as many decibels. */

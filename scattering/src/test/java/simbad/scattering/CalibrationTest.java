@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -12,20 +11,14 @@ import org.junit.jupiter.api.Test;
 import simbad.sonar.shape.ThresholdTable;
 
 class CalibrationTest {
-  private static List<KnownThresholds> withoutAngle() {
-    List<KnownThresholds> known = new ArrayList<>(Cases.saidOfSquare());
-    known.add(Cases.saidOfRound());
-    return known;
-  }
-
   /**
    * The reach of the model: fitted to what the thesis says in words of the round and the square
    * tube, it predicts the angle's 72 measured thresholds, of which it has seen none.
    */
   @Test
   void angle_leftOut_isPredicted() {
-    Calibration calibration = Calibration.fit(withoutAngle(), Air.ROOM, Cases.SRF04);
-    checkFitted(Calibration.WITHOUT_ANGLE.receiver(), calibration.receiver());
+    Calibration calibration = Calibration.fit(Cases.thesis().inWords(), Air.ROOM, Cases.SRF04);
+    assertEquals(Calibration.WITHOUT_ANGLE.receiver(), calibration.receiver());
     ThresholdTable predicted = Cases.predicted(Cases.angle(), calibration).table();
     double correlation = logCorrelation(predicted.valuesM(), Cases.angleTable().valuesM());
     double error = medianRatioError(predicted.valuesM(), Cases.angleTable().valuesM());
@@ -36,17 +29,8 @@ class CalibrationTest {
 
   @Test
   void shippedCalibration_isTheFitToAllThatIsKnown() {
-    List<KnownThresholds> known = withoutAngle();
-    known.add(Cases.measuredAngle());
-    Calibration fitted = Calibration.fit(known, Air.ROOM, Cases.SRF04);
-    checkFitted(Calibration.SRF04.receiver(), fitted.receiver());
-    assertEquals(Calibration.SRF04.spreadDb(), fitted.spreadDb(), 0.25);
-  }
-
-  private static void checkFitted(Receiver shipped, Receiver fitted) {
-    assertEquals(shipped.levelDb(), fitted.levelDb(), 0.25);
-    assertEquals(shipped.desensitisation(), fitted.desensitisation(), 0.1);
-    assertEquals(shipped.recoveryS(), fitted.recoveryS(), 1e-9);
+    List<KnownThresholds> known = Cases.thesis().with(Cases.angle(), Cases.angleTable());
+    assertEquals(Calibration.SRF04, Calibration.fit(known, Air.ROOM, Cases.SRF04));
   }
 
   @Test

@@ -5,10 +5,10 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.IntStream;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.OutlineFile;
 import simbad.sonar.frame.Point;
 import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.ThresholdTable;
@@ -59,22 +59,18 @@ final class Cases {
     }
   }
 
-  static KnownThresholds measuredAngle() {
-    return KnownThresholds.of(List.of(angle()), angleTable(), Air.ROOM);
+  static ThesisThresholds thesis() {
+    return new ThesisThresholds(square(2 * HALF_INCH_M), circle(HALF_INCH_M, 24), Air.ROOM);
   }
 
-  /** "About two meters" all round (section 4.1.3). */
-  static KnownThresholds saidOfRound() {
-    return new KnownThresholds(echo(circle(HALF_INCH_M, 24)), Map.of(0, 2.0));
-  }
-
-  /** "About 250cm along the flat sides", about 20 cm towards the corners (section 4.1.2). */
-  static List<KnownThresholds> saidOfSquare() {
-    Backscatter square = echo(square(2 * HALF_INCH_M));
-    Map<Integer, Double> corner = new HashMap<>();
-    IntStream.rangeClosed(5, 13).forEach(i -> corner.put(i, 0.2)); // 25 to 65 degrees
-    return List.of(
-        new KnownThresholds(square, Map.of(0, 2.5)), new KnownThresholds(square, corner));
+  /** A cross-section of the thesis, or of data/obstacles. */
+  static List<Outline> section(String name) throws DataFormatException {
+    return switch (name) {
+      case "square" -> List.of(square(2 * HALF_INCH_M));
+      case "round" -> List.of(circle(HALF_INCH_M, 24));
+      case "angle" -> List.of(angle());
+      default -> OutlineFile.read(Path.of("..", "data", "obstacles", name, "outline.csv")).parts();
+    };
   }
 
   static Backscatter echo(Outline outline) {

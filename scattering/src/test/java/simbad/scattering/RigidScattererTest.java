@@ -17,10 +17,7 @@ class RigidScattererTest {
     double k = ka / RADIUS_M;
     RigidScatterer cylinder =
         RigidScatterer.of(
-            List.of(Cases.circle(RADIUS_M, elements / 4)),
-            k,
-            RADIUS_M,
-            formulation); // 4 to an edge
+            List.of(Cases.circle(RADIUS_M, elements)), k, RADIUS_M, formulation); // one to an edge
     assertEquals(elements, cylinder.elements());
     double echo = cylinder.backscatter(new double[] {0.3})[0];
     return echo / CylinderSeries.backscatter(k, RADIUS_M) - 1;

@@ -28,7 +28,7 @@ import simbad.sonar.scene.SonarSpec;
     description = {
       "Test whether a sensor model is faithful to threshold tables: detection map, trace round the"
           + " obstacle, their errors, and a verdict.",
-      "Faithful: agrees with the table at 98 % of the poses, 3 cm radial and 1 cm lateral error in the"
+      "Faithful: agrees with the table at 98 %% of the poses, 3 cm radial and 1 cm lateral error in the"
           + " mean, every bearing reached. Exit status 0 whatever the verdict."
     },
     footer = {
@@ -83,6 +83,7 @@ final class FidelityCommand extends Subcommand {
     for (RunResult result : results) {
       String verdict = FidelityVerdict.of(result, FidelityLimits.STANDARD).sentence();
       out().println(result.type().name() + ", " + result.sensor().word() + ": " + verdict);
+      out().println("  " + FidelityVerdict.figures(result));
     }
   }
 

@@ -29,6 +29,7 @@ import simbad.sonar.shape.ThresholdTable;
       TableCommand.Plot.class,
       TableCompareCommand.class,
       TablePredictCommand.class,
+      TableCalibrateCommand.class,
       TableImportCommand.class,
       TableCommand.Reconstruct.class
     },

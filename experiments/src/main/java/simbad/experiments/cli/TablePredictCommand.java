@@ -2,6 +2,7 @@ package simbad.experiments.cli;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -11,9 +12,11 @@ import simbad.obstacles.Catalogue;
 import simbad.scattering.Air;
 import simbad.scattering.Calibration;
 import simbad.scattering.KnownThresholds;
+import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.OutlineDocument;
 import simbad.sonar.format.SensorFile;
 import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.shape.Outline;
 
 /** {@code simbad table predict}. */
 @Command(
@@ -30,7 +33,11 @@ import simbad.sonar.scene.SonarSpec;
     })
 final class TablePredictCommand extends Subcommand {
   private static final double MOST_REACH_M = 0.25;
+  private static final double LEAST_REACH_M = 0.001;
   private static final int MOST_BEARINGS = 3600;
+
+  /** Each is an unknown at least; their equations take memory by the square, time by the cube. */
+  private static final int MOST_CORNERS = 1000;
 
   @Parameters(paramLabel = "OUTLINE", description = "OUTLINE.csv, or an obstacle's name.")
   private String outline = "";
@@ -79,16 +86,7 @@ final class TablePredictCommand extends Subcommand {
       throw wrongUsage("--bearings: " + bearings + " is not in [3, " + MOST_BEARINGS + "]");
     }
     OutlineDocument section = OutlineArgument.parse(outline);
-    if (section.reachM() > MOST_REACH_M) {
-      throw wrongUsage(
-          "OUTLINE: "
-              + outline
-              + " reaches "
-              + section.reachM()
-              + " m from the axis; the method is for posts of up to "
-              + MOST_REACH_M
-              + " m");
-    }
+    checkSize(section);
     SonarSpec sonar = sensorFile == null ? Catalogue.srf04() : SensorFile.read(sensorFile);
     if (file != null) {
       OutputFile.refuseExisting(file);
@@ -99,6 +97,29 @@ final class TablePredictCommand extends Subcommand {
       out().print(text);
     } else {
       Files.writeString(file, text);
+    }
+  }
+
+  private void checkSize(OutlineDocument section) throws DataFormatException {
+    if (section.reachM() < LEAST_REACH_M || section.reachM() > MOST_REACH_M) {
+      throw DataFormatException.inArgument(
+          outline,
+          String.format(
+              Locale.ROOT,
+              "reaches %.4g m from the axis, expected a post of %s to %s m",
+              section.reachM(),
+              LEAST_REACH_M,
+              MOST_REACH_M));
+    }
+    int corners = section.parts().stream().mapToInt(Outline::size).sum();
+    if (corners > MOST_CORNERS) {
+      throw DataFormatException.inArgument(
+          outline,
+          "has "
+              + corners
+              + " corners, expected at most "
+              + MOST_CORNERS
+              + " for a prediction: one to half a millimetre is plenty");
     }
   }
 

@@ -56,6 +56,25 @@ public record FidelityVerdict(List<String> failings) {
     return String.format(Locale.ROOT, format, value);
   }
 
+  /**
+   * Returns a run's errors in one line, whatever the limits.
+   *
+   * @param result map, trace and errors of one model round one obstacle
+   */
+  public static String figures(RunResult result) {
+    OptionalDouble radial = result.errors().meanM();
+    return String.join(
+        "; ",
+        text("agrees at %.2f %% of the poses", 100 * result.map().agreement()),
+        radial.isPresent()
+            ? text("radial error %.2f cm in the mean", CM * radial.getAsDouble())
+            : "crosses no bearing",
+        result.hasLateralErrors()
+            ? text("%.2f cm beside the edge in the mean", CM * result.errors().lateralMeanM())
+            : "no trace to measure",
+        result.errors().unreachedBearings() + " bearings not reached");
+  }
+
   /** Tells whether the model is faithful. */
   public boolean passes() {
     return failings.isEmpty();

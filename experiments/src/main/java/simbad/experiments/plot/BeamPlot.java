@@ -20,7 +20,7 @@ public record BeamPlot(
   private static final int WIDTH = 540;
   private static final double ASPECT = 0.5;
   private static final double EDGE_DEG = 90;
-  private static final double FLOOR_DB = -30;
+  private static final double FLOOR_DB = -36;
   private static final double TICK_DEG = 30;
   private static final double TICK_DB = 6;
 

@@ -49,14 +49,16 @@ final class RunPictures {
   static Figure tables(ObstacleType first, ObstacleType second) {
     Caption caption =
         new Caption(
-            "Detection thresholds: " + first.name() + " and " + second.name(), provenance(first));
+            "Detection thresholds: " + first.name() + " and " + second.name(),
+            first.name() + ", " + provenance(first));
     PolarSeries under =
         new PolarSeries(
             second.name() + " (" + second.thresholds().provenanceWord() + ")",
             SeriesRole.OTHER,
             SeriesStyle.CLOSED_LINE,
             points(second.thresholds().table()));
-    return new PolarPlot(caption, List.of(tableSeries(first), under), outline(first)).figure();
+    PolarSeries over = tableSeries(first, first.name());
+    return new PolarPlot(caption, List.of(over, under), outline(first)).figure();
   }
 
   /** The table and one trace. */
@@ -127,9 +129,15 @@ final class RunPictures {
   }
 
   private static PolarSeries tableSeries(ObstacleType type) {
-    String name = "threshold table (" + type.thresholds().provenanceWord() + ")";
+    return tableSeries(type, "threshold table");
+  }
+
+  private static PolarSeries tableSeries(ObstacleType type, String name) {
     return new PolarSeries(
-        name, SeriesRole.TABLE, SeriesStyle.CLOSED_LINE, points(type.thresholds().table()));
+        name + " (" + type.thresholds().provenanceWord() + ")",
+        SeriesRole.TABLE,
+        SeriesStyle.CLOSED_LINE,
+        points(type.thresholds().table()));
   }
 
   private static List<PolarPoint> points(ThresholdTable table) {

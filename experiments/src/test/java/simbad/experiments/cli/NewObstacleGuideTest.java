@@ -63,7 +63,10 @@ class NewObstacleGuideTest {
             .filter(line -> line.startsWith("    ./simbad "))
             .map(line -> line.substring("    ./simbad ".length()))
             .toList();
-    assertEquals(9, commands.size(), "commands on the page");
+    assertEquals(11, commands.size(), "commands on the page");
+    List<String> withJar = commands.subList(9, 11);
+    commands = commands.subList(0, 9);
+    assertEquals(List.of("table types", "demo slab --headless"), withJar);
     System.setProperty(Catalogue.FOLDER_PROPERTY, folder.resolve("my-obstacles").toString());
     try {
       for (String command : commands) {
@@ -95,6 +98,42 @@ class NewObstacleGuideTest {
               loader.loadClass("MyWorld").getDeclaredConstructor().newInstance();
       assertEquals("MyWorld", world.getClass().getName());
     }
+  }
+
+  /**
+   * The page's own shell lines make the jar; a program with it on its class path knows the type.
+   */
+  @Test
+  void jar_addsItsTypes() throws Exception {
+    Files.writeString(folder.resolve("MyObstacles.java"), blocks("java").get(0));
+    String jar =
+        blocks("sh")
+            .get(0)
+            .replace(
+                "experiments/target/experiments.jar:experiments/target/lib/*",
+                System.getProperty("java.class.path"));
+    checkOutput("MyObstacles", "bash", "-ec", jar + "cat my-jar/META-INF/services/*");
+    String classPath = System.getProperty("java.class.path") + ":my-obstacles.jar";
+    String main = "simbad.experiments.cli.Main";
+    checkOutput("slab (predicted): flat plate", "java", "-cp", classPath, main, "table", "types");
+    checkOutput(
+        "robot: at", "java", "-cp", classPath, main, "demo", "slab", "--headless", "--steps", "20");
+  }
+
+  private void checkOutput(String expected, String... command) throws Exception {
+    command[0] =
+        command[0].equals("java")
+            ? Path.of(System.getProperty("java.home"), "bin", "java").toString()
+            : command[0];
+    Path said = folder.resolve("said.txt");
+    Process process =
+        new ProcessBuilder(command)
+            .directory(folder.toFile())
+            .redirectErrorStream(true)
+            .redirectOutput(said.toFile())
+            .start();
+    assertEquals(0, process.waitFor(), Files.readString(said));
+    assertTrue(Files.readString(said).contains(expected), Files.readString(said));
   }
 
   private void compile(String name, String text) throws IOException {

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TableDocument;
 import simbad.sonar.format.TableFile;
@@ -114,12 +115,56 @@ class TablePredictCommandTest {
         "x_m,z_m/0,0/0.01,0.01/0.01,0/0,0.01 | crosses or touches itself",
         "x_m,z_m/0,0/25,0/25,25 | '25' is not a length within 1.0 m of the axis",
         "x_m,y_m/0,0/1,0/1,1 | z_m: column is missing",
-        "x_m,z_m/0,0/0.9,0/0.9,0.9 | reaches",
+        "x_m,z_m/0,0/0.9,0/0.9,0.9 | reaches 1.273 m from the axis, expected a post of 0.001 to 0.25 m",
+        "x_m,z_m/0,0/1e-6,0/0,1e-6 | reaches 1.000e-06 m from the axis, expected a post of 0.001 to",
       })
   void badOutlines_areRefused(String text, String complaint) throws IOException {
     Path file =
         Files.writeString(folder.resolve("bad.csv"), text.strip().replace("/", "\n") + "\n");
     checkRefused(Shell.simbad("table", "predict", file.toString()), complaint);
+  }
+
+  /** A scanned post: a valid outline, but a system of equations of gigabytes. */
+  @Test
+  void scannedOutlines_areRefused() throws IOException {
+    StringBuilder text = new StringBuilder("x_m,z_m\n");
+    for (int i = 0; i < 1001; i++) {
+      double angle = 2 * Math.PI * i / 1001;
+      text.append(0.01 * Math.cos(angle)).append(',').append(0.01 * Math.sin(angle)).append('\n');
+    }
+    Path file = Files.writeString(folder.resolve("scan.csv"), text);
+    checkRefused(
+        Shell.simbad("table", "predict", file.toString()),
+        "has 1001 corners, expected at most 1000");
+  }
+
+  /** The committed tables are what the command prints. */
+  @ParameterizedTest
+  @ValueSource(strings = {"half-round", "hexagon", "plate", "tee", "channel", "leg-pair"})
+  void shippedTables_areThePredictions(String name) throws IOException {
+    Path type = Path.of("..", "data", "obstacles", name);
+    Shell shell = Shell.simbad("table", "predict", type.resolve("outline.csv").toString());
+    assertEquals(Files.readString(type.resolve("table.csv")), shell.out(), shell.err());
+  }
+
+  /** The committed constants are what the command fits. */
+  @Test
+  void calibrate_findsTheFiguresInUse() {
+    Shell words = Shell.simbad("table", "calibrate", "--without-angle");
+    assertEquals(0, words.status(), words.err());
+    assertTrue(words.out().contains("  level L 34.5 dB\n  K 27.5\n  tau 1.75 ms\n"), words.out());
+    Shell all = Shell.simbad("table", "calibrate");
+    assertEquals(
+        """
+        fitted to: round, square (words), angle (72 measured)
+          level L 33.75 dB
+          K 24.0
+          tau 1.75 ms
+          band 4.25 dB either way
+        the figures in use are those of the fit
+        """,
+        all.out());
+    assertEquals(0, all.status(), all.err());
   }
 
   private static void checkRefused(Shell shell, String complaint) {

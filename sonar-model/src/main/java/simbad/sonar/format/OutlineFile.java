@@ -10,6 +10,7 @@ import java.util.Optional;
 import simbad.sonar.frame.Point;
 import simbad.sonar.shape.Crossing;
 import simbad.sonar.shape.Outline;
+import simbad.sonar.shape.Overlap;
 
 /**
  * Cross-sections as csv files: columns {@code x_m,z_m} or the same in mm or cm, a row per corner in
@@ -23,6 +24,9 @@ public final class OutlineFile {
   /** A cross-section further out than this is a slip of units. */
   public static final double GREATEST_M = 1;
 
+  /** Every edge is compared with every other. */
+  private static final int MOST_CORNERS = 5000;
+
   private static final String PART = "part";
   private static final Map<String, Double> UNITS = Map.of("m", 1.0, "cm", 0.01, "mm", 0.001);
 
@@ -33,7 +37,8 @@ public final class OutlineFile {
    *
    * @param file csv
    * @throws DataFormatException naming file, line and field of the first fault: too few corners, a
-   *     line that crosses itself, no area, a coordinate beyond {@value #GREATEST_M} m
+   *     line that crosses itself, no area, a coordinate beyond {@value #GREATEST_M} m, parts that
+   *     overlap
    */
   public static OutlineDocument read(Path file) throws DataFormatException {
     return parse(file, TextFile.read(file));
@@ -48,6 +53,10 @@ public final class OutlineFile {
    */
   public static OutlineDocument parse(Path name, String text) throws DataFormatException {
     CsvTable csv = CsvTable.parse(name, text);
+    if (csv.size() > MOST_CORNERS) {
+      throw DataFormatException.inFile(
+          name, csv.size() + " rows, expected at most " + MOST_CORNERS + " corners");
+    }
     String unit = unit(csv);
     Map<String, List<Point>> corners = new LinkedHashMap<>();
     Map<String, Integer> firstRow = new LinkedHashMap<>();
@@ -63,7 +72,12 @@ public final class OutlineFile {
     }
     List<Outline> parts = new ArrayList<>();
     for (Map.Entry<String, List<Point>> part : corners.entrySet()) {
-      parts.add(outline(csv, firstRow.getOrDefault(part.getKey(), 0), part.getValue()));
+      int first = firstRow.getOrDefault(part.getKey(), 0);
+      Outline outline = outline(csv, first, part.getValue());
+      if (parts.stream().anyMatch(other -> Overlap.of(outline, other))) {
+        throw csv.fault(first, PART, "'" + part.getKey() + "' overlaps another part");
+      }
+      parts.add(outline);
     }
     return new OutlineDocument(parts, csv.header());
   }

@@ -51,6 +51,14 @@ class OutlineFileTest {
     assertEquals(0.6, legs.reachM(), 1e-12);
   }
 
+  /** A scan with a point to every micrometre: said at once, not after minutes of comparing. */
+  @Test
+  void tooManyCorners_areRefused() {
+    String rows = "x_m,z_m" + "/0,0/0,1".repeat(2501);
+    DataFormatException fault = assertThrows(DataFormatException.class, () -> parse(rows));
+    assertEquals("post.csv: 5002 rows, expected at most 5000 corners", fault.getMessage());
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
@@ -64,6 +72,7 @@ class OutlineFileTest {
         "x_mm,z_mm/0,0/5000,0/0,1 | post.csv:3: x_mm: '5000' is not a length within 1.0 m of the axis",
         "x,z/0,0/1,0/0,1 | x_m: column is missing",
         "x_mm,z_m/0,0/1,0/0,1 | z_mm: column is missing",
+        "part,x_m,z_m/a,0,0/a,1,0/a,0,1/b,0.1,0.1/b,0.2,0.1/b,0.1,0.2 | post.csv:5: part: 'b' overlaps another part",
       })
   void badOutlines_areNamed(String rows, String complaint) {
     DataFormatException fault = assertThrows(DataFormatException.class, () -> parse(rows.strip()));
