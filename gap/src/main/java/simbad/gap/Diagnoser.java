@@ -131,7 +131,7 @@ public final class Diagnoser {
     Gain gain = Gain.of(evidence, blocks, best);
     double unknown =
         Unknown.probability(
-            new Misfit(calibration.loosened(evidence, best), best),
+            Misfit.of(calibration.loosened(evidence, best), best),
             gain,
             best,
             calibration.clumping());

@@ -25,19 +25,30 @@ public final class Misfit {
    */
   public record Slice(String name, String kind, double z, double size, int rows) {}
 
-  /** Looks at all slices. */
-  public Misfit(Evidence evidence, Hypothesis hypothesis) {
+  private Misfit(Evidence evidence, Hypothesis hypothesis, boolean ahead) {
     Surprise surprise = new Surprise(evidence, hypothesis);
     double[] spread = spread(surprise);
     List<Slicing.Cut> cuts = new Slicing(surprise.log, surprise.geometry).all();
     for (Slicing.Cut cut : cuts) {
       look(surprise, cut, spread);
     }
-    if (evidence.model(hypothesis).hasMemory()) {
+    if (ahead && evidence.model(hypothesis).hasMemory()) {
       Foresight foresight = Foresight.of(evidence, hypothesis);
       cuts.forEach(cut -> lookAhead(surprise.log, foresight, cut));
     }
     slices.sort(Comparator.comparingDouble(slice -> -Math.abs(slice.z)));
+  }
+
+  /**
+   * Looks at all slices, and at what a hypothesis with memory expects where no reading is known.
+   */
+  public static Misfit of(Evidence evidence, Hypothesis hypothesis) {
+    return new Misfit(evidence, hypothesis, true);
+  }
+
+  /** Looks at all slices, ping by ping alone: far quicker where a hypothesis has memory. */
+  static Misfit ofPings(Evidence evidence, Hypothesis hypothesis) {
+    return new Misfit(evidence, hypothesis, false);
   }
 
   /** Returns all slices, the most off first. */

@@ -92,7 +92,7 @@ public final class Search {
   }
 
   private boolean isOff(Fit best) {
-    return new Misfit(evidence, best.hypothesis()).top(Unknown.TOP) > OFF;
+    return Misfit.ofPings(evidence, best.hypothesis()).top(Unknown.TOP) > OFF;
   }
 
   private boolean worth(List<Fit> added, Fit base) {

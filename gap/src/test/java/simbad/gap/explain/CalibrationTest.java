@@ -102,9 +102,9 @@ class CalibrationTest {
     Calibration calibration = Calibration.of(Worlds.POST, near);
     PingLog edges = new PingLog(Worlds.read(Worlds.poses(2000, 1.7, 2.3, 17), soft, 18));
     Evidence evidence = calibrated(calibration, edges);
-    double held = new Misfit(evidence, Hypothesis.NONE).top(5);
+    double held = Misfit.of(evidence, Hypothesis.NONE).top(5);
     Evidence loosened = calibration.loosened(evidence, Hypothesis.NONE);
-    double loose = new Misfit(loosened, Hypothesis.NONE).top(5);
+    double loose = Misfit.of(loosened, Hypothesis.NONE).top(5);
     assertTrue(held > 4 && loose < 3, () -> held + " and loosened " + loose);
   }
 

@@ -18,7 +18,7 @@ class MisfitTest {
   }
 
   private static double top(Evidence evidence, Hypothesis hypothesis) {
-    return new Misfit(evidence, hypothesis).top(5);
+    return Misfit.of(evidence, hypothesis).top(5);
   }
 
   /** The greatest of some hundred standard normal numbers, five ways apart. */
@@ -55,7 +55,7 @@ class MisfitTest {
             .toList();
     Evidence evidence = Worlds.evidence(rows);
     Hypothesis bursts = Worlds.effect(Effect.DROPOUT, "bursts", 0.3, 10);
-    Misfit misfit = new Misfit(evidence, bursts);
+    Misfit misfit = Misfit.of(evidence, bursts);
     Misfit.Slice worst =
         misfit.slices().stream()
             .filter(slice -> slice.kind().equals("forecast"))
