@@ -29,6 +29,7 @@ import simbad.gap.explain.Uncertainty;
 import simbad.gap.explain.Unknown;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.fit.Refit;
 import simbad.gap.place.Experiments;
 import simbad.gap.place.Places;
 import simbad.gap.place.Undetectables;
@@ -53,7 +54,6 @@ public final class Diagnoser {
   private static final double STAND_IN = 0.75;
 
   private static final double NORMAL_95 = 1.96;
-  private static final int TABLE = 12;
 
   /** How often what the reference shows of an explanation goes into the set-up. */
   private static final int ROUNDS = 3;
@@ -215,7 +215,7 @@ public final class Diagnoser {
       probabilities.ofEffects().forEach((effect, p) -> probability.put(effect, stated(p)));
       Hypothesis best = probabilities.best().hypothesis();
       double[] deviations =
-          best.size() > TABLE
+          best.size() > Refit.TABLE
               ? infinite(best.size())
               : new Uncertainty(evidence, clumping).deviations(best);
       List<EffectFinding> findings = new ArrayList<>();

@@ -15,8 +15,6 @@ import simbad.sonar.scene.SensingSetup;
  * spread the reference decides, by the marginal likelihood (MacKay 1992).
  */
 final class Calibrator {
-  static final int TABLE = 12;
-
   private static final double WORTH_NATS = 4;
   private static final int ROUNDS = 3;
 

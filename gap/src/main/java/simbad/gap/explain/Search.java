@@ -13,6 +13,7 @@ import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.fit.Refit;
 import simbad.gap.fit.Screen;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
@@ -26,7 +27,6 @@ public final class Search {
   private static final int MOST_EFFECTS = 3;
   private static final int JOINT = 3;
   private static final int PROMISING = 8;
-  private static final int TABLE = 12;
   private static final int RUNNERS_UP = 2;
 
   /** A set whose greatest misfits are beyond this leaves something over. */
@@ -155,7 +155,7 @@ public final class Search {
   /** Refines all values of a set together, first by long steps, then by short ones. */
   private Fit joint(Fit fit) {
     int size = fit.hypothesis().size();
-    if (size == 0 || size > TABLE) {
+    if (size == 0 || size > Refit.TABLE) {
       return new Fitter(evidence, Fold.ALL).refine(fit.hypothesis(), 0);
     }
     Fitter fitter = new Fitter(evidence, Fold.ALL);

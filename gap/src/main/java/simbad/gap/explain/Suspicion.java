@@ -6,6 +6,7 @@ import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.fit.Refit;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.SetupForms;
@@ -55,7 +56,7 @@ final class Suspicion {
   Hypothesis settled(Hypothesis known, int index) {
     Form form = SetupForms.of(explanation.forms().get(index));
     double[] values = explanation.valuesOf(index);
-    if (known.forms().contains(form) || values.length > Calibrator.TABLE) {
+    if (known.forms().contains(form) || values.length > Refit.TABLE) {
       return known;
     }
     double nothing = fitter.logLikelihood(known);

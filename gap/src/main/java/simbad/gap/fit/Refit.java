@@ -7,7 +7,7 @@ import simbad.sonar.effect.Form;
  * tables of thresholds, which have too many values for it, read off the log anew.
  */
 public final class Refit {
-  /** More values than these are a table. */
+  /** More values than these are a table, whose moves by simplex lead nowhere. */
   public static final int TABLE = 12;
 
   private final Evidence evidence;

@@ -16,9 +16,6 @@ public final class Screen {
   /** Less than this, in nats, is chance. */
   private static final double CHANCE_NATS = 1.5;
 
-  /** A table has so many values that moving them all by simplex leads nowhere. */
-  private static final int TABLE = 8;
-
   private static final int REFINED = 6;
   private static final int FEW = 3;
   private static final int RESTARTS = 2;
@@ -66,7 +63,7 @@ public final class Screen {
   private Fit refined(Fit rough) {
     int from = base.hypothesis().size();
     int size = rough.hypothesis().size() - from;
-    if (size > TABLE) {
+    if (size > Refit.TABLE) {
       return rough;
     }
     Fitter fitter = new Fitter(evidence, Fold.ALL);
@@ -111,7 +108,7 @@ public final class Screen {
             .max(Comparator.comparingDouble(Fit::logLikelihood))
             .orElseThrow();
     int size = form.parameters().size();
-    return size > TABLE
+    return size > Refit.TABLE
         ? best
         : fitter.approach(best.hypothesis(), base.hypothesis().size(), 14 + 10 * size);
   }
