@@ -29,7 +29,6 @@ import simbad.gap.explain.Uncertainty;
 import simbad.gap.explain.Unknown;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
-import simbad.gap.fit.Refit;
 import simbad.gap.place.Experiments;
 import simbad.gap.place.Places;
 import simbad.gap.place.Undetectables;
@@ -79,22 +78,64 @@ public final class Diagnoser {
         data.reference().isEmpty()
             ? Calibration.none()
             : Calibration.of(data.setup(), new PingLog(data.reference()));
+    Inquiry inquiry = inquire(data, log, calibration);
     for (int round = 0; round < ROUNDS; round++) {
-      Inquiry inquiry = inquire(data, log, calibration);
-      Calibration more = calibration.with(inquiry.evidence, inquiry.best());
-      if (more == calibration) {
-        return conclude(inquiry);
+      Calibration more = inquiry.settled();
+      if (more == inquiry.calibration) {
+        if (inquiry.isFull()) {
+          break;
+        }
+        inquiry = inquiry.further();
+        more = inquiry.settled();
       }
-      calibration = more;
+      if (more != inquiry.calibration) {
+        inquiry = inquire(data, log, more);
+      }
     }
-    return conclude(inquire(data, log, calibration));
+    return conclude(inquiry.isFull() ? inquiry : inquiry.further());
   }
 
-  /** What was found of a log before a set-up as calibrated. */
+  /**
+   * What was found of a log before a set-up as calibrated.
+   *
+   * @param isFull whether nothing is left over, or all was tried that may take it up
+   */
   private record Inquiry(
-      Evidence evidence, Calibration calibration, List<Scored> sets, Probabilities probabilities) {
+      Evidence evidence,
+      Calibration calibration,
+      double worthNats,
+      Search search,
+      List<Scored> sets,
+      Probabilities probabilities,
+      boolean isFull) {
+    static Inquiry of(
+        Evidence evidence, Calibration calibration, double worthNats, Search search) {
+      List<Scored> sets = search.run();
+      Probabilities probabilities =
+          weighed(evidence, sets, worthNats, calibration.clumping());
+      return new Inquiry(
+          evidence, calibration, worthNats, search, sets, probabilities, !search.isOff());
+    }
+
     Hypothesis best() {
       return probabilities.best().hypothesis();
+    }
+
+    /** The set-up with what of this belongs to it. */
+    Calibration settled() {
+      return calibration.with(evidence, best());
+    }
+
+    Inquiry further() {
+      List<Scored> more = search.further();
+      return new Inquiry(
+          evidence,
+          calibration,
+          worthNats,
+          search,
+          more,
+          weighed(evidence, more, worthNats, calibration.clumping()),
+          true);
     }
   }
 
@@ -104,12 +145,10 @@ public final class Diagnoser {
     double worth = least * calibration.clumping() * (data.reference().isEmpty() ? 1 : OFF);
     // In one block nothing is left to test on what is fitted: too few rows to name anything.
     Set<Effect> excluded = new Blocks(log).count() > 1 ? withheld : EnumSet.allOf(Effect.class);
-    List<Scored> sets = new Search(evidence, excluded, worth).run();
-    return new Inquiry(
-        evidence, calibration, sets, probabilities(evidence, sets, worth, calibration.clumping()));
+    return Inquiry.of(evidence, calibration, worth, new Search(evidence, excluded, worth));
   }
 
-  private static Probabilities probabilities(
+  private static Probabilities weighed(
       Evidence evidence, List<Scored> sets, double worth, double clumping) {
     PracticalSize size = new PracticalSize(evidence, sets);
     Set<Effect> unseen = EnumSet.noneOf(Effect.class);
@@ -215,7 +254,7 @@ public final class Diagnoser {
       probabilities.ofEffects().forEach((effect, p) -> probability.put(effect, stated(p)));
       Hypothesis best = probabilities.best().hypothesis();
       double[] deviations =
-          best.size() > Refit.TABLE
+          best.hasTable()
               ? infinite(best.size())
               : new Uncertainty(evidence, clumping).deviations(best);
       List<EffectFinding> findings = new ArrayList<>();

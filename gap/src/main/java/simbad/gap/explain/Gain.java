@@ -29,7 +29,7 @@ public record Gain(GapMeter.Gaps before, GapMeter.Gaps after) {
     }
     double[] observed = new double[evidence.log().size()];
     double[] expected = new double[observed.length];
-    int parts = explanation.size() > Refit.TABLE ? TABLE_PARTS : 2;
+    int parts = explanation.hasTable() ? TABLE_PARTS : 2;
     for (int part = 0; part < parts; part++) {
       Fold left = blocks.part(part, parts);
       Hypothesis fitted =

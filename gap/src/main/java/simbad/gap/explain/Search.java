@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 import simbad.gap.fit.Evidence;
@@ -29,8 +30,13 @@ public final class Search {
   private static final int PROMISING = 8;
   private static final int RUNNERS_UP = 2;
 
+  /** From a set that fits worse by so much than another of its size nothing better is built. */
+  private static final double BEHIND_NATS = 25;
+
   /** A set whose greatest misfits are beyond this leaves something over. */
   private static final double OFF = 4;
+
+  private static final int TABLED_EVALUATIONS = 20;
 
   /** How many sets get a held-out score. */
   private static final int SCORED = 10;
@@ -40,6 +46,8 @@ public final class Search {
   private final List<Form> forms;
   private final double worthNats;
   private final Map<Set<Effect>, Fit> fits = new LinkedHashMap<>();
+  private List<Fit> singles = List.of();
+  private Fit best = new Fit(Hypothesis.NONE, Double.NEGATIVE_INFINITY);
 
   /**
    * Creates a search.
@@ -62,37 +70,59 @@ public final class Search {
   public List<Scored> run() {
     Fit nominal = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
     keep(nominal);
-    List<Fit> singles = best(new Screen(evidence, nominal).all(forms).values());
+    singles = best(new Screen(evidence, nominal).all(forms).values());
     singles.forEach(this::keep);
-    Fit best = built(nominal, singles, singles);
-    if (isOff(best)) {
-      // The first was perhaps only the one that soaks up most: from the runners-up once more.
-      singles.stream()
-          .filter(single -> !best.hypothesis().effects().containsAll(single.hypothesis().effects()))
-          .limit(RUNNERS_UP)
-          .forEach(single -> built(nominal, List.of(single), singles));
-    }
+    best = built(nominal, singles);
+    return scored();
+  }
+
+  /** Returns whether the set that was built leaves something over. */
+  public boolean isOff() {
+    return Misfit.ofPings(evidence, best.hypothesis()).top(Unknown.TOP) > OFF;
+  }
+
+  /**
+   * Searches once more from each of the runners-up: the first was perhaps only the one that soaks
+   * up most.
+   *
+   * @return all sets that were fitted until now, the most probable held-out first
+   */
+  public List<Scored> further() {
+    Fit nominal = Objects.requireNonNull(fits.get(Set.<Effect>of()));
+    List<Effect> built = best.hypothesis().effects();
+    singles.stream()
+        .filter(single -> !built.containsAll(single.hypothesis().effects()))
+        .limit(RUNNERS_UP)
+        .forEach(single -> built(nominal, List.of(single)));
     return scored();
   }
 
   /** Builds upon the first of some sets as long as it is worth it. */
-  private Fit built(Fit nominal, List<Fit> starts, List<Fit> singles) {
-    Fit best = nominal;
+  private Fit built(Fit nominal, List<Fit> starts) {
+    Fit set = nominal;
     List<Fit> added = starts;
-    while (worth(added, best) && best.hypothesis().forms().size() < MOST_EFFECTS) {
-      best = joint(swapped(added.get(0), singles));
-      keep(best);
+    while (worth(added, set) && set.hypothesis().forms().size() < MOST_EFFECTS) {
+      set = joint(swapped(added.get(0)));
+      keep(set);
+      if (isBehind(set)) {
+        return set;
+      }
       // What gained nothing beside fewer effects gains nothing beside more.
       List<Form> open =
-          best.hypothesis().forms().size() == 1 ? forms : promising(added, best.hypothesis());
-      added = grown(best, open);
+          set.hypothesis().forms().size() == 1 ? forms : promising(added, set.hypothesis());
+      added = grown(set, open);
     }
-    prune(best);
-    return best;
+    prune(set);
+    return set;
   }
 
-  private boolean isOff(Fit best) {
-    return Misfit.ofPings(evidence, best.hypothesis()).top(Unknown.TOP) > OFF;
+  /** Whether another set of as many effects, two or more, fits far better. */
+  private boolean isBehind(Fit set) {
+    int size = set.hypothesis().forms().size();
+    return size > 1
+        && fits.values().stream()
+            .filter(fit -> fit.hypothesis().forms().size() == size)
+            .anyMatch(fit -> fit.logLikelihood() > set.logLikelihood() + BEHIND_NATS);
   }
 
   private boolean worth(List<Fit> added, Fit base) {
@@ -127,19 +157,19 @@ public final class Search {
    * among all: the first may have been taken because it soaks up what two others do. The member
    * itself is among them, looked for anew now that the others are known.
    */
-  private Fit swapped(Fit set, List<Fit> singles) {
-    Fit best = set;
+  private Fit swapped(Fit set) {
+    Fit swapped = set;
     List<Effect> members = set.hypothesis().effects();
     for (Effect member : members.subList(0, members.size() - 1)) {
-      Hypothesis rest = best.hypothesis().without(member);
-      Fit base = joint(new Fit(rest, best.logLikelihood()));
+      Hypothesis rest = swapped.hypothesis().without(member);
+      Fit base = joint(new Fit(rest, swapped.logLikelihood()));
       keep(base);
       List<Fit> others = grown(base, promising(singles, rest));
-      if (!others.isEmpty() && others.get(0).logLikelihood() > best.logLikelihood()) {
-        best = others.get(0);
+      if (!others.isEmpty() && others.get(0).logLikelihood() > swapped.logLikelihood()) {
+        swapped = others.get(0);
       }
     }
-    return best;
+    return swapped;
   }
 
   /** Fits the best set without each of its members: what was added first may be superfluous. */
@@ -155,12 +185,20 @@ public final class Search {
   /** Refines all values of a set together, first by long steps, then by short ones. */
   private Fit joint(Fit fit) {
     int size = fit.hypothesis().size();
-    if (size == 0 || size > Refit.TABLE) {
-      return new Fitter(evidence, Fold.ALL).refine(fit.hypothesis(), 0);
-    }
     Fitter fitter = new Fitter(evidence, Fold.ALL);
+    if (fit.hypothesis().hasTable()) {
+      return tabled(fit.hypothesis(), fitter);
+    }
     Hypothesis far = fitter.refine(fit.hypothesis(), 20 + 20 * size).hypothesis();
     return fitter.polish(far, 20 + 15 * size);
+  }
+
+  /** A table is read off the log anew now that the other effects are known, if that is better. */
+  private Fit tabled(Hypothesis set, Fitter fitter) {
+    Fit kept = new Fit(set, fitter.logLikelihood(set));
+    Hypothesis read = new Refit(evidence, Fold.ALL).of(set, TABLED_EVALUATIONS);
+    double again = fitter.logLikelihood(read);
+    return again > kept.logLikelihood() ? new Fit(read, again) : kept;
   }
 
   private static List<Fit> best(Collection<Fit> all) {

@@ -56,7 +56,7 @@ final class Suspicion {
   Hypothesis settled(Hypothesis known, int index) {
     Form form = SetupForms.of(explanation.forms().get(index));
     double[] values = explanation.valuesOf(index);
-    if (known.forms().contains(form) || values.length > Refit.TABLE) {
+    if (known.forms().contains(form) || form.isTable()) {
       return known;
     }
     double nothing = fitter.logLikelihood(known);

@@ -5,6 +5,7 @@ import java.util.stream.IntStream;
 import simbad.sonar.effect.DiagnosedModel;
 import simbad.sonar.effect.Geometry;
 import simbad.sonar.effect.PingLog;
+import simbad.sonar.scene.SensingSetup;
 
 /** What a hypothesis leaves over: readings that it thinks hardly possible, echoes it misses. */
 final class Clues {
@@ -15,7 +16,7 @@ final class Clues {
   final Geometry geometry;
   private final double[] logLikelihood;
   private final double[] nearest;
-  private final double edgeWidthM;
+  private final SensingSetup setup;
   private final Fold fold;
 
   Clues(Evidence evidence, Hypothesis hypothesis) {
@@ -25,7 +26,7 @@ final class Clues {
   Clues(Evidence evidence, Hypothesis hypothesis, Fold fold) {
     this.fold = fold;
     log = evidence.log();
-    edgeWidthM = evidence.setup().sensor().edgeWidthM();
+    setup = evidence.setup();
     DiagnosedModel model = evidence.model(hypothesis);
     geometry = evidence.geometry(model);
     logLikelihood = new double[log.size()];
@@ -51,7 +52,12 @@ final class Clues {
 
   /** Softness of the threshold as believed, metres. */
   double edgeWidthM() {
-    return edgeWidthM;
+    return setup.sensor().edgeWidthM();
+  }
+
+  /** The set-up as the simulator believes it. */
+  SensingSetup setup() {
+    return setup;
   }
 
   /** Echoes that the hypothesis cannot explain. */

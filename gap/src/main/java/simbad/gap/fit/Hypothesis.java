@@ -56,6 +56,11 @@ public record Hypothesis(List<Form> forms, double[] values) {
     return forms.stream().anyMatch(form -> form.of().filter(effect::equals).isPresent());
   }
 
+  /** Returns whether a table is among the forms. */
+  public boolean hasTable() {
+    return forms.stream().anyMatch(Form::isTable);
+  }
+
   /** Returns the same forms with other values. */
   public Hypothesis with(double... newValues) {
     return new Hypothesis(forms, newValues);

@@ -7,9 +7,6 @@ import simbad.sonar.effect.Form;
  * tables of thresholds, which have too many values for it, read off the log anew.
  */
 public final class Refit {
-  /** More values than these are a table, whose moves by simplex lead nowhere. */
-  public static final int TABLE = 12;
-
   private final Evidence evidence;
   private final Fold fold;
   private final Fitter fitter;
@@ -42,9 +39,9 @@ public final class Refit {
     Hypothesis rest = Hypothesis.NONE;
     for (int i = 0; i < start.forms().size(); i++) {
       Form form = start.forms().get(i);
-      if (form.parameters().size() > TABLE) {
+      if (form.isTable()) {
         Clues clues = new Clues(evidence, start.without(form.effect()), fold);
-        tables = tables.and(form, new TableSearch(clues, form).start());
+        tables = tables.and(form, new TableSearch(clues, TableSearch.obstacle(form)).table());
       } else {
         rest = rest.and(form, start.valuesOf(i));
       }

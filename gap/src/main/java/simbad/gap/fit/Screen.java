@@ -10,7 +10,8 @@ import simbad.sonar.effect.Form;
 
 /**
  * Fits every effect beside a hypothesis that stays as it is. Of an effect whose first form gains
- * nothing the other forms are not tried, and what gains nothing at first is not refined.
+ * nothing only those other forms are fitted that gain by their first guess, and what gains nothing
+ * at first is not refined.
  */
 public final class Screen {
   /** Less than this, in nats, is chance. */
@@ -63,7 +64,7 @@ public final class Screen {
   private Fit refined(Fit rough) {
     int from = base.hypothesis().size();
     int size = rough.hypothesis().size() - from;
-    if (size > Refit.TABLE) {
+    if (added(rough).isTable()) {
       return rough;
     }
     Fitter fitter = new Fitter(evidence, Fold.ALL);
@@ -79,14 +80,20 @@ public final class Screen {
     return fit;
   }
 
+  /** The form that is fitted beside the base. */
+  private static Form added(Fit fit) {
+    List<Form> all = fit.hypothesis().forms();
+    return all.get(all.size() - 1);
+  }
+
   private Fit bestOf(List<Form> forms) {
-    Fit first = rough(forms.get(0));
-    if (gain(first) < CHANCE_NATS) {
-      return first;
-    }
+    Fit first = approached(begun(forms.get(0)));
+    boolean gains = gain(first) >= CHANCE_NATS;
     return forms.stream()
         .skip(1)
-        .map(this::rough)
+        .map(this::begun)
+        .filter(begun -> gains || gain(begun) >= CHANCE_NATS)
+        .map(this::approached)
         .reduce(first, (a, b) -> merit(b) > merit(a) ? b : a);
   }
 
@@ -99,17 +106,24 @@ public final class Screen {
     return fit.logLikelihood() - base.logLikelihood();
   }
 
-  private Fit rough(Form form) {
+  /** The best of a form's starts. */
+  private Fit begun(Form form) {
     Fitter fitter = new Fitter(evidence, Fold.ALL);
-    Fit best =
-        starts.of(form).stream()
-            .map(values -> base.hypothesis().and(form, values))
-            .map(start -> new Fit(start, fitter.logLikelihood(start)))
-            .max(Comparator.comparingDouble(Fit::logLikelihood))
-            .orElseThrow();
-    int size = form.parameters().size();
-    return size > Refit.TABLE
-        ? best
-        : fitter.approach(best.hypothesis(), base.hypothesis().size(), 14 + 10 * size);
+    return starts.of(form).stream()
+        .map(values -> base.hypothesis().and(form, values))
+        .map(start -> new Fit(start, fitter.logLikelihood(start)))
+        .max(Comparator.comparingDouble(Fit::logLikelihood))
+        .orElseThrow();
+  }
+
+  private Fit approached(Fit begun) {
+    Form form = added(begun);
+    return form.isTable()
+        ? begun
+        : new Fitter(evidence, Fold.ALL)
+            .approach(
+                begun.hypothesis(),
+                base.hypothesis().size(),
+                14 + 10 * form.parameters().size());
   }
 }

@@ -35,7 +35,7 @@ final class Starts {
           tries.size() == 1
               ? product(form, distances(tries.get(0)))
               : product(form, distances(tries.get(0)), tries.get(1));
-      case ORIENTATION_SHADOW -> List.of(new TableSearch(clues, form).start());
+      case ORIENTATION_SHADOW -> shadows(form);
       default -> all(form, tries);
     };
   }
@@ -65,6 +65,17 @@ final class Starts {
     return all;
   }
 
+  /** A form that is about no single obstacle has no number: each obstacle's waves may be all's. */
+  private List<double[]> shadows(Form form) {
+    if (form.name().indexOf('#') < 0) {
+      return IntStream.range(0, clues.geometry.obstacles())
+          .mapToObj(obstacle -> new TableSearch(clues, obstacle).waves())
+          .toList();
+    }
+    TableSearch search = new TableSearch(clues, TableSearch.obstacle(form));
+    return List.of(form.isTable() ? search.table() : search.waves());
+  }
+
   private DoubleStream strange() {
     return clues.strangeEchoes().mapToDouble(clues.log::rangeM);
   }
@@ -89,6 +100,7 @@ final class Starts {
     return switch (form.name()) {
       case "added" -> product(form, tries.get(0), longerBy(), List.of(0.01, 0.05));
       case "factor" -> product(form, tries.get(0), longerTimes(), List.of(0.01, 0.05));
+      case "tail" -> all(form, tries);
       default ->
           product(form, List.of(0.1), longerBy(), List.of(0.1), longerTimes(), List.of(0.03));
     };
@@ -175,6 +187,9 @@ final class Starts {
   }
 
   private List<double[]> crosstalk(Form form, List<Double> shares) {
+    if (form.name().equals("walking")) {
+      return new WalkSearch(clues).starts(form);
+    }
     double[] sorted = strange().sorted().toArray();
     if (sorted.length == 0) {
       return product(form, shares, List.of(), List.of());

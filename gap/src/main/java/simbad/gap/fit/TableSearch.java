@@ -2,6 +2,7 @@ package simbad.gap.fit;
 
 import java.util.Arrays;
 import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
 import simbad.sonar.effect.Geometry;
 
 /**
@@ -18,19 +19,43 @@ final class TableSearch {
 
   private static final int ROUNDS = 3;
 
+  /** Far off it is open how far a threshold goes. */
+  private static final double MOST_FACTOR = 1.5;
+
   private final Clues clues;
   private final int obstacle;
-  private final int size;
+  private final int size = Forms.TABLE_SIZE;
   private final double uniformM;
 
-  TableSearch(Clues clues, Form form) {
-    this.clues = clues;
-    obstacle = Integer.parseInt(form.name().substring(form.name().indexOf('#') + 1));
-    size = form.parameters().size();
-    uniformM = form.parameters().get(0).neutral();
+  /** The index of the obstacle that a form is about, which stands behind the hash in its name. */
+  static int obstacle(Form form) {
+    return Integer.parseInt(form.name().substring(form.name().lastIndexOf('#') + 1));
   }
 
-  double[] start() {
+  /** Of an obstacle by its index. */
+  TableSearch(Clues clues, int obstacle) {
+    this.clues = clues;
+    this.obstacle = obstacle;
+    uniformM = clues.setup().scene().obstacles().get(obstacle).detection().greatestM();
+  }
+
+  /** The table over the believed threshold, less 1, as a Fourier series. */
+  double[] waves() {
+    double[] table = table();
+    double[] series = new double[1 + 2 * Forms.SHADOW_WAVES];
+    for (int i = 0; i < size; i++) {
+      double angle = 2 * Math.PI * i / size;
+      double off = (Math.min(MOST_FACTOR, table[i] / uniformM) - 1) / size;
+      series[0] += off;
+      for (int wave = 1; wave <= Forms.SHADOW_WAVES; wave++) {
+        series[2 * wave - 1] += 2 * off * Math.cos(wave * angle);
+        series[2 * wave] += 2 * off * Math.sin(wave * angle);
+      }
+    }
+    return series;
+  }
+
+  double[] table() {
     double greatest = greatestDistance();
     int candidates = (int) (greatest / STEP_M) + 2;
     double[][] score = new double[size][candidates];

@@ -21,10 +21,19 @@ final class Divergence {
   private final int steps;
   private final double broadStep;
 
-  /** Creates one for the readings of a set-up. */
+  /** Creates one for the readings of a set-up, in the steps of its resolution. */
   Divergence(SensingSetup setup) {
+    this(setup, 0);
+  }
+
+  /**
+   * Creates one that sees no difference within a step: it says at most as much, and sooner.
+   *
+   * @param leastStepM metres
+   */
+  Divergence(SensingSetup setup, double leastStepM) {
     double resolution = setup.sensor().resolutionM();
-    stepM = resolution > 0 ? resolution : FINEST_STEP_M;
+    stepM = Math.max(leastStepM, resolution > 0 ? resolution : FINEST_STEP_M);
     // Ranges may come out longer than the longest distance.
     steps = (int) Math.ceil(1.5 * setup.sensor().maxRangeM() / stepM);
     broadStep = BROAD * (1 - BROAD_NO_ECHO) / steps;

@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import simbad.gap.diagnosis.NextExperiment;
@@ -29,6 +30,12 @@ public final class Experiments {
 
   /** A second manoeuvre has to bring this share of the first's. */
   private static final double WORTH_SHARE = 0.1;
+
+  /** Of all manoeuvres so many are looked at closely, by each of three merits. */
+  private static final int SHORTLISTED = 8;
+
+  private static final int GLANCE_PINGS = 5;
+  private static final double GLANCE_STEP_M = 0.02;
 
   private static final String ONLY = "only:";
 
@@ -125,21 +132,52 @@ public final class Experiments {
     PingLog log = new PingLog(rows);
     List<ReadingDistribution> ones = forecast(log, one);
     List<ReadingDistribution> others = forecast(log, other);
-    Divergence divergence = new Divergence(evidence.setup());
-    Divergence.Nats[] nats =
-        IntStream.range(0, log.size())
-            .parallel()
-            .mapToObj(ping -> divergence.between(ones.get(ping), others.get(ping)))
-            .toArray(Divergence.Nats[]::new);
-    List<Trial> trials = new ArrayList<>();
-    for (int i = 0; i < manoeuvres.size(); i++) {
-      Divergence.Nats sum = Divergence.Nats.NONE;
-      for (int ping = i * Manoeuvres.PINGS; ping < (i + 1) * Manoeuvres.PINGS; ping++) {
-        sum = sum.plus(nats[ping]);
-      }
-      trials.add(new Trial(manoeuvres.get(i), sensor, sum));
+    Look glance =
+        new Look(ones, others, new Divergence(evidence.setup(), GLANCE_STEP_M), GLANCE_PINGS);
+    Look look = new Look(ones, others, new Divergence(evidence.setup()), 1);
+    return shortlist(glance.all(manoeuvres.size())).stream()
+        .map(i -> new Trial(manoeuvres.get(i), sensor, look.at(i)))
+        .toList();
+  }
+
+  /** Those that look best by what they say for the one, for the other, and for both. */
+  private static List<Integer> shortlist(List<Divergence.Nats> glances) {
+    List<ToDoubleFunction<Divergence.Nats>> merits =
+        List.of(Divergence.Nats::least, Divergence.Nats::forOne, Divergence.Nats::forOther);
+    return merits.stream()
+        .flatMap(
+            merit ->
+                IntStream.range(0, glances.size())
+                    .boxed()
+                    .sorted(Comparator.comparingDouble(i -> -merit.applyAsDouble(glances.get(i))))
+                    .limit(SHORTLISTED))
+        .distinct()
+        .sorted()
+        .toList();
+  }
+
+  /**
+   * What manoeuvres are expected to bring.
+   *
+   * @param every how many pings one is looked at
+   */
+  private record Look(
+      List<ReadingDistribution> ones,
+      List<ReadingDistribution> others,
+      Divergence divergence,
+      int every) {
+    List<Divergence.Nats> all(int manoeuvres) {
+      return IntStream.range(0, manoeuvres).parallel().mapToObj(this::at).toList();
     }
-    return trials;
+
+    Divergence.Nats at(int manoeuvre) {
+      Divergence.Nats sum = Divergence.Nats.NONE;
+      int from = manoeuvre * Manoeuvres.PINGS;
+      for (int ping = from; ping < from + Manoeuvres.PINGS; ping += every) {
+        sum = sum.plus(divergence.between(ones.get(ping), others.get(ping)));
+      }
+      return sum;
+    }
   }
 
   private List<ReadingDistribution> forecast(PingLog log, Hypothesis hypothesis) {

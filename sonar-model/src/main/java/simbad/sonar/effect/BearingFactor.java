@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * An obstacle's threshold is off by a factor that varies smoothly with the bearing: 1 + c + the sum
- * of a_k cos(k b) + b_k sin(k b), never below 0. A calibration of the set-up.
+ * The threshold is off by a factor that varies smoothly with the bearing in the obstacle's frame: 1
+ * + c + the sum of a_k cos(k b) + b_k sin(k b), never below 0.
  *
- * @param obstacle label of the one whose threshold it is
+ * @param only label of the one obstacle whose threshold it is; empty for all
  * @param series c, a_1, b_1, a_2, b_2, ...; all 0 is neutral
  */
-public record BearingFactor(String obstacle, List<Double> series)
+public record BearingFactor(Optional<String> only, List<Double> series)
     implements ThresholdChange, ObstacleChange {
   /** Copies the series and checks that its waves are whole. */
   public BearingFactor {
@@ -22,13 +22,8 @@ public record BearingFactor(String obstacle, List<Double> series)
   }
 
   @Override
-  public Optional<String> only() {
-    return Optional.of(obstacle);
-  }
-
-  @Override
   public double factor(Geometry geometry, int line) {
-    if (!geometry.label(line).equals(obstacle)) {
+    if (only.isPresent() && !only.get().equals(geometry.label(line))) {
       return 1;
     }
     double cos = Math.cos(geometry.bearingRad(line));

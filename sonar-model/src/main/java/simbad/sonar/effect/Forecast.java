@@ -17,6 +17,9 @@ final class Forecast {
   /** The ghost of an echo of a lesser share is left out. */
   private static final double HAUNTS = 1e-5;
 
+  /** Of so many echoes at most, the likeliest, ghosts are followed: else they multiply. */
+  private static final int HAUNTING = 24;
+
   /** The least share that is worth a part in a distribution, which is asked for quantiles. */
   private static final double TOLD = 1e-5;
 
@@ -77,11 +80,21 @@ final class Forecast {
       }
     }
     slots = memory.stale() == null ? 2 : Math.min(slots + 1, HiddenState.MOST + 2);
+    if (memory.ghosts()) {
+      blur();
+    }
     Mixture[][] spent = state;
     state = next;
     next = spent;
     System.arraycopy(nextNothing, 0, nothing, 0, 2);
     return read();
+  }
+
+  private void blur() {
+    for (int slot = 1; slot < slots; slot++) {
+      next[0][slot].blur();
+      next[1][slot].blur();
+    }
   }
 
   private void start() {
@@ -129,14 +142,15 @@ final class Forecast {
     }
     double repeats = memory.repeats(slot, log.timeS(ping) - log.timeS(ping - slot));
     if (memory.ghosts()) {
+      double least = Math.max(HAUNTS, before.shareOfRank(HAUNTING));
       double rest = 0;
       for (int part = 0; part < before.size(); part++) {
-        rest += before.share(part) > HAUNTS ? 0 : before.share(part);
+        rest += before.share(part) > least ? 0 : before.share(part);
       }
       one.clear();
       double silentAfterRest = rest > 0 ? expect(ping, inBurst, slot, rest) : 0;
       for (int part = 0; part < before.size(); part++) {
-        if (!(before.share(part) > HAUNTS)) {
+        if (!(before.share(part) > least)) {
           miss(inBurst, slot, part, before.share(part) * silentAfterRest, repeats);
           continue;
         }
@@ -176,6 +190,7 @@ final class Forecast {
       mixture.merge(state[0][slot], 1, TOLD);
       mixture.merge(state[1][slot], 1, TOLD);
     }
+    mixture.blur();
     return mixture;
   }
 }

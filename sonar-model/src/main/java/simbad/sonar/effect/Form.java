@@ -13,6 +13,8 @@ import java.util.Optional;
  * @param maker of the change
  */
 public record Form(Optional<Effect> of, String name, List<Parameter> parameters, Maker maker) {
+  private static final int LARGEST_SEARCHED = 12;
+
   /** Copies the parameters. */
   public Form {
     parameters = List.copyOf(parameters);
@@ -21,6 +23,14 @@ public record Form(Optional<Effect> of, String name, List<Parameter> parameters,
   /** Creates a form of an effect. */
   public Form(Effect effect, String name, List<Parameter> parameters, Maker maker) {
     this(Optional.of(effect), name, parameters, maker);
+  }
+
+  /**
+   * Tells whether it is a table: so many values that they are read off a log one by one, since
+   * moving all of them at once leads nowhere.
+   */
+  public boolean isTable() {
+    return parameters.size() > LARGEST_SEARCHED;
   }
 
   /**

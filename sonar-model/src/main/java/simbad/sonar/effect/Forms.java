@@ -15,6 +15,9 @@ public final class Forms {
   /** Bearings of a fitted table, as many as the thesis measured. */
   public static final int TABLE_SIZE = 72;
 
+  /** Waves of a fitted shadow of few lobes. */
+  public static final int SHADOW_WAVES = 3;
+
   private static final Parameter SHARE = Parameter.of("share", 0, 0, 1, 0.05, 0.2, 0.5);
   private static final Parameter SMALL_SHARE = Parameter.of("share", 0, 0, 0.7, 0.03, 0.1, 0.3);
 
@@ -154,6 +157,15 @@ public final class Forms {
         SMALL_SHARE,
         low,
         high);
+    add(
+        Effect.CROSSTALK,
+        "walking",
+        v -> new WalkingCrosstalk(v[0], v[1], v[2], v[3], v[4]),
+        SMALL_SHARE,
+        Parameter.of("high_m", most, 0.5, 3 * most, most),
+        Parameter.of("step_m", 0.1, -1, 1, 0.1),
+        Parameter.of("start_m", 0, -3 * most, 3 * most, 0),
+        Parameter.of("spread_m", 0, 0, 0.1, 0.01));
   }
 
   private void detours() {
@@ -172,6 +184,12 @@ public final class Forms {
         SMALL_SHARE,
         Parameter.of("factor", 1, 1.02, 3, 1.2, 1.5, 2),
         spread);
+    add(
+        Effect.MULTIPATH,
+        "tail",
+        v -> new TailedMultipath(v[0], v[1]),
+        SMALL_SHARE,
+        Parameter.of("mean_extra_m", 0, 0.02, 1, 0.08, 0.2, 0.5));
     add(
         Effect.MULTIPATH,
         "both",

@@ -45,6 +45,9 @@ public final class Geometry {
 
   private final boolean[] empty;
 
+  /** Of pings of no log: how often each transducer has looked. */
+  private final int[] sent;
+
   private final SightLine sight = new SightLine();
   private final TransducerPose from = new TransducerPose();
 
@@ -95,6 +98,7 @@ public final class Geometry {
     outlineOffAxisRad = new double[lines];
     nearestOffAxisRad = new double[lines];
     empty = new boolean[pings];
+    sent = new int[pings];
   }
 
   /** Tells whether a change has to be known before geometry can be computed. */
@@ -125,11 +129,20 @@ public final class Geometry {
     return sensor;
   }
 
+  /**
+   * Returns how many pings its transducer sent before a ping since the start of the run, of those
+   * that are known.
+   */
+  public int order(int ping) {
+    return ping < log.size() ? ping - log.sequenceStart(ping) : sent[ping] - 1;
+  }
+
   /** Looks from a pose, which is where the sensor really is. */
   void look(int ping, TruePose pose) {
     xM[ping] = pose.xM();
     zM[ping] = pose.zM();
     headingRad[ping] = pose.headingRad();
+    sent[ping]++;
     if (ping < log.size() && pose.headingRad() == log.headingRad(ping)) {
       // A fit looks from the same poses thousands of times.
       from.aim(xM[ping], zM[ping], log.directionX(ping), log.directionZ(ping));

@@ -120,7 +120,7 @@ final class Likelihood {
       echo[inBurst][heard] = mixture.within(from, model.stepEndM(log.rangeM(ping)));
       below[inBurst][heard] = mixture.within(Double.NEGATIVE_INFINITY, from);
     }
-    if (memory.ghosts()) {
+    if (memory.ghosts() && log.echo(ping)) {
       all.merge(mixture, weight(inBurst, heard), 0);
     }
   }

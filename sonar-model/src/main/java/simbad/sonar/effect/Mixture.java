@@ -1,7 +1,9 @@
 package simbad.sonar.effect;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.random.RandomGenerator;
+import java.util.stream.IntStream;
 
 /**
  * What a reading is drawn from: parts, each with its share, Gaussian or evenly spread; the share
@@ -16,6 +18,12 @@ public final class Mixture {
 
   /** A range that is so little below a step lies in it: sums of ranges are that inexact. */
   private static final double ROUNDING_M = 1e-11;
+
+  /** So many parts are kept as they are. */
+  private static final int FEW = 24;
+
+  /** Parts that are nearer than this share of their deviation are hard to tell apart. */
+  private static final double NEAR = 0.25;
 
   private int size;
   private double[] meanM = new double[8];
@@ -133,6 +141,64 @@ public final class Mixture {
         addPart(other, i, more);
       }
     }
+  }
+
+  /** Returns the share of the part that so many parts exceed; 0 where there are not more. */
+  double shareOfRank(int rank) {
+    if (size <= rank) {
+      return 0;
+    }
+    double[] sorted = Arrays.copyOf(share, size);
+    Arrays.sort(sorted);
+    return sorted[size - 1 - rank];
+  }
+
+  /**
+   * Makes one part of Gaussian parts that hardly differ, with their mean and variance, where there
+   * are many parts: ghosts of ghosts of late echoes are many and blur into one another.
+   */
+  void blur() {
+    if (size <= FEW) {
+      return;
+    }
+    int[] order =
+        IntStream.range(0, size)
+            .boxed()
+            .sorted(Comparator.comparingDouble(part -> meanM[part]))
+            .mapToInt(Integer::intValue)
+            .toArray();
+    Mixture blurred = new Mixture();
+    for (int part : order) {
+      int last = blurred.size - 1;
+      if (last >= 0 && blurred.isNear(last, this, part)) {
+        blurred.join(last, this, part);
+      } else {
+        blurred.addPart(this, part, share[part]);
+      }
+    }
+    clear();
+    for (int part = 0; part < blurred.size; part++) {
+      addPart(blurred, part, blurred.share[part]);
+    }
+  }
+
+  private boolean isNear(int own, Mixture other, int part) {
+    double least = Math.min(deviationM[own], other.deviationM[part]);
+    double most = Math.max(deviationM[own], other.deviationM[part]);
+    return Math.abs(meanM[own] - other.meanM[part]) < NEAR * least && most < (1 + NEAR) * least;
+  }
+
+  private void join(int own, Mixture other, int part) {
+    double all = share[own] + other.share[part];
+    double weight = all > 0 ? other.share[part] / all : 0;
+    double apart = other.meanM[part] - meanM[own];
+    double variance =
+        (1 - weight) * deviationM[own] * deviationM[own]
+            + weight * other.deviationM[part] * other.deviationM[part]
+            + weight * (1 - weight) * apart * apart;
+    meanM[own] += weight * apart;
+    deviationM[own] = Math.sqrt(variance);
+    share[own] = all;
   }
 
   private int find(Mixture other, int part) {

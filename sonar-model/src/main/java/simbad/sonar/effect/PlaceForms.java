@@ -3,6 +3,7 @@ package simbad.sonar.effect;
 import static java.lang.Math.toRadians;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -12,6 +13,8 @@ import simbad.sonar.shape.ThresholdTable;
 
 /** The forms of effects on where sensors and obstacles are, and on each obstacle's thresholds. */
 final class PlaceForms {
+  private static final double MOST_THRESHOLD_M = 20;
+
   private final SensingSetup setup;
   private final List<String> sensors;
   private final List<Form> forms = new ArrayList<>();
@@ -59,6 +62,11 @@ final class PlaceForms {
         shadowed(labels.get(i), i, uniform.greatestM());
       }
     }
+    if (labels.size() > 1
+        && setup.scene().obstacles().stream()
+            .allMatch(obstacle -> obstacle.detection() instanceof UniformDetection)) {
+      waved("waves", Optional.empty());
+    }
   }
 
   private void placed(String name, Optional<String> only) {
@@ -84,7 +92,7 @@ final class PlaceForms {
                         "threshold_" + i * 360 / Forms.TABLE_SIZE + "_deg_m",
                         uniformM,
                         0,
-                        20,
+                        MOST_THRESHOLD_M,
                         uniformM))
             .toArray(Parameter[]::new);
     add(
@@ -92,6 +100,22 @@ final class PlaceForms {
         "table:" + label + "#" + obstacle,
         v -> new OrientationShadow(Optional.of(label), ThresholdTable.of(v)),
         table);
+    waved("waves:" + label + "#" + obstacle, Optional.of(label));
+  }
+
+  /** A shadow of few lobes, which few readings tell of. */
+  private void waved(String name, Optional<String> only) {
+    List<Parameter> series = new ArrayList<>();
+    series.add(Parameter.of("level", 0, -1, 1, 0));
+    for (int wave = 1; wave <= Forms.SHADOW_WAVES; wave++) {
+      series.add(Parameter.of("cos_" + wave, 0, -1, 1, 0));
+      series.add(Parameter.of("sin_" + wave, 0, -1, 1, 0));
+    }
+    add(
+        Effect.ORIENTATION_SHADOW,
+        name,
+        v -> new BearingFactor(only, Arrays.stream(v).boxed().toList()),
+        series.toArray(Parameter[]::new));
   }
 
   private void poses() {
@@ -127,9 +151,9 @@ final class PlaceForms {
     add(
         Effect.HEADING_DRIFT,
         "settling",
-        v -> new HeadingDrift(toRadians(v[0]), v[1], false),
-        drift,
-        Parameter.of("settling_s", Double.POSITIVE_INFINITY, 1, 1000, 10, 40));
+        v -> new HeadingDrift(toRadians(v[0] / v[1]), v[1], false),
+        Parameter.of("turn_deg", 0, -60, 60, -15, -5, 5, 15),
+        Parameter.of("settling_s", 10, 0.1, 1000, 1, 10, 40));
     add(
         Effect.HEADING_DRIFT,
         "way",

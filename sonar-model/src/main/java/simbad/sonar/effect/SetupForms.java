@@ -92,7 +92,7 @@ public final class SetupForms {
     }
     return form(
         "threshold:" + label,
-        v -> new BearingFactor(label, Arrays.stream(v).boxed().toList()),
+        v -> new BearingFactor(Optional.of(label), Arrays.stream(v).boxed().toList()),
         series.toArray(Parameter[]::new));
   }
 

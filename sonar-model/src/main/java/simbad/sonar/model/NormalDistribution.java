@@ -9,6 +9,11 @@ package simbad.sonar.model;
  */
 public final class NormalDistribution {
   private static final double TAIL = 5;
+
+  /** Beyond these the result is rounded to 1 and 0 anyhow. */
+  private static final double ONE_BEYOND = 9;
+
+  private static final double ZERO_BEYOND = 39;
   private static final int TAIL_TERMS = 60;
   private static final double LOG_ROOT_2_PI = 0.5 * Math.log(2 * Math.PI);
 
@@ -20,8 +25,11 @@ public final class NormalDistribution {
    * @param x any number, infinities included; of NaN it is NaN
    */
   public static double cumulative(double x) {
+    if (x > ONE_BEYOND) {
+      return 1;
+    }
     if (x < -TAIL) {
-      return tail(-x);
+      return x < -ZERO_BEYOND ? 0 : tail(-x);
     }
     return x > TAIL ? 1 - tail(x) : 0.5 + series(x);
   }

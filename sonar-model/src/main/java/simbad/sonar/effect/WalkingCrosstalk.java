@@ -1,0 +1,25 @@
+package simbad.sonar.effect;
+
+/**
+ * Another ranger with a period of its own is heard: the range that its sound seems to come from
+ * walks by the same step from ping to ping, round and round. It is read where it comes before the
+ * echo.
+ *
+ * @param share of the pings that hear it, in [0, 1]; 0 is neutral
+ * @param highM range at which it starts again from 0, metres
+ * @param stepM by how much it walks, metres for each ping
+ * @param startM range at the first ping of a transducer in a run, metres
+ * @param spreadM standard deviation of the range, metres
+ */
+public record WalkingCrosstalk(
+    double share, double highM, double stepM, double startM, double spreadM)
+    implements ArrivalChange {
+  @Override
+  public void add(Moment moment, Arrivals arrivals) {
+    if (share == 0) {
+      return;
+    }
+    double way = startM + stepM * moment.geometry().order(moment.ping());
+    arrivals.add(way - highM * Math.floor(way / highM), spreadM, share);
+  }
+}
