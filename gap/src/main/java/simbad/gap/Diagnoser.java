@@ -108,11 +108,9 @@ public final class Diagnoser {
       List<Scored> sets,
       Probabilities probabilities,
       boolean isFull) {
-    static Inquiry of(
-        Evidence evidence, Calibration calibration, double worthNats, Search search) {
+    static Inquiry of(Evidence evidence, Calibration calibration, double worthNats, Search search) {
       List<Scored> sets = search.run();
-      Probabilities probabilities =
-          weighed(evidence, sets, worthNats, calibration.clumping());
+      Probabilities probabilities = weighed(evidence, sets, worthNats, calibration.clumping());
       return new Inquiry(
           evidence, calibration, worthNats, search, sets, probabilities, !search.isOff());
     }

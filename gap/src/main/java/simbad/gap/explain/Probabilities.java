@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Effect;
 
 /** How probable each set of effects is among those that were fitted, and each effect. */
@@ -17,6 +18,8 @@ public final class Probabilities {
 
   /** Likelihoods of models that are all a little wrong are taken for less than they say. */
   private static final double TEMPERATURE = 2;
+
+  private static final double NATS_PER_VALUE = 0.5;
 
   private final List<Scored> sets;
   private final double[] weight;
@@ -38,7 +41,7 @@ public final class Probabilities {
       List<Effect> effects = set.hypothesis().effects();
       double shares = shares(effects.size());
       shares += UNSEEN * effects.stream().filter(unseen::contains).count();
-      double nats = set.heldOut() - costNats * shares;
+      double nats = set.heldOut() - costNats * shares - NATS_PER_VALUE * values(set.hypothesis());
       weight[i] = nats / (TEMPERATURE * clumping);
       most = Math.max(most, weight[i]);
     }
@@ -58,6 +61,11 @@ public final class Probabilities {
    */
   private static double shares(int effects) {
     return effects + 3.0 * Math.max(0, effects - 2) * Math.max(0, effects - 1) / 2;
+  }
+
+  /** Of sets that predict alike the one with fewer values is likelier; a table counts as one. */
+  private static int values(Hypothesis set) {
+    return set.forms().stream().mapToInt(f -> f.isTable() ? 1 : f.parameters().size()).sum();
   }
 
   /** Returns the most probable set. */

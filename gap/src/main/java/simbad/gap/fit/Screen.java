@@ -122,8 +122,6 @@ public final class Screen {
         ? begun
         : new Fitter(evidence, Fold.ALL)
             .approach(
-                begun.hypothesis(),
-                base.hypothesis().size(),
-                14 + 10 * form.parameters().size());
+                begun.hypothesis(), base.hypothesis().size(), 14 + 10 * form.parameters().size());
   }
 }

@@ -124,7 +124,9 @@ final class Starts {
       tries.set(
           1, modes(early().mapToDouble(i -> clues.log.rangeM(i - 1) - clues.log.rangeM(i)), 0.03));
     } else if (form.name().equals("line")) {
-      return lines(form, tries);
+      return lines(form, tries, early().toArray());
+    } else if (form.name().startsWith("read")) {
+      return lines(form, tries, clues.strangeEchoes().filter(clues::hasEchoBefore).toArray());
     } else if (form.name().equals("nearer")) {
       return nearer(form, tries);
     } else {
@@ -134,20 +136,14 @@ final class Starts {
     return all(form, tries);
   }
 
-  /** For each factor the shift that most early echoes agree on. */
-  private List<double[]> lines(Form form, List<List<Double>> tries) {
+  /** On lines that many of some echoes lie on. */
+  private List<double[]> lines(Form form, List<List<Double>> tries, int... echoes) {
     List<double[]> starts = new ArrayList<>();
-    for (double factor : tries.get(1)) {
-      tries.set(1, List.of(factor));
-      tries.set(
-          2,
-          Modes.of(
-              early().mapToDouble(i -> factor * clues.log.rangeM(i - 1) - clues.log.rangeM(i)),
-              0.03,
-              1));
-      starts.addAll(all(form, tries));
+    for (LineSearch.Line line : new LineSearch(clues.log, echoes).best()) {
+      starts.addAll(
+          product(form, tries.get(0), List.of(line.slope()), List.of(line.shiftM()), tries.get(3)));
     }
-    return starts;
+    return starts.isEmpty() ? all(form, tries) : starts;
   }
 
   /** Echoes too near by an amount: for pairs of factors the shift that most agree on. */

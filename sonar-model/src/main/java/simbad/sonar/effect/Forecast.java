@@ -155,7 +155,7 @@ final class Forecast {
           continue;
         }
         one.clear();
-        one.add(before.meanM(part), before.evenSpreadM(part), 1);
+        one.add(before.meanM(part), spreadM(before, part), 1);
         double silent = expect(ping, inBurst, slot, before.share(part));
         miss(inBurst, slot, part, before.share(part) * silent, repeats);
       }
@@ -165,6 +165,12 @@ final class Forecast {
         miss(inBurst, slot, part, before.share(part) * silent, repeats);
       }
     }
+  }
+
+  /** What a ghost scatters by because the reading before does; what answered stays where it is. */
+  private double spreadM(Mixture before, int part) {
+    double own = memory.asRead() ? before.deviationM(part) : 0;
+    return Math.hypot(own, before.evenSpreadM(part));
   }
 
   /** Adds what a ping reads after a state, times the state's share; returns the chance of none. */

@@ -189,7 +189,7 @@ public final class Forms {
         "tail",
         v -> new TailedMultipath(v[0], v[1]),
         SMALL_SHARE,
-        Parameter.of("mean_extra_m", 0, 0.02, 1, 0.08, 0.2, 0.5));
+        Parameter.of("mean_extra_m", 0, 0.05, 1, 0.08, 0.2, 0.5));
     add(
         Effect.MULTIPATH,
         "both",
@@ -217,7 +217,7 @@ public final class Forms {
         "bursts",
         v -> new Burst(v[0], v[1], 1),
         Parameter.of("share", 0, 0, 0.9, 0.1, 0.3),
-        Parameter.of("length_pings", 1, 1, 25, 3, 10));
+        Parameter.of("length_pings", 1, 1, 12, 3, 8));
   }
 
   private void thresholds() {
@@ -394,13 +394,14 @@ public final class Forms {
         GHOSTS,
         Parameter.of("factor", 1, 0.05, 0.96, 0.3, 0.5, 0.8),
         spread);
+    Parameter shift = Parameter.of("shift_m", 0, -0.3, 5, -0.05, 0.05);
     add(
         Effect.PREVIOUS_PING,
         "line",
         v -> new PreviousPing(v[0], v[1], v[2], v[3]),
         GHOSTS,
         Parameter.of("factor", 1, 0.05, 2.2, 0.3, 0.5, 0.8, 2),
-        Parameter.of("shift_m", 0, -0.3, 5, -0.05, 0.05),
+        shift,
         spread);
     add(
         Effect.PREVIOUS_PING,
@@ -410,6 +411,19 @@ public final class Forms {
         Parameter.of("own_factor", 1, 0.5, 2.2, 1, 2),
         Parameter.of("before_factor", 0, -1.5, 1, -0.3, -1),
         Parameter.of("shift_m", 0, -1, 3, 0, 0.2),
+        spread);
+    ghostReading("read-nearer", true, shift, spread);
+    ghostReading("read", false, shift, spread);
+  }
+
+  private void ghostReading(String name, boolean onlyNearer, Parameter shift, Parameter spread) {
+    add(
+        Effect.PREVIOUS_PING,
+        name,
+        v -> new GhostReading(v[0], v[1], v[2], v[3], onlyNearer),
+        GHOSTS,
+        Parameter.of("factor", 1, 0.05, 2.2, 0.5, 1, 2),
+        shift,
         spread);
   }
 

@@ -10,6 +10,9 @@ final class Likelihood {
 
   private static final double LEAST_SHARE = 0.01;
 
+  /** Of so many parts at most, the likeliest, a reading may have come. */
+  private static final int SOURCES = 4;
+
   private final DiagnosedModel model;
   private final PingLog log;
   private final PingModel pings;
@@ -120,7 +123,7 @@ final class Likelihood {
       echo[inBurst][heard] = mixture.within(from, model.stepEndM(log.rangeM(ping)));
       below[inBurst][heard] = mixture.within(Double.NEGATIVE_INFINITY, from);
     }
-    if (memory.ghosts() && log.echo(ping)) {
+    if (memory.ghosts() && !memory.asRead() && log.echo(ping)) {
       all.merge(mixture, weight(inBurst, heard), 0);
     }
   }
@@ -157,6 +160,11 @@ final class Likelihood {
       before.clear();
       return;
     }
+    if (memory.asRead()) {
+      before.clear();
+      before.add(log.rangeM(previous), 0, 1);
+      return;
+    }
     double low = model.stepStartM(log.rangeM(previous));
     double high = model.stepEndM(log.rangeM(previous));
     double total = all.within(low, high);
@@ -167,15 +175,25 @@ final class Likelihood {
       }
       return;
     }
+    double least = Math.max(LEAST_SHARE, shareOfRank(SOURCES, low, high) / total);
     before.clear();
     for (int i = 0; i < all.size(); i++) {
       double share = all.within(i, low, high) / total;
-      if (share > LEAST_SHARE) {
+      if (share > least) {
         boolean known = all.halfWidthM(i) == 0;
         before.add(known ? all.meanM(i) : log.rangeM(previous), 0, share);
       }
     }
     before.scaleShares(1 / before.echoShare());
+  }
+
+  /** The share of a reading that comes from the part that so many others exceed. */
+  private double shareOfRank(int rank, double low, double high) {
+    one.clear();
+    for (int i = 0; i < all.size(); i++) {
+      one.add(0, 0, all.within(i, low, high));
+    }
+    return one.shareOfRank(rank);
   }
 
   private boolean repeatsReading(int ping) {

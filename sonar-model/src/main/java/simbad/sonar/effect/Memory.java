@@ -10,21 +10,28 @@ import org.jspecify.annotations.Nullable;
  * @param hysteresis if what is heard hangs on whether the ping before was
  * @param stale if readings are repeated
  * @param ghosts whether what is read hangs on the reading before
+ * @param asRead whether it hangs on its number, not on what answered
  */
 record Memory(
     @Nullable Burst burst,
     @Nullable Hysteresis hysteresis,
     @Nullable StaleReading stale,
-    boolean ghosts) {
+    boolean ghosts,
+    boolean asRead) {
 
   static Memory of(List<? extends Change> changes) {
+    boolean asRead =
+        PingModel.of(GhostReading.class, changes).stream().anyMatch(ghost -> ghost.share() > 0)
+            || PingModel.of(NearerByPrevious.class, changes).stream()
+                .anyMatch(ghost -> ghost.share() > 0);
     return new Memory(
         only(Burst.class, changes),
         only(Hysteresis.class, changes),
         only(StaleReading.class, changes),
-        PingModel.of(PreviousPing.class, changes).stream().anyMatch(ping -> ping.share() > 0)
-            || PingModel.of(NearerByPrevious.class, changes).stream()
-                .anyMatch(ping -> ping.share() > 0));
+        asRead
+            || PingModel.of(PreviousPing.class, changes).stream()
+                .anyMatch(ping -> ping.share() > 0),
+        asRead);
   }
 
   private static <T extends MemoryChange> @Nullable T only(

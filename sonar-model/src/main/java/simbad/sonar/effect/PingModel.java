@@ -26,7 +26,7 @@ final class PingModel {
   private final RangeChange[] ranges;
   private final MixtureChange[] strangers;
   private final @Nullable Hysteresis hysteresis;
-  private final boolean ghosts;
+  private final boolean fromOrigin;
   private final Arrivals arrivals = new Arrivals();
   private final Mixture origin = new Mixture();
   private final Moment moment;
@@ -53,7 +53,7 @@ final class PingModel {
             .toArray(RangeChange[]::new);
     Memory memory = Memory.of(changes);
     hysteresis = memory.hysteresis();
-    ghosts = memory.ghosts();
+    fromOrigin = memory.ghosts() && !memory.asRead();
     moment = new Moment(geometry);
   }
 
@@ -97,7 +97,7 @@ final class PingModel {
         arrivals.add(geometry.nearestM(line), 0, echoProbability(line, heardBefore));
       }
     }
-    moment.set(ping, ghosts ? origin(before) : before);
+    moment.set(ping, fromOrigin ? origin(before) : before);
     for (ArrivalChange change : arrivalChanges) {
       change.add(moment, arrivals);
     }
@@ -160,7 +160,7 @@ final class PingModel {
       into.move(part, range, deviation);
     }
     for (MixtureChange change : strangers) {
-      change.apply(into);
+      change.apply(moment, into);
     }
   }
 }

@@ -62,9 +62,9 @@ final class Recollection {
     double measured = mixture.drawM(part, random);
     boolean known = mixture.halfWidthM(part) == 0;
     before.clear();
-    before.add(known ? mixture.meanM(part) : measured, 0, 1);
     slot = HiddenState.ECHO;
     lastM = model.reportedM(measured);
+    before.add(memory.asRead() ? lastM : known ? mixture.meanM(part) : measured, 0, 1);
     lastEchoS = timeS;
     return lastM;
   }

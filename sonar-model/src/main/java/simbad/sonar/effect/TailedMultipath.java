@@ -9,7 +9,7 @@ package simbad.sonar.effect;
  * @param meanExtraM mean of what the way is longer by, metres
  */
 public record TailedMultipath(double share, double meanExtraM) implements MixtureChange {
-  private static final double[] QUANTILES = {0, 0.15, 0.35, 0.6, 0.8, 0.93, 1};
+  private static final double[] QUANTILES = {0, 0.3, 0.65, 0.9, 1};
   private static final double[] MEAN = new double[QUANTILES.length - 1];
   private static final double[] DEVIATION = new double[QUANTILES.length - 1];
 

@@ -2,6 +2,7 @@ package simbad.sonar.effect;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -17,6 +18,7 @@ import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.TableDetection;
+import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.shape.ThresholdTable;
 
 /**
@@ -177,6 +179,87 @@ class EffectsClosedFormTest {
     assertReads(0.4 * P * WITHIN_1_25, 1.15, both);
     assertReads(0.6 * 0.5 * P * WITHIN_1_25, 0.85, both);
     assertEcho(P, both);
+  }
+
+  /** Of an exponential distribution of mean 0.3 m: mean and variance as they are. */
+  @Test
+  void multipath_withATail_keepsTheMoments() {
+    Mixture mixture = new Mixture();
+    mixture.add(1, 0.02, 0.5);
+    new TailedMultipath(0.4, 0.3).apply(mixture);
+    double share = 0;
+    double mean = 0;
+    double square = 0;
+    for (int part = 1; part < mixture.size(); part++) {
+      double from = mixture.meanM(part);
+      share += mixture.share(part);
+      mean += mixture.share(part) * from;
+      square += mixture.share(part) * (from * from + Math.pow(mixture.deviationM(part), 2));
+    }
+    assertEquals(0.3, mixture.share(0), 1e-12);
+    assertEquals(0.2, share, 1e-12);
+    assertEquals(1.3, mean / share, 1e-12);
+    assertEquals(0.3 * 0.3 + 0.02 * 0.02, square / share - 1.3 * 1.3, 1e-12);
+    // A quarter of the detours is shorter than 0.3 ln(4/3) = 0.0863 m, half than 0.2079 m.
+    assertEquals(0.25, (mixture.within(1, 1.0863) - 0.3 / 2) / 0.2, 0.06);
+    assertEquals(0.5, (mixture.within(1, 1.2079) - 0.3 / 2) / 0.2, 0.06);
+    assertEcho(P, new TailedMultipath(0.4, 0.3));
+  }
+
+  /** 0.225 m, 0.525 m, and 0.825 m, which is 0.225 m again: all are the middles of steps. */
+  @Test
+  void crosstalk_thatWalks_isReadWhereItComesFirst() {
+    Change crosstalk = new WalkingCrosstalk(0.3, 0.6, 0.3, 0.225, 0.015);
+    double[] expected = {0.2, 0.5, 0.2};
+    for (int ping = 0; ping < expected.length; ping++) {
+      OptionalDouble[] read = {Logs.SILENCE, Logs.SILENCE, Logs.SILENCE};
+      read[ping] = OptionalDouble.of(expected[ping]);
+      double found = sequence(List.of(crosstalk), read)[ping];
+      assertEquals(0.3 * 0.6826895, found, 1e-6, "ping " + ping);
+    }
+    assertEcho(0.3 + 0.7 * P, crosstalk);
+    assertReads(0.7 * P * WITHIN_1_25, 0.85, crosstalk);
+  }
+
+  /** Pings from the same place, 0.1 s apart. */
+  private static double[] sequence(List<Change> changes, OptionalDouble... read) {
+    List<ReadingRow> rows = new ArrayList<>();
+    for (int ping = 0; ping < read.length; ping++) {
+      rows.add(Logs.row(0.1 * ping, Pose.of(0, 0, 0), read[ping]));
+    }
+    return Logs.likelihood(SETUP, rows, changes);
+  }
+
+  /** The ghost of a reading of 0.85 m is read at 2 * 0.85 - 1.175 = 0.525, or 0.4 farther. */
+  @Test
+  void ghostReading_isMadeOfTheReadingBefore() {
+    OptionalDouble before = OptionalDouble.of(0.85);
+    for (boolean onlyNearer : new boolean[] {true, false}) {
+      List<Change> near = List.of(new GhostReading(0.3, 2, 1.175, 0.016, onlyNearer));
+      double ghost = 0.3 * (2 * 0.940915 - 1); // 0.025 / 0.016 is 1.5625 deviations.
+      assertEquals(ghost, sequence(near, before, OptionalDouble.of(0.5))[1], 1e-5);
+      double own = 0.7 * P * WITHIN_1_25;
+      assertEquals(own, sequence(near, before, OptionalDouble.of(0.85))[1], 1e-6);
+      assertEquals(0.7 * (1 - P), sequence(near, before, Logs.SILENCE)[1], 1e-6);
+      assertEquals(1 - P, sequence(near, Logs.SILENCE, Logs.SILENCE)[1], 1e-6);
+      List<Change> far = List.of(new GhostReading(0.3, 2, 0.425, 0.001, onlyNearer));
+      double taken = onlyNearer ? 0.3 * (1 - P) : 0.3;
+      assertEquals(taken, sequence(far, before, OptionalDouble.of(1.25))[1], 1e-6);
+      double left = (onlyNearer ? 1 : 0.7) * P * WITHIN_1_25;
+      assertEquals(left, sequence(far, before, OptionalDouble.of(0.85))[1], 1e-6);
+    }
+  }
+
+  /** Twice with a ghost whatever was read: silent only when no ghost and no echo comes. */
+  @Test
+  void ghostReading_runsForward() {
+    List<ReadingRow> rows =
+        List.of(
+            Logs.row(0, Pose.of(0, 0, 0), Logs.SILENCE),
+            Logs.row(0.1, Pose.of(0, 0, 0), Logs.SILENCE));
+    Change ghost = new GhostReading(0.3, 1, 0.5, 0, false);
+    double silent = Logs.forecast(SETUP, rows, List.of(ghost)).get(1).noEchoProbability();
+    assertEquals((1 - P) * (1 - P) + P * 0.7 * (1 - P), silent, 1e-6);
   }
 
   @Test
@@ -371,8 +454,10 @@ class EffectsClosedFormTest {
     assertReads(softer * 0.6826895, 0.85, new SensorScatter(0.2, 0.025, 0.2));
     // At bearing 270: cos is 0, sin -1, cos 2b is -1, sin 2b 0.
     List<Double> series = List.of(0.1, 9.0, 0.02, 0.05, 9.0);
-    assertEcho(echo(1, 1.2 * (1 + 0.1 - 0.02 - 0.05)), new BearingFactor("box", series));
-    assertEcho(P, new BearingFactor("post", series));
-    assertEcho(0, new BearingFactor("box", List.of(-2.0)));
+    assertEcho(
+        echo(1, 1.2 * (1 + 0.1 - 0.02 - 0.05)), new BearingFactor(Optional.of("box"), series));
+    assertEcho(P, new BearingFactor(Optional.of("post"), series));
+    assertEcho(echo(1, 1.2 * (1 + 0.1 - 0.02 - 0.05)), new BearingFactor(Optional.empty(), series));
+    assertEcho(0, new BearingFactor(Optional.of("box"), List.of(-2.0)));
   }
 }

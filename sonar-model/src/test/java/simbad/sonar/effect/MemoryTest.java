@@ -188,10 +188,11 @@ class MemoryTest {
     assertEquals(1, Logs.likelihood(SETUP, rows, changes)[1], 1e-12);
   }
 
-  /** Twice 0.875 m less the 0.875 m before less 0.3 m; the farther box's would not be nearer. */
+  /** Twice 0.875 m less what was read before and so much that 0.575 m is left. */
   @Test
   void nearerByPrevious_standsInThePlaceOfTheEcho() {
-    List<Change> changes = List.of(new NearerByPrevious(0.4, 2, -1, 0.3, 0));
+    double shift = 2 * 0.875 - HistoryTree.rounded(0.875) - 0.575;
+    List<Change> changes = List.of(new NearerByPrevious(0.4, 2, -1, shift, 0));
     double[] plain = Logs.likelihood(SETUP, twice(0.875, 0.875), List.of());
     assertEquals(0.4 * plain[1], Logs.likelihood(SETUP, twice(0.875, 0.575), changes)[1], 1e-12);
     assertEquals(0.6 * plain[1], Logs.likelihood(SETUP, twice(0.875, 0.875), changes)[1], 1e-12);

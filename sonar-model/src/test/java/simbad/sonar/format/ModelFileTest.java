@@ -43,7 +43,7 @@ class ModelFileTest {
         List.of(
             new NoiseTails(0.25, 0.04),
             new BearingFactor(
-                "post",
+                Optional.of("post"),
                 DoubleStream.concat(
                         DoubleStream.of(0.01, 0.02, 0, 0, -0.03), DoubleStream.of(new double[10]))
                     .boxed()

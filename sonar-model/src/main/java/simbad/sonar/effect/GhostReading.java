@@ -1,0 +1,56 @@
+package simbad.sonar.effect;
+
+/**
+ * A reading is made of the one before, as that was read: its echo's multiple, or what is left of
+ * one that comes a period later.
+ *
+ * @param share of the pings after an echo, in [0, 1]; 0 is neutral
+ * @param factor what the reading before is multiplied by
+ * @param shiftM what is taken from it then, metres
+ * @param spreadM standard deviation of that, metres
+ * @param onlyNearer whether it is read only where it comes before the ping's own echo
+ */
+public record GhostReading(
+    double share, double factor, double shiftM, double spreadM, boolean onlyNearer)
+    implements MixtureChange {
+  private static final double LEAST_RANGE_M = 0.02;
+
+  @Override
+  public boolean beforeRange() {
+    return false;
+  }
+
+  /** Without a reading before nothing changes. */
+  @Override
+  public void apply(Mixture mixture) {}
+
+  @Override
+  public void apply(Moment moment, Mixture mixture) {
+    Mixture before = moment.before();
+    if (share == 0 || before.size() == 0) {
+      return;
+    }
+    int parts = mixture.size();
+    double silent = Math.max(0, 1 - mixture.echoShare());
+    double[] left = new double[parts];
+    java.util.Arrays.fill(left, 1);
+    for (int other = 0; other < before.size(); other++) {
+      double range = factor * before.meanM(other) - shiftM;
+      if (range > LEAST_RANGE_M) {
+        double chance = share * before.share(other);
+        double taken = silent;
+        for (int part = 0; part < parts; part++) {
+          if (!onlyNearer || range < mixture.meanM(part)) {
+            taken += mixture.share(part);
+            left[part] -= chance;
+          }
+        }
+        double deviation = Math.hypot(spreadM, factor * before.deviationM(other));
+        mixture.add(range, deviation, chance * taken);
+      }
+    }
+    for (int part = 0; part < parts; part++) {
+      mixture.scaleShare(part, Math.max(0, left[part]));
+    }
+  }
+}
