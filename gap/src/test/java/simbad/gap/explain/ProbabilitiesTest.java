@@ -18,31 +18,43 @@ class ProbabilitiesTest {
     return new Scored(set, nats, nats);
   }
 
-  /** One effect that gains just its cost is as probable as none. */
+  /** One effect that gains just its cost, and half a nat for its value, is as probable as none. */
   @Test
   void anEffectCosts() {
     Probabilities even =
         new Probabilities(
-            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -90)), 10, 1, Set.of());
+            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -89.5)), 10, 1, Set.of());
     assertEquals(0.5, even.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
     Probabilities four =
         new Probabilities(
-            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -86)), 10, 1, Set.of());
+            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -85.5)), 10, 1, Set.of());
     assertEquals(1 / (1 + Math.exp(-2)), four.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
     assertEquals(GAIN, four.best().hypothesis());
     Probabilities clumped =
         new Probabilities(
-            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -86)), 10, 2, Set.of());
+            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -85.5)), 10, 2, Set.of());
     assertEquals(1 / (1 + Math.exp(-1)), clumped.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
   }
 
   /** What does not show in the gap costs five times as much. */
   @Test
   void anUnseenEffectCostsMore() {
-    List<Scored> sets = List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -60));
+    List<Scored> sets = List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -59.5));
     assertEquals(GAIN, new Probabilities(sets, 10, 1, Set.of()).best().hypothesis());
     Probabilities unseen = new Probabilities(sets, 10, 1, Set.of(Effect.GAIN));
     assertEquals(1 / (1 + Math.exp(5)), unseen.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
+  }
+
+  /** A turn of all headings, as a misalignment or as a drift that settles at once. */
+  @Test
+  void ofSetsThatPredictAlike_theOneWithFewerValuesIsLikelier() {
+    Hypothesis settling = Worlds.effect(Effect.HEADING_DRIFT, "settling", 5, 0.1);
+    Hypothesis turn = Worlds.effect(Effect.BEAM_MISALIGNMENT, "all", 5);
+    Probabilities alike =
+        new Probabilities(List.of(scored(settling, -50), scored(turn, -50)), 10, 1, Set.of());
+    assertEquals(turn, alike.best().hypothesis());
+    assertEquals(
+        1 / (1 + Math.exp(0.25)), alike.ofEffects().getOrDefault(Effect.HEADING_DRIFT, 0.0), 1e-12);
   }
 
   @Test
