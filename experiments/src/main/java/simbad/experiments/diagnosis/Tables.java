@@ -86,7 +86,13 @@ final class Tables {
     row(
         "<code>" + Html.escaped(parameter.name()) + "</code>",
         "#" + Html.number(parameter.value()) + unit,
-        "#" + Html.number(ends.low()) + " to " + Html.number(ends.high()) + unit);
+        "#" + interval(ends, unit));
+  }
+
+  private static String interval(Interval ends, String unit) {
+    return Double.isInfinite(ends.low()) && Double.isInfinite(ends.high())
+        ? "not known from these data"
+        : Html.number(ends.low()) + " to " + Html.number(ends.high()) + unit;
   }
 
   void undetectable(List<Undetectable> undetectable) {

@@ -44,7 +44,7 @@ class DiagnosisPageTest {
         "Where most of it lies: bearing 100 to 170°, distance from 0.5 m: missed echo, 41 % of the"
             + " gap, 420.00 cm before and 90.00 cm after.",
         "factor 0.5 0.45 to 0.55",
-        "loss_per_m 0.123 1/m no bound to no bound 1/m",
+        "loss_per_m 0.123 1/m not known from these data",
         "dead-zone end_m 0.06 m",
         "stale-reading hold_s at no size",
         "To tell gain and absorption apart, measure at the 40 poses of next-experiment.csv",
