@@ -23,14 +23,11 @@ import simbad.sonar.scene.TableDetection;
 public class ConeBeltBenchmark extends BeltBenchmark {
   private static final long SEED = 1;
 
-  /** Flat sides look to the cells: over its corners the square is hardly heard. */
-  private static final double TURN_RAD = Math.PI / 4;
-
   /** When an obstacle echoes. */
   @Param DetectionRule rule;
 
   /** Number of obstacles. */
-  @Param({"1", "10", "100"})
+  @Param({"1", "10", "100", "500", "1000", "5000"})
   int obstacles;
 
   /** Builds the scene. */
@@ -51,7 +48,7 @@ public class ConeBeltBenchmark extends BeltBenchmark {
   private static Obstacle obstacle(ObstacleType type, Point at) {
     return new Obstacle(
         type.name(),
-        new Placement(at.xM(), at.zM(), TURN_RAD),
+        new Placement(at.xM(), at.zM(), Belt.TURN_RAD),
         type.outline(),
         new TableDetection(type.thresholds().table()));
   }

@@ -16,7 +16,7 @@ public class RayBeltBenchmark extends BeltBenchmark {
   private static final float RANGE_M = 1.5f;
 
   /** Number of boxes. */
-  @Param({"1", "10", "100", "500"})
+  @Param({"1", "10", "100", "500", "5000"})
   int boxes;
 
   private final BeltLayout layout = BeltLayout.ring(RADIUS_M, RANGE_M, Arena.SONARS);
