@@ -33,7 +33,7 @@ public class ConeBeltBenchmark extends BeltBenchmark {
   /** Builds the scene. */
   @Setup
   public void build() {
-    Grid grid = new Grid(obstacles);
+    Grid grid = new Grid(obstacles, 1);
     List<ObstacleType> types = Catalogue.types();
     Scene scene =
         new Scene(
@@ -42,7 +42,7 @@ public class ConeBeltBenchmark extends BeltBenchmark {
                 .toList());
     measure(
         rule.bind(Catalogue.srf04(), scene, new SplittableRandom(SEED)),
-        new Circle(grid.cell(0, 1), BeltLayout.ring(0, 1, Arena.SONARS)));
+        new Circle(grid.cell(0), BeltLayout.ring(0, 1, Arena.SONARS)));
   }
 
   private static Obstacle obstacle(ObstacleType type, Point at) {

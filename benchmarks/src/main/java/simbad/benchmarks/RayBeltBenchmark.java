@@ -24,14 +24,13 @@ public class RayBeltBenchmark extends BeltBenchmark {
   /** Builds the scene. */
   @Setup
   public void build() {
-    Grid grid = new Grid(boxes);
+    Grid grid = new Grid(boxes, 1);
     Scene scene = new Scene();
     for (int i = 0; i < boxes; i++) {
       scene.addFixed(box(grid.post(i)));
     }
     measure(
-        new RaySensor(scene, new Solid(new Placement()), layout),
-        new Circle(grid.cell(0, 1), layout));
+        new RaySensor(scene, new Solid(new Placement()), layout), new Circle(grid.cell(0), layout));
   }
 
   private static Solid box(Point at) {

@@ -23,6 +23,7 @@ final class Subcommands {
         new PredictCommand(),
         new BlindCheckCommand(),
         new BatchCommand(),
+        new BatchPlotCommand(),
         new TestCommand());
   }
 }
