@@ -28,7 +28,9 @@ class LaunchedSparkTest {
   @SuppressWarnings("NullAway.Init")
   private Path root;
 
-  /** A project that is built already, so that no Maven runs on the files of the one that runs this. */
+  /**
+   * A project that is built already, so that no Maven runs on the files of the one that runs this.
+   */
   @BeforeEach
   void layOutABuild() throws IOException {
     Path launcher = root.resolve("experiments/target/launcher");
@@ -43,7 +45,8 @@ class LaunchedSparkTest {
       Path jar = ofThisModule ? spark.resolve("cluster.jar") : build.resolve(number++ + ".jar");
       if (Files.isDirectory(path)) {
         pack(path, jar);
-      } else if (Files.isRegularFile(path) && !Files.exists(SPARK_JARS.resolve(path.getFileName()))) {
+      } else if (Files.isRegularFile(path)
+          && !Files.exists(SPARK_JARS.resolve(path.getFileName()))) {
         Files.copy(path, jar);
       }
     }

@@ -79,7 +79,7 @@ public record Tuning(List<Setting> settings, int leftOut) {
       }
     }
     if (settings.isEmpty()) {
-      throw new DataFormatException(results + ": no row has an error at a setting of both");
+      throw DataFormatException.inFile(results, "no row has an error at a setting of both");
     }
     return new Tuning(settings, leftOut);
   }

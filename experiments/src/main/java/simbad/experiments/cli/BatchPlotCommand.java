@@ -128,7 +128,10 @@ final class BatchPlotCommand extends Subcommand {
 
   private String said(Tuning tuning, String sensor) {
     Tuning.Setting best = tuning.chosenWith(sensor);
-    String why = tuning.isIndifferent(sensor) ? "the same error everywhere, the least time" : "the least error";
+    String why =
+        tuning.isIndifferent(sensor)
+            ? "the same error everywhere, the least time"
+            : "the least error";
     return String.format(
         Locale.ROOT,
         "%s: %s %s, %s %s (%s: %.2f cm, %.0f s)",

@@ -98,8 +98,7 @@ final class FidelityCommand extends Subcommand {
     }
     SensorKind kind =
         SensorArgument.parse(sensor)
-            .orElseThrow(
-                () -> wrongUsage("--sensor: '" + sensor + "' is not one of " + SensorKind.words()));
+            .orElseThrow(() -> wrongUsage("--sensor: " + SensorArgument.unknown(sensor)));
     List<ObstacleType> types = new ArrayList<>();
     for (String obstacle : obstacles) {
       types.add(ObstacleArgument.parse(obstacle));

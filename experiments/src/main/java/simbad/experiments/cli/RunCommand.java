@@ -162,8 +162,7 @@ final class RunCommand extends Subcommand {
     for (String word : sensors) {
       SensorKind kind =
           SensorArgument.parse(word)
-              .orElseThrow(
-                  () -> wrongUsage("--sensor: '" + word + "' is not one of " + SensorKind.words()));
+              .orElseThrow(() -> wrongUsage("--sensor: " + SensorArgument.unknown(word)));
       if (!kinds.add(kind)) {
         throw wrongUsage("--sensor: " + word + " stands twice");
       }

@@ -24,6 +24,8 @@ final class Subcommands {
         new BlindCheckCommand(),
         new BatchCommand(),
         new BatchPlotCommand(),
+        new DoctorCommand(),
+        new CompletionCommand(),
         new TestCommand());
   }
 }

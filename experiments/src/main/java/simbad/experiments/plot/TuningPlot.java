@@ -17,14 +17,16 @@ import org.knowm.xchart.XYChart;
  * @param curves at least one, names distinct
  * @param marks may be empty
  */
-public record TuningPlot(
-    Caption caption, String parameter, List<Line> curves, List<Line> marks) {
+public record TuningPlot(Caption caption, String parameter, List<Line> curves, List<Line> marks) {
   private static final int WIDTH = 540;
   private static final double ASPECT = 0.6;
   private static final int PARTS = 7;
 
   /** Of the line that the marks' size follows from. */
-  private static final float MARK = 6;
+  private static final float MARK = 5;
+
+  /** Along the legend's line, where its one dot stands. */
+  private static final float HALF_WAY = 19;
 
   /**
    * Points with a name in the legend.
@@ -71,6 +73,7 @@ public record TuningPlot(
     List<Curve> lines = curves.stream().map(line -> curve(line, scale, false)).toList();
     List<Curve> dots = marks.stream().map(line -> curve(line, scale, true)).toList();
     Frame.add(chart, lines);
+    dots.forEach(dot -> dot.setLineStyle(Ink.round(dot.look().dotSize(), 0, HALF_WAY, 0.01f, 90)));
     Frame.add(chart, dots);
     Ticks ticks = ticks(scale);
     Dimension size = Frame.fit(chart, ticks, ASPECT);
