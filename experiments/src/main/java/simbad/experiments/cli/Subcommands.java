@@ -24,6 +24,7 @@ final class Subcommands {
         new BlindCheckCommand(),
         new BatchCommand(),
         new BatchPlotCommand(),
+        new DocsCommand(),
         new DoctorCommand(),
         new CompletionCommand(),
         new TestCommand());

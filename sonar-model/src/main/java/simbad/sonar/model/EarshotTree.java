@@ -27,6 +27,11 @@ final class EarshotTree {
    */
   private final double[] boxes;
 
+  /** Where in the order the obstacles of a box begin, and where they have ended. */
+  private final int[] from;
+
+  private final int[] until;
+
   /**
    * Builds the tree.
    *
@@ -38,28 +43,33 @@ final class EarshotTree {
     this.earshotM = earshotM;
     order = IntStream.range(0, obstacles.length).toArray();
     int least = Math.max(1, (obstacles.length + FEW - 1) / FEW);
-    boxes = new double[SIDES * 4 * Integer.highestOneBit(least)];
+    int most = 4 * Integer.highestOneBit(least);
+    boxes = new double[SIDES * most];
+    from = new int[most];
+    until = new int[most];
     divide(0, 0, order.length);
   }
 
-  private void divide(int box, int from, int to) {
-    enclose(box, from, to);
-    if (to - from > FEW) {
+  private void divide(int box, int first, int end) {
+    from[box] = first;
+    until[box] = end;
+    enclose(box, first, end);
+    if (end - first > FEW) {
       int at = SIDES * box;
       boolean wide = boxes[at + 2] - boxes[at] > boxes[at + 3] - boxes[at + 1];
-      sort(from, to, wide);
-      int middle = (from + to) >>> 1;
-      divide(2 * box + 1, from, middle);
-      divide(2 * box + 2, middle, to);
+      sort(first, end, wide);
+      int middle = (first + end) >>> 1;
+      divide(2 * box + 1, first, middle);
+      divide(2 * box + 2, middle, end);
     }
   }
 
-  private void enclose(int box, int from, int to) {
+  private void enclose(int box, int first, int end) {
     double leastX = Double.POSITIVE_INFINITY;
     double leastZ = Double.POSITIVE_INFINITY;
     double greatestX = Double.NEGATIVE_INFINITY;
     double greatestZ = Double.NEGATIVE_INFINITY;
-    for (int i = from; i < to; i++) {
+    for (int i = first; i < end; i++) {
       PlacedObstacle obstacle = obstacles[order[i]];
       double radius = earshotM[order[i]] * (1 + ROUNDING);
       leastX = Math.min(leastX, obstacle.xM() - radius);
@@ -74,14 +84,14 @@ final class EarshotTree {
     boxes[at + 3] = greatestZ;
   }
 
-  private void sort(int from, int to, boolean byX) {
+  private void sort(int first, int end, boolean byX) {
     int[] sorted =
-        IntStream.range(from, to)
+        IntStream.range(first, end)
             .mapToObj(i -> order[i])
             .sorted(Comparator.comparingDouble(i -> byX ? obstacles[i].xM() : obstacles[i].zM()))
             .mapToInt(i -> i)
             .toArray();
-    System.arraycopy(sorted, 0, order, from, sorted.length);
+    System.arraycopy(sorted, 0, order, first, sorted.length);
   }
 
   /** Returns the greatest earshot in metres; 0 without obstacles. */
@@ -94,38 +104,35 @@ final class EarshotTree {
   }
 
   /**
-   * Reports the index of every obstacle whose earshot is no further than a way from a place, and
-   * maybe of some a little beyond; in no order.
+   * Reports the index of every obstacle whose earshot is no further than a way from a place; in no
+   * order. Allocates nothing.
    */
   void find(double xM, double zM, double withinM, IntConsumer found) {
-    find(new Query(xM, zM, withinM, found), 0, 0, order.length);
+    find(0, xM, zM, withinM, found);
   }
 
-  private void find(Query query, int box, int from, int to) {
-    if (!query.reaches(boxes, SIDES * box)) {
+  private void find(int box, double xM, double zM, double withinM, IntConsumer found) {
+    if (!reaches(SIDES * box, xM, zM, withinM)) {
       return;
     }
-    if (to - from > FEW) {
-      int middle = (from + to) >>> 1;
-      find(query, 2 * box + 1, from, middle);
-      find(query, 2 * box + 2, middle, to);
+    if (until[box] - from[box] > FEW) {
+      find(2 * box + 1, xM, zM, withinM, found);
+      find(2 * box + 2, xM, zM, withinM, found);
       return;
     }
-    for (int i = from; i < to; i++) {
+    for (int i = from[box]; i < until[box]; i++) {
       int obstacle = order[i];
-      double reach = earshotM[obstacle] * (1 + ROUNDING) + query.withinM;
-      if (obstacles[obstacle].centreDistanceM(query.xM, query.zM) <= reach) {
-        query.found.accept(obstacle);
+      double reach = earshotM[obstacle] * (1 + ROUNDING) + withinM;
+      if (obstacles[obstacle].centreDistanceM(xM, zM) <= reach) {
+        found.accept(obstacle);
       }
     }
   }
 
-  private record Query(double xM, double zM, double withinM, IntConsumer found) {
-    boolean reaches(double[] boxes, int at) {
-      return xM >= boxes[at] - withinM
-          && zM >= boxes[at + 1] - withinM
-          && xM <= boxes[at + 2] + withinM
-          && zM <= boxes[at + 3] + withinM;
-    }
+  private boolean reaches(int at, double xM, double zM, double withinM) {
+    return xM >= boxes[at] - withinM
+        && zM >= boxes[at + 1] - withinM
+        && xM <= boxes[at + 2] + withinM
+        && zM <= boxes[at + 3] + withinM;
   }
 }
