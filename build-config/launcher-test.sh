@@ -353,7 +353,8 @@ tells_what_works() {
 }
 
 check_style() {
-  output=$(shellcheck "$here/../simbad" "$here/../.ci/run" "${BASH_SOURCE[0]}")
+  output=$(shellcheck "$here/../simbad" "$here/../.ci/run" "$here/../benchmarks/whole-process" "$here/../docs/figures/measure" \
+    "${BASH_SOURCE[0]}")
   status=$?
   check "shellcheck finds nothing" status_is 0
 }
