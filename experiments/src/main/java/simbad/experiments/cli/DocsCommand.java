@@ -33,6 +33,7 @@ final class DocsCommand extends Subcommand {
     private @Nullable Path out;
 
     @Option(names = "--figures", description = "Fill README.md's blocks of figures.")
+    @SuppressWarnings("UnusedVariable") // Its being given is all: out is not, then.
     private boolean figures;
   }
 
