@@ -17,8 +17,8 @@ import simbad.experiments.plot.TuningPlot;
 @Command(
     name = "batch-plot",
     description = {
-      "Draw a batch's errors over a parameter of its controller, a curve for each sensor and value of"
-          + " a second parameter, each the mean over all else that the batch varied.",
+      "Draw a batch's errors over a parameter of its controller, a curve for each sensor and value"
+          + " of a second parameter, each the mean over all else that the batch varied.",
       "Dots are the settings to which each sensor leads, as the last sensor judges them: the least"
           + " error, or, where the error is the same everywhere, the shortest time."
     },

@@ -14,14 +14,11 @@ import simbad.experiments.site.Site;
 @Command(
     name = "docs",
     description = {
-      "Write the project's guides as a folder of pages with a search, to be opened with any browser.",
+      "Write the project's guides as a folder of pages with a search, to be opened with any"
+          + " browser.",
       "Or, with --figures, put the measured figures of docs/figures into README.md."
     },
-    footer = {
-      "",
-      "Example: simbad docs --out site",
-      "Example: simbad docs --figures"
-    })
+    footer = {"", "Example: simbad docs --out site", "Example: simbad docs --figures"})
 final class DocsCommand extends Subcommand {
   @ArgGroup(multiplicity = "1")
   @SuppressWarnings("NullAway.Init")

@@ -28,8 +28,8 @@ import simbad.sonar.scene.SonarSpec;
     description = {
       "Test whether a sensor model is faithful to threshold tables: detection map, trace round the"
           + " obstacle, their errors, and a verdict.",
-      "Faithful: agrees with the table at 98 %% of the poses, 3 cm radial and 1 cm lateral error in the"
-          + " mean, every bearing reached. Exit status 0 whatever the verdict."
+      "Faithful: agrees with the table at 98 %% of the poses, 3 cm radial and 1 cm lateral error in"
+          + " the mean, every bearing reached. Exit status 0 whatever the verdict."
     },
     footer = {
       "",

@@ -19,8 +19,8 @@ final class ObstacleArgument {
 
   /** For help. */
   static final String MEANING =
-      "A type's name (simbad table types), TABLE.csv (with TABLE-outline.csv beside it, or for a one"
-          + " inch post), or a folder with outline.csv and table.csv.";
+      "A type's name (simbad table types), TABLE.csv (with TABLE-outline.csv beside it, or for a"
+          + " one inch post), or a folder with outline.csv and table.csv.";
 
   private ObstacleArgument() {}
 

@@ -33,8 +33,8 @@ import simbad.sonar.shape.ThresholdTable;
 @Command(
     name = "run",
     description = {
-      "Let a robot circle obstacles at the limit of detection, once per sensor, and compare its traces"
-          + " with the obstacles' threshold tables.",
+      "Let a robot circle obstacles at the limit of detection, once per sensor, and compare its"
+          + " traces with the obstacles' threshold tables.",
       "Writes traces, errors, pictures and a page to --out."
     },
     footer = {

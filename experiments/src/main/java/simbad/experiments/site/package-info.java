@@ -1,6 +1,6 @@
 /**
- * The project's pages (README, docs, what lies beside data) as a folder of HTML with a search, which
- * needs no server.
+ * The project's pages (README, docs, what lies beside data) as a folder of HTML with a search,
+ * which needs no server.
  *
  * <p>Knows files and Markdown, nothing of sonars.
  */

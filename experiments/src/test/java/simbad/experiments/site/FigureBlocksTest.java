@@ -35,8 +35,7 @@ class FigureBlocksTest {
 
   @Test
   void filled_blockWithoutFile_isRefused() {
-    assertThrows(
-        NoSuchFileException.class, () -> FigureBlocks.filled(PAGE.formatted(""), folder));
+    assertThrows(NoSuchFileException.class, () -> FigureBlocks.filled(PAGE.formatted(""), folder));
   }
 
   /** Who changes a figure by hand, or measures anew and forgets the page, learns of it here. */

@@ -42,8 +42,7 @@ class SiteTest {
           .forEach(
               link ->
                   assertTrue(
-                      Files.isRegularFile(
-                          Objects.requireNonNull(page.getParent()).resolve(link)),
+                      Files.isRegularFile(Objects.requireNonNull(page.getParent()).resolve(link)),
                       page + " -> " + link));
     }
     assertTrue(Files.readString(folder.resolve("search-index.js")).startsWith("const PAGES = [{"));
