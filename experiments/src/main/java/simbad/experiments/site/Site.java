@@ -122,28 +122,28 @@ public final class Site {
   private String whole(Page page) {
     String root = "../".repeat(page.source().getNameCount() - 1);
     return """
-           <!DOCTYPE html>
-           <html lang="en">
-           <head>
-           <meta charset="utf-8">
-           <meta name="viewport" content="width=device-width, initial-scale=1">
-           <title>%s - Simbad Sonar</title>
-           <link rel="stylesheet" href="%ssite.css">
-           </head>
-           <body>
-           <a class="skip" href="#content">Skip to the content</a>
-           <nav aria-label="Pages">
-           <label for="search">Search</label>
-           <input id="search" type="search" autocomplete="off" data-root="%s">
-           <ul id="found" aria-live="polite"></ul>
-           %s</nav>
-           <main id="content">
-           %s</main>
-           <script src="%ssearch-index.js"></script>
-           <script src="%ssearch.js"></script>
-           </body>
-           </html>
-           """
+    <!DOCTYPE html>
+    <html lang="en">
+    <head>
+    <meta charset="utf-8">
+    <meta name="viewport" content="width=device-width, initial-scale=1">
+    <title>%s - Simbad Sonar</title>
+    <link rel="stylesheet" href="%ssite.css">
+    </head>
+    <body>
+    <a class="skip" href="#content">Skip to the content</a>
+    <nav aria-label="Pages">
+    <label for="search">Search</label>
+    <input id="search" type="search" autocomplete="off" data-root="%s">
+    <ul id="found" aria-live="polite"></ul>
+    %s</nav>
+    <main id="content">
+    %s</main>
+    <script src="%ssearch-index.js"></script>
+    <script src="%ssearch.js"></script>
+    </body>
+    </html>
+    """
         .formatted(escaped(page.title()), root, root, list(page, root), page.html(), root, root);
   }
 
