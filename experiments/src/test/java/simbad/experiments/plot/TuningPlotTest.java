@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Objects;
 import org.junit.jupiter.api.Test;
 
 class TuningPlotTest {
@@ -32,7 +33,8 @@ class TuningPlotTest {
   void figure_listsCurvesAndMarks() {
     var series = plot(1, 2).figure().chart().getSeriesMap();
     assertEquals(List.of("shadow", "best"), List.copyOf(series.keySet()));
-    assertArrayEquals(new double[] {1, 60}, series.get("shadow").getXData());
+    assertArrayEquals(
+        new double[] {1, 60}, Objects.requireNonNull(series.get("shadow")).getXData());
   }
 
   @Test
