@@ -335,8 +335,26 @@ tests_like_ci() {
   check "test: and is named" prints 'x.YTest.hears'
 }
 
+tells_what_works() {
+  new_project
+  touch "$work/jvm/jdk-17/lib/libawt_xawt.so"
+  fake "$work/tools" apt-get </dev/null
+  simbad doctor
+  check "doctor: a JDK and Maven build" prints 'ok       build'
+  check "doctor: and that is a success" status_is 0
+  check "doctor: says what the board needs" prints 'gpsim'
+  check "doctor: builds nothing" calls_not mvn
+  check "doctor: installs nothing" calls_not apt-get
+  rm -r "${work:?}/jvm" "$work/tools/mvn"
+  simbad doctor
+  check "doctor: without Java it still answers" prints 'missing  java'
+  check "doctor: names what to install" prints 'maven'
+  check "doctor: nothing can be built, status 1" status_is 1
+}
+
 check_style() {
-  output=$(shellcheck "$here/../simbad" "$here/../.ci/run" "${BASH_SOURCE[0]}")
+  output=$(shellcheck "$here/../simbad" "$here/../.ci/run" "$here/../benchmarks/whole-process" "$here/../docs/figures/measure" \
+    "${BASH_SOURCE[0]}")
   status=$?
   check "shellcheck finds nothing" status_is 0
 }
@@ -351,5 +369,6 @@ runs_from_anywhere
 chooses_a_new_enough_java
 installs_with_apt
 tests_like_ci
+tells_what_works
 check_style
 ((failures == 0))

@@ -2,14 +2,10 @@ package simbad.benchmarks;
 
 import java.util.ArrayList;
 import java.util.List;
-import javax.vecmath.Vector3d;
-import javax.vecmath.Vector3f;
 import simbad.gui.Simbatch;
-import simbad.sim.Box;
 import simbad.sim.EnvironmentDescription;
-import simbad.sonar.frame.Point;
 
-/** A Simbad world of boxes on a grid, with robots that circle between them. */
+/** A Simbad world of obstacles on a grid, with robots that circle between them. */
 final class Arena {
   /** Sonars on a belt, unless a benchmark says otherwise. */
   static final int SONARS = 12;
@@ -24,13 +20,13 @@ final class Arena {
   private final List<CirclingRobot> robots = new ArrayList<>();
   private final Simbatch simulation;
 
-  Arena(int boxes, int robotCount, int sonars, Sensing sensing) {
-    Grid grid = new Grid(boxes);
-    for (int i = 0; i < boxes; i++) {
-      environment.add(box(grid.post(i)));
+  Arena(Belt belt, int obstacles, int robotCount, int sonars, Sensing sensing) {
+    Grid grid = new Grid(obstacles, robotCount);
+    for (int i = 0; i < obstacles; i++) {
+      belt.place(environment, i, grid.post(i));
     }
     for (int i = 0; i < robotCount; i++) {
-      robots.add(new CirclingRobot(grid.cell(i, robotCount), sonars, sensing));
+      robots.add(new CirclingRobot(grid.cell(i), belt, sonars, sensing));
     }
     robots.forEach(environment::add);
     simulation = new Simbatch(environment, false);
@@ -38,14 +34,9 @@ final class Arena {
     checkDriving(sensing);
   }
 
-  private Box box(Point at) {
-    float side = (float) BOX_M;
-    return new Box(new Vector3d(at.xM(), 0, at.zM()), new Vector3f(side, side, side), environment);
-  }
-
   /**
-   * Drives every robot once round. A robot that stands at a box or hears nothing is faster than one
-   * that works: the figures would be worth nothing.
+   * Drives every robot once round. A robot that is stopped or hears nothing is faster than one that
+   * works: the figures would be worth nothing.
    */
   private void checkDriving(Sensing sensing) {
     boolean[] heard = new boolean[robots.size()];
@@ -54,14 +45,17 @@ final class Arena {
       for (int i = 0; i < heard.length; i++) {
         heard[i] |= robots.get(i).hears();
         if (robots.get(i).collisionDetected()) {
-          throw new IllegalStateException("robot " + i + " drives against a box");
+          throw new IllegalStateException("robot " + i + " drives against something");
         }
       }
     }
-    for (int i = 0; i < heard.length; i++) {
-      if (heard[i] != (sensing != Sensing.NONE)) {
-        throw new IllegalStateException("robot " + i + (heard[i] ? " hears" : " hears nothing"));
-      }
+    int hearing = 0;
+    for (boolean one : heard) {
+      hearing += one ? 1 : 0;
+    }
+    // Round a post, some stand where its shadow has an indentation and rightly hear nothing.
+    if (sensing == Sensing.NONE ? hearing > 0 : 2 * hearing < heard.length) {
+      throw new IllegalStateException(hearing + " of " + heard.length + " robots hear");
     }
   }
 

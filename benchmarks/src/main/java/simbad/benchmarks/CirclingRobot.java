@@ -4,7 +4,6 @@ import java.util.Optional;
 import javax.vecmath.Vector3d;
 import simbad.sim.Agent;
 import simbad.sim.RangeSensorBelt;
-import simbad.sim.RobotFactory;
 import simbad.sonar.frame.Point;
 
 /** A robot that drives round and round a small circle, whatever its sonars say. */
@@ -17,16 +16,14 @@ final class CirclingRobot extends Agent {
    * Creates a robot.
    *
    * @param centre of its circle
-   * @param sonars how many it has, if it senses at all
+   * @param kind what its sonars hear, if it senses at all
+   * @param sonars how many it has
    * @param sensing how often it senses
    */
-  CirclingRobot(Point centre, int sonars, Sensing sensing) {
+  CirclingRobot(Point centre, Belt kind, int sonars, Sensing sensing) {
     // It starts on the near side, looks along +x and turns left: -z is on the left.
     super(new Vector3d(centre.xM(), 0, centre.zM() + Circle.RADIUS_M), "robot");
-    belt =
-        sensing == Sensing.NONE
-            ? Optional.empty()
-            : Optional.of(RobotFactory.addSonarBeltSensor(this, sonars));
+    belt = sensing == Sensing.NONE ? Optional.empty() : Optional.of(kind.fit(this, sonars));
     belt.ifPresent(sensing::configure);
   }
 
@@ -34,6 +31,11 @@ final class CirclingRobot extends Agent {
   protected void initBehavior() {
     setTranslationalVelocity(TURN_RATE_RAD_PER_S * Circle.RADIUS_M);
     setRotationalVelocity(TURN_RATE_RAD_PER_S);
+  }
+
+  /** Takes a belt on, at half its height. */
+  void carry(RangeSensorBelt added) {
+    addSensorDevice(added, new Vector3d(0, getHeight() / 2, 0), 0);
   }
 
   boolean hears() {

@@ -23,20 +23,17 @@ import simbad.sonar.scene.TableDetection;
 public class ConeBeltBenchmark extends BeltBenchmark {
   private static final long SEED = 1;
 
-  /** Flat sides look to the cells: over its corners the square is hardly heard. */
-  private static final double TURN_RAD = Math.PI / 4;
-
   /** When an obstacle echoes. */
   @Param DetectionRule rule;
 
   /** Number of obstacles. */
-  @Param({"1", "10", "100"})
+  @Param({"1", "10", "100", "500", "1000", "5000"})
   int obstacles;
 
   /** Builds the scene. */
   @Setup
   public void build() {
-    Grid grid = new Grid(obstacles);
+    Grid grid = new Grid(obstacles, 1);
     List<ObstacleType> types = Catalogue.types();
     Scene scene =
         new Scene(
@@ -45,13 +42,13 @@ public class ConeBeltBenchmark extends BeltBenchmark {
                 .toList());
     measure(
         rule.bind(Catalogue.srf04(), scene, new SplittableRandom(SEED)),
-        new Circle(grid.cell(0, 1), BeltLayout.ring(0, 1, Arena.SONARS)));
+        new Circle(grid.cell(0), BeltLayout.ring(0, 1, Arena.SONARS)));
   }
 
   private static Obstacle obstacle(ObstacleType type, Point at) {
     return new Obstacle(
         type.name(),
-        new Placement(at.xM(), at.zM(), TURN_RAD),
+        new Placement(at.xM(), at.zM(), Belt.TURN_RAD),
         type.outline(),
         new TableDetection(type.thresholds().table()));
   }

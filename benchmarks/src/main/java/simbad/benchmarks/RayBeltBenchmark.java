@@ -16,7 +16,7 @@ public class RayBeltBenchmark extends BeltBenchmark {
   private static final float RANGE_M = 1.5f;
 
   /** Number of boxes. */
-  @Param({"1", "10", "100", "500"})
+  @Param({"1", "10", "100", "500", "5000"})
   int boxes;
 
   private final BeltLayout layout = BeltLayout.ring(RADIUS_M, RANGE_M, Arena.SONARS);
@@ -24,14 +24,13 @@ public class RayBeltBenchmark extends BeltBenchmark {
   /** Builds the scene. */
   @Setup
   public void build() {
-    Grid grid = new Grid(boxes);
+    Grid grid = new Grid(boxes, 1);
     Scene scene = new Scene();
     for (int i = 0; i < boxes; i++) {
       scene.addFixed(box(grid.post(i)));
     }
     measure(
-        new RaySensor(scene, new Solid(new Placement()), layout),
-        new Circle(grid.cell(0, 1), layout));
+        new RaySensor(scene, new Solid(new Placement()), layout), new Circle(grid.cell(0), layout));
   }
 
   private static Solid box(Point at) {

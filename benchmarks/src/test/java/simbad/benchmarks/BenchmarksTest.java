@@ -37,11 +37,16 @@ class BenchmarksTest {
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
-  /** One short iteration in this virtual machine. The faster robot makes short runs. */
+  /**
+   * One short iteration in this virtual machine. The faster robot makes short runs; of the sizes of
+   * a world one is enough.
+   */
   private static Options oneIteration(String name) {
     return new OptionsBuilder()
         .include("^" + Pattern.quote(name) + "$")
         .param("speedMPerS", "1")
+        .param("obstacles", "100")
+        .param("sonars", "12")
         .forks(0)
         .warmupIterations(0)
         .measurementIterations(1)

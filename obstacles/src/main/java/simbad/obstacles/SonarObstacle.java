@@ -26,6 +26,7 @@ public class SonarObstacle extends BlockWorldObject {
   public static final double BODY_HEIGHT_M = 1.0;
 
   private final ObstacleType type;
+  private final double reachM;
 
   /**
    * Places an obstacle.
@@ -36,6 +37,7 @@ public class SonarObstacle extends BlockWorldObject {
    */
   public SonarObstacle(Vector3d position, double turnRad, ObstacleType type) {
     this.type = type;
+    reachM = type.outline().reachM(0, 0);
     translateTo(new Vector3d(position));
     rotateY(turnRad);
   }
@@ -87,6 +89,10 @@ public class SonarObstacle extends BlockWorldObject {
   }
 
   private boolean overlaps(SonarObstacle other) {
+    Placement there = other.worldFromObstacle();
+    if (worldFromObstacle().centreDistanceM(there.xM(), there.zM()) > reachM + other.reachM) {
+      return false;
+    }
     List<Outline> others = other.placedParts();
     return placedParts().stream()
         .anyMatch(part -> others.stream().anyMatch(it -> Overlap.of(part, it)));

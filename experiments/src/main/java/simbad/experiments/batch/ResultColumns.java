@@ -23,7 +23,7 @@ final class ResultColumns {
   static final String STATUS = "status";
   static final String DONE = "done";
   static final String FAILED = "failed";
-  private static final String PARAMETER = "controller.";
+  static final String PARAMETER = "controller.";
   private static final int DECIMALS = 4;
 
   private static final List<String> OF_A_RUN =

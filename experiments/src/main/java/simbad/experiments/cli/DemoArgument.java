@@ -1,7 +1,6 @@
 package simbad.experiments.cli;
 
 import java.util.Comparator;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -38,10 +37,10 @@ final class DemoArgument {
 
   /** What to say of a name that is none: those that are nearest to it. */
   static String unknown(String argument) {
-    List<String> names = DemoManager.names();
     String nearest =
-        names.stream()
-            .sorted(Comparator.comparingInt(name -> changes(plain(name), plain(argument))))
+        DemoManager.names().stream()
+            .sorted(
+                Comparator.comparingInt(name -> SimilarWords.changes(plain(name), plain(argument))))
             .limit(SUGGESTIONS)
             .collect(Collectors.joining(", "));
     return "NAME '" + argument + "' is no demo, did you mean " + nearest + "? --list shows all";
@@ -50,23 +49,5 @@ final class DemoArgument {
   private static String plain(String name) {
     String lower = name.toLowerCase(Locale.ROOT);
     return lower.endsWith(SUFFIX) ? lower.substring(0, lower.length() - SUFFIX.length()) : lower;
-  }
-
-  /** Letters to add, drop or replace that turn one word into another (Levenshtein, 1966). */
-  private static int changes(String one, String other) {
-    int[] row = new int[other.length() + 1];
-    for (int j = 0; j <= other.length(); j++) {
-      row[j] = j;
-    }
-    for (int i = 1; i <= one.length(); i++) {
-      int diagonal = row[0];
-      row[0] = i;
-      for (int j = 1; j <= other.length(); j++) {
-        int replaced = diagonal + (one.charAt(i - 1) == other.charAt(j - 1) ? 0 : 1);
-        diagonal = row[j];
-        row[j] = Math.min(replaced, 1 + Math.min(row[j], row[j - 1]));
-      }
-    }
-    return row[other.length()];
   }
 }

@@ -28,8 +28,8 @@ import simbad.sonar.scene.SonarSpec;
     description = {
       "Test whether a sensor model is faithful to threshold tables: detection map, trace round the"
           + " obstacle, their errors, and a verdict.",
-      "Faithful: agrees with the table at 98 %% of the poses, 3 cm radial and 1 cm lateral error in the"
-          + " mean, every bearing reached. Exit status 0 whatever the verdict."
+      "Faithful: agrees with the table at 98 %% of the poses, 3 cm radial and 1 cm lateral error in"
+          + " the mean, every bearing reached. Exit status 0 whatever the verdict."
     },
     footer = {
       "",
@@ -98,8 +98,7 @@ final class FidelityCommand extends Subcommand {
     }
     SensorKind kind =
         SensorArgument.parse(sensor)
-            .orElseThrow(
-                () -> wrongUsage("--sensor: '" + sensor + "' is not one of " + SensorKind.words()));
+            .orElseThrow(() -> wrongUsage("--sensor: " + SensorArgument.unknown(sensor)));
     List<ObstacleType> types = new ArrayList<>();
     for (String obstacle : obstacles) {
       types.add(ObstacleArgument.parse(obstacle));

@@ -3,8 +3,8 @@ package simbad.experiments.cli;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleFiles;
 import simbad.obstacles.ObstacleType;
@@ -19,8 +19,8 @@ final class ObstacleArgument {
 
   /** For help. */
   static final String MEANING =
-      "A type's name (simbad table types), TABLE.csv (with TABLE-outline.csv beside it, or for a one"
-          + " inch post), or a folder with outline.csv and table.csv.";
+      "A type's name (simbad table types), TABLE.csv (with TABLE-outline.csv beside it, or for a"
+          + " one inch post), or a folder with outline.csv and table.csv.";
 
   private ObstacleArgument() {}
 
@@ -62,13 +62,14 @@ final class ObstacleArgument {
     return DataFormatException.inArgument(
         "OBSTACLE '" + argument + "'",
         "is neither "
-            + names()
+            + String.join(", ", names())
             + " nor a table's file (*"
             + SUFFIX
-            + ") nor a folder with outline and table");
+            + ") nor a folder with outline and table"
+            + SimilarWords.suggestion(argument, names()));
   }
 
-  private static String names() {
-    return Catalogue.shipped().stream().map(ObstacleType::name).collect(Collectors.joining(", "));
+  private static List<String> names() {
+    return Catalogue.shipped().stream().map(ObstacleType::name).toList();
   }
 }

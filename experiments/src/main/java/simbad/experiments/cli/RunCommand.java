@@ -33,8 +33,8 @@ import simbad.sonar.shape.ThresholdTable;
 @Command(
     name = "run",
     description = {
-      "Let a robot circle obstacles at the limit of detection, once per sensor, and compare its traces"
-          + " with the obstacles' threshold tables.",
+      "Let a robot circle obstacles at the limit of detection, once per sensor, and compare its"
+          + " traces with the obstacles' threshold tables.",
       "Writes traces, errors, pictures and a page to --out."
     },
     footer = {
@@ -162,8 +162,7 @@ final class RunCommand extends Subcommand {
     for (String word : sensors) {
       SensorKind kind =
           SensorArgument.parse(word)
-              .orElseThrow(
-                  () -> wrongUsage("--sensor: '" + word + "' is not one of " + SensorKind.words()));
+              .orElseThrow(() -> wrongUsage("--sensor: " + SensorArgument.unknown(word)));
       if (!kinds.add(kind)) {
         throw wrongUsage("--sensor: " + word + " stands twice");
       }

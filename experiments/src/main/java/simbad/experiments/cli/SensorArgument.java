@@ -1,6 +1,7 @@
 package simbad.experiments.cli;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import simbad.experiments.run.SensorKind;
 import simbad.sonar.format.DataFormatException;
@@ -32,5 +33,15 @@ final class SensorArgument {
         SensorKind.diagnosed(
             name == null ? "" : name.toString(),
             ModelFile.read(folder.resolve("model.json"), setup)));
+  }
+
+  /** What to say of a word that names no sensor. */
+  static String unknown(String word) {
+    List<String> known = List.of(SensorKind.words().split(", "));
+    return "'"
+        + word
+        + "' is not one of "
+        + SensorKind.words()
+        + SimilarWords.suggestion(word, known);
   }
 }

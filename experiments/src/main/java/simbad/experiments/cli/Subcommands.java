@@ -23,6 +23,10 @@ final class Subcommands {
         new PredictCommand(),
         new BlindCheckCommand(),
         new BatchCommand(),
+        new BatchPlotCommand(),
+        new DocsCommand(),
+        new DoctorCommand(),
+        new CompletionCommand(),
         new TestCommand());
   }
 }

@@ -69,6 +69,15 @@ class BatchGuideTest {
         spec.replaceFirst("\\{", "{\"sample\": {\"runs\": 6, \"seed\": 1},"));
     Path results = results("batch data/batch/edge-follower-tuning.json --out tuning");
     assertEquals(7, Files.readAllLines(results).size());
+    String plot =
+        "batch-plot tuning --along crossing_angle_deg --curves curl_rad_per_step --out tuning.svg";
+    assertTrue(Files.readString(GUIDE).contains("\n    ./simbad " + plot + "\n"), plot);
+    String[] words = plot.split(" ");
+    words[1] = folder.resolve(words[1]).toString();
+    words[words.length - 1] = folder.resolve("tuning.svg").toString();
+    Shell shell = Shell.simbad(words);
+    assertEquals(0, shell.status(), shell.err());
+    assertTrue(Files.readString(folder.resolve("tuning.svg")).contains("<title>Error against"));
   }
 
   @Test

@@ -1,5 +1,7 @@
 package simbad.sonar.model;
 
+import java.util.Arrays;
+import java.util.function.ToDoubleFunction;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.sensing.Readings;
@@ -10,24 +12,41 @@ import simbad.sonar.shape.Cone;
 /** A noise-free sensor: each transducer reads the nearest obstacle that answers. */
 abstract class ConeSensor implements Sensor {
   final Cone cone;
-  private final PlacedObstacle[] obstacles;
+  private final Earshot earshot;
   private final TransducerPose pose = new TransducerPose();
+  private Audible[] audible = {};
+  private int audibleCount;
+  private boolean sifted;
+  private double siftedXM;
+  private double siftedZM;
 
-  ConeSensor(SonarSpec sensor, Scene scene) {
+  /**
+   * Binds a sensor to a scene.
+   *
+   * @param sensor the sensor's figures
+   * @param scene the obstacles
+   * @param earshotM how far from its centre an obstacle may be heard at most, metres
+   */
+  ConeSensor(SonarSpec sensor, Scene scene, ToDoubleFunction<PlacedObstacle> earshotM) {
     cone = new Cone(sensor.coneHalfAngleRad());
-    obstacles = PlacedObstacle.all(scene);
+    PlacedObstacle[] obstacles = PlacedObstacle.all(scene);
+    earshot = new Earshot(obstacles, Arrays.stream(obstacles).mapToDouble(earshotM).toArray());
   }
 
-  /** The range of an obstacle's echo in metres, infinity when it does not answer. */
-  abstract double echoM(PlacedObstacle obstacle, TransducerPose from);
+  /** Whether an obstacle may answer at a place at all, wherever the sensor looks. */
+  abstract boolean isAudible(PlacedObstacle obstacle, double xM, double zM);
+
+  /** The range of an audible obstacle's echo in metres, infinity when it does not answer. */
+  abstract double echoM(Audible audible, TransducerPose from);
 
   @Override
   public final void ping(TransducerPoses poses, double timeS, Readings readings) {
     for (int i = 0; i < poses.size(); i++) {
       pose.take(poses, i);
+      sift(pose.xM, pose.zM);
       double nearest = Double.POSITIVE_INFINITY;
-      for (PlacedObstacle obstacle : obstacles) {
-        nearest = Math.min(nearest, echoM(obstacle, pose));
+      for (int j = 0; j < audibleCount; j++) {
+        nearest = Math.min(nearest, echoM(audible[j], pose));
       }
       if (nearest < Double.POSITIVE_INFINITY) {
         readings.setEcho(i, nearest);
@@ -35,6 +54,32 @@ abstract class ConeSensor implements Sensor {
         readings.setNoEcho(i);
       }
     }
+  }
+
+  /** Finds what is audible at a place: once for all transducers that sit at one point. */
+  private void sift(double xM, double zM) {
+    if (sifted && xM == siftedXM && zM == siftedZM) {
+      return;
+    }
+    earshot.moveTo(xM, zM);
+    audibleCount = 0;
+    for (int i = 0; i < earshot.size(); i++) {
+      PlacedObstacle obstacle = earshot.get(i);
+      if (isAudible(obstacle, xM, zM)) {
+        next(obstacle).set(obstacle, xM, zM);
+      }
+    }
+    siftedXM = xM;
+    siftedZM = zM;
+    sifted = true;
+  }
+
+  private Audible next(PlacedObstacle obstacle) {
+    if (audibleCount == audible.length) {
+      audible = Arrays.copyOf(audible, audibleCount + 1);
+      audible[audibleCount] = new Audible(obstacle);
+    }
+    return audible[audibleCount++];
   }
 
   static double atLeast(double leastM, double distanceM) {

@@ -1,9 +1,12 @@
 package simbad.sonar.model;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
+import simbad.sonar.frame.Point;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SonarSpec;
@@ -21,6 +24,7 @@ public final class NominalModel {
   private final SonarSpec sensor;
   private final Cone cone;
   private final PlacedObstacle[] obstacles;
+  private final EarshotTree earshots;
 
   /**
    * Binds a sensor to a scene.
@@ -32,6 +36,12 @@ public final class NominalModel {
     this.sensor = sensor;
     cone = new Cone(sensor.coneHalfAngleRad());
     obstacles = PlacedObstacle.all(scene);
+    earshots =
+        new EarshotTree(
+            obstacles,
+            Arrays.stream(obstacles)
+                .mapToDouble(obstacle -> sensor.maxRangeM() + obstacle.reachM())
+                .toArray());
   }
 
   /** Returns the number of obstacles. */
@@ -89,7 +99,7 @@ public final class NominalModel {
    */
   public ReadingDistribution distribution(Pose pose) {
     List<Sight> heard = new ArrayList<>();
-    for (int i = 0; i < obstacles.length; i++) {
+    for (int i : withinRange(pose.position())) {
       Sight sight = sight(i, pose);
       if (sight.echoProbability() > 0) {
         heard.add(sight);
@@ -97,6 +107,13 @@ public final class NominalModel {
     }
     heard.sort(Comparator.comparingDouble(sight -> sight.nearestM().orElseThrow()));
     return ReadingDistribution.nearestFirst(heard, sensor.rangeNoiseM(), sensor.resolutionM());
+  }
+
+  /** In the scene's order: equal ranges keep it when they are sorted. */
+  private int[] withinRange(Point place) {
+    IntStream.Builder found = IntStream.builder();
+    earshots.find(place.xM(), place.zM(), 0, found::add);
+    return found.build().sorted().toArray();
   }
 
   /**

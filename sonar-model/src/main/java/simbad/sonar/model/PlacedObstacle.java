@@ -19,17 +19,16 @@ final class PlacedObstacle {
   private final Outline worldOutline;
   private final double reachM;
   private final double greatestThresholdM;
-  private final Optional<Outline> shadowEdge;
 
   PlacedObstacle(Obstacle obstacle) {
     this.obstacle = obstacle;
     worldOutline = obstacle.worldOutline();
     reachM = obstacle.outline().reachM(0, 0);
     greatestThresholdM = obstacle.detection().greatestM();
-    shadowEdge = worldEdge(obstacle);
   }
 
-  private static Optional<Outline> worldEdge(Obstacle obstacle) {
+  /** Returns the shadow's edge in the world, laid out anew; none where there is no shadow. */
+  Optional<Outline> shadowEdge() {
     ThresholdTable table =
         obstacle.detection() instanceof TableDetection detection
             ? detection.table()
@@ -43,6 +42,23 @@ final class PlacedObstacle {
 
   Detection detection() {
     return obstacle.detection();
+  }
+
+  double xM() {
+    return obstacle.worldFromObstacle().xM();
+  }
+
+  double zM() {
+    return obstacle.worldFromObstacle().zM();
+  }
+
+  /** The greatest distance of its outline from its centre. */
+  double reachM() {
+    return reachM;
+  }
+
+  double greatestThresholdM() {
+    return greatestThresholdM;
   }
 
   double centreDistanceM(double xM, double zM) {
@@ -59,30 +75,17 @@ final class PlacedObstacle {
 
   /** The nearest point of the outline in the cone, infinity when there is none within a limit. */
   double nearestM(Cone cone, TransducerPose from, double limitM) {
-    if (centreDistanceM(from.xM, from.zM) - reachM > limitM || isBeside(cone, from)) {
+    if (centreDistanceM(from.xM, from.zM) - reachM > limitM
+        || cone.misses(from.alongM(xM(), zM()), from.acrossM(xM(), zM()), reachM)) {
       return Double.POSITIVE_INFINITY;
     }
-    double nearest =
-        cone.nearestM(worldOutline, from.xM, from.zM, from.directionX, from.directionZ);
+    double nearest = inConeM(cone, from);
     return nearest <= limitM ? nearest : Double.POSITIVE_INFINITY;
   }
 
-  private boolean isBeside(Cone cone, TransducerPose from) {
-    double dx = obstacle.worldFromObstacle().xM() - from.xM;
-    double dz = obstacle.worldFromObstacle().zM() - from.zM;
-    return cone.misses(
-        dx * from.directionX + dz * from.directionZ,
-        dx * from.directionZ - dz * from.directionX,
-        reachM);
-  }
-
-  /**
-   * The nearest point of the shadow's edge in the cone; infinity when there is none, or no shadow.
-   */
-  double shadowEdgeM(Cone cone, TransducerPose from) {
-    return shadowEdge
-        .map(edge -> cone.nearestM(edge, from.xM, from.zM, from.directionX, from.directionZ))
-        .orElse(Double.POSITIVE_INFINITY);
+  /** The nearest point of the outline in the cone, however far; infinity when there is none. */
+  double inConeM(Cone cone, TransducerPose from) {
+    return cone.nearestM(worldOutline, from.xM, from.zM, from.directionX, from.directionZ);
   }
 
   /** Whether a place is near enough to hear the obstacle; where the threshold is 0 none is. */

@@ -9,15 +9,18 @@ final class ShadowSensor extends ConeSensor {
   private final double maxRangeM;
 
   ShadowSensor(SonarSpec sensor, Scene scene) {
-    super(sensor, scene);
+    super(sensor, scene, PlacedObstacle::greatestThresholdM);
     minRangeM = sensor.minRangeM();
     maxRangeM = sensor.maxRangeM();
   }
 
   @Override
-  double echoM(PlacedObstacle obstacle, TransducerPose from) {
-    return obstacle.inShadow(from.xM, from.zM)
-        ? atLeast(minRangeM, obstacle.nearestM(cone, from, maxRangeM))
-        : Double.POSITIVE_INFINITY;
+  boolean isAudible(PlacedObstacle obstacle, double xM, double zM) {
+    return obstacle.inShadow(xM, zM);
+  }
+
+  @Override
+  double echoM(Audible audible, TransducerPose from) {
+    return atLeast(minRangeM, audible.nearestM(cone, from, maxRangeM));
   }
 }

@@ -23,6 +23,16 @@ public final class TransducerPose {
     directionZ = z / length;
   }
 
+  /** How far ahead a place is, metres. */
+  double alongM(double atXM, double atZM) {
+    return (atXM - xM) * directionX + (atZM - zM) * directionZ;
+  }
+
+  /** How far from the heading's line a place is, metres, either sign. */
+  double acrossM(double atXM, double atZM) {
+    return (atXM - xM) * directionZ - (atZM - zM) * directionX;
+  }
+
   /** Creates a pose that is nowhere until it is aimed. */
   public TransducerPose() {}
 

@@ -58,7 +58,7 @@ public final class Cone {
       double toZ = outline.zM(i) - tipZM;
       double along = toX * directionX + toZ * directionZ;
       double across = toX * directionZ - toZ * directionX;
-      best = Math.min(best, nearestOfEdgeM(fromAlong, fromAcross, along, across));
+      best = Math.min(best, nearestOfEdgeM(fromAlong, fromAcross, along, across, best));
       fromAlong = along;
       fromAcross = across;
     }
@@ -83,20 +83,45 @@ public final class Cone {
     return side * cos - along * sin > clear || -along > clear;
   }
 
+  /**
+   * Returns whether a disc lies wholly in the cone; quick to tell, and never true of a disc that
+   * has a point outside.
+   *
+   * @param along of the disc's centre from the tip along the heading, metres
+   * @param across of the disc's centre from the heading's line, metres, either sign
+   * @param radiusM of the disc
+   */
+  public boolean holds(double along, double across, double radiusM) {
+    double clear = radiusM * (1 + 1e-9) + 1e-12;
+    return halfAngleRad < Math.PI / 2 && along * sin - Math.abs(across) * cos > clear;
+  }
+
   /** Coordinates along and across the heading; the tip is the origin. */
-  private double nearestOfEdgeM(double a, double b, double toA, double toB) {
+  private double nearestOfEdgeM(double a, double b, double toA, double toB, double bestM) {
     double ea = toA - a;
     double eb = toB - b;
-    double length2 = ea * ea + eb * eb;
-    double t = length2 == 0 ? 0 : Math.max(0, Math.min(1, -(a * ea + b * eb) / length2));
+    double t = footShare(-(a * ea + b * eb), ea * ea + eb * eb);
     double footA = a + t * ea;
     double footB = b + t * eb;
+    double foot2 = footA * footA + footB * footB;
+    if (foot2 >= bestM * bestM) {
+      // No point of the edge is nearer than its foot.
+      return bestM;
+    }
     if (contains(footA, footB)) {
-      return Math.sqrt(footA * footA + footB * footB);
+      return Math.sqrt(foot2);
     }
     double best = Math.min(endM(a, b), endM(toA, toB));
     best = Math.min(best, crossingM(a, b, ea, eb, sin));
     return Math.min(best, crossingM(a, b, ea, eb, -sin));
+  }
+
+  /** Where along an edge the perpendicular's foot is; most are at an end, without a division. */
+  private static double footShare(double along, double length2) {
+    if (along <= 0) {
+      return 0;
+    }
+    return along >= length2 ? 1 : along / length2;
   }
 
   private double endM(double along, double across) {

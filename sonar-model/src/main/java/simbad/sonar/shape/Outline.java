@@ -121,19 +121,23 @@ public final class Outline {
   public double distanceM(double fromXM, double fromZM) {
     double best = Double.POSITIVE_INFINITY;
     for (int i = 0, j = size() - 1; i < size(); j = i++) {
-      best = Math.min(best, edgeDistanceM(j, i, fromXM, fromZM));
+      best = Math.min(best, edgeDistance2(j, i, fromXM, fromZM));
     }
-    return best;
+    return Math.sqrt(best);
   }
 
-  private double edgeDistanceM(int from, int to, double px, double pz) {
+  /** Square of the distance from an edge. */
+  private double edgeDistance2(int from, int to, double px, double pz) {
     double ex = xM[to] - xM[from];
     double ez = zM[to] - zM[from];
     double ax = px - xM[from];
     double az = pz - zM[from];
     double length2 = ex * ex + ez * ez;
-    double t = length2 == 0 ? 0 : Math.max(0, Math.min(1, (ax * ex + az * ez) / length2));
-    return Math.hypot(ax - t * ex, az - t * ez);
+    double along = ax * ex + az * ez;
+    double t = along <= 0 ? 0 : along >= length2 ? 1 : along / length2;
+    double beyondX = ax - t * ex;
+    double beyondZ = az - t * ez;
+    return beyondX * beyondX + beyondZ * beyondZ;
   }
 
   /**

@@ -126,4 +126,33 @@ class ConePropertyTest {
     assertFalse(cone.misses(-1, 0, 1.1));
     assertFalse(new Cone(Math.toRadians(90)).misses(-5, 0, 0.1));
   }
+
+  /** What holds the disc round an outline sees the outline's nearest point. */
+  @Seeded
+  void holds_seesTheNearestPointOfAll(
+      @ForAll Random random, @ForAll @DoubleRange(min = 0.1, max = 180) double halfDeg) {
+    Outline outline = Shapes.any(random, 0.3);
+    Point tip = anyTip(random);
+    double heading = random.nextDouble(-3, 3);
+    double cos = Math.cos(heading);
+    double sin = Math.sin(heading);
+    double along = -tip.xM() * cos + tip.zM() * sin;
+    double across = tip.xM() * sin + tip.zM() * cos;
+    if (new Cone(Math.toRadians(halfDeg)).holds(along, across, outline.reachM(0, 0))) {
+      assertEquals(
+          outline.distanceM(tip.xM(), tip.zM()), nearest(outline, tip, heading, halfDeg), 1e-12);
+    }
+  }
+
+  /** A centre at 15 degrees is 15 degrees within a border of 30, sin 15 of its distance away. */
+  @Test
+  void holds_inClosedForm() {
+    Cone cone = new Cone(Math.toRadians(30));
+    double along = Math.cos(Math.toRadians(15));
+    double aside = Math.sin(Math.toRadians(15));
+    assertTrue(cone.holds(along, aside, aside - 0.01));
+    assertFalse(cone.holds(along, -aside, aside + 0.01));
+    assertFalse(cone.holds(-3, 0, 0.1));
+    assertFalse(new Cone(Math.toRadians(90)).holds(5, 0, 0.1));
+  }
 }

@@ -1,0 +1,4 @@
+@NullMarked
+package simbad.experiments.site;
+
+import org.jspecify.annotations.NullMarked;
