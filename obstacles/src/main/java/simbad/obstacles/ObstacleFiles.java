@@ -70,6 +70,11 @@ public final class ObstacleFiles {
   private static ObstacleType type(String name, Path outline, Path table)
       throws DataFormatException {
     OutlineDocument section = OutlineFile.read(outline);
+    if (!Files.exists(table)) {
+      throw DataFormatException.inFile(
+          table,
+          "no such file; to predict it: simbad table predict " + outline + " --out " + table);
+    }
     TableDocument thresholds = TableFile.read(table);
     checkSizes(section, outline, thresholds, table);
     return new ObstacleType(name, section.parts(), thresholds);

@@ -102,7 +102,8 @@ class ObstacleFilesTest {
     Files.delete(own.resolve("table.csv"));
     DataFormatException fault =
         assertThrows(DataFormatException.class, () -> ObstacleFiles.read(own));
-    assertTrue(String.valueOf(fault.getMessage()).endsWith("table.csv: no such file"));
+    String message = String.valueOf(fault.getMessage());
+    assertTrue(message.contains("table.csv: no such file; to predict it: simbad table predict"));
   }
 
   /** The property names a folder; what is in it is known by name, behind what comes along. */

@@ -197,11 +197,10 @@ public final class GuidedSweep {
     operator.say(
         String.format(
             Locale.ROOT,
-            "not taken: %.1f cm to the AXIS and a reading of %.1f cm to the surface, %.1f cm from it"
-                + " at most, cannot both be; type it again (the same is then believed)",
+            "not taken: axis at %.1f cm, but %.1f cm read to the surface; type it again (the same is"
+                + " then believed)",
             CM * distanceM,
-            CM * contradictionM.getAsDouble(),
-            CM * surface.reachM()));
+            CM * contradictionM.getAsDouble()));
     return true;
   }
 

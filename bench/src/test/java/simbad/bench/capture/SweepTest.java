@@ -246,8 +246,7 @@ class SweepTest {
     String said = String.join("\n", typist.said);
     assertTrue(
         said.contains(
-            "not taken: 400.0 cm to the AXIS and a reading of 27.9 cm to the surface, 1.8 cm from"
-                + " it at most, cannot both be"),
+            "not taken: axis at 400.0 cm, but 27.9 cm read to the surface; type it again"),
         said);
   }
 

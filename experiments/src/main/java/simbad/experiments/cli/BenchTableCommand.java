@@ -41,7 +41,7 @@ final class BenchTableCommand extends Subcommand {
   @Option(
       names = "--compare",
       paramLabel = "OBSTACLE",
-      description = "Another table: square, round, angle, or TABLE.csv.")
+      description = "Another table. " + ObstacleArgument.MEANING)
   private @Nullable String other;
 
   @Option(names = "--plot", paramLabel = "FILE", description = "A polar plot, *.png or *.svg.")

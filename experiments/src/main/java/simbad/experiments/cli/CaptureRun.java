@@ -83,7 +83,7 @@ final class CaptureRun {
   /** The sweep that a person does, at the port of the settings. */
   void guided(BufferedReader in, boolean terminal, Opening opening)
       throws IOException, DataFormatException, InterruptedException {
-    Operator person = new TerminalOperator(in, out, settings.ranging(), terminal);
+    Operator person = new TerminalOperator(in, out, settings, terminal);
     if (terminal) {
       // What was printed at the begin is cleared away.
       page.ifPresent(at -> person.say("page: " + at.url()));

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import simbad.experiments.plot.BearingError;
 import simbad.experiments.plot.Caption;
@@ -48,7 +49,7 @@ final class RunPictures {
     return new PolarPlot(caption, tableAndBand(type), outline(type)).figure();
   }
 
-  /** One table over another. */
+  /** One table over another, and how far the other is uncertain. */
   static Figure tables(ObstacleType first, ObstacleType second) {
     Caption caption =
         new Caption(
@@ -61,7 +62,9 @@ final class RunPictures {
             SeriesStyle.CLOSED_LINE,
             points(second.thresholds().table()));
     PolarSeries over = tableSeries(first, first.name());
-    return new PolarPlot(caption, List.of(over, under), outline(first)).figure();
+    List<PolarSeries> series = new ArrayList<>(List.of(over, under));
+    band(second.thresholds(), " of " + second.name()).ifPresent(series::add);
+    return new PolarPlot(caption, series, outline(first)).figure();
   }
 
   /** The table and one trace. */
@@ -147,24 +150,24 @@ final class RunPictures {
 
   private static List<PolarSeries> tableAndBand(ObstacleType type) {
     List<PolarSeries> series = new ArrayList<>(List.of(tableSeries(type)));
-    TableDocument document = type.thresholds();
-    document
-        .band()
-        .map(
-            band ->
-                new PolarSeries(bandName(document), SeriesRole.BAND, SeriesStyle.AREA, ring(band)))
-        .ifPresent(series::add);
+    band(type.thresholds(), "").ifPresent(series::add);
     return series;
   }
 
-  /** Of the header's line the words behind the columns' names. */
-  private static String bandName(TableDocument document) {
-    return "uncertainty"
-        + document
+  /** Of the header's line the legend takes the words behind the columns' names. */
+  private static Optional<PolarSeries> band(TableDocument document, String of) {
+    String meaning =
+        document
             .header("band")
             .filter(text -> text.contains(","))
             .map(text -> text.substring(text.indexOf(',')))
             .orElse("");
+    return document
+        .band()
+        .map(
+            band ->
+                new PolarSeries(
+                    "uncertainty" + of + meaning, SeriesRole.BAND, SeriesStyle.AREA, ring(band)));
   }
 
   /** Round the upper ends, and back round the lower ones. */

@@ -136,8 +136,12 @@ class TableFileTest {
   @Test
   void band_isReadAndWrittenBesideTheThresholds() throws Exception {
     String text =
-        "bearing_deg,threshold_m,threshold_low_m,threshold_high_m\n"
-            + "0,1.0,0.5,1.5\n120,2.0,2.0,2.0\n240,3.0,0.0,100.0\n";
+        """
+        bearing_deg,threshold_m,threshold_low_m,threshold_high_m
+        0,1.0,0.5,1.5
+        120,2.0,2.0,2.0
+        240,3.0,0.0,100.0
+        """;
     TableDocument document = read(text);
     ThresholdBand band = document.band().orElseThrow();
     assertArrayEquals(new double[] {0.5, 2, 0}, band.low().valuesM());
@@ -173,8 +177,7 @@ class TableFileTest {
         () -> new TableDocument(ThresholdTable.uniform(4, 1), Map.of(), Optional.of(three)),
         "band has 3 bearings");
     Refusal.check(() -> new ThresholdBand(three.high(), three.low()), "is above high");
-    Refusal.check(
-        () -> new ThresholdBand(three.low(), ThresholdTable.uniform(4, 2)), "high 4");
+    Refusal.check(() -> new ThresholdBand(three.low(), ThresholdTable.uniform(4, 2)), "high 4");
   }
 
   @Test
