@@ -116,6 +116,13 @@ class ObstacleFilesTest {
       checkPost(Catalogue.findAny("my-post").orElseThrow(), "my-post");
       assertEquals(Catalogue.find("angle"), Catalogue.findAny("angle"));
       assertEquals(Optional.empty(), Catalogue.findAny("your-post"));
+      Files.delete(typeFolder("half", TABLE).resolve("table.csv"));
+      assertEquals(Optional.empty(), Catalogue.findAny("your-post"));
+      String half =
+          String.valueOf(
+              assertThrows(DataFormatException.class, () -> Catalogue.findAny("half"))
+                  .getMessage());
+      assertTrue(half.contains("table.csv: no such file; to predict it: simbad table"), half);
     } finally {
       System.clearProperty(Catalogue.FOLDER_PROPERTY);
     }
