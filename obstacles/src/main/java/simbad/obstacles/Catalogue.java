@@ -110,13 +110,18 @@ public final class Catalogue {
    *
    * @param name as on the command line
    * @throws DataFormatException if the folder of one's own types has to be looked into and a file
-   *     in it is broken
+   *     in it is broken, or the type of that name has an outline and no table
    */
   public static Optional<ObstacleType> findAny(String name) throws DataFormatException {
-    Optional<ObstacleType> own = find(name);
-    return own.isPresent()
-        ? own
-        : all().stream().filter(type -> type.name().equals(name)).findFirst();
+    Optional<ObstacleType> shipped = find(name);
+    if (shipped.isPresent()) {
+      return shipped;
+    }
+    Optional<ObstacleType> other =
+        all().stream().filter(type -> type.name().equals(name)).findFirst();
+    Optional<Path> folder = ownFolder();
+    // What is only half there is none of all, but whoever asks for it by name wants to know why.
+    return other.isPresent() || folder.isEmpty() ? other : ObstacleFiles.find(folder.get(), name);
   }
 
   private static ObstacleType shipped(String name) {

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Stream;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.OutlineDocument;
@@ -70,6 +71,11 @@ public final class ObstacleFiles {
   private static ObstacleType type(String name, Path outline, Path table)
       throws DataFormatException {
     OutlineDocument section = OutlineFile.read(outline);
+    if (!Files.exists(table)) {
+      throw DataFormatException.inFile(
+          table,
+          "no such file; to predict it: simbad table predict " + outline + " --out " + table);
+    }
     TableDocument thresholds = TableFile.read(table);
     checkSizes(section, outline, thresholds, table);
     return new ObstacleType(name, section.parts(), thresholds);
@@ -128,6 +134,16 @@ public final class ObstacleFiles {
       }
     }
     return types;
+  }
+
+  /** Finds a type whose outline is there, by the name of its folder. */
+  static Optional<ObstacleType> find(Path folder, String name) throws DataFormatException {
+    for (Path path : entries(folder)) {
+      if (String.valueOf(path.getFileName()).equals(name) && Files.exists(path.resolve(OUTLINE))) {
+        return Optional.of(read(path));
+      }
+    }
+    return Optional.empty();
   }
 
   private static List<Path> entries(Path folder) throws DataFormatException {

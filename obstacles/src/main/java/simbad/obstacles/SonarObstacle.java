@@ -73,7 +73,7 @@ public class SonarObstacle extends BlockWorldObject {
   /**
    * Enters a world. Nothing stops it from being moved into another obstacle later.
    *
-   * @throws IllegalArgumentException if its body would lie over that of another one in that world
+   * @throws ObstacleOverlapException if its body would lie over that of another one in that world
    */
   @Override
   protected void setWorld(World world) {
@@ -82,7 +82,7 @@ public class SonarObstacle extends BlockWorldObject {
           && other != this
           && other.getSolid().isPresent()
           && overlaps(other)) {
-        throw new IllegalArgumentException(this + " overlaps " + other);
+        throw new ObstacleOverlapException(this, other);
       }
     }
     super.setWorld(world);

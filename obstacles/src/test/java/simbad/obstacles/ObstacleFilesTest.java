@@ -102,7 +102,8 @@ class ObstacleFilesTest {
     Files.delete(own.resolve("table.csv"));
     DataFormatException fault =
         assertThrows(DataFormatException.class, () -> ObstacleFiles.read(own));
-    assertTrue(String.valueOf(fault.getMessage()).endsWith("table.csv: no such file"));
+    String message = String.valueOf(fault.getMessage());
+    assertTrue(message.contains("table.csv: no such file; to predict it: simbad table predict"));
   }
 
   /** The property names a folder; what is in it is known by name, behind what comes along. */
@@ -115,6 +116,13 @@ class ObstacleFilesTest {
       checkPost(Catalogue.findAny("my-post").orElseThrow(), "my-post");
       assertEquals(Catalogue.find("angle"), Catalogue.findAny("angle"));
       assertEquals(Optional.empty(), Catalogue.findAny("your-post"));
+      Files.delete(typeFolder("half", TABLE).resolve("table.csv"));
+      assertEquals(Optional.empty(), Catalogue.findAny("your-post"));
+      String half =
+          String.valueOf(
+              assertThrows(DataFormatException.class, () -> Catalogue.findAny("half"))
+                  .getMessage());
+      assertTrue(half.contains("table.csv: no such file; to predict it: simbad table"), half);
     } finally {
       System.clearProperty(Catalogue.FOLDER_PROPERTY);
     }

@@ -73,7 +73,7 @@ class SonarObstacleTest {
     SonarObstacle tee = placed("tee", 1, 0, 0.3);
     SonarObstacle plate = placed("plate", 1.01, 0, 0);
     String complaint =
-        assertThrows(IllegalArgumentException.class, () -> world(tee, plate)).getMessage();
+        assertThrows(ObstacleOverlapException.class, () -> world(tee, plate)).getMessage();
     assertEquals(
         "obstacle plate at x 1.010, z 0.000 m overlaps obstacle tee at x 1.000, z 0.000 m",
         complaint);

@@ -19,8 +19,8 @@ public final class Backscatter {
   /** Standard deviation of the bearing over which an echo's power is averaged. */
   public static final double SMEARING_DEG = 4;
 
-  /** Greatest element on outlines of up to 16 cm all round: over 40 in a wavelength. */
-  private static final double FINE_ELEMENT_M = 0.2e-3;
+  /** Greatest element on outlines of up to 20 cm all round: 34 in a wavelength. */
+  private static final double FINE_ELEMENT_M = 0.25e-3;
 
   /** Larger outlines get this many elements, as long as they are short enough. */
   private static final int ELEMENTS = 800;

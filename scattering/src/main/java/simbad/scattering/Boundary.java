@@ -3,6 +3,8 @@ package simbad.scattering;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
 import simbad.sonar.frame.Point;
 import simbad.sonar.shape.Outline;
 
@@ -22,6 +24,9 @@ final class Boundary {
   private final double[] atZ;
   private final double[] toX;
   private final double[] toZ;
+  private final double[] lengthM;
+  private final double[] tangentX;
+  private final double[] tangentZ;
 
   private Boundary(List<Point> from, List<Point> at, List<Point> to) {
     fromX = from.stream().mapToDouble(Point::xM).toArray();
@@ -30,6 +35,13 @@ final class Boundary {
     atZ = at.stream().mapToDouble(Point::zM).toArray();
     toX = to.stream().mapToDouble(Point::xM).toArray();
     toZ = to.stream().mapToDouble(Point::zM).toArray();
+    lengthM = each(j -> Math.hypot(toX[j] - fromX[j], toZ[j] - fromZ[j]));
+    tangentX = each(j -> (toX[j] - fromX[j]) / lengthM[j]);
+    tangentZ = each(j -> (toZ[j] - fromZ[j]) / lengthM[j]);
+  }
+
+  private double[] each(IntToDoubleFunction value) {
+    return IntStream.range(0, size()).mapToDouble(value).toArray();
   }
 
   /**
@@ -145,15 +157,15 @@ final class Boundary {
   }
 
   double lengthM(int j) {
-    return Math.hypot(toX[j] - fromX[j], toZ[j] - fromZ[j]);
+    return lengthM[j];
   }
 
   /** Along the element. */
   double tangentX(int j) {
-    return (toX[j] - fromX[j]) / lengthM(j);
+    return tangentX[j];
   }
 
   double tangentZ(int j) {
-    return (toZ[j] - fromZ[j]) / lengthM(j);
+    return tangentZ[j];
   }
 }

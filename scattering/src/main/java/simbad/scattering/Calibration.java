@@ -24,7 +24,7 @@ public record Calibration(Receiver receiver, double spreadDb) {
    * has not seen. Its spread is that of {@link #SRF04}: a few words say nothing of scatter.
    */
   public static final Calibration WITHOUT_ANGLE =
-      new Calibration(new Receiver(34.5, 27.5, 0.00175), 4.25);
+      new Calibration(new Receiver(34.75, 27.5, 0.00175), 4.25);
 
   private static final double[] LEVEL_DB = {0, 60, 0.25};
   private static final double[] DESENSITISATION_LOG10 = {0.3, 2.7, 0.06};

@@ -19,7 +19,7 @@ record EdgeCut(double lengthM, double elementM, boolean sharpBegin, boolean shar
   private static final double CORNER_ZONE_M = 0.5e-3;
 
   /** At a sharp corner elements are this share of the greatest. */
-  private static final double CORNER_SHARE = 0.05;
+  private static final double CORNER_SHARE = 0.02;
 
   /** Returns the number of elements, at least 1. */
   int count() {

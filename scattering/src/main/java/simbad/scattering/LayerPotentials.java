@@ -77,11 +77,16 @@ final class LayerPotentials {
   private double[] slope(int i, double sourceX, double sourceZ) {
     double dx = boundary.collocationX(i) - sourceX;
     double dz = boundary.collocationZ(i) - sourceZ;
-    double r = Math.hypot(dx, dz);
+    double r = distanceM(dx, dz);
     double slope = (dx * boundary.tangentX(i) + dz * boundary.tangentZ(i)) / r;
     Hankel h = Hankel.at(k * r);
     // (i/4) (-k H1) slope
     return new double[] {k / 4 * slope * h.y1(), -k / 4 * slope * h.j1()};
+  }
+
+  /** Without hypot's care for numbers near the ends of a double's range, which takes its time. */
+  private static double distanceM(double dx, double dz) {
+    return Math.sqrt(dx * dx + dz * dz);
   }
 
   /** Real and imaginary part of the integral of G over element j, then of dG/dn. */
@@ -91,7 +96,7 @@ final class LayerPotentials {
     double half = boundary.lengthM(j) / 2;
     double dx = boundary.collocationX(i) - boundary.middleX(j);
     double dz = boundary.collocationZ(i) - boundary.middleZ(j);
-    boolean far = Math.hypot(dx, dz) > FAR_LENGTHS * 2 * half;
+    boolean far = distanceM(dx, dz) > FAR_LENGTHS * 2 * half;
     double[] nodes = far ? FAR_NODES : NODES;
     double[] weights = far ? FAR_WEIGHTS : WEIGHTS;
     double height = dx * tz - dz * tx; // over the line of element j, along its normal
@@ -99,7 +104,7 @@ final class LayerPotentials {
     for (int g = 0; g < nodes.length; g++) {
       double ax = dx - nodes[g] * half * tx;
       double az = dz - nodes[g] * half * tz;
-      double r = Math.hypot(ax, az);
+      double r = distanceM(ax, az);
       Hankel h = Hankel.at(k * r);
       double single = weights[g] * half / 4;
       // (i/4) k H1 height / r

@@ -1,11 +1,10 @@
 package simbad.scattering;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
-import org.ejml.data.Complex_F64;
 import org.ejml.data.ZMatrixRMaj;
-import org.ejml.dense.row.factory.LinearSolverFactory_ZDRM;
-import org.ejml.interfaces.linsol.LinearSolverDense;
+import org.ejml.dense.row.decompose.lu.LUDecompositionAlt_ZDRM;
 import simbad.sonar.shape.Outline;
 
 /**
@@ -19,7 +18,7 @@ import simbad.sonar.shape.Outline;
  * on an element Maue's identity leaves the tangential derivative of Green's function at the
  * element's two ends and a weakly singular rest (Colton and Kress 2013, section 3.1).
  *
- * <p>Not thread-safe while it is made; what it returns may be shared.
+ * <p>Thread-safe.
  */
 public final class RigidScatterer {
   /** How uniqueness is ensured. */
@@ -33,13 +32,12 @@ public final class RigidScatterer {
   private final Boundary boundary;
   private final double wavenumber;
   private final double coupling;
-  private final LinearSolverDense<ZMatrixRMaj> solver;
+  private final LUDecompositionAlt_ZDRM factors = new LUDecompositionAlt_ZDRM();
 
   private RigidScatterer(Boundary boundary, double wavenumber, Formulation formulation) {
     this.boundary = boundary;
     this.wavenumber = wavenumber;
     coupling = formulation == Formulation.PLAIN ? 0 : 1 / wavenumber;
-    solver = LinearSolverFactory_ZDRM.lu(boundary.size());
   }
 
   /**
@@ -59,7 +57,7 @@ public final class RigidScatterer {
       List<Outline> outlines, double wavenumberPerM, double elementM, Formulation formulation) {
     RigidScatterer scatterer =
         new RigidScatterer(Boundary.of(outlines, elementM), wavenumberPerM, formulation);
-    if (!scatterer.solver.setA(scatterer.matrix())) {
+    if (!scatterer.factors.decompose(scatterer.matrix()) || scatterer.factors.isSingular()) {
       throw new IllegalArgumentException(
           "outlines give equations that cannot be solved: " + outlines);
     }
@@ -87,31 +85,30 @@ public final class RigidScatterer {
    * @return |f| per bearing, square roots of metres
    */
   public double[] backscatter(double[] bearingsRad) {
-    int n = boundary.size();
-    int count = bearingsRad.length;
-    ZMatrixRMaj incident = new ZMatrixRMaj(n, count);
-    for (int b = 0; b < count; b++) {
-      fillIncident(incident, b, bearingsRad[b]);
-    }
-    ZMatrixRMaj pressure = new ZMatrixRMaj(n, count);
-    solver.solve(incident, pressure);
-    double[] amplitude = new double[count];
-    for (int b = 0; b < count; b++) {
-      amplitude[b] = farField(pressure, b, bearingsRad[b]);
-    }
-    return amplitude;
+    return Arrays.stream(bearingsRad).parallel().map(this::backscatter).toArray();
   }
 
-  private void fillIncident(ZMatrixRMaj incident, int column, double bearingRad) {
+  private double backscatter(double bearingRad) {
     double towardsX = Math.sin(bearingRad);
     double towardsZ = Math.cos(bearingRad);
+    double[] pressure = incident(towardsX, towardsZ);
+    // What the factors keep is only read by it: several bearings may be solved for at once.
+    factors._solveVectorInternal(pressure);
+    return farField(pressure, towardsX, towardsZ);
+  }
+
+  /** Right side of the equations, real and imaginary parts by turns. */
+  private double[] incident(double towardsX, double towardsZ) {
+    double[] incident = new double[2 * boundary.size()];
     for (int i = 0; i < boundary.size(); i++) {
       double phase =
           -wavenumber * (towardsX * boundary.collocationX(i) + towardsZ * boundary.collocationZ(i));
       // (i/k) dp/dn = (i/k) (-i k towards.n) p
       double factor = 1 + coupling * wavenumber * facing(i, towardsX, towardsZ);
-      incident.set(i, column, factor * Math.cos(phase), factor * Math.sin(phase));
+      incident[2 * i] = factor * Math.cos(phase);
+      incident[2 * i + 1] = factor * Math.sin(phase);
     }
+    return incident;
   }
 
   /** Cosine of the angle between a direction and an element's normal. */
@@ -120,10 +117,7 @@ public final class RigidScatterer {
   }
 
   /** Each element's share is exact: a straight line of constant pressure. */
-  private double farField(ZMatrixRMaj pressure, int column, double bearingRad) {
-    double towardsX = Math.sin(bearingRad);
-    double towardsZ = Math.cos(bearingRad);
-    Complex_F64 p = new Complex_F64();
+  private double farField(double[] pressure, double towardsX, double towardsZ) {
     double re = 0;
     double im = 0;
     for (int j = 0; j < boundary.size(); j++) {
@@ -136,9 +130,10 @@ public final class RigidScatterer {
       double weight = boundary.lengthM(j) * spread * facing(j, towardsX, towardsZ);
       double phase =
           -wavenumber * (towardsX * boundary.middleX(j) + towardsZ * boundary.middleZ(j));
-      pressure.get(j, column, p);
-      re += weight * (p.real * Math.cos(phase) - p.imaginary * Math.sin(phase));
-      im += weight * (p.real * Math.sin(phase) + p.imaginary * Math.cos(phase));
+      double cos = Math.cos(phase);
+      double sin = Math.sin(phase);
+      re += weight * (pressure[2 * j] * cos - pressure[2 * j + 1] * sin);
+      im += weight * (pressure[2 * j] * sin + pressure[2 * j + 1] * cos);
     }
     return wavenumber / Math.sqrt(8 * Math.PI * wavenumber) * Math.hypot(re, im);
   }

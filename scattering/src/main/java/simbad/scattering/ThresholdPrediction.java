@@ -1,16 +1,16 @@
 package simbad.scattering;
 
 import java.util.Arrays;
+import simbad.sonar.shape.ThresholdBand;
 import simbad.sonar.shape.ThresholdTable;
 
 /**
  * The thresholds that are to be expected of a cross-section.
  *
  * @param table predicted, metres, in steps of 1 mm
- * @param low lower end of the band of 80 %, per bearing
- * @param high upper end
+ * @param band of {@value Calibration#COVERAGE_PERCENT} % of what was calibrated on
  */
-public record ThresholdPrediction(ThresholdTable table, ThresholdTable low, ThresholdTable high) {
+public record ThresholdPrediction(ThresholdTable table, ThresholdBand band) {
   private static final double STEPS_PER_M = 1000;
 
   /**
@@ -26,8 +26,9 @@ public record ThresholdPrediction(ThresholdTable table, ThresholdTable low, Thre
     SonarEquation equation = SonarEquation.of(calibration.receiver(), air, limits);
     return new ThresholdPrediction(
         table(equation, target, 0),
-        table(equation, target, -calibration.spreadDb()),
-        table(equation, target, calibration.spreadDb()));
+        new ThresholdBand(
+            table(equation, target, -calibration.spreadDb()),
+            table(equation, target, calibration.spreadDb())));
   }
 
   private static ThresholdTable table(SonarEquation equation, Backscatter target, double raisedDb) {

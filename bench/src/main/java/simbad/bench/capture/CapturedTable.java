@@ -1,14 +1,19 @@
 package simbad.bench.capture;
 
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.ToDoubleFunction;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.Provenance;
 import simbad.sonar.format.TableDocument;
+import simbad.sonar.format.TableFile;
+import simbad.sonar.shape.ThresholdBand;
 import simbad.sonar.shape.ThresholdTable;
 
 /**
@@ -45,17 +50,28 @@ public record CapturedTable(TableDocument document, List<ThresholdFit> fits) {
               plan.bearingDeg(missing.getAsInt())));
     }
     List<ThresholdFit> fits = new ArrayList<>();
-    double[] thresholdsM = new double[plan.bearings()];
-    for (int bearing = 0; bearing < thresholdsM.length; bearing++) {
+    for (int bearing = 0; bearing < plan.bearings(); bearing++) {
       if (state.levels(bearing).isEmpty()) {
         throw DataFormatException.inFile(
             text.file(), "bearing " + bearing + " is done without any reading");
       }
       fits.add(ThresholdFit.of(state.levels(bearing), plan));
-      thresholdsM[bearing] = Math.rint(fits.get(bearing).thresholdM() * 1e4) / 1e4;
     }
+    ThresholdBand band =
+        new ThresholdBand(table(fits, ThresholdFit::lowM), table(fits, ThresholdFit::highM));
     return new CapturedTable(
-        new TableDocument(ThresholdTable.of(thresholdsM), header(settings, text, state)), fits);
+        new TableDocument(
+            table(fits, ThresholdFit::thresholdM),
+            header(settings, text, state),
+            Optional.of(band)),
+        fits);
+  }
+
+  /** In steps of a tenth of a millimetre. */
+  private static ThresholdTable table(
+      List<ThresholdFit> fits, ToDoubleFunction<ThresholdFit> distanceM) {
+    return ThresholdTable.of(
+        fits.stream().mapToDouble(distanceM).map(m -> Math.rint(m * 1e4) / 1e4).toArray());
   }
 
   private static Map<String, String> header(
@@ -69,6 +85,7 @@ public record CapturedTable(TableDocument document, List<ThresholdFit> fits) {
     header.put("date", settings.of("date"));
     header.put("unit", "m");
     header.put("resolution", Double.toString(plan.stepM()));
+    header.put("band", "threshold_low_m to threshold_high_m, 95 % confidence interval");
     header.put("pings", state.pings() + " in all, " + plan.pings() + " at each distance");
     header.put("lost", "from " + plan.misses() + " misses of " + plan.pings() + " on");
     settings.ranging().describe(header, settings.temperatureC().isPresent());
@@ -78,24 +95,25 @@ public record CapturedTable(TableDocument document, List<ThresholdFit> fits) {
     return header;
   }
 
-  /** Returns the table as the text of a file, with the interval of each bearing. */
+  /**
+   * Returns the table as the text of a file, with the furthest distances heard on the way out and
+   * in and the number of pings in further columns.
+   */
   public String text() {
     StringBuilder text = new StringBuilder();
-    document.header().forEach((key, value) -> text.append("# " + key + ": " + value + "\n"));
-    text.append("bearing_deg,threshold_m,low_m,high_m,out_m,in_m,pings\n");
-    for (int i = 0; i < fits.size(); i++) {
-      ThresholdFit fit = fits.get(i);
-      text.append(
-          String.format(
-              Locale.ROOT,
-              "%s,%s,%.4f,%.4f,%.4f,%.4f,%d%n",
-              Double.toString(i * 360.0 / fits.size()).replaceFirst("\\.0$", ""),
-              document.table().valueM(i),
-              fit.lowM(),
-              fit.highM(),
-              fit.outM(),
-              fit.inM(),
-              fit.pings()));
+    Iterator<ThresholdFit> rows = fits.iterator();
+    boolean columns = false;
+    for (String line : TableFile.text(document).lines().toList()) {
+      text.append(line);
+      if (columns) {
+        ThresholdFit fit = rows.next();
+        text.append(
+            String.format(Locale.ROOT, ",%.4f,%.4f,%d", fit.outM(), fit.inM(), fit.pings()));
+      } else if (!line.startsWith("#")) {
+        text.append(",out_m,in_m,pings");
+        columns = true;
+      }
+      text.append('\n');
     }
     return text.toString();
   }

@@ -4,10 +4,13 @@ import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import simbad.bench.protocol.FrameLine;
 
 /**
  * The sweep that a person does: says what to do, takes the distance that the person read from the
@@ -17,30 +20,36 @@ public final class GuidedSweep {
   private static final double CM = 100;
   private static final double GREATEST_CM = 10_000;
 
+  /** One may be missed, or be of something else. */
+  private static final int LOOKS = 3;
+
   private final SweepPlan plan;
   private final Recorder recorder;
   private final PingSource pings;
   private final Operator operator;
+  private final Surface surface;
   private final InstantSource clock;
   private OptionalInt chosen = OptionalInt.empty();
+  private OptionalDouble doubtedM = OptionalDouble.empty();
   private Duration paused = Duration.ZERO;
 
   /**
    * Prepares a sweep.
    *
    * @param plan what is to be done
-   * @param recorder keeps what was done
+   * @param recorder keeps what was done, and tells the time
    * @param pings gives the readings
    * @param operator the person
-   * @param clock tells how long a bearing takes
+   * @param surface of the obstacle, by which a slip on the tape is noticed
    */
   public GuidedSweep(
-      SweepPlan plan, Recorder recorder, PingSource pings, Operator operator, InstantSource clock) {
+      SweepPlan plan, Recorder recorder, PingSource pings, Operator operator, Surface surface) {
     this.plan = plan;
     this.recorder = recorder;
     this.pings = pings;
     this.operator = operator;
-    this.clock = clock;
+    this.surface = surface;
+    clock = recorder.clock();
   }
 
   /**
@@ -155,8 +164,10 @@ public final class GuidedSweep {
       return;
     }
     double distanceM = Math.rint(distanceCm.getAsDouble() * CM) / (CM * CM);
+    if (isDoubtful(distanceM)) {
+      return;
+    }
     Probe probe = new Probe(distanceM, approach(bearing, distanceM));
-    pings.ping();
     for (int ping = 0; ping < plan.pings(); ping++) {
       Entry.Taken taken = recorder.record(bearing, probe, pings.ping());
       recorder.sync();
@@ -170,6 +181,35 @@ public final class GuidedSweep {
       operator.say(
           level.heard() + " of " + level.pings() + " heard at " + distanceCm.getAsDouble() + " cm");
     }
+  }
+
+  /** A distance that the readings contradict is asked for again; typed again, it is believed. */
+  private boolean isDoubtful(double distanceM) throws IOException, InterruptedException {
+    // One for the air to become still.
+    pings.ping();
+    OptionalDouble contradictionM = surface.findContradiction(looks(), distanceM);
+    boolean insisted = doubtedM.isPresent() && doubtedM.getAsDouble() == distanceM;
+    if (contradictionM.isEmpty() || insisted) {
+      doubtedM = OptionalDouble.empty();
+      return false;
+    }
+    doubtedM = OptionalDouble.of(distanceM);
+    operator.say(
+        String.format(
+            Locale.ROOT,
+            "not taken: axis at %.1f cm, but %.1f cm read to the surface; type it again (the same is"
+                + " then believed)",
+            CM * distanceM,
+            CM * contradictionM.getAsDouble()));
+    return true;
+  }
+
+  private List<FrameLine.Ping> looks() throws IOException, InterruptedException {
+    List<FrameLine.Ping> looks = new ArrayList<>();
+    for (int look = 0; look < LOOKS; look++) {
+      looks.add(pings.ping());
+    }
+    return looks;
   }
 
   private Approach approach(int bearing, double distanceM) {

@@ -49,6 +49,11 @@ public final class Recorder implements Closeable {
     return state;
   }
 
+  /** Returns the clock of the readings. */
+  Clock clock() {
+    return clock;
+  }
+
   /** Says how warm the air is from now on. */
   public void setTemperature(double degreesC) {
     OptionalDouble warm = OptionalDouble.of(degreesC);

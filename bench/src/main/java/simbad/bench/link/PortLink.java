@@ -25,6 +25,9 @@ public final class PortLink implements SerialLink {
 
   private static final long QUICK_NS = 5_000_000;
 
+  /** ENOTTY of Linux and macOS: a device, but none with a line. */
+  private static final int NOT_A_TERMINAL = 25;
+
   private final Path path;
   private final SerialPort port;
   private volatile boolean open = true;
@@ -73,6 +76,9 @@ public final class PortLink implements SerialLink {
     port.setComPortParameters(BAUD, DATA_BITS, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
     port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, SLICE_MS, 0);
     if (!port.openPort(0)) {
+      if (port.getLastErrorCode() == NOT_A_TERMINAL) {
+        throw new IOException(path + ": is no serial port; ports here: " + listed());
+      }
       throw new IOException(
           path
               + ": cannot be opened, most likely because another program holds it (error "

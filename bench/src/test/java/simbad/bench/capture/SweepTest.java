@@ -18,8 +18,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simbad.bench.protocol.FrameLine;
 import simbad.bench.protocol.PingStatus;
 import simbad.sonar.format.DataFormatException;
@@ -35,6 +38,8 @@ class SweepTest {
   private static final CaptureSettings SETTINGS =
       new CaptureSettings(
           PLAN, OptionalDouble.of(20), Map.of("obstacle", "post", "firmware", "fake 1.0"));
+
+  private static final Surface SURFACE = new Surface(0.018, SETTINGS.ranging());
 
   @TempDir Path folder = Path.of("");
 
@@ -151,6 +156,7 @@ class SweepTest {
   private final class Typist implements Operator {
     private final Deque<String> lines;
     private final List<String> said = new ArrayList<>();
+    private DoubleUnaryOperator isAt = typedCm -> typedCm / 100;
 
     Typist(String... lines) {
       this.lines = new ArrayDeque<>(Arrays.asList(lines));
@@ -166,7 +172,7 @@ class SweepTest {
     public String ask(PingSource live) {
       String line = lines.isEmpty() ? "q" : lines.remove();
       if (line.matches("\\d+")) {
-        standsAtM = Integer.parseInt(line) / 100.0;
+        standsAtM = isAt.applyAsDouble(Integer.parseInt(line));
       }
       return line;
     }
@@ -191,7 +197,7 @@ class SweepTest {
   }
 
   private boolean guide(Recorder recorder, Typist typist) throws IOException, InterruptedException {
-    return new GuidedSweep(PLAN, recorder, this::ping, typist, CLOCK).run();
+    return new GuidedSweep(PLAN, recorder, this::ping, typist, SURFACE).run();
   }
 
   @Test
@@ -224,6 +230,45 @@ class SweepTest {
     List<ReadingRow> rows = rows();
     assertEquals(8, rows.size());
     assertTrue(rows.stream().allMatch(row -> row.reading() instanceof Echo));
+  }
+
+  /** 28 cm on the tape and 4 m typed; then 4 m again, which is believed. */
+  @Test
+  void distanceThatTheReadingContradicts_isAskedForAgain() throws Exception {
+    Typist typist = new Typist("28", "400", "27", "400", "400", "q");
+    typist.isAt = typed -> typed == 400 ? 0.28 : typed / 100;
+    try (Recorder recorder = begun()) {
+      assertFalse(guide(recorder, typist));
+      assertEquals(
+          List.of(0.28, 0.27, 4.0),
+          recorder.state().levels(0).stream().map(Level::distanceM).toList());
+    }
+    String said = String.join("\n", typist.said);
+    assertTrue(
+        said.contains(
+            "not taken: axis at 400.0 cm, but 27.9 cm read to the surface; type it again"),
+        said);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "1.00, 1.00, true", // the axis itself, of a hollow section
+    "1.00, 1.09, true",
+    "1.00, 1.11, false",
+    "1.00, 0.91, true",
+    "1.00, 0.89, false",
+    "0.10, 0.15, true",
+    "3.00, 2.83, true",
+    "3.00, 2.79, false"
+  })
+  void surface_isNearItsAxis(double axisM, double rangeM, boolean possible) {
+    Ranging ranging = SETTINGS.ranging();
+    int us = (int) (2e6 * rangeM / ranging.soundSpeedMPerS());
+    FrameLine.Ping echo = new FrameLine.Ping(1, PingStatus.ECHO, OptionalInt.of(us), 70);
+    FrameLine.Ping none = new FrameLine.Ping(2, PingStatus.NO_ECHO, OptionalInt.of(36_000), 70);
+    assertEquals(
+        possible, SURFACE.findContradiction(List.of(none, echo), axisM).isEmpty(), "of an echo");
+    assertTrue(SURFACE.findContradiction(List.of(none), axisM).isEmpty(), "no echo, no doubt");
   }
 
   @Test

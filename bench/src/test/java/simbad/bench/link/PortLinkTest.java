@@ -34,7 +34,7 @@ class PortLinkTest extends SerialLinkContract {
     checkRefused(Path.of("/dev/ttyNOWHERE"), "/dev/ttyNOWHERE: there is no such port; ports here");
     checkRefused(Files.writeString(folder.resolve("notes"), "x"), "notes: is no serial port");
     checkRefused(folder, "is no serial port");
-    checkRefused(Path.of("/dev/null"), "/dev/null: ");
+    checkRefused(Path.of("/dev/null"), "/dev/null: is no serial port");
   }
 
   @Test

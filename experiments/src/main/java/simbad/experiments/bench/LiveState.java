@@ -23,14 +23,14 @@ public final class LiveState {
 
   private final String obstacle;
   private final SweepPlan plan;
-  private final Ranging ranging;
   private final Map<Integer, ThresholdFit> fits = new HashMap<>();
   private final ObjectNode node = MAPPER.createObjectNode();
+  private Ranging ranging;
   private int bearing;
   private long readings;
   private volatile String json = "{}";
 
-  /** Prepares for a sweep of an obstacle, with the speed of sound that holds there. */
+  /** Prepares for a sweep of an obstacle, with the speed of sound that holds there at first. */
   public LiveState(String obstacle, SweepPlan plan, Ranging ranging) {
     this.obstacle = obstacle;
     this.plan = plan;
@@ -60,6 +60,7 @@ public final class LiveState {
       bearing = state.nextBearing(plan).orElse(done.bearing());
     } else if (entry instanceof Entry.Taken taken) {
       bearing = taken.bearing();
+      ranging = Ranging.of(taken.temperatureC(), ranging.mode());
     } else if (entry instanceof Entry.Undone undone) {
       bearing = undone.bearing();
     } else if (entry instanceof Entry.Repeated repeated) {

@@ -16,6 +16,7 @@ import simbad.experiments.plot.Figure;
 import simbad.experiments.report.TablePicture;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
+import simbad.sonar.shape.ThresholdBand;
 import simbad.sonar.shape.ThresholdTable;
 
 /** {@code simbad bench table}. */
@@ -40,7 +41,7 @@ final class BenchTableCommand extends Subcommand {
   @Option(
       names = "--compare",
       paramLabel = "OBSTACLE",
-      description = "Another table: square, round, angle, or TABLE.csv.")
+      description = "Another table. " + ObstacleArgument.MEANING)
   private @Nullable String other;
 
   @Option(names = "--plot", paramLabel = "FILE", description = "A polar plot, *.png or *.svg.")
@@ -79,13 +80,15 @@ final class BenchTableCommand extends Subcommand {
     double most = 0;
     int within = 0;
     int size = table.fits().size();
+    ThresholdBand band = table.document().band().orElseThrow();
     for (int i = 0; i < size; i++) {
       ThresholdFit fit = table.fits().get(i);
-      double knownM = known.thresholdM(table.document().table().bearingRad(i));
+      double bearingRad = table.document().table().bearingRad(i);
+      double knownM = known.thresholdM(bearingRad);
       double difference = Math.abs(fit.thresholdM() - knownM);
       sum += difference;
       most = Math.max(most, difference);
-      within += fit.lowM() <= knownM + 1e-9 && knownM <= fit.highM() + 1e-9 ? 1 : 0;
+      within += band.holds(bearingRad, knownM) ? 1 : 0;
     }
     out()
         .printf(

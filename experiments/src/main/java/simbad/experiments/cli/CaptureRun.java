@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
-import java.time.Clock;
 import java.util.Locale;
 import java.util.Optional;
 import simbad.bench.board.BoardKit;
@@ -15,6 +14,7 @@ import simbad.bench.capture.GuidedSweep;
 import simbad.bench.capture.Operator;
 import simbad.bench.capture.PingSource;
 import simbad.bench.capture.Recorder;
+import simbad.bench.capture.Surface;
 import simbad.bench.capture.Sweep;
 import simbad.bench.capture.SweepListener;
 import simbad.bench.capture.SweepPlan;
@@ -83,7 +83,7 @@ final class CaptureRun {
   /** The sweep that a person does, at the port of the settings. */
   void guided(BufferedReader in, boolean terminal, Opening opening)
       throws IOException, DataFormatException, InterruptedException {
-    Operator person = new TerminalOperator(in, out, settings.ranging(), terminal);
+    Operator person = new TerminalOperator(in, out, settings, terminal);
     if (terminal) {
       // What was printed at the begin is cleared away.
       page.ifPresent(at -> person.say("page: " + at.url()));
@@ -93,10 +93,14 @@ final class CaptureRun {
           try (SteadyRanger ranger = connected(Path.of(settings.of("port")))) {
             Recorder known = open(ranger, opening);
             GuidedSweep sweep =
-                new GuidedSweep(settings.plan(), known, shown(ranger), person, Clock.systemUTC());
+                new GuidedSweep(settings.plan(), known, shown(ranger), person, surface());
             interruptible(sweep::run, () -> {});
           }
         });
+  }
+
+  private Surface surface() {
+    return new Surface(obstacle.outline().reachM(0, 0), settings.ranging());
   }
 
   /** The part of a run that may fail. */

@@ -67,7 +67,8 @@ final class Complaints {
     if (fault instanceof IOException io) {
       return inputOutput(io);
     }
-    if (fault instanceof RuntimeException || fault instanceof Error) {
+    boolean isForeseen = ExitStatus.rules().of(fault) == ExitStatus.BAD_INPUT;
+    if (!isForeseen && (fault instanceof RuntimeException || fault instanceof Error)) {
       return "a fault in the program: " + fault + (trace ? "" : " (SIMBAD_TRACE=1 shows where)");
     }
     return textOf(fault);

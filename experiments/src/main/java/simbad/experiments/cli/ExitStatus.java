@@ -7,6 +7,7 @@ import java.nio.file.NoSuchFileException;
 import java.util.Map;
 import java.util.concurrent.ExecutionException;
 import picocli.CommandLine.ParameterException;
+import simbad.obstacles.ObstacleOverlapException;
 import simbad.sonar.format.DataFormatException;
 
 /** Which exception means which exit status; a class that is not named has its superclass's. */
@@ -36,6 +37,8 @@ final class ExitStatus {
             Throwable.class, FAILED,
             ParameterException.class, BAD_INPUT,
             DataFormatException.class, BAD_INPUT,
+            // A world of the user's own demo.
+            ObstacleOverlapException.class, BAD_INPUT,
             // A file that the user named and that cannot be read, or would be overwritten.
             NoSuchFileException.class, BAD_INPUT,
             AccessDeniedException.class, BAD_INPUT,

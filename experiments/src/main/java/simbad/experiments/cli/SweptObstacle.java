@@ -12,7 +12,7 @@ final class SweptObstacle {
       names = "--obstacle",
       paramLabel = "NAME",
       required = true,
-      description = "What is swept: square, round, angle, or TABLE.csv.")
+      description = "What is swept. " + ObstacleArgument.MEANING)
   private String name = "";
 
   @Option(

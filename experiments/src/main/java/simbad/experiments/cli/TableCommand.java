@@ -92,7 +92,8 @@ final class TableCommand extends CommandGroup {
   @Command(
       name = "plot",
       description = {
-        "Draw a table as a polar plot, PNG or SVG by the ending of --out.",
+        "Draw a table as a polar plot, PNG or SVG by the ending of --out; of a predicted or captured"
+            + " one the uncertainty as well.",
         "With --log, draw a robot's logged positions over it and print their errors."
       },
       footer = {

@@ -12,6 +12,7 @@ import picocli.CommandLine.Parameters;
 import simbad.experiments.report.TablePicture;
 import simbad.experiments.table.TableComparison;
 import simbad.obstacles.ObstacleType;
+import simbad.sonar.shape.ThresholdBand;
 
 /** {@code simbad table compare}. */
 @Command(
@@ -57,7 +58,7 @@ final class TableCompareCommand extends Subcommand {
       OutputFile.draw(TablePicture.of(a, b), file);
     }
     if (json) {
-      out().println(json(comparison));
+      out().println(json(b, comparison));
     } else {
       print(a, b, comparison);
     }
@@ -82,6 +83,13 @@ final class TableCompareCommand extends Subcommand {
         degrees(c.best().rotationDeg()),
         c.best().mirrored() ? ", mirrored first" : "",
         c.best().correlation());
+    b.thresholds()
+        .band()
+        .ifPresent(
+            band ->
+                line(
+                    "  %d of the first's thresholds within the second's band",
+                    withinBand(c, band)));
     if (listed) {
       out().println("bearing_deg,first_m,second_m,difference_m");
       c.bearings()
@@ -93,6 +101,12 @@ final class TableCompareCommand extends Subcommand {
     }
   }
 
+  private static long withinBand(TableComparison c, ThresholdBand band) {
+    return c.bearings().stream()
+        .filter(row -> band.holds(Math.toRadians(row.bearingDeg()), row.firstM()))
+        .count();
+  }
+
   /** Whole degrees without a point. */
   private static String degrees(double value) {
     return value == Math.rint(value) ? Long.toString((long) value) : Double.toString(value);
@@ -102,7 +116,7 @@ final class TableCompareCommand extends Subcommand {
     out().println(String.format(Locale.ROOT, format, values));
   }
 
-  private static ObjectNode json(TableComparison c) {
+  private static ObjectNode json(ObstacleType b, TableComparison c) {
     ObjectNode root = new ObjectMapper().createObjectNode();
     root.put("log_correlation", c.correlation());
     root.put("median_ratio_error", c.medianRatioError());
@@ -111,6 +125,9 @@ final class TableCompareCommand extends Subcommand {
     root.put("best_rotation_deg", c.best().rotationDeg());
     root.put("best_mirrored", c.best().mirrored());
     root.put("best_log_correlation", c.best().correlation());
+    b.thresholds()
+        .band()
+        .ifPresent(band -> root.put("first_within_second_band", withinBand(c, band)));
     ArrayNode rows = root.putArray("bearings");
     c.bearings()
         .forEach(

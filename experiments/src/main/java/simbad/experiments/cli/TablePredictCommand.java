@@ -1,6 +1,5 @@
 package simbad.experiments.cli;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
@@ -15,6 +14,8 @@ import simbad.scattering.KnownThresholds;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.OutlineDocument;
 import simbad.sonar.format.SensorFile;
+import simbad.sonar.format.TableDocument;
+import simbad.sonar.format.TableFile;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.shape.Outline;
 
@@ -92,11 +93,11 @@ final class TablePredictCommand extends Subcommand {
       OutputFile.refuseExisting(file);
     }
     Calibration calibration = withoutAngle ? Calibration.WITHOUT_ANGLE : Calibration.SRF04;
-    String text = PredictedTable.of(section, air, sonar, calibration, bearings).text();
+    TableDocument table = PredictedTable.of(section, air, sonar, calibration, bearings);
     if (file == null) {
-      out().print(text);
+      out().print(TableFile.text(table));
     } else {
-      Files.writeString(file, text);
+      TableFile.write(file, table);
     }
   }
 

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
+import simbad.bench.capture.CaptureSettings;
 import simbad.bench.capture.Entry;
 import simbad.bench.capture.Level;
 import simbad.bench.capture.Operator;
@@ -33,17 +34,18 @@ final class TerminalOperator implements Operator {
 
   private final BufferedReader in;
   private final PrintWriter out;
-  private final Ranging ranging;
   private final boolean terminal;
+  private final EchoWindow window;
+  private Ranging ranging;
   private String last = "";
   private String reading = "---";
   private List<String> bearing = BigDigits.of("");
-  private EchoWindow window = new EchoWindow(1, 1);
 
-  TerminalOperator(BufferedReader in, PrintWriter out, Ranging ranging, boolean terminal) {
+  TerminalOperator(BufferedReader in, PrintWriter out, CaptureSettings settings, boolean terminal) {
     this.in = in;
     this.out = out;
-    this.ranging = ranging;
+    ranging = settings.ranging();
+    window = new EchoWindow(settings.plan().pings(), settings.plan().misses());
     this.terminal = terminal;
   }
 
@@ -54,7 +56,6 @@ final class TerminalOperator implements Operator {
             String.format(Locale.ROOT, "%.4g", view.plan().bearingDeg(view.bearing()))
                     .replaceFirst("\\.?0*$", "")
                 + "\u00b0");
-    window = new EchoWindow(view.plan().pings(), view.plan().misses());
     if (terminal) {
       out.print(CLEAR + "\n".repeat(ROWS_ABOVE));
     }
@@ -123,6 +124,7 @@ final class TerminalOperator implements Operator {
 
   @Override
   public void heard(Entry.Taken taken) {
+    ranging = Ranging.of(taken.temperatureC(), ranging.mode());
     showLarge(taken.status(), taken.echoUs().orElse(0));
   }
 

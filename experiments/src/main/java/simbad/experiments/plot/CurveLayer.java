@@ -28,7 +28,7 @@ final class CurveLayer implements Layer.Painter {
   void paintSeams(Graphics2D g, Screen screen) {
     g.setColor(Ink.PAPER);
     for (Curve curve : curves) {
-      if (curve.style() != SeriesStyle.POINTS) {
+      if (isLine(curve)) {
         g.setStroke(Ink.round(curve.look().stroke().getLineWidth() + SEAM));
         strokes(g, screen, curve);
       }
@@ -38,12 +38,19 @@ final class CurveLayer implements Layer.Painter {
   private static void paint(Graphics2D g, Screen screen, Curve curve) {
     g.setColor(curve.look().colour());
     g.setStroke(curve.look().stroke());
-    if (curve.style() != SeriesStyle.POINTS) {
+    if (curve.style() == SeriesStyle.AREA) {
+      g.fill(screen.path(curve.getXData(), curve.getYData(), 0, curve.getXData().length));
+    }
+    if (isLine(curve)) {
       strokes(g, screen, curve);
     }
     if (curve.style() == SeriesStyle.POINTS || isMarked(curve)) {
       dots(g, screen, curve, 0, curve.getXData().length);
     }
+  }
+
+  private static boolean isLine(Curve curve) {
+    return curve.style() == SeriesStyle.LINE || curve.style() == SeriesStyle.CLOSED_LINE;
   }
 
   /** The corners of a table are data, its edges are not. */

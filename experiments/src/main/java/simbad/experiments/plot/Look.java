@@ -10,9 +10,10 @@ import java.awt.Color;
  * the common kinds of colour blindness; every two roles also differ in width or dash, for print in
  * grey. The table is thin and lies on top: a trace that follows it shows as a broad fringe.
  *
- * @param depth 0 is drawn first
+ * @param depth the least is drawn first
  */
 record Look(Color colour, BasicStroke stroke, int depth) {
+  private static final Color PALE = new Color(0xD2DCE4);
   private static final Color BLACK = new Color(0x000000);
   private static final Color ORANGE = new Color(0xE69F00);
   private static final Color SKY_BLUE = new Color(0x56B4E9);
@@ -28,6 +29,7 @@ record Look(Color colour, BasicStroke stroke, int depth) {
 
   static Look of(SeriesRole role) {
     return switch (role) {
+      case BAND -> new Look(PALE, Ink.round(7f), -1);
       case TABLE -> new Look(BLACK, Ink.round(0.9f), 6);
       case ORIGINAL -> new Look(VERMILLION, Ink.round(1.5f, 6f, 4f), 2);
       case SHADOW -> new Look(SKY_BLUE, Ink.round(3f), 0);

@@ -5,6 +5,8 @@ package simbad.experiments.plot;
  * same in every picture, in colour, to colour-blind eyes and in grey.
  */
 public enum SeriesRole {
+  /** How far a threshold table is uncertain. */
+  BAND,
   /** A threshold table. */
   TABLE,
   /** The sensor that hears every obstacle whatever its orientation. */

@@ -7,5 +7,7 @@ public enum SeriesStyle {
   /** Straight edges, and one from the last point back to the first. */
   CLOSED_LINE,
   /** Dots that are not joined. */
-  POINTS
+  POINTS,
+  /** No edges; what lies within them is filled. A way round a hole goes round it the other way. */
+  AREA
 }

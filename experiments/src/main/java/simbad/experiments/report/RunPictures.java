@@ -3,7 +3,9 @@ package simbad.experiments.report;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import simbad.experiments.plot.BearingError;
 import simbad.experiments.plot.Caption;
@@ -19,7 +21,9 @@ import simbad.experiments.plot.SeriesStyle;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.Trace;
 import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.TableDocument;
 import simbad.sonar.frame.Point;
+import simbad.sonar.shape.ThresholdBand;
 import simbad.sonar.shape.ThresholdTable;
 
 /** The pictures of one obstacle's runs. */
@@ -42,10 +46,10 @@ final class RunPictures {
   /** The table alone. */
   static Figure table(ObstacleType type) {
     Caption caption = new Caption("Detection thresholds: " + type.name(), provenance(type));
-    return new PolarPlot(caption, List.of(tableSeries(type)), outline(type)).figure();
+    return new PolarPlot(caption, tableAndBand(type), outline(type)).figure();
   }
 
-  /** One table over another. */
+  /** One table over another, and how far the other is uncertain. */
   static Figure tables(ObstacleType first, ObstacleType second) {
     Caption caption =
         new Caption(
@@ -58,14 +62,18 @@ final class RunPictures {
             SeriesStyle.CLOSED_LINE,
             points(second.thresholds().table()));
     PolarSeries over = tableSeries(first, first.name());
-    return new PolarPlot(caption, List.of(over, under), outline(first)).figure();
+    List<PolarSeries> series = new ArrayList<>(List.of(over, under));
+    band(second.thresholds(), " of " + second.name()).ifPresent(series::add);
+    return new PolarPlot(caption, series, outline(first)).figure();
   }
 
   /** The table and one trace. */
   static Figure table(ObstacleType type, String name, Trace trace) {
     Caption caption = new Caption("Trace round the obstacle: " + type.name(), provenance(type));
     PolarSeries way = new PolarSeries(name, SeriesRole.OTHER, SeriesStyle.LINE, places(trace));
-    return new PolarPlot(caption, List.of(tableSeries(type), way), outline(type)).figure();
+    List<PolarSeries> series = tableAndBand(type);
+    series.add(way);
+    return new PolarPlot(caption, series, outline(type)).figure();
   }
 
   private static void save(Figure figure, Path folder, String name) throws IOException {
@@ -138,6 +146,39 @@ final class RunPictures {
         SeriesRole.TABLE,
         SeriesStyle.CLOSED_LINE,
         points(type.thresholds().table()));
+  }
+
+  private static List<PolarSeries> tableAndBand(ObstacleType type) {
+    List<PolarSeries> series = new ArrayList<>(List.of(tableSeries(type)));
+    band(type.thresholds(), "").ifPresent(series::add);
+    return series;
+  }
+
+  /** Of the header's line the legend takes the words behind the columns' names. */
+  private static Optional<PolarSeries> band(TableDocument document, String of) {
+    String meaning =
+        document
+            .header("band")
+            .filter(text -> text.contains(","))
+            .map(text -> text.substring(text.indexOf(',')))
+            .orElse("");
+    return document
+        .band()
+        .map(
+            band ->
+                new PolarSeries(
+                    "uncertainty" + of + meaning, SeriesRole.BAND, SeriesStyle.AREA, ring(band)));
+  }
+
+  /** Round the upper ends, and back round the lower ones. */
+  private static List<PolarPoint> ring(ThresholdBand band) {
+    List<PolarPoint> ring = points(band.high());
+    ring.add(ring.get(0));
+    List<PolarPoint> hole = points(band.low());
+    hole.add(hole.get(0));
+    Collections.reverse(hole);
+    ring.addAll(hole);
+    return ring;
   }
 
   private static List<PolarPoint> points(ThresholdTable table) {

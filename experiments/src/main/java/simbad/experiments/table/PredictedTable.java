@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import simbad.scattering.Air;
 import simbad.scattering.Backscatter;
 import simbad.scattering.Calibration;
@@ -11,21 +12,17 @@ import simbad.scattering.RangeLimits;
 import simbad.scattering.ThresholdPrediction;
 import simbad.sonar.format.OutlineDocument;
 import simbad.sonar.format.TableDocument;
-import simbad.sonar.format.TableFile;
 import simbad.sonar.scene.SonarSpec;
 
-/**
- * A table that is predicted from a cross-section, with the band in which it is uncertain.
- *
- * @param document the table and what its file says about it
- * @param prediction the same with its band
- */
-public record PredictedTable(TableDocument document, ThresholdPrediction prediction) {
+/** A table that is predicted from a cross-section, with the band in which it is uncertain. */
+public final class PredictedTable {
   /** An SRF04 gives up after 36 ms; no sonar of its kind hears further, whatever its file says. */
   private static final double TIME_OUT_M = 6.2;
 
   /** Nearer than the blanking of any ranger, for files that state no minimum. */
   private static final double LEAST_RANGE_M = 0.01;
+
+  private PredictedTable() {}
 
   /**
    * Predicts a table.
@@ -36,7 +33,7 @@ public record PredictedTable(TableDocument document, ThresholdPrediction predict
    * @param calibration of the sensor's kind
    * @param bearings how many, evenly spaced from 0
    */
-  public static PredictedTable of(
+  public static TableDocument of(
       OutlineDocument section, Air air, SonarSpec sonar, Calibration calibration, int bearings) {
     ThresholdPrediction prediction =
         ThresholdPrediction.of(
@@ -46,8 +43,8 @@ public record PredictedTable(TableDocument document, ThresholdPrediction predict
                 Math.max(LEAST_RANGE_M, sonar.minRangeM()),
                 Math.min(TIME_OUT_M, sonar.maxRangeM())),
             calibration);
-    return new PredictedTable(
-        new TableDocument(prediction.table(), header(section, air, sonar)), prediction);
+    return new TableDocument(
+        prediction.table(), header(section, air, sonar), Optional.of(prediction.band()));
   }
 
   private static Map<String, String> header(OutlineDocument section, Air air, SonarSpec sonar) {
@@ -76,23 +73,5 @@ public record PredictedTable(TableDocument document, ThresholdPrediction predict
 
   private static String number(double value) {
     return String.format(Locale.ROOT, "%.6g", value).replaceAll("\\.?0+$", "");
-  }
-
-  /** Returns the table as the text of a file, the band in two further columns. */
-  public String text() {
-    StringBuilder text = new StringBuilder();
-    int row = -1; // The line of the columns' names.
-    for (String line : TableFile.text(document).lines().toList()) {
-      text.append(line);
-      if (!line.startsWith("#")) {
-        text.append(
-            row < 0
-                ? ",threshold_low_m,threshold_high_m"
-                : "," + prediction.low().valueM(row) + "," + prediction.high().valueM(row));
-        row++;
-      }
-      text.append('\n');
-    }
-    return text.toString();
   }
 }

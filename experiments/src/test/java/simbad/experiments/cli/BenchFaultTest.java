@@ -108,10 +108,11 @@ class BenchFaultTest {
     Path port = folder.resolve("port");
     try (Board board = Board.start(KIT, new BoardSetup(folder.resolve("tty"), 1), world);
         FaultyLine line = FaultyLine.open(board, port, 7, faults, new Random(seed))) {
+      // No reading fits the distance: it must be typed twice to be believed.
       SimbadProcess bench =
           SimbadProcess.start(
               folder,
-              "100\nq\n",
+              "100\n100\nq\n",
               "bench capture --obstacle angle --port %s --pings %d --out %s"
                   .formatted(port, readings, capture.path())
                   .split(" "));

@@ -17,6 +17,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.ExecutionException;
 import java.util.stream.Stream;
+import javax.vecmath.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -24,6 +25,11 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
+import simbad.obstacles.Catalogue;
+import simbad.obstacles.ObstacleType;
+import simbad.obstacles.SonarObstacle;
+import simbad.sim.EnvironmentDescription;
+import simbad.sim.World;
 import simbad.sonar.format.DataFormatException;
 
 class MainTest {
@@ -85,6 +91,20 @@ class MainTest {
   void subcommandRuns_statusZero() {
     assertEquals(
         new Outcome(0, "depth 3" + System.lineSeparator(), ""), simbad("probe", "--depth", "3"));
+  }
+
+  /** Who made the world can mend it: that is no fault in the program. */
+  @Test
+  void overlapInAnOwnWorld_isBadInput() {
+    EnvironmentDescription own = new EnvironmentDescription();
+    ObstacleType plate = Catalogue.find("plate").orElseThrow();
+    own.add(new SonarObstacle(new Vector3d(0, 0, 0), 0, plate));
+    own.add(new SonarObstacle(new Vector3d(0.01, 0, 0), 0, plate));
+    checkComplaint(
+        simbad(probe -> probe.out().print(new World(own)), "probe"),
+        2,
+        "simbad probe: obstacle plate at x 0.01000, z 0.000 m overlaps obstacle plate at x 0.000,"
+            + " z 0.000 m");
   }
 
   @ParameterizedTest

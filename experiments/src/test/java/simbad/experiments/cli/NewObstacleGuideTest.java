@@ -63,10 +63,11 @@ class NewObstacleGuideTest {
             .filter(line -> line.startsWith("    ./simbad "))
             .map(line -> line.substring("    ./simbad ".length()))
             .toList();
-    assertEquals(11, commands.size(), "commands on the page");
-    List<String> withJar = commands.subList(9, 11);
+    assertEquals(12, commands.size(), "commands on the page");
+    List<String> withJar = commands.subList(9, 12);
     commands = commands.subList(0, 9);
-    assertEquals(List.of("table types", "demo slab --headless"), withJar);
+    assertEquals(
+        List.of("table types", "demo slab --headless", "demo MyWorld --headless"), withJar);
     System.setProperty(Catalogue.FOLDER_PROPERTY, folder.resolve("my-obstacles").toString());
     try {
       for (String command : commands) {
@@ -106,6 +107,7 @@ class NewObstacleGuideTest {
   @Test
   void jar_addsItsTypes() throws Exception {
     Files.writeString(folder.resolve("MyObstacles.java"), blocks("java").get(0));
+    Files.writeString(folder.resolve("MyWorld.java"), blocks("java").get(1));
     String jar =
         blocks("sh")
             .get(0)
@@ -118,6 +120,7 @@ class NewObstacleGuideTest {
     checkOutput("slab (predicted): flat plate", "java", "-cp", classPath, main, "table", "types");
     checkOutput(
         "robot: at", "java", "-cp", classPath, main, "demo", "slab", "--headless", "--steps", "20");
+    checkOutput("MyWorld: 2000", "java", "-cp", classPath, main, "demo", "MyWorld", "--headless");
   }
 
   private void checkOutput(String expected, String... command) throws Exception {

@@ -97,6 +97,18 @@ class TableCommandTest {
     assertTrue(head.substring(0, 400).contains(begin), head.substring(0, 100));
   }
 
+  /** What a predicted or captured table says of its uncertainty is drawn and named. */
+  @Test
+  void plot_drawsTheBandOfAPrediction() throws IOException {
+    Path plate = folder.resolve("plate.svg");
+    Path angle = folder.resolve("angle.svg");
+    assertEquals(0, Shell.simbad("table", "plot", "plate", "--out", plate.toString()).status());
+    assertEquals(0, Shell.simbad("table", "plot", "angle", "--out", angle.toString()).status());
+    String filled = "rgb(210,220,228)";
+    assertTrue(Files.readString(plate).contains(filled));
+    assertFalse(Files.readString(angle).contains(filled));
+  }
+
   /** The round table is a circle of 2 m; the log one of 2.1 m. */
   @Test
   void plot_withATrace_printsItsErrors() throws IOException {

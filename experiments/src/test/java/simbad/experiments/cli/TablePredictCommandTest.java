@@ -152,7 +152,7 @@ class TablePredictCommandTest {
   void calibrate_findsTheFiguresInUse() {
     Shell words = Shell.simbad("table", "calibrate", "--without-angle");
     assertEquals(0, words.status(), words.err());
-    assertTrue(words.out().contains("  level L 34.5 dB\n  K 27.5\n  tau 1.75 ms\n"), words.out());
+    assertTrue(words.out().contains("  level L 34.75 dB\n  K 27.5\n  tau 1.75 ms\n"), words.out());
     Shell all = Shell.simbad("table", "calibrate");
     assertEquals(
         """

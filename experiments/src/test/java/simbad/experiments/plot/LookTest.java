@@ -17,6 +17,7 @@ class LookTest {
     "TABLE, 000000",
     "ORIGINAL, D55E00",
     "SHADOW, 56B4E9",
+    "BAND, D2DCE4",
     "OVERLAP, 009E73",
     "RAY, CC79A7",
     "NOISY, 0072B2",

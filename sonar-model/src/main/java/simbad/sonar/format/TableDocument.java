@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import simbad.sonar.shape.ThresholdBand;
 import simbad.sonar.shape.ThresholdTable;
 
 /**
@@ -12,8 +13,10 @@ import simbad.sonar.shape.ThresholdTable;
  * @param table the thresholds
  * @param header the file's {@code # key: value} lines in their order; keys are object, sensor,
  *     provenance, source, date, unit, resolution and any other
+ * @param band how far the thresholds are uncertain, if the file tells; of the table's bearings
  */
-public record TableDocument(ThresholdTable table, Map<String, String> header) {
+public record TableDocument(
+    ThresholdTable table, Map<String, String> header, Optional<ThresholdBand> band) {
   static final String PROVENANCE = "provenance";
 
   /**
@@ -23,6 +26,15 @@ public record TableDocument(ThresholdTable table, Map<String, String> header) {
   public TableDocument {
     header = Collections.unmodifiableMap(new LinkedHashMap<>(header));
     header.forEach(TableDocument::checkLine);
+    if (band.isPresent() && band.get().size() != table.size()) {
+      throw new IllegalArgumentException(
+          "band has " + band.get().size() + " bearings, the table " + table.size());
+    }
+  }
+
+  /** A table without a band. */
+  public TableDocument(ThresholdTable table, Map<String, String> header) {
+    this(table, header, Optional.empty());
   }
 
   private static void checkLine(String key, String value) {

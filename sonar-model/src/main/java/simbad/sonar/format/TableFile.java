@@ -4,15 +4,20 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
+import simbad.sonar.shape.ThresholdBand;
 import simbad.sonar.shape.ThresholdTable;
 
 /**
  * Threshold tables as csv files: columns {@code bearing_deg,threshold_m}, any even spacing from
- * bearing 0, {@code # key: value} lines above.
+ * bearing 0, {@code # key: value} lines above. The ends of an uncertainty band may stand in {@code
+ * threshold_low_m,threshold_high_m}.
  */
 public final class TableFile {
   private static final String BEARING = "bearing_deg";
   private static final String THRESHOLD = "threshold_m";
+  private static final String LOW = "threshold_low_m";
+  private static final String HIGH = "threshold_high_m";
   private static final double TURN_DEG = 360;
   private static final double SAME_BEARING_DEG = 1e-6;
 
@@ -38,17 +43,36 @@ public final class TableFile {
   public static TableDocument parse(Path name, String text) throws DataFormatException {
     CsvTable csv = CsvTable.parse(name, text);
     csv.requireColumns(BEARING, THRESHOLD);
+    double[] thresholds = thresholds(csv, THRESHOLD);
+    checkBearings(csv);
+    return new TableDocument(ThresholdTable.of(thresholds), header(csv), band(csv));
+  }
+
+  private static double[] thresholds(CsvTable csv, String column) throws DataFormatException {
     double[] thresholds = new double[csv.size()];
     for (int row = 0; row < thresholds.length; row++) {
       thresholds[row] =
           csv.number(
               row,
-              THRESHOLD,
+              column,
               ThresholdTable::isThreshold,
               "a distance in [0, " + ThresholdTable.GREATEST_THRESHOLD_M + "] m");
     }
-    checkBearings(csv);
-    return new TableDocument(ThresholdTable.of(thresholds), header(csv));
+    return thresholds;
+  }
+
+  private static Optional<ThresholdBand> band(CsvTable csv) throws DataFormatException {
+    if (!csv.hasColumn(LOW) || !csv.hasColumn(HIGH)) {
+      return Optional.empty();
+    }
+    double[] low = thresholds(csv, LOW);
+    double[] high = thresholds(csv, HIGH);
+    for (int row = 0; row < low.length; row++) {
+      if (low[row] > high[row]) {
+        throw csv.fault(row, LOW, low[row] + " is above " + HIGH + " = " + high[row]);
+      }
+    }
+    return Optional.of(new ThresholdBand(ThresholdTable.of(low), ThresholdTable.of(high)));
   }
 
   private static void checkBearings(CsvTable csv) throws DataFormatException {
@@ -153,11 +177,19 @@ public final class TableFile {
   public static String text(TableDocument document) {
     StringBuilder text = new StringBuilder();
     document.header().forEach((key, value) -> text.append("# " + key + ": " + value + "\n"));
-    text.append(BEARING + "," + THRESHOLD + "\n");
+    text.append(BEARING + "," + THRESHOLD);
+    document.band().ifPresent(band -> text.append("," + LOW + "," + HIGH));
+    text.append('\n');
     ThresholdTable table = document.table();
     for (int i = 0; i < table.size(); i++) {
       // Multiplied before it is divided: 72 rows then stand at whole degrees to the last digit.
-      text.append(degrees(i * TURN_DEG / table.size()) + "," + table.valueM(i) + "\n");
+      text.append(degrees(i * TURN_DEG / table.size()) + "," + table.valueM(i));
+      int row = i;
+      document
+          .band()
+          .ifPresent(
+              band -> text.append("," + band.low().valueM(row) + "," + band.high().valueM(row)));
+      text.append('\n');
     }
     return text.toString();
   }

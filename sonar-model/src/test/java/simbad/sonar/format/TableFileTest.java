@@ -2,6 +2,7 @@ package simbad.sonar.format;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -22,6 +23,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simbad.sonar.fixture.Refusal;
 import simbad.sonar.fixture.Shapes;
+import simbad.sonar.shape.ThresholdBand;
 import simbad.sonar.shape.ThresholdTable;
 
 class TableFileTest {
@@ -129,6 +131,53 @@ class TableFileTest {
       text.append(letters.charAt(random.nextInt(letters.length())));
     }
     return text.toString();
+  }
+
+  @Test
+  void band_isReadAndWrittenBesideTheThresholds() throws Exception {
+    String text =
+        """
+        bearing_deg,threshold_m,threshold_low_m,threshold_high_m
+        0,1.0,0.5,1.5
+        120,2.0,2.0,2.0
+        240,3.0,0.0,100.0
+        """;
+    TableDocument document = read(text);
+    ThresholdBand band = document.band().orElseThrow();
+    assertArrayEquals(new double[] {0.5, 2, 0}, band.low().valuesM());
+    assertArrayEquals(new double[] {1.5, 2, 100}, band.high().valuesM());
+    assertEquals(text, TableFile.text(document));
+    assertTrue(band.holds(0, 0.5) && band.holds(0, 1.5));
+    assertFalse(band.holds(0, 0.49) || band.holds(0, 1.51));
+  }
+
+  /** One end alone is another column, as any. */
+  @Test
+  void bandOfOneEnd_isNone() throws Exception {
+    String text = "bearing_deg,threshold_m,threshold_low_m\n0,1,a\n120,2,b\n240,3,c\n";
+    assertEquals(Optional.empty(), read(text).band());
+  }
+
+  @Test
+  void badBand_isRefusedWithItsLine() throws Exception {
+    String columns = "bearing_deg,threshold_m,threshold_low_m,threshold_high_m\n";
+    Faults.check(
+        TableFile::read,
+        Faults.file(directory, columns + "0,1,0.5,1.5\n120,2,2.1,2\n240,3,3,3\n"),
+        ":3: threshold_low_m",
+        "2.1 is above threshold_high_m = 2.0");
+    Faults.check(
+        TableFile::read,
+        Faults.file(directory, columns + "0,1,0.5,1.5\n120,2,2,2\n240,3,3,-\n"),
+        ":4: threshold_high_m",
+        "'-' is not a distance");
+    ThresholdBand three =
+        new ThresholdBand(ThresholdTable.uniform(3, 1), ThresholdTable.uniform(3, 2));
+    Refusal.check(
+        () -> new TableDocument(ThresholdTable.uniform(4, 1), Map.of(), Optional.of(three)),
+        "band has 3 bearings");
+    Refusal.check(() -> new ThresholdBand(three.high(), three.low()), "is above high");
+    Refusal.check(() -> new ThresholdBand(three.low(), ThresholdTable.uniform(4, 2)), "high 4");
   }
 
   @Test
