@@ -24,8 +24,6 @@ public final class Forms {
   /** Fewer ghosts than these are no effect: a form as free as this one finds some in any log. */
   private static final Parameter GHOSTS = Parameter.of("share", 0, 0.03, 1, 0.1, 0.4);
 
-  private static final double LEAST_CHANGE_M = 0.05;
-
   private static final double FOREVER_S = 1e9;
 
   /** Spread of a detour over its length, and for one in proportion over that of an echo at 1 m. */
@@ -422,18 +420,11 @@ public final class Forms {
     add(
         Effect.PREVIOUS_PING,
         name,
-        v -> new GhostReading(v[0], v[1], changing(v[1], v[2]), v[3], onlyNearer),
+        v -> new GhostReading(v[0], v[1], v[2], v[3], onlyNearer),
         GHOSTS,
         Parameter.of("factor", 1, 0.05, 2.2, 0.5, 1, 2),
         shift,
         spread);
-  }
-
-  /** What comes again as it was is no ghost: readings resemble those before them for any reason. */
-  private static double changing(double factor, double shiftM) {
-    return Math.abs(factor - 1) < 0.1
-        ? Math.copySign(Math.max(LEAST_CHANGE_M, Math.abs(shiftM)), shiftM)
-        : shiftM;
   }
 
   private void gates() {

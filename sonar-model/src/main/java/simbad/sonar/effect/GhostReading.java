@@ -14,6 +14,8 @@ public record GhostReading(
     double share, double factor, double shiftM, double spreadM, boolean onlyNearer)
     implements MixtureChange {
   private static final double LEAST_RANGE_M = 0.02;
+  private static final double AGAIN_M = 0.05;
+  private static final double AGAIN_FACTOR = 0.5;
 
   @Override
   public boolean beforeRange() {
@@ -36,7 +38,7 @@ public record GhostReading(
     java.util.Arrays.fill(left, 1);
     for (int other = 0; other < before.size(); other++) {
       double range = factor * before.meanM(other) - shiftM;
-      if (range > LEAST_RANGE_M) {
+      if (range > LEAST_RANGE_M && !isAgain(range, before.meanM(other))) {
         double chance = share * before.share(other);
         double taken = silent;
         for (int part = 0; part < parts; part++) {
@@ -52,5 +54,10 @@ public record GhostReading(
     for (int part = 0; part < parts; part++) {
       mixture.scaleShare(part, Math.max(0, left[part]));
     }
+  }
+
+  /** What comes again as it was is no ghost: readings resemble those before them for any reason. */
+  private boolean isAgain(double rangeM, double beforeM) {
+    return Math.abs(factor - 1) < AGAIN_FACTOR && Math.abs(rangeM - beforeM) < AGAIN_M;
   }
 }

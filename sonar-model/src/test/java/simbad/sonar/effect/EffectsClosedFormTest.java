@@ -250,6 +250,16 @@ class EffectsClosedFormTest {
     }
   }
 
+  /** A ghost of nearly the range before would be any reading that resembles the one before. */
+  @Test
+  void ghostReading_thatComesAgain_isNone() {
+    OptionalDouble before = OptionalDouble.of(0.85);
+    List<Change> again = List.of(new GhostReading(0.3, 0.9, -0.06, 0.001, false));
+    assertEquals(P * WITHIN_1_25, sequence(again, before, before)[1], 1e-6);
+    List<Change> away = List.of(new GhostReading(0.3, 0.9, 0.14, 0.001, false));
+    assertEquals(0.3, sequence(away, before, OptionalDouble.of(0.6))[1], 1e-6);
+  }
+
   /** Twice with a ghost whatever was read: silent only when no ghost and no echo comes. */
   @Test
   void ghostReading_runsForward() {
