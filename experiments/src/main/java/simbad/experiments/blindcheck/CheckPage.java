@@ -7,6 +7,7 @@ import java.util.Optional;
 import simbad.experiments.blindcheck.CheckScores.Estimate;
 import simbad.experiments.blindcheck.CheckScores.Figures;
 import simbad.experiments.diagnosis.Style;
+import simbad.experiments.markup.Markup;
 import simbad.experiments.plot.Figure;
 
 /** The page of a check: one file, its first screen is the scoring table. */
@@ -78,12 +79,12 @@ final class CheckPage {
                     + " to "
                     + Measure.percent(share.high())
                     + "). Independence: "
-                    + escaped(part)
+                    + Markup.escaped(part)
                     + ".</p>\n"));
     if (!order.withheld().isEmpty()) {
       note(
           "The diagnosis was not told of "
-              + escaped(String.join(", ", order.withheld()))
+              + Markup.escaped(String.join(", ", order.withheld()))
               + ": such data must be called unexplained.");
     }
     long unanswered = scores.cases().stream().filter(one -> !one.has("verdict")).count();
@@ -102,7 +103,7 @@ final class CheckPage {
   private void addScores(String part, List<Measure> measures) {
     page.append(
         "<h3 class=\"part\">"
-            + escaped(part)
+            + Markup.escaped(part)
             + ", "
             + diagnosis(part).map(Figures::cases).orElse(0)
             + " cases</h3>\n<div class=\"scroll\"><table class=\"scores\">\n<thead><tr>"
@@ -119,7 +120,7 @@ final class CheckPage {
     if (found.isEmpty()) {
       return;
     }
-    page.append("<tr><th scope=\"row\">" + escaped(measure.words()) + "</th>");
+    page.append("<tr><th scope=\"row\">" + Markup.escaped(measure.words()) + "</th>");
     page.append(ScoreCell.of(measure, found.get(), isOff(part)));
     for (String sort : CheckScores.SORTS.subList(1, CheckScores.SORTS.size())) {
       page.append(
@@ -166,7 +167,7 @@ final class CheckPage {
 
   /** As pixels: with all letters as outlines the SVG would be four times as large. */
   private void add(Figure figure) {
-    String words = escaped(figure.caption().title() + "; " + figure.caption().provenance());
+    String words = Markup.escaped(figure.caption().title() + "; " + figure.caption().provenance());
     page.append(
         "<figure><img alt=\""
             + words
@@ -195,14 +196,14 @@ final class CheckPage {
             counts ->
                 page.append(
                     "<div class=\"upright\">"
-                        + ConfusionTable.of("at work", escaped(part), counts)
+                        + ConfusionTable.of("at work", Markup.escaped(part), counts)
                         + "</div>\n"));
   }
 
   private void addKinds(String part) {
     diagnosis(part)
         .map(figures -> figures.figures().path("kinds"))
-        .ifPresent(counts -> page.append(ConfusionTable.of("kind", escaped(part), counts)));
+        .ifPresent(counts -> page.append(ConfusionTable.of("kind", Markup.escaped(part), counts)));
   }
 
   private void addWrong() {
@@ -218,17 +219,17 @@ final class CheckPage {
             + "<th scope=\"col\">at work</th><th scope=\"col\">said</th>"
             + "<th scope=\"col\">probability of the verdict</th></tr></thead>\n<tbody>\n");
     for (JsonNode one : wrong) {
-      String id = escaped(one.path("case").asText());
+      String id = Markup.escaped(one.path("case").asText());
       boolean answered = one.has("verdict");
       page.append(
           "<tr><td>"
               + (answered ? "<a href=\"answers/" + id + "/report.html\">" + id + "</a>" : id)
               + "</td><td>"
-              + escaped(one.path("level").asText())
+              + Markup.escaped(one.path("level").asText())
               + "</td><td>"
-              + escaped(one.path("so").asText())
+              + Markup.escaped(one.path("so").asText())
               + "</td><td>"
-              + escaped(one.path("said").asText())
+              + Markup.escaped(one.path("said").asText())
               + "</td><td class=\"n\">"
               + (answered ? Measure.percent(one.path("verdict_probability").asDouble()) : "&ndash;")
               + "</td></tr>\n");
@@ -241,7 +242,7 @@ final class CheckPage {
     page.append(
         "<h2>By effect, the worst first</h2>\n<p>Alone and named and explained; in brackets: called"
             + " unexplained. These are "
-            + escaped(part)
+            + Markup.escaped(part)
             + ".</p>\n<div class=\"columns\">\n");
     diagnosis(part)
         .ifPresent(
@@ -253,7 +254,7 @@ final class CheckPage {
                         line ->
                             page.append(
                                 "<div>"
-                                    + escaped(line.path("effect").asText())
+                                    + Markup.escaped(line.path("effect").asText())
                                     + " <b>"
                                     + line.path("hits").asInt()
                                     + "&nbsp;of&nbsp;"
@@ -268,10 +269,10 @@ final class CheckPage {
 
   private void addOrigin() {
     page.append("<h2>How this was made</h2>\n<ul>\n");
-    item("<code>" + escaped(order.command()) + "</code>");
-    item("program " + escaped(order.version()));
-    item("commitments: " + escaped(scores.commitments()));
-    item("all answers, SHA-256 <code>" + escaped(scores.answersSha256()) + "</code>");
+    item("<code>" + Markup.escaped(order.command()) + "</code>");
+    item("program " + Markup.escaped(order.version()));
+    item("commitments: " + Markup.escaped(scores.commitments()));
+    item("all answers, SHA-256 <code>" + Markup.escaped(scores.answersSha256()) + "</code>");
     item(
         "Intervals: Wilson's for shares, Hanley and McNeil's for AUROC, bootstrap elsewhere. A"
             + " calibration error of few cases is above nought by chance alone.");
@@ -283,12 +284,5 @@ final class CheckPage {
 
   private void item(String html) {
     page.append("<li>" + html + "</li>\n");
-  }
-
-  static String escaped(String text) {
-    return text.replace("&", "&amp;")
-        .replace("<", "&lt;")
-        .replace(">", "&gt;")
-        .replace("\"", "&quot;");
   }
 }

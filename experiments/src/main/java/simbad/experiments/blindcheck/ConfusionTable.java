@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import simbad.experiments.markup.Markup;
 
 /** Counts of what was said, across, by what was so, down; darker is more of the row. */
 final class ConfusionTable {
@@ -80,7 +81,7 @@ final class ConfusionTable {
   }
 
   private static String heading(String scope, String name) {
-    return "<th scope=\"" + scope + "\"><span>" + CheckPage.escaped(name) + "</span></th>";
+    return "<th scope=\"" + scope + "\"><span>" + Markup.escaped(name) + "</span></th>";
   }
 
   private static void addRow(StringBuilder html, String name, JsonNode row, Set<String> said) {

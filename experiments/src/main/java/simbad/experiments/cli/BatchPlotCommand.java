@@ -59,9 +59,7 @@ final class BatchPlotCommand extends Subcommand {
 
   @Override
   protected void run() throws Exception {
-    if (!OutputFile.isPicture(target)) {
-      throw wrongUsage("--out: '" + target + "' ends neither in .png nor in .svg");
-    }
+    requirePicture("--out", target);
     Tuning tuning = Tuning.read(folder.resolve("results.csv"), along, curves);
     OutputFile.refuseExisting(target);
     OutputFile.draw(plot(tuning).figure(), target);

@@ -102,9 +102,7 @@ final class BenchTableCommand extends Subcommand {
   }
 
   private void draw(Figure figure, Path target) throws IOException {
-    if (!OutputFile.isPicture(target)) {
-      throw wrongUsage("--plot: '" + target + "' ends neither in .png nor in .svg");
-    }
+    requirePicture("--plot", target);
     OutputFile.refuseExisting(target);
     OutputFile.draw(figure, target);
   }

@@ -63,9 +63,7 @@ final class SensorCommand extends CommandGroup {
 
     @Override
     protected void run() throws Exception {
-      if (!OutputFile.isPicture(target)) {
-        throw wrongUsage("--out: '" + target + "' ends neither in .png nor in .svg");
-      }
+      requirePicture("--out", target);
       SonarSpec spec = SensorFile.read(file);
       Optional<Sensitivity> found = SensorFile.findSensitivity(file);
       if (found.isEmpty()) {

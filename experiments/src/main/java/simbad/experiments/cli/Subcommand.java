@@ -1,6 +1,7 @@
 package simbad.experiments.cli;
 
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
@@ -69,5 +70,17 @@ abstract class Subcommand implements Callable<Integer> {
    */
   protected final CommandLine.ParameterException wrongUsage(String problem) {
     return new CommandLine.ParameterException(spec.commandLine(), problem);
+  }
+
+  /**
+   * Refuses a file for a picture whose ending names no format.
+   *
+   * @param option that gave it
+   * @param file to be drawn
+   */
+  protected final void requirePicture(String option, Path file) {
+    if (!OutputFile.isPicture(file)) {
+      throw wrongUsage(option + ": '" + file + "' ends neither in .png nor in .svg");
+    }
   }
 }

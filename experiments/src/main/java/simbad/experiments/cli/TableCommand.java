@@ -118,9 +118,7 @@ final class TableCommand extends CommandGroup {
 
     @Override
     protected void run() throws Exception {
-      if (!OutputFile.isPicture(file)) {
-        throw wrongUsage("--out: '" + file + "' ends neither in .png nor in .svg");
-      }
+      requirePicture("--out", file);
       ObstacleType type = ObstacleArgument.parse(obstacle);
       Optional<PositionLog> positions =
           log == null ? Optional.empty() : Optional.of(PositionLog.read(log));

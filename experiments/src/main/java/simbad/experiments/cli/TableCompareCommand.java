@@ -47,8 +47,8 @@ final class TableCompareCommand extends Subcommand {
 
   @Override
   protected void run() throws Exception {
-    if (file != null && !OutputFile.isPicture(file)) {
-      throw wrongUsage("--out: '" + file + "' ends neither in .png nor in .svg");
+    if (file != null) {
+      requirePicture("--out", file);
     }
     ObstacleType a = ObstacleArgument.parse(first);
     ObstacleType b = ObstacleArgument.parse(second);

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
+import simbad.experiments.markup.Markup;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.DiagnosisJson;
@@ -57,7 +58,7 @@ final class DiagnosisPage {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
             + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
             + "<title>"
-            + Html.escaped(data.name())
+            + Markup.escaped(data.name())
             + ": "
             + diagnosis.verdict().word()
             + "</title>\n<style>\n"
@@ -196,7 +197,7 @@ final class DiagnosisPage {
 
   private void origin(Provenance provenance) {
     page.append("<h2>What this was made of</h2>\n<ul>\n");
-    item("program " + Html.escaped(provenance.version()) + ", seed " + provenance.seed());
+    item("program " + Markup.escaped(provenance.version()) + ", seed " + provenance.seed());
     item(
         data.readings().size()
             + " readings, "
@@ -205,7 +206,8 @@ final class DiagnosisPage {
                 : data.reference().size() + " reference readings"));
     provenance
         .sha256()
-        .forEach((name, hash) -> item(Html.escaped(name) + ", SHA-256 <code>" + hash + "</code>"));
+        .forEach(
+            (name, hash) -> item(Markup.escaped(name) + ", SHA-256 <code>" + hash + "</code>"));
     page.append("</ul>\n");
     page.append(
         "<p class=\"soft\">A gap is twice the mean pinball loss of 19 predicted quantiles of the"
@@ -217,7 +219,7 @@ final class DiagnosisPage {
   private void figure(String heading, String svg, String caption) {
     page.append(
         "<figure><h3>"
-            + Html.escaped(heading)
+            + Markup.escaped(heading)
             + "</h3>\n"
             + svg
             + "<figcaption>"

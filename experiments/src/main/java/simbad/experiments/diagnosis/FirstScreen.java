@@ -1,6 +1,7 @@
 package simbad.experiments.diagnosis;
 
 import java.util.List;
+import simbad.experiments.markup.Markup;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.GapFigures;
@@ -22,7 +23,7 @@ final class FirstScreen {
 
   static void add(StringBuilder page, Diagnosis diagnosis, String dataset) {
     FirstScreen screen = new FirstScreen(diagnosis, page);
-    page.append("<h1>Simulation and reality: " + Html.escaped(dataset) + "</h1>\n");
+    page.append("<h1>Simulation and reality: " + Markup.escaped(dataset) + "</h1>\n");
     page.append("<p class=\"verdict\">" + VerdictWords.sentence(diagnosis) + "</p>\n");
     page.append(VerdictWords.second(diagnosis));
     page.append("<div class=\"panels\">\n");

@@ -13,13 +13,6 @@ final class Html {
 
   private Html() {}
 
-  static String escaped(String text) {
-    return text.replace("&", "&amp;")
-        .replace("<", "&lt;")
-        .replace(">", "&gt;")
-        .replace("\"", "&quot;");
-  }
-
   /** A number with three digits, a true minus and no exponent. */
   static String number(double value) {
     if (!Double.isFinite(value)) {

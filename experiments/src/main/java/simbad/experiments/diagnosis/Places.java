@@ -1,6 +1,7 @@
 package simbad.experiments.diagnosis;
 
 import java.util.stream.Collectors;
+import simbad.experiments.markup.Markup;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Place;
 
@@ -27,9 +28,9 @@ final class Places {
           default -> variable;
         };
     String unit = unit(variable);
-    return Html.escaped(what)
+    return Markup.escaped(what)
         + " "
-        + condition.name().map(Html::escaped).orElse("")
+        + condition.name().map(Markup::escaped).orElse("")
         + condition.interval().map(ends -> interval(ends, unit)).orElse("");
   }
 

@@ -2,6 +2,7 @@ package simbad.experiments.diagnosis;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import simbad.experiments.markup.Markup;
 
 /** A picture in the page: shapes get their colours from the page's style sheet by class. */
 final class Svg {
@@ -21,7 +22,7 @@ final class Svg {
             + " "
             + height
             + "\" role=\"img\" aria-label=\""
-            + Html.escaped(title)
+            + Markup.escaped(title)
             + "\">\n");
   }
 
@@ -77,7 +78,7 @@ final class Svg {
             + "\" text-anchor=\""
             + anchor
             + "\">"
-            + Html.escaped(words)
+            + Markup.escaped(words)
             + "</text>");
   }
 
@@ -87,7 +88,7 @@ final class Svg {
         "<text transform=\"translate("
             + at(x, y)
             + ") rotate(-90)\" text-anchor=\"middle\">"
-            + Html.escaped(words)
+            + Markup.escaped(words)
             + "</text>");
   }
 
@@ -100,7 +101,7 @@ final class Svg {
   }
 
   private static String title(String tip) {
-    return tip.isEmpty() ? "" : "<title>" + Html.escaped(tip) + "</title>";
+    return tip.isEmpty() ? "" : "<title>" + Markup.escaped(tip) + "</title>";
   }
 
   static String at(double x, double y) {

@@ -1,6 +1,7 @@
 package simbad.experiments.diagnosis;
 
 import java.util.List;
+import simbad.experiments.markup.Markup;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.FittedParameter;
@@ -74,7 +75,7 @@ final class Tables {
   private static String heading(EffectFinding finding) {
     return finding.effect().word()
         + " ("
-        + finding.form().map(form -> "form " + Html.escaped(form) + ", ").orElse("")
+        + finding.form().map(form -> "form " + Markup.escaped(form) + ", ").orElse("")
         + "probability "
         + Html.probability(finding.probability())
         + ")";
@@ -84,7 +85,7 @@ final class Tables {
     String unit = Places.unit(parameter.name());
     Interval ends = parameter.ci95();
     row(
-        "<code>" + Html.escaped(parameter.name()) + "</code>",
+        "<code>" + Markup.escaped(parameter.name()) + "</code>",
         "#" + Html.number(parameter.value()) + unit,
         "#" + interval(ends, unit));
   }
@@ -104,7 +105,7 @@ final class Tables {
     for (Undetectable one : undetectable) {
       row(
           one.effect().word(),
-          "<code>" + Html.escaped(one.parameter()) + "</code>",
+          "<code>" + Markup.escaped(one.parameter()) + "</code>",
           "#"
               + (one.leastSize().isPresent()
                   ? Html.number(one.leastSize().getAsDouble()) + Places.unit(one.parameter())

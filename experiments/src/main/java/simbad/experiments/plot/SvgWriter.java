@@ -9,6 +9,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import simbad.experiments.markup.Markup;
 
 /**
  * SVG by the library that XChart's own VectorGraphicsEncoder uses; that encoder paints a bare chart
@@ -37,15 +38,11 @@ final class SvgWriter {
   private static byte[] described(String svg, Caption caption) {
     String words =
         "<title>"
-            + escaped(caption.title())
+            + Markup.escaped(caption.title())
             + "</title><desc>"
-            + escaped(caption.provenance())
+            + Markup.escaped(caption.provenance())
             + "</desc>";
     String whole = ROOT.matcher(svg).replaceFirst("$0" + Matcher.quoteReplacement(words));
     return whole.getBytes(StandardCharsets.UTF_8);
-  }
-
-  private static String escaped(String words) {
-    return words.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
   }
 }

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import simbad.experiments.markup.Markup;
 import simbad.experiments.run.DetectionMap;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.SensorKind;
@@ -100,7 +101,7 @@ final class ReportPage {
 
   private static void addRow(StringBuilder page, RunResult result) {
     ErrorRecord row = ErrorRecord.of(result);
-    String name = escaped(row.obstacle()) + " (" + row.provenance() + ")";
+    String name = Markup.escaped(row.obstacle()) + " (" + row.provenance() + ")";
     page.append("<tr><td>" + name + "</td><td>" + row.sensor() + "</td>");
     cell(page, number(row.meanAbsCm()));
     cell(page, number(row.rmsCm()));
@@ -130,16 +131,16 @@ final class ReportPage {
 
   private static void addObstacle(StringBuilder page, List<RunResult> results) {
     ObstacleType type = results.get(0).type();
-    String name = escaped(type.name());
+    String name = Markup.escaped(type.name());
     page.append("<h2>" + name + "</h2>\n");
     page.append("<p>Table " + type.thresholds().provenanceWord());
-    type.thresholds().header("source").ifPresent(text -> page.append(": " + escaped(text)));
+    type.thresholds().header("source").ifPresent(text -> page.append(": " + Markup.escaped(text)));
     page.append(".</p>\n");
     results.stream()
         .filter(result -> !result.trace().isClosed())
         .forEach(result -> addLost(page, result));
     results.forEach(result -> addMissed(page, result));
-    TraceMove.of(results).forEach(move -> note(page, escaped(move.sentence())));
+    TraceMove.of(results).forEach(move -> note(page, Markup.escaped(move.sentence())));
     results.forEach(result -> addIdle(page, result));
     figure(
         page,
@@ -200,7 +201,8 @@ final class ReportPage {
           "Of the "
               + result.sensor().word()
               + " sensor's model "
-              + escaped(idle.stream().map(one -> one.form().toString()).collect(joining(", ")))
+              + Markup.escaped(
+                  idle.stream().map(one -> one.form().toString()).collect(joining(", ")))
               + " is about an obstacle that is not in this world, and changes nothing in it.");
     }
   }
@@ -225,7 +227,7 @@ final class ReportPage {
   private static void addOrigin(StringBuilder page, RunOrigin origin, Map<String, String> hashes) {
     SonarSpec sonar = origin.settings().sonar();
     page.append("<h2>How this was made</h2>\n<ul>\n");
-    item(page, "program " + escaped(origin.version()));
+    item(page, "program " + Markup.escaped(origin.version()));
     item(page, "seed " + origin.settings().seed());
     item(
         page,
@@ -237,7 +239,7 @@ final class ReportPage {
     item(
         page,
         "sonar "
-            + escaped(sonar.name())
+            + Markup.escaped(sonar.name())
             + ": cone half-angle "
             + RunFiles.fixed(Math.toDegrees(sonar.coneHalfAngleRad()), 1)
             + "&deg;, range "
@@ -246,22 +248,15 @@ final class ReportPage {
             + sonar.maxRangeM()
             + " m");
     for (SensorKind kind : origin.settings().sensors()) {
-      item(page, kind.word() + " sensor: " + escaped(kind.meaning()));
+      item(page, kind.word() + " sensor: " + Markup.escaped(kind.meaning()));
     }
     hashes.forEach(
         (name, hash) ->
-            item(page, escaped(name) + "/table.csv, SHA-256 <code>" + hash + "</code>"));
+            item(page, Markup.escaped(name) + "/table.csv, SHA-256 <code>" + hash + "</code>"));
     page.append("</ul>\n");
   }
 
   private static void item(StringBuilder page, String text) {
     page.append("<li>" + text + "</li>\n");
-  }
-
-  private static String escaped(String text) {
-    return text.replace("&", "&amp;")
-        .replace("<", "&lt;")
-        .replace(">", "&gt;")
-        .replace("\"", "&quot;");
   }
 }

@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.TreeMap;
 import java.util.stream.Stream;
+import simbad.experiments.markup.Markup;
 
 /** The project's pages as a folder of HTML. */
 public final class Site {
@@ -144,7 +145,8 @@ public final class Site {
     </body>
     </html>
     """
-        .formatted(escaped(page.title()), root, root, list(page, root), page.html(), root, root);
+        .formatted(
+            Markup.escaped(page.title()), root, root, list(page, root), page.html(), root, root);
   }
 
   private String list(Page current, String root) {
@@ -159,7 +161,7 @@ public final class Site {
                       root,
                       page.file(),
                       page.equals(current) ? " aria-current=\"page\"" : "",
-                      escaped(page.title())));
+                      Markup.escaped(page.title())));
         }
       }
       list.append("</ul>\n");
@@ -182,9 +184,5 @@ public final class Site {
     try (InputStream in = Objects.requireNonNull(Site.class.getResourceAsStream(name))) {
       return in.readAllBytes();
     }
-  }
-
-  private static String escaped(String words) {
-    return words.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
   }
 }

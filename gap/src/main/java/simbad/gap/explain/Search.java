@@ -36,6 +36,7 @@ public final class Search {
   /** A set whose greatest misfits are beyond this leaves something over. */
   private static final double OFF = 4;
 
+  /** For each value of what stands beside a table. */
   private static final int TABLED_EVALUATIONS = 20;
 
   /** How many sets get a held-out score. */

@@ -1,6 +1,7 @@
 package simbad.gap.fit;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import simbad.sonar.effect.Form;
@@ -62,7 +63,7 @@ final class WalkSearch {
   }
 
   private Walk best(double about) {
-    double farthest = clues.strangeEchoes().mapToDouble(clues.log::rangeM).max().orElse(1);
+    double farthest = Arrays.stream(strange).mapToDouble(clues.log::rangeM).max().orElse(1);
     Walk best = new Walk(about, farthest, 0, 0);
     for (double step = about - NEAR_STEP_M; step <= about + NEAR_STEP_M; step += FINE_STEP_M) {
       for (double high = farthest; high <= farthest + BEYOND_M; high += FINE_END_M) {

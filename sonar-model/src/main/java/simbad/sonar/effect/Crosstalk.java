@@ -16,7 +16,7 @@ public record Crosstalk(double share, double lowM, double highM, boolean onlySil
   }
 
   @Override
-  public void apply(Mixture mixture) {
+  public void apply(Moment moment, Mixture mixture) {
     if (share == 0) {
       return;
     }

@@ -14,7 +14,7 @@ public record EarlyCrosstalk(double share, double lowM, double highM) implements
   }
 
   @Override
-  public void apply(Mixture mixture) {
+  public void apply(Moment moment, Mixture mixture) {
     if (share == 0) {
       return;
     }

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import java.util.Arrays;
+
 /**
  * A reading is made of the one before, as that was read: its echo's multiple, or what is left of
  * one that comes a period later.
@@ -22,10 +24,6 @@ public record GhostReading(
     return false;
   }
 
-  /** Without a reading before nothing changes. */
-  @Override
-  public void apply(Mixture mixture) {}
-
   @Override
   public void apply(Moment moment, Mixture mixture) {
     Mixture before = moment.before();
@@ -35,7 +33,7 @@ public record GhostReading(
     int parts = mixture.size();
     double silent = Math.max(0, 1 - mixture.echoShare());
     double[] left = new double[parts];
-    java.util.Arrays.fill(left, 1);
+    Arrays.fill(left, 1);
     for (int other = 0; other < before.size(); other++) {
       double range = factor * before.meanM(other) - shiftM;
       if (range > LEAST_RANGE_M && !isAgain(range, before.meanM(other))) {

@@ -14,9 +14,9 @@ public record MixedMultipath(Multipath added, Multipath scaled) implements Mixtu
   }
 
   @Override
-  public void apply(Mixture mixture) {
+  public void apply(Moment moment, Mixture mixture) {
     int parts = mixture.size();
-    added.apply(mixture);
+    added.apply(moment, mixture);
     // What already took the long way is not sent on another one.
     if (scaled.share() > 0) {
       scaled.apply(mixture, parts);

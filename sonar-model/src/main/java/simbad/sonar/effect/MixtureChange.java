@@ -8,17 +8,8 @@ public non-sealed interface MixtureChange extends Change {
   /**
    * Changes the mixture that a reading is drawn from.
    *
-   * @param mixture of what may be read
-   */
-  void apply(Mixture mixture);
-
-  /**
-   * Changes the mixture, where that hangs on the ping or on the reading before.
-   *
    * @param moment the ping, and what was read before it
    * @param mixture of what may be read
    */
-  default void apply(Moment moment, Mixture mixture) {
-    apply(mixture);
-  }
+  void apply(Moment moment, Mixture mixture);
 }

@@ -16,7 +16,7 @@ public record Multipath(double share, double factor, double extraM, double sprea
   }
 
   @Override
-  public void apply(Mixture mixture) {
+  public void apply(Moment moment, Mixture mixture) {
     if (share == 0) {
       return;
     }

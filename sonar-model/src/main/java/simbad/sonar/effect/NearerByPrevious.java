@@ -20,10 +20,6 @@ public record NearerByPrevious(
     return true;
   }
 
-  /** Without a reading before nothing changes. */
-  @Override
-  public void apply(Mixture mixture) {}
-
   @Override
   public void apply(Moment moment, Mixture mixture) {
     Mixture before = moment.before();

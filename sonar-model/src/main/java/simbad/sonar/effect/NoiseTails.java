@@ -13,7 +13,7 @@ public record NoiseTails(double share, double deviationM) implements MixtureChan
   }
 
   @Override
-  public void apply(Mixture mixture) {
+  public void apply(Moment moment, Mixture mixture) {
     if (share == 0) {
       return;
     }

@@ -39,7 +39,7 @@ public record TailedMultipath(double share, double meanExtraM) implements Mixtur
   }
 
   @Override
-  public void apply(Mixture mixture) {
+  public void apply(Moment moment, Mixture mixture) {
     if (share == 0) {
       return;
     }

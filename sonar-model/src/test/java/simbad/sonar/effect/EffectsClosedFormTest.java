@@ -186,7 +186,8 @@ class EffectsClosedFormTest {
   void multipath_withATail_keepsTheMoments() {
     Mixture mixture = new Mixture();
     mixture.add(1, 0.02, 0.5);
-    new TailedMultipath(0.4, 0.3).apply(mixture);
+    Moment any = new Moment(new Geometry(new PingLog(List.of()), SETUP, List.of()));
+    new TailedMultipath(0.4, 0.3).apply(any, mixture);
     double share = 0;
     double mean = 0;
     double square = 0;
