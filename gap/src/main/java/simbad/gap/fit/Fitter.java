@@ -24,6 +24,8 @@ public class Fitter {
   private static final double ROUGHLY_NATS = 0.2;
   private static final double SMALL = 0.03;
   private static final int REMEMBERED = 4;
+  private static final double FAR = 0.03;
+  private static final double[] STRIDES = {-1, -0.5, -0.25, -0.1, -0.04, 0.04, 0.1, 0.25, 0.5, 1};
 
   private final Evidence evidence;
   private final Fold fold;
@@ -120,6 +122,32 @@ public class Fitter {
    */
   public Fit polish(Hypothesis start, int most) {
     return climb(start, 0, most, SMALL, ENOUGH_NATS);
+  }
+
+  /**
+   * Moves one value after the other, by long steps and by short ones, and keeps what is better. A
+   * simplex shrinks where a likelihood is flat between jumps, as it is in a value at which something
+   * begins or ends.
+   *
+   * @param start a fit of the pings that count
+   * @param from index of the first value that is moved
+   */
+  Fit sweep(Fit start, int from) {
+    Fit best = start;
+    for (int i = from; i < start.hypothesis().size(); i++) {
+      Parameter parameter = start.hypothesis().parameters().get(i);
+      double value = best.hypothesis().values()[i];
+      double range = parameter.high() - parameter.low();
+      double scale = Math.max(Math.abs(scale(parameter, value)), FAR * range);
+      for (double stride : STRIDES) {
+        double[] moved = best.hypothesis().values();
+        moved[i] = parameter.clamp(value + stride * scale);
+        Hypothesis there = best.hypothesis().with(moved);
+        double likelihood = logLikelihood(there);
+        best = likelihood > best.logLikelihood() ? new Fit(there, likelihood) : best;
+      }
+    }
+    return best;
   }
 
   private Fit climb(Hypothesis start, int from, int most, double stride, double enoughNats) {

@@ -8,6 +8,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
+import org.hipparchus.linear.Array2DRowRealMatrix;
+import org.hipparchus.linear.ArrayRealVector;
+import org.hipparchus.linear.RealVector;
+import org.hipparchus.optim.nonlinear.vector.leastsquares.LeastSquaresBuilder;
+import org.hipparchus.optim.nonlinear.vector.leastsquares.LevenbergMarquardtOptimizer;
+import org.hipparchus.optim.nonlinear.vector.leastsquares.MultivariateJacobianFunction;
+import org.hipparchus.util.Pair;
 
 /**
  * Looks for a post that strange echoes agree on: each votes for all places that its sensor may have
@@ -19,11 +27,22 @@ final class PostSearch {
   private static final double[] SQUARE_DEG = {12, 20, 90};
   private static final double[] RADII_M = {0.02, 0.08};
 
+  /** Echoes that agree on a post, first about, then well. */
+  private static final double[] WITHIN_M = {0.08, 0.04, 0.03};
+
+  private static final int FEWEST = 6;
+  private static final double THIN = 0.1;
+  private static final double SAME_M = 0.01;
+  private static final double LEAST_M = 1e-6;
+  private static final int EVALUATIONS = 100;
+
   private final Clues clues;
+  private final int[] strange;
   private final double greatestReachM;
 
   PostSearch(Clues clues, double greatestReachM) {
     this.clues = clues;
+    strange = clues.strangeEchoes().toArray();
     this.greatestReachM = greatestReachM;
   }
 
@@ -34,33 +53,103 @@ final class PostSearch {
       int byX = Long.compare(x, other.x);
       return byX != 0 ? byX : Long.compare(z, other.z);
     }
+  }
 
-    double distanceM(double xM, double zM) {
-      return Math.hypot(x * CELL_M - xM, z * CELL_M - zM);
+  /** A post's axis and radius, metres. */
+  private record Post(double xM, double zM, double radiusM) {
+    boolean isNear(Post other) {
+      return Math.hypot(xM - other.xM, zM - other.zM) < SAME_M;
     }
   }
 
   /** Values of a post to start from: x, z, radius, reach, share, square. */
   List<double[]> starts() {
-    int[] strange = clues.strangeEchoes().toArray();
     List<double[]> starts = new ArrayList<>();
+    for (Post post : posts()) {
+      for (double square : SQUARE_DEG) {
+        starts.add(start(post, greatestReachM, square));
+        starts.add(start(post, reachM(post), square));
+      }
+    }
+    return starts.isEmpty() ? List.of(start(new Post(0, 0, 0), greatestReachM, 90)) : starts;
+  }
+
+  private static double[] start(Post post, double reach, double square) {
+    return new double[] {post.xM, post.zM, post.radiusM, reach, 0.95, square};
+  }
+
+  private List<Post> posts() {
+    List<Post> posts = new ArrayList<>();
     for (double radius : RADII_M) {
       Map<Cell, Integer> votes = new TreeMap<>();
       for (int ping : strange) {
         vote(ping, radius, votes);
       }
       for (Cell cell : fullest(votes)) {
-        for (double square : SQUARE_DEG) {
-          starts.add(start(cell, radius, greatestReachM, square));
-          starts.add(start(cell, radius, reachM(cell, radius, strange), square));
+        Post post = settled(new Post(cell.x * CELL_M, cell.z * CELL_M, radius));
+        if (posts.stream().noneMatch(post::isNear)) {
+          posts.add(post);
         }
       }
     }
-    return starts.isEmpty() ? List.of(start(new Cell(0, 0), 0, greatestReachM, 90)) : starts;
+    return posts;
   }
 
-  private static double[] start(Cell cell, double radius, double reach, double square) {
-    return new double[] {cell.x * CELL_M, cell.z * CELL_M, radius, reach, 0.95, square};
+  /**
+   * Moves a post to where the echoes agree on it best: the likelihood is so narrow there that a
+   * search in steps of its own would stop beside it.
+   */
+  private Post settled(Post begun) {
+    Post post = begun;
+    for (double within : WITHIN_M) {
+      Post about = post;
+      int[] near = IntStream.of(strange).filter(i -> Math.abs(off(i, about)) < within).toArray();
+      if (near.length < FEWEST) {
+        return post;
+      }
+      post = agreed(about, near);
+    }
+    return post;
+  }
+
+  /** How much farther an echo came than a post stands, metres. */
+  private double off(int ping, Post post) {
+    double away =
+        Math.hypot(post.xM - clues.geometry.xM(ping), post.zM - clues.geometry.zM(ping));
+    return clues.log.rangeM(ping) + post.radiusM - away;
+  }
+
+  /** Least squares; seen from one side only, any radius would do, and a thin post is taken. */
+  private Post agreed(Post begun, int... near) {
+    MultivariateJacobianFunction offs =
+        values -> {
+          Post post = new Post(values.getEntry(0), values.getEntry(1), values.getEntry(2));
+          double[] value = new double[near.length + 1];
+          double[][] slope = new double[near.length + 1][];
+          for (int i = 0; i < near.length; i++) {
+            double x = post.xM - clues.geometry.xM(near[i]);
+            double z = post.zM - clues.geometry.zM(near[i]);
+            double away = Math.max(LEAST_M, Math.hypot(x, z));
+            value[i] = off(near[i], post);
+            slope[i] = new double[] {-x / away, -z / away, 1};
+          }
+          value[near.length] = THIN * post.radiusM;
+          slope[near.length] = new double[] {0, 0, THIN};
+          return new Pair<>(
+              new ArrayRealVector(value, false), new Array2DRowRealMatrix(slope, false));
+        };
+    RealVector found =
+        new LevenbergMarquardtOptimizer()
+            .optimize(
+                new LeastSquaresBuilder()
+                    .start(new double[] {begun.xM, begun.zM, begun.radiusM})
+                    .model(offs)
+                    .target(new double[near.length + 1])
+                    .maxEvaluations(EVALUATIONS)
+                    .maxIterations(EVALUATIONS)
+                    .build())
+            .getPoint();
+    return new Post(found.getEntry(0), found.getEntry(1), Math.max(0, found.getEntry(2)));
   }
 
   private void vote(int ping, double radiusM, Map<Cell, Integer> votes) {
@@ -99,18 +188,11 @@ final class PostSearch {
     return best;
   }
 
-  /** From how far the echoes come that agree on a post there. */
-  private double reachM(Cell cell, double radiusM, int[] strange) {
+  /** From how far the echoes come that agree on a post. */
+  private double reachM(Post post) {
     double[] ranges =
-        Arrays.stream(strange)
-            .filter(
-                ping -> {
-                  double off =
-                      cell.distanceM(clues.geometry.xM(ping), clues.geometry.zM(ping))
-                          - radiusM
-                          - clues.log.rangeM(ping);
-                  return Math.abs(off) < CELL_M;
-                })
+        IntStream.of(strange)
+            .filter(ping -> Math.abs(off(ping, post)) < CELL_M)
             .mapToDouble(clues.log::rangeM)
             .sorted()
             .toArray();

@@ -1,5 +1,6 @@
 package simbad.gap.fit;
 
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;
@@ -18,6 +19,11 @@ public final class Screen {
   private static final double CHANCE_NATS = 1.5;
 
   private static final int REFINED = 6;
+
+  /** Forms of one effect that are so near each other are both refined before one is chosen. */
+  private static final double CLOSE_NATS = 20;
+
+  private static final int CLOSE = 2;
   private static final int FEW = 3;
   private static final int RESTARTS = 2;
 
@@ -44,20 +50,23 @@ public final class Screen {
         forms.stream()
             .filter(form -> !base.hypothesis().has(form.effect()))
             .collect(Collectors.groupingBy(Form::effect));
-    Map<Effect, Fit> best = new EnumMap<>(Effect.class);
+    Map<Effect, List<Fit>> rough = new EnumMap<>(Effect.class);
     byEffect.entrySet().parallelStream()
         .map(entry -> Map.entry(entry.getKey(), bestOf(entry.getValue())))
         .toList()
-        .forEach(entry -> best.put(entry.getKey(), entry.getValue()));
-    best.entrySet().stream()
-        .filter(entry -> gain(entry.getValue()) > CHANCE_NATS)
-        .sorted(Comparator.comparingDouble(entry -> -entry.getValue().logLikelihood()))
+        .forEach(entry -> rough.put(entry.getKey(), entry.getValue()));
+    Map<Effect, Fit> best = new EnumMap<>(Effect.class);
+    rough.forEach((effect, fits) -> best.put(effect, fits.get(0)));
+    rough.entrySet().stream()
+        .filter(entry -> gain(entry.getValue().get(0)) > CHANCE_NATS)
+        .sorted(Comparator.comparingDouble(entry -> -entry.getValue().get(0).logLikelihood()))
         .limit(REFINED)
+        .flatMap(entry -> entry.getValue().stream())
         .toList()
         .parallelStream()
-        .map(entry -> Map.entry(entry.getKey(), refined(entry.getValue())))
+        .map(this::refined)
         .toList()
-        .forEach(entry -> best.put(entry.getKey(), entry.getValue()));
+        .forEach(fit -> best.merge(added(fit).effect(), fit, Screen::better));
     return best;
   }
 
@@ -69,10 +78,10 @@ public final class Screen {
     }
     Fitter fitter = new Fitter(evidence, Fold.ALL);
     Fit fit = fitter.refine(rough.hypothesis(), from, 20 + 20 * size);
-    // A simplex of many values flattens before it has arrived; a fresh one goes on.
+    // A simplex of many values flattens before it has arrived; a fresh one from beside goes on.
     for (int again = 0; again < RESTARTS && size > FEW; again++) {
       double before = fit.logLikelihood();
-      fit = fitter.refine(fit.hypothesis(), from, 20 + 20 * size);
+      fit = fitter.refine(fitter.sweep(fit, from).hypothesis(), from, 20 + 20 * size);
       if (fit.logLikelihood() - before < CHANCE_NATS) {
         break;
       }
@@ -86,15 +95,23 @@ public final class Screen {
     return all.get(all.size() - 1);
   }
 
-  private Fit bestOf(List<Form> forms) {
+  /** The best form, and those that may turn out to be it. */
+  private List<Fit> bestOf(List<Form> forms) {
     Fit first = approached(begun(forms.get(0)));
     boolean gains = gain(first) >= CHANCE_NATS;
-    return forms.stream()
+    List<Fit> fits = new ArrayList<>(List.of(first));
+    forms.stream()
         .skip(1)
         .map(this::begun)
         .filter(begun -> gains || gain(begun) >= CHANCE_NATS)
         .map(this::approached)
-        .reduce(first, (a, b) -> merit(b) > merit(a) ? b : a);
+        .forEach(fits::add);
+    fits.sort(Comparator.comparingDouble(fit -> -merit(fit)));
+    return fits.stream().filter(fit -> merit(fit) > merit(fits.get(0)) - CLOSE_NATS).limit(CLOSE).toList();
+  }
+
+  private static Fit better(Fit one, Fit other) {
+    return merit(other) > merit(one) ? other : one;
   }
 
   /** Of two forms that fit alike the simpler one is taken. */

@@ -13,6 +13,9 @@ final class Starts {
   private static final int QUANTILES = 20;
   private static final int MODES = 4;
 
+  /** Of detours, over their length. */
+  private static final List<Double> SPREADS = List.of(0.03, 0.25);
+
   private final Clues clues;
 
   Starts(Clues clues) {
@@ -98,8 +101,8 @@ final class Starts {
 
   private List<double[]> multipath(Form form, List<List<Double>> tries) {
     return switch (form.name()) {
-      case "added" -> product(form, tries.get(0), longerBy(), List.of(0.01, 0.05));
-      case "factor" -> product(form, tries.get(0), longerTimes(), List.of(0.01, 0.05));
+      case "added" -> product(form, tries.get(0), longerBy(), SPREADS);
+      case "factor" -> product(form, tries.get(0), longerTimes(), SPREADS);
       case "tail" -> all(form, tries);
       default ->
           product(form, List.of(0.1), longerBy(), List.of(0.1), longerTimes(), List.of(0.03));
@@ -183,7 +186,7 @@ final class Starts {
   }
 
   private List<double[]> crosstalk(Form form, List<Double> shares) {
-    if (form.name().equals("walking")) {
+    if (form.name().startsWith("walking")) {
       return new WalkSearch(clues).starts(form);
     }
     double[] sorted = strange().sorted().toArray();
@@ -194,7 +197,8 @@ final class Starts {
     double high = Modes.quantile(sorted, 0.98) + 0.02;
     double most = form.parameters().get(2).high();
     double share = (double) sorted.length / clues.log.size();
-    return product(form, List.of(share, 2 * share), List.of(low, 0.05), List.of(high, most));
+    List<Double> bands = List.of(high - low, most);
+    return product(form, List.of(share, 2 * share), List.of(low, 0.05), bands);
   }
 
   private List<Double> leastReadings(List<Double> tries) {

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Parameter;
 
 /**
  * Looks for ranges that walk by the same step from ping to ping: the step that most strange echoes
@@ -38,7 +39,8 @@ final class WalkSearch {
     List<double[]> starts = new ArrayList<>();
     if (strange.length >= FEWEST) {
       double share = Math.min(0.7, (double) strange.length / clues.log.size());
-      for (double step : steps()) {
+      Parameter sense = form.parameters().get(2);
+      for (double step : steps().stream().filter(sense::permits).toList()) {
         Walk walk = best(step);
         starts.add(new double[] {share, walk.highM(), walk.stepM(), walk.startM(), SPREAD_M});
       }

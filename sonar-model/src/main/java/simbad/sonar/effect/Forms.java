@@ -26,11 +26,17 @@ public final class Forms {
 
   private static final double FOREVER_S = 1e9;
 
-  /** Spread of a detour over its length, and for one in proportion over that of an echo at 1 m. */
+  /**
+   * Spread of a detour over its length, and for one in proportion over that of an echo at 1 m: a
+   * way that scatters by more than it is longer would be noise.
+   */
   private static final double MOST_SPREAD = 0.5;
 
   /** What comes from nearly the same range each time has to do with something. */
   private static final double LEAST_BAND_M = 0.3;
+
+  /** And so has what hardly walks. */
+  private static final double LEAST_STEP_M = 0.01;
 
   private final SensingSetup setup;
   private final List<Form> forms = new ArrayList<>();
@@ -135,41 +141,47 @@ public final class Forms {
   private void crosstalk() {
     double most = setup.sensor().maxRangeM();
     Parameter low = Parameter.of("low_m", 0, 0, 0.9 * most, 0.05);
-    Parameter high = Parameter.of("high_m", most, 0.05, most, 0.5 * most, most);
+    Parameter band = Parameter.of("band_m", most, LEAST_BAND_M, most, 0.5 * most, most);
     add(
         Effect.CROSSTALK,
         "any",
-        v -> new Crosstalk(v[0], v[1], Math.max(v[1] + LEAST_BAND_M, v[2]), false),
+        v -> new Crosstalk(v[0], v[1], v[1] + v[2], false),
         SMALL_SHARE,
         low,
-        high);
+        band);
     add(
         Effect.CROSSTALK,
         "silent",
-        v -> new Crosstalk(v[0], v[1], Math.max(v[1] + LEAST_BAND_M, v[2]), true),
+        v -> new Crosstalk(v[0], v[1], v[1] + v[2], true),
         SMALL_SHARE,
         low,
-        high);
+        band);
     add(
         Effect.CROSSTALK,
         "earlier",
-        v -> new EarlyCrosstalk(v[0], v[1], Math.max(v[1] + LEAST_BAND_M, v[2])),
+        v -> new EarlyCrosstalk(v[0], v[1], v[1] + v[2]),
         SMALL_SHARE,
         low,
-        high);
+        band);
+    walking("walking", Parameter.of("step_m", LEAST_STEP_M, LEAST_STEP_M, 1, 0.1));
+    walking("walking back", Parameter.of("step_m", -LEAST_STEP_M, -1, -LEAST_STEP_M, -0.1));
+  }
+
+  private void walking(String name, Parameter step) {
+    double most = setup.sensor().maxRangeM();
     add(
         Effect.CROSSTALK,
-        "walking",
+        name,
         v -> new WalkingCrosstalk(v[0], v[1], v[2], v[3], v[4]),
         SMALL_SHARE,
         Parameter.of("high_m", most, 0.5, 3 * most, most),
-        Parameter.of("step_m", 0.1, -1, 1, 0.1),
+        step,
         Parameter.of("start_m", 0, -3 * most, 3 * most, 0),
         Parameter.of("spread_m", 0, 0, 0.1, 0.01));
   }
 
   private void detours() {
-    Parameter spread = Parameter.of("spread_m", 0, 0, 0.25, 0.02);
+    Parameter spread = Parameter.of("spread_share", 0, 0, MOST_SPREAD, 0.1);
     add(
         Effect.MULTIPATH,
         "added",
@@ -201,13 +213,12 @@ public final class Forms {
         spread);
   }
 
-  /** A way that scatters by more than it is longer would be noise. */
-  private static Multipath added(double share, double extraM, double spreadM) {
-    return new Multipath(share, 1, extraM, Math.min(spreadM, MOST_SPREAD * extraM));
+  private static Multipath added(double share, double extraM, double spread) {
+    return new Multipath(share, 1, extraM, spread * extraM);
   }
 
-  private static Multipath scaled(double share, double factor, double spreadM) {
-    return new Multipath(share, factor, 0, Math.min(spreadM, MOST_SPREAD * (factor - 1)));
+  private static Multipath scaled(double share, double factor, double spread) {
+    return new Multipath(share, factor, 0, spread * (factor - 1));
   }
 
   private void losses() {

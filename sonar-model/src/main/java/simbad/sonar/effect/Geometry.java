@@ -1,5 +1,6 @@
 package simbad.sonar.effect;
 
+import java.util.Arrays;
 import java.util.List;
 import simbad.sonar.frame.Angles;
 import simbad.sonar.frame.Placement;
@@ -32,6 +33,10 @@ public final class Geometry {
   private final double[] zM;
   private final double[] headingRad;
   private final double[] nearestM;
+
+  /** Of pings of no log: what {@link #nearestM} was when the transducer looked before. */
+  private final double[] formerM;
+
   private final double[] centreDistanceM;
   private final double[] bearingRad;
   private final double[] thresholdM;
@@ -91,6 +96,8 @@ public final class Geometry {
     zM = new double[pings];
     headingRad = new double[pings];
     nearestM = new double[lines];
+    formerM = new double[log.size() == 0 ? lines : 0];
+    Arrays.fill(formerM, Double.POSITIVE_INFINITY);
     centreDistanceM = new double[lines];
     bearingRad = new double[lines];
     thresholdM = new double[lines];
@@ -153,6 +160,9 @@ public final class Geometry {
     for (int obstacle = 0; obstacle < obstacles; obstacle++) {
       int line = ping * obstacles + obstacle;
       model.trace(obstacle, from, sight);
+      if (formerM.length > 0 && sent[ping] > 1) {
+        formerM[line] = nearestM[line];
+      }
       nearestM[line] = sight.nearestM();
       empty[ping] &= nearestM[line] == Double.POSITIVE_INFINITY;
       centreDistanceM[line] = sight.centreDistanceM();
@@ -222,6 +232,18 @@ public final class Geometry {
   /** Returns the distance to the obstacle's nearest point in the cone; infinity for none. */
   public double nearestM(int line) {
     return nearestM[line];
+  }
+
+  /**
+   * Returns the distance to the obstacle's nearest point in the cone at the ping that the same
+   * transducer sent before in its run; infinity for none.
+   */
+  double nearestBeforeM(int line) {
+    if (formerM.length > 0) {
+      return formerM[line];
+    }
+    int ping = line / obstacles;
+    return log.sequenceStart(ping) == ping ? Double.POSITIVE_INFINITY : nearestM[line - obstacles];
   }
 
   /** Returns the distance to the obstacle's centre, metres. */

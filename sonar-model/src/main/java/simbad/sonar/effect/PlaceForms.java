@@ -120,17 +120,19 @@ final class PlaceForms {
 
   private void poses() {
     double period = setup.sensor().updatePeriodS();
-    add(
-        Effect.LATENCY,
-        "time",
-        v -> new Latency(v[0]),
+    Parameter delay =
         Parameter.of(
-            "delay_s", 0, 0, 5, Math.min(5, period), Math.min(5, 2 * period), 0.3, 0.6, 1.2));
+            "delay_s", 0, 0, 5, Math.min(5, period), Math.min(5, 2 * period), 0.3, 0.6, 1.2);
+    Parameter scatter = Parameter.of("scatter_pings", 0, 0, 3, 0.2);
+    add(Effect.LATENCY, "time", v -> new Latency(v[0]), delay);
+    Parameter pings = Parameter.of("pings", 0, 0, 30, 1, 2, 4, 8);
+    add(Effect.LATENCY, "pings", v -> new PingDelay(v[0]), pings);
     add(
         Effect.LATENCY,
-        "pings",
-        v -> new PingDelay(v[0]),
-        Parameter.of("pings", 0, 0, 30, 1, 2, 4, 8));
+        "scattered",
+        v -> new ScatteredLatency(new Latency(v[0]), v[1]),
+        delay,
+        scatter);
     add(
         Effect.ODOMETRY_SCALE,
         "path",
