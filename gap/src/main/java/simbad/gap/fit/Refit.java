@@ -41,7 +41,7 @@ public final class Refit {
       Form form = start.forms().get(i);
       if (form.isTable()) {
         Clues clues = new Clues(evidence, start.without(form.effect()), fold);
-        tables = tables.and(form, new TableSearch(clues, TableSearch.obstacle(form)).table());
+        tables = tables.and(form, TableSearch.tables(clues, form));
       } else {
         rest = rest.and(form, start.valuesOf(i));
       }

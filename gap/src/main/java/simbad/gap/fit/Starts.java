@@ -75,8 +75,10 @@ final class Starts {
           .mapToObj(obstacle -> new TableSearch(clues, obstacle).waves())
           .toList();
     }
-    TableSearch search = new TableSearch(clues, TableSearch.obstacle(form));
-    return List.of(form.isTable() ? search.table() : search.waves());
+    return List.of(
+        form.isTable()
+            ? TableSearch.tables(clues, form)
+            : new TableSearch(clues, TableSearch.obstacles(form)[0]).waves());
   }
 
   private DoubleStream strange() {

@@ -27,9 +27,18 @@ final class TableSearch {
   private final int size = Forms.TABLE_SIZE;
   private final double uniformM;
 
-  /** The index of the obstacle that a form is about, which stands behind the hash in its name. */
-  static int obstacle(Form form) {
-    return Integer.parseInt(form.name().substring(form.name().lastIndexOf('#') + 1));
+  /** The indices of the obstacles that a form is about, which stand behind the hash in its name. */
+  static int[] obstacles(Form form) {
+    String numbers = form.name().substring(form.name().lastIndexOf('#') + 1);
+    return Arrays.stream(numbers.split(",", -1)).mapToInt(Integer::parseInt).toArray();
+  }
+
+  /** The tables of all obstacles that a form is about, one behind the other. */
+  static double[] tables(Clues clues, Form form) {
+    return Arrays.stream(obstacles(form))
+        .mapToObj(obstacle -> new TableSearch(clues, obstacle).table())
+        .flatMapToDouble(Arrays::stream)
+        .toArray();
   }
 
   /** Of an obstacle by its index. */

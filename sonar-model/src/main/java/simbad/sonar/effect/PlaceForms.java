@@ -1,6 +1,7 @@
 package simbad.sonar.effect;
 
 import static java.lang.Math.toRadians;
+import static java.util.stream.Collectors.joining;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -62,9 +63,15 @@ final class PlaceForms {
         shadowed(labels.get(i), i, uniform.greatestM());
       }
     }
-    if (labels.size() > 1
-        && setup.scene().obstacles().stream()
-            .allMatch(obstacle -> obstacle.detection() instanceof UniformDetection)) {
+    int[] uniform =
+        IntStream.range(0, labels.size())
+            .filter(
+                i -> setup.scene().obstacles().get(i).detection() instanceof UniformDetection)
+            .toArray();
+    if (uniform.length > 1) {
+      allShadowed(uniform);
+    }
+    if (labels.size() > 1 && uniform.length == labels.size()) {
       waved("waves", Optional.empty());
     }
   }
@@ -84,23 +91,44 @@ final class PlaceForms {
   }
 
   private void shadowed(String label, int obstacle, double uniformM) {
-    Parameter[] table =
-        IntStream.range(0, Forms.TABLE_SIZE)
-            .mapToObj(
-                i ->
-                    Parameter.of(
-                        "threshold_" + i * 360 / Forms.TABLE_SIZE + "_deg_m",
-                        uniformM,
-                        0,
-                        MOST_THRESHOLD_M,
-                        uniformM))
-            .toArray(Parameter[]::new);
     add(
         Effect.ORIENTATION_SHADOW,
         "table:" + label + "#" + obstacle,
         v -> new OrientationShadow(Optional.of(label), ThresholdTable.of(v)),
-        table);
+        thresholds("", uniformM).toArray(Parameter[]::new));
     waved("waves:" + label + "#" + obstacle, Optional.of(label));
+  }
+
+  /** Every obstacle that is believed uniform has a table of its own. */
+  private void allShadowed(int... obstacles) {
+    List<String> labels = Scenes.labels(setup.scene());
+    List<Parameter> all = new ArrayList<>();
+    for (int obstacle : obstacles) {
+      double uniformM = setup.scene().obstacles().get(obstacle).detection().greatestM();
+      all.addAll(thresholds(labels.get(obstacle) + "_", uniformM));
+    }
+    String numbers = Arrays.stream(obstacles).mapToObj(String::valueOf).collect(joining(","));
+    add(
+        Effect.ORIENTATION_SHADOW,
+        "tables#" + numbers,
+        v -> {
+          List<OrientationShadow> each = new ArrayList<>();
+          for (int i = 0; i < obstacles.length; i++) {
+            double[] own = Arrays.copyOfRange(v, i * Forms.TABLE_SIZE, (i + 1) * Forms.TABLE_SIZE);
+            each.add(
+                new OrientationShadow(
+                    Optional.of(labels.get(obstacles[i])), ThresholdTable.of(own)));
+          }
+          return new OrientationShadows(each);
+        },
+        all.toArray(Parameter[]::new));
+  }
+
+  private static List<Parameter> thresholds(String prefix, double uniformM) {
+    return IntStream.range(0, Forms.TABLE_SIZE)
+        .mapToObj(i -> prefix + "threshold_" + i * 360 / Forms.TABLE_SIZE + "_deg_m")
+        .map(name -> Parameter.of(name, uniformM, 0, MOST_THRESHOLD_M, uniformM))
+        .toList();
   }
 
   /** A shadow of few lobes, which few readings tell of. */
