@@ -126,8 +126,8 @@ public class Fitter {
 
   /**
    * Moves one value after the other, by long steps and by short ones, and keeps what is better. A
-   * simplex shrinks where a likelihood is flat between jumps, as it is in a value at which something
-   * begins or ends.
+   * simplex shrinks where a likelihood is flat between jumps, as it is in a value at which
+   * something begins or ends.
    *
    * @param start a fit of the pings that count
    * @param from index of the first value that is moved

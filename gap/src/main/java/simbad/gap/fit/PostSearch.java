@@ -1,18 +1,20 @@
 package simbad.gap.fit;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
+import org.hipparchus.exception.MathIllegalStateException;
 import org.hipparchus.linear.Array2DRowRealMatrix;
 import org.hipparchus.linear.ArrayRealVector;
 import org.hipparchus.linear.RealVector;
 import org.hipparchus.optim.nonlinear.vector.leastsquares.LeastSquaresBuilder;
+import org.hipparchus.optim.nonlinear.vector.leastsquares.LeastSquaresProblem;
 import org.hipparchus.optim.nonlinear.vector.leastsquares.LevenbergMarquardtOptimizer;
 import org.hipparchus.optim.nonlinear.vector.leastsquares.MultivariateJacobianFunction;
 import org.hipparchus.util.Pair;
@@ -107,20 +109,19 @@ final class PostSearch {
       if (near.length < FEWEST) {
         return post;
       }
-      post = agreed(about, near);
+      post = agreed(about, near).orElse(about);
     }
     return post;
   }
 
   /** How much farther an echo came than a post stands, metres. */
   private double off(int ping, Post post) {
-    double away =
-        Math.hypot(post.xM - clues.geometry.xM(ping), post.zM - clues.geometry.zM(ping));
+    double away = Math.hypot(post.xM - clues.geometry.xM(ping), post.zM - clues.geometry.zM(ping));
     return clues.log.rangeM(ping) + post.radiusM - away;
   }
 
   /** Least squares; seen from one side only, any radius would do, and a thin post is taken. */
-  private Post agreed(Post begun, int... near) {
+  private Optional<Post> agreed(Post begun, int... near) {
     MultivariateJacobianFunction offs =
         values -> {
           Post post = new Post(values.getEntry(0), values.getEntry(1), values.getEntry(2));
@@ -138,18 +139,22 @@ final class PostSearch {
           return new Pair<>(
               new ArrayRealVector(value, false), new Array2DRowRealMatrix(slope, false));
         };
-    RealVector found =
-        new LevenbergMarquardtOptimizer()
-            .optimize(
-                new LeastSquaresBuilder()
-                    .start(new double[] {begun.xM, begun.zM, begun.radiusM})
-                    .model(offs)
-                    .target(new double[near.length + 1])
-                    .maxEvaluations(EVALUATIONS)
-                    .maxIterations(EVALUATIONS)
-                    .build())
-            .getPoint();
-    return new Post(found.getEntry(0), found.getEntry(1), Math.max(0, found.getEntry(2)));
+    LeastSquaresProblem problem =
+        new LeastSquaresBuilder()
+            .start(new double[] {begun.xM, begun.zM, begun.radiusM})
+            .model(offs)
+            .target(new double[near.length + 1])
+            .maxEvaluations(EVALUATIONS)
+            .maxIterations(EVALUATIONS)
+            .build();
+    try {
+      RealVector found = new LevenbergMarquardtOptimizer().optimize(problem).getPoint();
+      double radius = Math.max(0, found.getEntry(2));
+      return Optional.of(new Post(found.getEntry(0), found.getEntry(1), radius));
+    } catch (MathIllegalStateException undecided) {
+      // They agree on no one place: on a line of sight all are as good.
+      return Optional.empty();
+    }
   }
 
   private void vote(int ping, double radiusM, Map<Cell, Integer> votes) {

@@ -107,7 +107,10 @@ public final class Screen {
         .map(this::approached)
         .forEach(fits::add);
     fits.sort(Comparator.comparingDouble(fit -> -merit(fit)));
-    return fits.stream().filter(fit -> merit(fit) > merit(fits.get(0)) - CLOSE_NATS).limit(CLOSE).toList();
+    return fits.stream()
+        .filter(fit -> merit(fit) > merit(fits.get(0)) - CLOSE_NATS)
+        .limit(CLOSE)
+        .toList();
   }
 
   private static Fit better(Fit one, Fit other) {

@@ -52,6 +52,7 @@ final class DiagnosedSensor implements Sensor {
     if (pings.geometry().pings() != size) {
       pings = model.pings(model.geometry(size));
     }
+    pings.geometry().restart();
     transducers = new Transducer[size];
     for (int i = 0; i < size; i++) {
       String label = i < labels.size() ? labels.get(i) : "";

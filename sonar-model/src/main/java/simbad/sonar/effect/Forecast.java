@@ -175,7 +175,7 @@ final class Forecast {
 
   /** Adds what a ping reads after a state, times the state's share; returns the chance of none. */
   private double expect(int ping, int inBurst, int slot, double share) {
-    Mixture before = slot > 0 && memory.ghosts() ? one : Mixture.EMPTY;
+    Mixture before = slot == 0 ? Mixture.EMPTY : memory.ghosts() ? one : state[inBurst][slot];
     pings.mix(ping, slot == HiddenState.ECHO, before, memory.lost(inBurst), mixture);
     next[inBurst][HiddenState.ECHO].merge(mixture, share, FOLLOWED);
     return Math.max(0, 1 - mixture.echoShare());

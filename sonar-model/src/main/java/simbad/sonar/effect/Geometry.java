@@ -144,6 +144,12 @@ public final class Geometry {
     return ping < log.size() ? ping - log.sequenceStart(ping) : sent[ping] - 1;
   }
 
+  /** Forgets what transducers of no log saw: another run begins. */
+  void restart() {
+    Arrays.fill(sent, 0);
+    Arrays.fill(formerM, Double.POSITIVE_INFINITY);
+  }
+
   /** Looks from a pose, which is where the sensor really is. */
   void look(int ping, TruePose pose) {
     xM[ping] = pose.xM();

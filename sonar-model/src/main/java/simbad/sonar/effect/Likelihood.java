@@ -98,7 +98,7 @@ final class Likelihood {
       before.clear();
       state.start(memory.burstShare());
     } else {
-      if (memory.ghosts()) {
+      if (memory.ghosts() || memory.hysteresis() != null) {
         remember(ping - 1);
       }
       if (memory.burst() != null) {
@@ -160,7 +160,7 @@ final class Likelihood {
       before.clear();
       return;
     }
-    if (memory.asRead()) {
+    if (memory.asRead() || !memory.ghosts()) {
       before.clear();
       before.add(log.rangeM(previous), 0, 1);
       return;

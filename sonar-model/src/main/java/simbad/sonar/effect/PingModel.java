@@ -15,6 +15,14 @@ import simbad.sonar.scene.SonarSpec;
  * <p>Holds buffers; for one thread.
  */
 final class PingModel {
+  /** Nothing is farther away. */
+  private static final double FARTHEST_M = Double.MAX_VALUE;
+
+  /** What scatters by more may be nearest to several obstacles: it is asked at so many places. */
+  private static final double NEAR_M = 0.05;
+
+  private static final int PLACES = 12;
+
   private final Geometry geometry;
   private final double noiseM;
   private final NominalModel nominal;
@@ -30,6 +38,9 @@ final class PingModel {
   private final Arrivals arrivals = new Arrivals();
   private final Mixture origin = new Mixture();
   private final Moment moment;
+
+  /** By obstacle: how probable it is that the ping before heard it. */
+  private final double[] heardShare;
 
   PingModel(Geometry geometry, SonarSpec sensor, List<? extends Change> changes) {
     this.geometry = geometry;
@@ -55,6 +66,7 @@ final class PingModel {
     hysteresis = memory.hysteresis();
     fromOrigin = memory.ghosts() && !memory.asRead();
     moment = new Moment(geometry);
+    heardShare = new double[geometry.obstacles()];
   }
 
   static <T> List<T> of(Class<T> kind, List<? extends Change> changes) {
@@ -85,16 +97,20 @@ final class PingModel {
    *
    * @param ping index
    * @param heardBefore whether the ping before was answered
-   * @param before what was read before: one part, or none for a no-echo
+   * @param before what was read before; no part for a no-echo
    * @param lost share of pings that are lost beside the losses of the changes
    * @param into takes the mixture, in measured ranges
    */
   void mix(int ping, boolean heardBefore, Mixture before, double lost, Mixture into) {
     arrivals.clear();
+    if (hysteresis != null && heardBefore) {
+      hear(ping, before);
+    }
     int end = (ping + 1) * geometry.obstacles();
     for (int line = ping * geometry.obstacles(); line < end; line++) {
       if (geometry.nearestM(line) < Double.POSITIVE_INFINITY) {
-        arrivals.add(geometry.nearestM(line), 0, echoProbability(line, heardBefore));
+        double heard = heardBefore ? heardShare[line % heardShare.length] : 0;
+        arrivals.add(geometry.nearestM(line), 0, echoProbability(line, heard));
       }
     }
     moment.set(ping, fromOrigin ? origin(before) : before);
@@ -106,18 +122,74 @@ final class PingModel {
     read(into);
   }
 
-  private double echoProbability(int line, boolean heardBefore) {
+  /**
+   * Which obstacles the ping before heard: the one whose distance it read, as far as that is known,
+   * and those behind, which nobody can tell of.
+   */
+  private void hear(int ping, Mixture before) {
+    double all = before.echoShare();
+    if (heardShare.length == 1 || !(all > 0)) {
+      Arrays.fill(heardShare, 1);
+      return;
+    }
+    Arrays.fill(heardShare, 0);
+    int first = ping * geometry.obstacles();
+    for (int part = 0; part < before.size(); part++) {
+      double half = Math.sqrt(3) * before.deviationM(part) + before.halfWidthM(part);
+      int places = half > NEAR_M ? PLACES : 1;
+      for (int place = 0; place < places; place++) {
+        double read = before.meanM(part) + half * ((2 * place + 1.0) / places - 1);
+        hear(first, read, before.share(part) / (all * places));
+      }
+    }
+  }
+
+  private void hear(int first, double readM, double share) {
+    double answeredM = answeredM(first, readM);
+    for (int obstacle = 0; obstacle < heardShare.length; obstacle++) {
+      double distance = geometry.nearestBeforeM(first + obstacle);
+      heardShare[obstacle] += distance < answeredM || distance > FARTHEST_M ? 0 : share;
+    }
+  }
+
+  /** The distance of the obstacle before a ping that is nearest to what was read there. */
+  private double answeredM(int first, double readM) {
+    double answered = Double.POSITIVE_INFINITY;
+    for (int line = first; line < first + geometry.obstacles(); line++) {
+      double distance = geometry.nearestBeforeM(line);
+      if (Math.abs(distance - readM) < Math.abs(answered - readM)) {
+        answered = distance;
+      }
+    }
+    return answered;
+  }
+
+  private double echoProbability(int line, double heardBefore) {
     double threshold = geometry.thresholdM(line);
     for (ThresholdChange change : thresholds) {
       threshold *= change.factor(geometry, line);
     }
-    if (hysteresis != null) {
-      threshold = hysteresis.thresholdM(threshold, heardBefore);
-    }
-    double probability =
-        nominal.echoProbability(geometry.nearestM(line), geometry.centreDistanceM(line), threshold);
+    double probability = nominally(line, threshold, heardBefore);
     for (EchoChange change : echoes) {
       probability *= change.share(geometry, line);
+    }
+    return probability;
+  }
+
+  private double nominally(int line, double thresholdM, double heardBefore) {
+    double nearest = geometry.nearestM(line);
+    double centre = geometry.centreDistanceM(line);
+    if (hysteresis == null) {
+      return nominal.echoProbability(nearest, centre, thresholdM);
+    }
+    double probability = 0;
+    if (heardBefore > 0) {
+      double held = hysteresis.thresholdM(thresholdM, true);
+      probability = heardBefore * nominal.echoProbability(nearest, centre, held);
+    }
+    if (heardBefore < 1) {
+      double pickedUp = hysteresis.thresholdM(thresholdM, false);
+      probability += (1 - heardBefore) * nominal.echoProbability(nearest, centre, pickedUp);
     }
     return probability;
   }

@@ -65,8 +65,7 @@ final class PlaceForms {
     }
     int[] uniform =
         IntStream.range(0, labels.size())
-            .filter(
-                i -> setup.scene().obstacles().get(i).detection() instanceof UniformDetection)
+            .filter(i -> setup.scene().obstacles().get(i).detection() instanceof UniformDetection)
             .toArray();
     if (uniform.length > 1) {
       allShadowed(uniform);
