@@ -27,6 +27,10 @@ final class Forecast {
   private final PingLog log;
   private final PingModel pings;
   private final Memory memory;
+
+  /** Whether what comes hangs on what was read, and not only on whether something was. */
+  private final boolean onEachReading;
+
   private final Mixture mixture = new Mixture();
   private final Mixture one = new Mixture();
   private Mixture[][] state = states();
@@ -40,6 +44,8 @@ final class Forecast {
     log = geometry.log();
     pings = model.pings(geometry);
     memory = model.memory();
+    boolean several = geometry.obstacles() > 1;
+    onEachReading = memory.ghosts() || (several && memory.hysteresis() != null);
   }
 
   private static Mixture[][] states() {
@@ -80,7 +86,7 @@ final class Forecast {
       }
     }
     slots = memory.stale() == null ? 2 : Math.min(slots + 1, HiddenState.MOST + 2);
-    if (memory.ghosts()) {
+    if (onEachReading) {
       blur();
     }
     Mixture[][] spent = state;
@@ -141,7 +147,7 @@ final class Forecast {
       return;
     }
     double repeats = memory.repeats(slot, log.timeS(ping) - log.timeS(ping - slot));
-    if (memory.ghosts()) {
+    if (onEachReading) {
       double least = Math.max(HAUNTS, before.shareOfRank(HAUNTING));
       double rest = 0;
       for (int part = 0; part < before.size(); part++) {
@@ -175,7 +181,7 @@ final class Forecast {
 
   /** Adds what a ping reads after a state, times the state's share; returns the chance of none. */
   private double expect(int ping, int inBurst, int slot, double share) {
-    Mixture before = slot == 0 ? Mixture.EMPTY : memory.ghosts() ? one : state[inBurst][slot];
+    Mixture before = slot > 0 && onEachReading ? one : Mixture.EMPTY;
     pings.mix(ping, slot == HiddenState.ECHO, before, memory.lost(inBurst), mixture);
     next[inBurst][HiddenState.ECHO].merge(mixture, share, FOLLOWED);
     return Math.max(0, 1 - mixture.echoShare());

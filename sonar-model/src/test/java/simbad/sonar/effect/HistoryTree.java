@@ -1,6 +1,7 @@
 package simbad.sonar.effect;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -78,7 +79,7 @@ final class HistoryTree {
     }
     double lost = state.burst ? world.burstDepth : 0;
     double silent = 1 - lost;
-    for (Arrival arrival : arrivals(pings.get(index), state)) {
+    for (Arrival arrival : arrivals(index, state)) {
       OptionalDouble source = OptionalDouble.of(arrival.distanceM);
       double first = silent * arrival.probability;
       silent -= first;
@@ -111,11 +112,12 @@ final class HistoryTree {
     }
   }
 
-  private List<Arrival> arrivals(Ping ping, State state) {
+  private List<Arrival> arrivals(int index, State state) {
     List<Arrival> arrivals = new ArrayList<>();
-    for (Target target : ping.targets) {
-      double answers = target.answers(state.heard ? world.hold : world.pickUp);
-      arrivals.add(new Arrival(target.nearestM, answers));
+    List<Target> targets = pings.get(index).targets;
+    for (int i = 0; i < targets.size(); i++) {
+      double factor = isHeard(index, i, state) ? world.hold : world.pickUp;
+      arrivals.add(new Arrival(targets.get(i).nearestM, targets.get(i).answers(factor)));
     }
     if (state.source.isPresent()) {
       double ghost = state.source.getAsDouble() * world.ghostFactor - world.ghostShiftM;
@@ -125,6 +127,21 @@ final class HistoryTree {
     }
     arrivals.sort((a, b) -> Double.compare(a.distanceM, b.distanceM));
     return arrivals;
+  }
+
+  /** The obstacle nearest to what was read is the one that was heard, or one before it. */
+  private boolean isHeard(int index, int target, State state) {
+    if (!state.heard) {
+      return false;
+    }
+    double read = state.source.orElseThrow();
+    List<Target> before = pings.get(index - 1).targets;
+    double answered =
+        before.stream()
+            .map(Target::nearestM)
+            .min(Comparator.comparingDouble(distance -> Math.abs(distance - read)))
+            .orElseThrow();
+    return before.get(target).nearestM >= answered;
   }
 
   private static List<OptionalDouble> with(List<OptionalDouble> readings, OptionalDouble more) {
