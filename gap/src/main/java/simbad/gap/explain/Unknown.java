@@ -3,6 +3,7 @@ package simbad.gap.explain;
 import java.util.List;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Burst;
+import simbad.sonar.effect.Change;
 
 /**
  * How probable it is that something is at work that the best set of effects does not account for.
@@ -32,6 +33,11 @@ public final class Unknown {
   /** Three effects at once are rarer than one thing that has no name. */
   private static final double THIRD = 2;
 
+  /** In 1,100 checked worlds the longest bursts there may be were never bursts (20 of 20). */
+  private static final double TOO_LONG = 6;
+
+  private static final double NEARLY = 0.99;
+
   private Unknown() {}
 
   /**
@@ -52,7 +58,14 @@ public final class Unknown {
     if (small && effects > 0 && best.changes().stream().noneMatch(Burst.class::isInstance)) {
       logit -= THIRD;
     }
+    if (best.changes().stream().anyMatch(Unknown::isLongerThanBursts)) {
+      logit += TOO_LONG;
+    }
     return LEAST + (MOST - LEAST) / (1 + Math.exp(-logit));
+  }
+
+  private static boolean isLongerThanBursts(Change change) {
+    return change instanceof Burst burst && burst.lengthPings() > NEARLY * Burst.LONGEST_PINGS;
   }
 
   private static double mean(double[] values) {

@@ -41,7 +41,7 @@ class PostSearchTest {
     List<double[]> starts = new PostSearch(clues(truth), 4).starts();
     double nearest =
         starts.stream().mapToDouble(s -> Math.hypot(s[0] - 0.9, s[1] + 0.6)).min().orElseThrow();
-    assertTrue(nearest < 0.12, "nearest start is " + nearest + " m away");
+    assertTrue(nearest < 0.01, "nearest start is " + nearest + " m away");
   }
 
   @Test

@@ -9,6 +9,9 @@ package simbad.sonar.effect;
  * @param depth share of a burst's pings that are missed, in [0, 1]; 0 is neutral
  */
 public record Burst(double share, double lengthPings, double depth) implements MemoryChange {
+  /** On average; what is silent for longer takes up whatever comes and goes. */
+  public static final double LONGEST_PINGS = 12;
+
   @Override
   public boolean isNeutral() {
     return share == 0 || depth == 0;

@@ -228,7 +228,7 @@ public final class Forms {
         "bursts",
         v -> new Burst(v[0], v[1], 1),
         Parameter.of("share", 0, 0, 0.9, 0.1, 0.3),
-        Parameter.of("length_pings", 1, 1, 12, 3, 8));
+        Parameter.of("length_pings", 1, 1, Burst.LONGEST_PINGS, 3, 8));
   }
 
   private void thresholds() {

@@ -146,6 +146,25 @@ class DiagnosedSensorTest {
     assertEquals(1.575, range(ping(sensor, 0, Pose.of(0.3, 0, 0)).get(0)), 1e-12);
   }
 
+  /** A driven sensor remembers what it saw before in this run, and nothing of the run before. */
+  @Test
+  void scatteredLatency_scattersFromTheSecondPingOfARun() {
+    Scene scene = Scenes.of(Scenes.box(2, 0, 5));
+    SensingSetup setup = new SensingSetup(EXACT, scene, 6.5);
+    Sensor sensor =
+        model(EXACT, scene, fitted(setup, "latency/scattered", 0.0, 0.5))
+            .bind(EXACT, scene, new Random(1));
+    int runs = 4000;
+    double squares = 0;
+    for (int run = 0; run < runs; run++) {
+      sensor.reset();
+      assertEquals(1.875, range(ping(sensor, 0, Pose.of(0, 0, 0)).get(0)), 1e-12);
+      double off = range(ping(sensor, 0.1, Pose.of(0.1, 0, 0)).get(0)) - 1.775;
+      squares += off * off;
+    }
+    assertEquals(0.05, Math.sqrt(squares / runs), 0.002);
+  }
+
   @Test
   void drift_countsFromTheFirstPing_scaleFromItsPlace() {
     Scene scene = Scenes.of(Scenes.box(2, 0, 5));

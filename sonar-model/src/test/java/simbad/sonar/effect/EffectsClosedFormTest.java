@@ -453,6 +453,23 @@ class EffectsClosedFormTest {
     assertEcho(P, new OrientationShadow(Optional.of("post"), four));
     assertEcho(
         echo(1, 1.1), new OrientationShadow(Optional.empty(), ThresholdTable.uniform(4, 1.1)));
+    OrientationShadow post = new OrientationShadow(Optional.of("post"), four);
+    OrientationShadow box = new OrientationShadow(Optional.of("box"), four);
+    assertEcho(echo(1, 1.3), new OrientationShadows(List.of(post, box)));
+    assertEcho(P, new OrientationShadows(List.of(post)));
+  }
+
+  /** 5 cm nearer from ping to ping and 0.3 periods uncertain: 0.015 m, with 0.02 m 0.025 m. */
+  @Test
+  void scatteredLatency_scattersAsTheRangeChanges() {
+    List<ReadingRow> rows =
+        List.of(
+            Logs.row(0, Pose.of(-0.05, 0, 0), OptionalDouble.of(0.9)),
+            Logs.row(0.1, Pose.of(0, 0, 0), OptionalDouble.of(0.85)));
+    List<Change> changes = List.of(new ScatteredLatency(new Latency(0), 0.3));
+    double[] found = Logs.likelihood(SETUP, rows, changes);
+    assertEquals(echo(1.05, 1.2) * WITHIN_1_25, found[0], 1e-6);
+    assertEquals(P * 0.6826895, found[1], 1e-6);
   }
 
   /**

@@ -1,0 +1,97 @@
+package simbad.gap.fit;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import simbad.gap.fixture.Worlds;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.frame.Placement;
+import simbad.sonar.frame.Pose;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.ReadingRow;
+
+/** Of the forms of an effect the one that drew the log is found, where others come near. */
+class ScreenTest {
+  private static SensingSetup twoPosts() {
+    Obstacle post = Worlds.POST.scene().obstacles().get(0);
+    Obstacle other =
+        new Obstacle("other", new Placement(0.5, 0.4, 0), post.outline(), post.detection());
+    return new SensingSetup(
+        Worlds.POST.sensor(), new Scene(List.of(post, other)), Worlds.POST.noEchoM());
+  }
+
+  private static Form form(SensingSetup setup, Effect effect, String name) {
+    return Forms.find(effect, name, setup, List.of("s")).orElseThrow();
+  }
+
+  /** Anywhere within 1.3 m and looking anywhere. */
+  private static List<ReadingRow> lookingRound() {
+    Random random = new Random(33);
+    List<ReadingRow> rows = new ArrayList<>();
+    for (int i = 0; i < 1500; i++) {
+      double x = 2.6 * random.nextDouble() - 1.3;
+      double z = 2.6 * random.nextDouble() - 1.3;
+      Pose pose = Pose.of(x, z, 2 * Math.PI * random.nextDouble());
+      rows.add(new ReadingRow("r", "s", 0.05 * i, pose, NoEcho.NO_ECHO));
+    }
+    return rows;
+  }
+
+  private static Fit screened(SensingSetup setup, Hypothesis truth, List<ReadingRow> poses) {
+    PingLog log = new PingLog(Worlds.read(setup, poses, truth, 32));
+    Evidence evidence = new Evidence(setup, List.of(), log);
+    Effect effect = truth.effects().get(0);
+    Fit nominal = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
+    List<Form> forms =
+        Forms.all(setup, log.sensors()).stream().filter(f -> f.effect() == effect).toList();
+    Fit found = Objects.requireNonNull(new Screen(evidence, nominal).all(forms).get(effect));
+    double atTruth = new Fitter(evidence, Fold.ALL).logLikelihood(truth);
+    assertTrue(
+        found.logLikelihood() > atTruth - 40,
+        found.logLikelihood() + " found, " + atTruth + " where it was drawn");
+    return found;
+  }
+
+  @Test
+  void shadowsOfSeveralObstacles_areFoundTogether() {
+    SensingSetup setup = twoPosts();
+    double[] tables = new double[2 * Forms.TABLE_SIZE];
+    Arrays.setAll(tables, i -> i % Forms.TABLE_SIZE < Forms.TABLE_SIZE / 2 ? 0.5 : 1.5);
+    Form form = form(setup, Effect.ORIENTATION_SHADOW, "tables#0,1");
+    Fit found =
+        screened(setup, Hypothesis.NONE.and(form, tables), Worlds.poses(4000, 0.7, 2.6, 31));
+    assertEquals(List.of(form), found.hypothesis().forms());
+  }
+
+  /** The angle at which it is heard no more is a gate: between its pings nothing changes. */
+  @Test
+  void gateOfAFace_isFound() {
+    Hypothesis truth =
+        Worlds.effect(Effect.UNMODELLED_OBJECT, "face", -1.5, 0, 0, 2, 0.97, 13, 2.4);
+    Fit found = screened(Worlds.POST, truth, lookingRound());
+    assertEquals("face", found.hypothesis().forms().get(0).name());
+    assertEquals(13, found.hypothesis().values()[5], 0.7);
+  }
+
+  @Test
+  void postBesideItsCell_isFound() {
+    Hypothesis truth =
+        Worlds.effect(Effect.UNMODELLED_OBJECT, "post", 0.913, -0.627, 0.053, 2.2, 0.95, 16);
+    Fit found = screened(Worlds.POST, truth, lookingRound());
+    assertEquals("post", found.hypothesis().forms().get(0).name());
+    assertEquals(0.913, found.hypothesis().values()[0], 0.004);
+    assertEquals(-0.627, found.hypothesis().values()[1], 0.004);
+  }
+}
