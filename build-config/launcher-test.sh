@@ -25,14 +25,20 @@ fake() {
 fake_system() {
   local program
   mkdir -p "$work/bin"
-  for program in awk bash cat chmod cp env find flock grep mkdir mktemp mv readlink rm sed sort tail touch tr true; do
+  for program in awk bash cat chmod cp dirname env find flock grep gzip mkdir mktemp mv readlink rm sed sha256sum sort tail \
+    touch tr true; do
     ln -s "$(type -P "$program")" "$work/bin/$program"
   done
   fake "$work/bin" id <<'END'
 echo "$FAKE_UID"
 END
   fake "$work/bin" git <<'END'
-echo "$FAKE_COMMIT"
+case " $* " in
+  *' clone '*) cp -r "${@:(-2):1}" "${@: -1}" ;;
+  *' status '*) printf '%s' "$FAKE_CHANGES" ;;
+  *' log '*) echo 2026-01-02T03:04:05Z ;;
+  *) echo "$FAKE_COMMIT" ;;
+esac
 END
 }
 
@@ -42,6 +48,11 @@ fake_jdk() {
   mkdir -p "$1/bin" "$1/lib"
   echo "JAVA_VERSION=\"$2.0.1\"" >"$1/release"
   fake "$1/bin" javac </dev/null
+  fake "$1/bin" jar <<'END'
+for argument; do
+  [[ $argument != --file=* ]] || touch "${argument#*=}"
+done
+END
   fake "$1/bin" java <<'END'
 for argument; do
   case $argument in
@@ -75,6 +86,8 @@ done
 mkdir -p "$root/experiments/target/lib" "$root/cluster/target/spark/jars"
 touch "$root/cluster/target/cluster.jar" "$root/cluster/target/spark/jars/s.jar"
 touch "$root/experiments/target/experiments.jar" "$root/experiments/target/lib/a.jar"
+mkdir -p "$root/experiments/target/licences" "$root/target/reports/apidocs"
+touch "$root/experiments/target"/{simbad.jar,bom.json,licences/THIRD-PARTY.txt} "$root/target/reports/apidocs/index.html"
 if [[ -n ${FAKE_SKIPPED:-} ]]; then
   mkdir -p "$root/experiments/target/surefire-reports"
   printf '<testcase name="%s" classname="x.YTest" time="0">\n<skipped message="no tool"/>\n</testcase>\n' \
@@ -91,12 +104,13 @@ new_project() {
   mkdir -p "$project/.mvn" "$project/experiments/src/main/java/deep" "$project/cluster/src/main"
   cp "$here/../simbad" "$project/simbad"
   touch "$project/cluster/src/main/java-options"
-  touch "$project/pom.xml" "$project/experiments/pom.xml" "$project/experiments/src/main/java/deep/"{A,B}.java
+  printf '  <version>1.2</version>\n' >"$project/pom.xml"
+  touch "$project"/{CHANGELOG.md,LICENSE} "$project/experiments/pom.xml" "$project/experiments/src/main/java/deep/"{A,B}.java
   fake_system
   fake_jdk "$work/jvm/jdk-17" 17
   fake_maven "$work/tools"
   ln -s "$(type -P sleep)" "$work/tools/sleep"
-  unset FAKE_UID FAKE_COMMIT FAKE_STATUS FAKE_MAVEN FAKE_SKIPPED
+  unset FAKE_UID FAKE_COMMIT FAKE_STATUS FAKE_MAVEN FAKE_SKIPPED FAKE_CHANGES
 }
 
 # Calls the launcher with a clean environment; sets status, and output with both streams.
@@ -105,7 +119,7 @@ simbad() {
   output=$(cd "${from:-$work}" && env -i HOME="$work" PATH="$work/tools:$work/bin" SIMBAD_JVM_DIRECTORY="$work/jvm" \
     SIMBAD_INCLUDE_DIRECTORY="$work/include" \
     FAKE_UID="${FAKE_UID:-1000}" FAKE_COMMIT="${FAKE_COMMIT:-1234}" FAKE_STATUS="${FAKE_STATUS:-0}" \
-    FAKE_MAVEN="${FAKE_MAVEN:-}" FAKE_SKIPPED="${FAKE_SKIPPED:-}" FAKE_WORK="$work" CI="${ci:-}" DISPLAY=:7 \
+    FAKE_MAVEN="${FAKE_MAVEN:-}" FAKE_CHANGES="${FAKE_CHANGES:-}" FAKE_SKIPPED="${FAKE_SKIPPED:-}" FAKE_WORK="$work" CI="${ci:-}" DISPLAY=:7 \
     SIMBAD_TESTING="${testing:-}" SIMBAD_CLASS_PATH="${own_classes:-}" bash "${launcher:-$project/simbad}" "$@" </dev/null 2>&1)
   status=$?
 }
@@ -318,7 +332,7 @@ tests_like_ci() {
   new_project
   mkdir -p "$work/include/gpsim"
   touch "$work/include/cmocka.h" "$work/include/gpsim/modules.h"
-  for tool in Xvfb xauth shellcheck chromium cppcheck gpsim g++ make; do fake "$work/tools" "$tool" </dev/null; done
+  for tool in Xvfb xauth shellcheck chromium cppcheck git-secrets gpsim g++ make; do fake "$work/tools" "$tool" </dev/null; done
   touch "$work/jvm/jdk-17/lib/libawt_xawt.so"
   simbad test -- -pl sonar-model
   check "test: verify, with what follows --" calls 'mvn -B -ntp verify .*-pl sonar-model'
@@ -352,6 +366,47 @@ tells_what_works() {
   check "doctor: nothing can be built, status 1" status_is 1
 }
 
+releases_a_commit() {
+  new_project
+  from=$work simbad release --out "my release/"
+  check "release: is done" status_is 0
+  check "release: is of the commit, built in a clone" calls 'git clone'
+  check "release: dates are the commit's" calls 'mvn .*outputTimestamp=2026-01-02T03:04:05Z'
+  output=$(cd "$work/my release" && echo *)
+  check "release: has all of it" prints "CHANGELOG.md LICENSE SHA256SUMS THIRD-PARTY.txt simbad-sonar-1.2-javadoc.jar \
+simbad-sonar-1.2-sources.tar.gz simbad-sonar-1.2.cdx.json simbad-sonar-1.2.jar"
+  check "release: the sums are right" sums_are_right
+  FAKE_CHANGES=$' M a\n?? b\n' simbad release --out changed
+  check "release: says what differs from the commit" prints 'made of the commit 1234, without the 2 files that differ'
+  simbad release --out changed
+  check "release: nothing is overwritten: status 2" status_is 2
+  FAKE_MAVEN=fail simbad release --out failed
+  check "release: a failed build: status 1" status_is 1
+  check "release: a failed build: Maven's line" prints '[ERROR] Foo.java:[3,4] cannot find symbol'
+  output=$(cd "$work" && echo failed .*unfinished*)
+  check "release: a failed build leaves nothing" prints 'failed .*unfinished*'
+  check "release: a failed build publishes nothing" test ! -e "$work/failed"
+}
+
+sums_are_right() { (cd "$work/my release" && sha256sum --quiet -c SHA256SUMS); }
+
+refuses_a_bad_release() {
+  new_project
+  simbad release
+  check "release: without --out: status 2" status_is 2
+  check "release: without --out: says so" prints 'release: --out DIR is missing'
+  simbad release --out
+  check "release: --out without a folder: status 2" status_is 2
+  simbad release --out x y
+  check "release: an unknown word: status 2" status_is 2
+  simbad release --out "$project/pom.xml/x"
+  check "release: below a file: status 2" status_is 2
+  simbad release --out "$project"
+  check "release: a folder that is not empty: status 2" status_is 2
+  simbad release --help
+  check "release: its help is the program's" prints $'argument <release>\nargument <--help>'
+}
+
 check_style() {
   output=$(shellcheck "$here/../simbad" "$here/../.ci/run" "$here/../benchmarks/whole-process" "$here/../docs/figures/measure" \
     "${BASH_SOURCE[0]}")
@@ -370,5 +425,7 @@ chooses_a_new_enough_java
 installs_with_apt
 tests_like_ci
 tells_what_works
+releases_a_commit
+refuses_a_bad_release
 check_style
 ((failures == 0))

@@ -8,6 +8,7 @@ import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import simbad.experiments.site.FigureBlocks;
+import simbad.experiments.site.RoomDiagram;
 import simbad.experiments.site.Site;
 
 /** {@code simbad docs}: the guides as pages, and the figures in them. */
@@ -16,7 +17,8 @@ import simbad.experiments.site.Site;
     description = {
       "Write the project's guides as a folder of pages with a search, to be opened with any"
           + " browser.",
-      "Or, with --figures, put the measured figures of docs/figures into README.md."
+      "Or, with --figures, put the measured figures of docs/figures into README.md and draw"
+          + " docs/pictures/rooms.svg from the poms."
     },
     footer = {"", "Example: simbad docs --out site", "Example: simbad docs --figures"})
 final class DocsCommand extends Subcommand {
@@ -29,7 +31,7 @@ final class DocsCommand extends Subcommand {
     @Option(names = "--out", paramLabel = "DIR", description = "A folder that does not exist yet.")
     private @Nullable Path out;
 
-    @Option(names = "--figures", description = "Fill README.md's blocks of figures.")
+    @Option(names = "--figures", description = "Fill README.md's blocks and draw the rooms.")
     @SuppressWarnings("UnusedVariable") // Its being given is all: out is not, then.
     private boolean figures;
   }
@@ -50,11 +52,15 @@ final class DocsCommand extends Subcommand {
 
   private void fill(Path project) throws IOException {
     Path readme = project.resolve("README.md");
-    String page = Files.readString(readme);
-    String filled = FigureBlocks.filled(page, project.resolve("docs").resolve("figures"));
-    if (!filled.equals(page)) {
-      Files.writeString(readme, filled);
+    update(readme, FigureBlocks.filled(Files.readString(readme), project.resolve("docs/figures")));
+    update(project.resolve("docs/pictures/rooms.svg"), RoomDiagram.svg(project));
+  }
+
+  private void update(Path file, String content) throws IOException {
+    boolean same = Files.exists(file) && Files.readString(file).equals(content);
+    if (!same) {
+      Files.writeString(file, content);
     }
-    out().println(readme + (filled.equals(page) ? ": as measured" : ": written anew"));
+    out().println(file + (same ? ": as it was" : ": written anew"));
   }
 }

@@ -21,6 +21,9 @@ final class ProjectFolder {
         return at;
       }
     }
-    throw new IOException(folder + ": the project's folder firmware-pic18 is not there");
+    throw new IOException(
+        folder
+            + ": the project's folder firmware-pic18 is not there; call ./simbad in a clone of the"
+            + " project or in its source archive");
   }
 }

@@ -27,6 +27,7 @@ final class Subcommands {
         new DocsCommand(),
         new DoctorCommand(),
         new CompletionCommand(),
-        new TestCommand());
+        new TestCommand(),
+        new ReleaseCommand());
   }
 }

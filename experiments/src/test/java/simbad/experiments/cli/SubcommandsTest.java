@@ -9,6 +9,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import picocli.CommandLine;
 
 /** What every registered subcommand owes its user, groups and their commands included. */
@@ -40,16 +42,17 @@ class SubcommandsTest {
     assertEquals(names.stream().distinct().toList(), names);
   }
 
-  @Test
-  void testsAreTheLaunchers_theProgramSaysSo() {
+  @ParameterizedTest
+  @CsvSource({"test,''", "doctor,''", "release,--out x"})
+  void whatOnlyTheLauncherCanDo_theProgramSaysSo(String command, String arguments) {
     StringWriter err = new StringWriter();
     int status =
         Main.run(
             Subcommands.all(),
             new PrintWriter(new StringWriter()),
             new PrintWriter(err, true),
-            "test");
+            (command + " " + arguments).strip().split(" ", -1));
     assertEquals(2, status);
-    assertTrue(err.toString().contains("call ./simbad test"), err.toString());
+    assertTrue(err.toString().contains("call ./simbad " + command), err.toString());
   }
 }
