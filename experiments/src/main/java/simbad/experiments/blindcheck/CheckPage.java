@@ -106,7 +106,7 @@ final class CheckPage {
             + Markup.escaped(part)
             + ", "
             + diagnosis(part).map(Figures::cases).orElse(0)
-            + " cases</h3>\n<div class=\"scroll\"><table class=\"scores\">\n<thead><tr>"
+            + " cases</h3>\n<div class=\"scroll\" tabindex=\"0\"><table class=\"scores\">\n<thead><tr>"
             + "<th scope=\"col\">score</th><th scope=\"col\">diagnosis, 95&nbsp;% interval</th>"
             + "<th scope=\"col\">counted</th><th class=\"n\" scope=\"col\">to reach</th>"
             + "<th class=\"n\" scope=\"col\">baseline</th><th class=\"n\" scope=\"col\">oracle</th>"
@@ -214,7 +214,7 @@ final class CheckPage {
       return;
     }
     page.append(
-        "<details><summary>Each case, with its diagnosis</summary>\n<div class=\"scroll\"><table>\n"
+        "<details><summary>Each case, with its diagnosis</summary>\n<div class=\"scroll\" tabindex=\"0\"><table>\n"
             + "<thead><tr><th scope=\"col\">case</th><th scope=\"col\">level</th>"
             + "<th scope=\"col\">at work</th><th scope=\"col\">said</th>"
             + "<th scope=\"col\">probability of the verdict</th></tr></thead>\n<tbody>\n");

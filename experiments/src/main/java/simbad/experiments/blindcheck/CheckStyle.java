@@ -12,7 +12,7 @@ final class CheckStyle {
       .scores .span { background: var(--after); opacity: .45; border-radius: 3px; }
       .scores .dot { width: 6px; margin-left: -3px; border-radius: 3px; background: var(--after); }
       .scores .track .reach { width: 2px; margin-left: -1px; top: -3px; height: 12px; background: var(--ink); }
-      .met { color: var(--after); } .missed { color: var(--before); font-weight: 600; }
+      .met { color: var(--after); } .missed { color: var(--alarm); font-weight: 600; }
       figure img { display: block; width: 100%; max-width: 400px; height: auto; margin: 0 auto; background: #fff; }
       .columns { columns: 20rem; } .columns div { break-inside: avoid; }
       .confusion caption { text-align: left; color: var(--soft); padding-bottom: .3rem; }
@@ -20,11 +20,11 @@ final class CheckStyle {
       .confusion tbody th { font-weight: 400; white-space: nowrap; }
       .confusion { margin: .6rem 0 1rem; } .upright thead th span { writing-mode: vertical-rl; transform: rotate(180deg); }
       .confusion td { padding: .2rem .5rem; min-width: 2.2rem; }
-      .confusion .s1 { background: color-mix(in srgb, var(--after) 12%, transparent); }
-      .confusion .s2 { background: color-mix(in srgb, var(--after) 24%, transparent); }
-      .confusion .s3 { background: color-mix(in srgb, var(--after) 36%, transparent); }
-      .confusion .s4 { background: color-mix(in srgb, var(--after) 48%, transparent); }
-      .confusion .s5 { background: color-mix(in srgb, var(--after) 60%, transparent); }
+      .confusion .s1 { background: color-mix(in srgb, var(--after) 10%, transparent); }
+      .confusion .s2 { background: color-mix(in srgb, var(--after) 20%, transparent); }
+      .confusion .s3 { background: color-mix(in srgb, var(--after) 30%, transparent); }
+      .confusion .s4 { background: color-mix(in srgb, var(--after) 40%, transparent); }
+      .confusion .s5 { background: color-mix(in srgb, var(--after) 50%, transparent); }
       """;
 
   private CheckStyle() {}

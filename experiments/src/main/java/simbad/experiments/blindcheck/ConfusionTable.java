@@ -61,7 +61,8 @@ final class ConfusionTable {
       row.getValue().fieldNames().forEachRemaining(said::add);
     }
     rows.sort(order());
-    StringBuilder html = new StringBuilder("<div class=\"scroll\"><table class=\"confusion\">\n");
+    StringBuilder html =
+        new StringBuilder("<div class=\"scroll\" tabindex=\"0\"><table class=\"confusion\">\n");
     html.append("<caption>" + part + "</caption>\n<thead><tr><th scope=\"col\">" + corner);
     html.append("</th>");
     said.forEach(name -> html.append(heading("col", name)));

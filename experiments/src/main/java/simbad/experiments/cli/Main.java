@@ -80,7 +80,8 @@ public final class Main {
     return subcommand.getClass().getAnnotation(CommandLine.Command.class).name();
   }
 
-  private static CommandLine commandLine(List<? extends Subcommand> subcommands) {
+  /** The parser of all of it; its help and its complaints are where they are by themselves. */
+  static CommandLine commandLine(List<? extends Subcommand> subcommands) {
     CommandLine simbad = new CommandLine(new RootCommand());
     subcommands.forEach(simbad::addSubcommand);
     return simbad

@@ -58,18 +58,16 @@ final class ObstacleArgument {
     throw unknown(argument);
   }
 
-  static DataFormatException unknown(String argument) {
+  /** What to say of a word that names no obstacle; the user's own types are among those named. */
+  static DataFormatException unknown(String argument) throws DataFormatException {
+    List<String> names = Catalogue.all().stream().map(ObstacleType::name).toList();
     return DataFormatException.inArgument(
         "OBSTACLE '" + argument + "'",
         "is neither "
-            + String.join(", ", names())
+            + String.join(", ", names)
             + " nor a table's file (*"
             + SUFFIX
             + ") nor a folder with outline and table"
-            + SimilarWords.suggestion(argument, names()));
-  }
-
-  private static List<String> names() {
-    return Catalogue.shipped().stream().map(ObstacleType::name).toList();
+            + SimilarWords.suggestion(argument, names));
   }
 }

@@ -3,6 +3,7 @@ package simbad.experiments.cli;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Optional;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
@@ -20,8 +21,11 @@ final class OutlineArgument {
       Path path = Path.of(argument);
       return OutlineFile.read(Files.isDirectory(path) ? path.resolve("outline.csv") : path);
     }
-    ObstacleType type =
-        Catalogue.findAny(argument).orElseThrow(() -> ObstacleArgument.unknown(argument));
+    Optional<ObstacleType> known = Catalogue.findAny(argument);
+    if (known.isEmpty()) {
+      throw ObstacleArgument.unknown(argument);
+    }
+    ObstacleType type = known.get();
     return new OutlineDocument(
         type.parts(), Map.of("object", type.thresholds().header("object").orElse(type.name())));
   }

@@ -3,19 +3,21 @@ package simbad.experiments.diagnosis;
 /**
  * The page's style sheet, light and dark. Before and after are vermillion and blue of Okabe and Ito
  * (Color Universal Design, 2008), which also differ in lightness; shades are ColorBrewer's YlGnBu
- * (Brewer, 2003), which darkens all the way on light paper and brightens on dark.
+ * (Brewer, 2003), which darkens all the way on light paper and brightens on dark. Words are in a
+ * darker vermillion: on light paper that of the bars has too little contrast to be read (WCAG
+ * 1.4.3).
  */
 public final class Style {
   /** Colours are custom properties, so that other pages take the reader's theme with it. */
   public static final String SHEET =
       """
       :root { color-scheme: light dark; --paper: #fff; --ink: #1a1a1a; --soft: #555; --rule: #d0d0d0;
-        --panel: #f6f6f4; --before: #d55e00; --after: #0072b2; --floor: #757575; --unknown: #8a5a83;
+        --panel: #f6f6f4; --before: #d55e00; --alarm: #b34f00; --after: #0072b2; --floor: #757575; --unknown: #8a5a83;
         --h0: #ffffd9; --h1: #edf8b1; --h2: #c7e9b4; --h3: #7fcdbb; --h4: #41b6c4; --h5: #1d91c0;
         --h6: #225ea8; --h7: #253494; --h8: #081d58; --edge: #000; }
       @media (prefers-color-scheme: dark) {
         :root { --paper: #161618; --ink: #ececec; --soft: #b0b0b0; --rule: #47474c; --panel: #212124;
-          --before: #f08a3c; --after: #56b4e9; --floor: #9a9a9a; --unknown: #cc9ac4;
+          --before: #f08a3c; --alarm: #f08a3c; --after: #56b4e9; --floor: #9a9a9a; --unknown: #cc9ac4;
           --h0: #10235c; --h1: #253494; --h2: #225ea8; --h3: #1d91c0; --h4: #41b6c4; --h5: #7fcdbb;
           --h6: #c7e9b4; --h7: #edf8b1; --h8: #ffffd9; --edge: #fff; }
       }

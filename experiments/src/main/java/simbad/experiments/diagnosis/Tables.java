@@ -125,7 +125,7 @@ final class Tables {
   }
 
   private void begin(String... titles) {
-    page.append("<div class=\"scroll\"><table><thead><tr>");
+    page.append("<div class=\"scroll\" tabindex=\"0\"><table><thead><tr>");
     for (String title : titles) {
       page.append(
           title.startsWith("#")

@@ -1,5 +1,6 @@
 package simbad.experiments.plot;
 
+import java.awt.BasicStroke;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
@@ -73,7 +74,7 @@ public record TuningPlot(Caption caption, String parameter, List<Line> curves, L
     List<Curve> lines = curves.stream().map(line -> curve(line, scale, false)).toList();
     List<Curve> dots = marks.stream().map(line -> curve(line, scale, true)).toList();
     Frame.add(chart, lines);
-    dots.forEach(dot -> dot.setLineStyle(Ink.round(dot.look().dotSize(), 0, HALF_WAY, 0.01f, 90)));
+    dots.forEach(dot -> dot.setLineStyle(oneDot(dot.look().dotSize())));
     Frame.add(chart, dots);
     Ticks ticks = ticks(scale);
     Dimension size = Frame.fit(chart, ticks, ASPECT);
@@ -82,6 +83,15 @@ public record TuningPlot(Caption caption, String parameter, List<Line> curves, L
     chart.addAnnotation(new Layer(new CurveLayer(dots)));
     chart.addAnnotation(new Layer(ticks));
     return new Figure(caption, chart, size);
+  }
+
+  /**
+   * A dash of no length at the line's begin would be a dot as well: the pattern begins in the gap.
+   */
+  private static BasicStroke oneDot(float size) {
+    float[] dash = {0.01f, 90f};
+    return new BasicStroke(
+        size, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 4f, dash, dash[1] - HALF_WAY);
   }
 
   private Stream<Point> all() {

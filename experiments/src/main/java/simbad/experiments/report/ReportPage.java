@@ -39,6 +39,7 @@ final class ReportPage {
       figure img { max-width: 100%; height: auto; background: #fff; }
       figcaption { max-width: 46rem; }
       .scroll { overflow-x: auto; }
+      code, li { overflow-wrap: anywhere; }
       .maps { display: grid; grid-template-columns: repeat(auto-fit, minmax(18rem, 1fr)); gap: 1rem; }
       .note { border-left: 4px solid #d55e00; padding-left: .8rem; }
       </style>
@@ -79,7 +80,7 @@ final class ReportPage {
     page.append(
         """
         <h2>Errors against the tables</h2>
-        <div class="scroll"><table>
+        <div class="scroll" tabindex="0"><table>
         <thead><tr><th scope="col">obstacle (table)</th><th scope="col">sensor</th>
         <th scope="col">mean |r&minus;T|, cm</th><th scope="col">RMS, cm</th><th scope="col">median, cm</th>
         <th scope="col">maximum, cm</th><th scope="col">lateral mean, cm</th><th scope="col">lateral 95&nbsp;%, cm</th>

@@ -17,6 +17,7 @@ import simbad.experiments.markup.Markup;
 
 /** The project's pages as a folder of HTML. */
 public final class Site {
+  private static final String NAME = "Simbad Sonar";
   private static final List<String> FRONT = List.of("README.md", "CONTRIBUTING.md", "CHANGELOG.md");
 
   /** Folders of pages in the order of the list beside each page, and what they are called there. */
@@ -60,7 +61,7 @@ public final class Site {
       site.write(page, out);
     }
     site.writeIndex(out);
-    for (String name : List.of("site.css", "search.js")) {
+    for (String name : List.of("site.css", "site.js")) {
       Files.write(out.resolve(name), resource(name));
     }
     return site.pages.size();
@@ -128,25 +129,40 @@ public final class Site {
     <head>
     <meta charset="utf-8">
     <meta name="viewport" content="width=device-width, initial-scale=1">
-    <title>%s - Simbad Sonar</title>
+    <title>%s</title>
     <link rel="stylesheet" href="%ssite.css">
     </head>
     <body>
     <a class="skip" href="#content">Skip to the content</a>
     <nav aria-label="Pages">
-    <label for="search">Search</label>
+    <div role="search">
+    <label for="search">Search <small>(key /)</small></label>
     <input id="search" type="search" autocomplete="off" data-root="%s">
     <ul id="found" aria-live="polite"></ul>
-    %s</nav>
+    </div>
+    <details id="pages" open>
+    <summary>All pages</summary>
+    %s</details>
+    </nav>
     <main id="content">
     %s</main>
     <script src="%ssearch-index.js"></script>
-    <script src="%ssearch.js"></script>
+    <script src="%ssite.js"></script>
     </body>
     </html>
     """
         .formatted(
-            Markup.escaped(page.title()), root, root, list(page, root), page.html(), root, root);
+            Markup.escaped(windowTitle(page)),
+            root,
+            root,
+            list(page, root),
+            page.html(),
+            root,
+            root);
+  }
+
+  private static String windowTitle(Page page) {
+    return page.title().equals(NAME) ? NAME : page.title() + " - " + NAME;
   }
 
   private String list(Page current, String root) {

@@ -17,12 +17,11 @@ import java.util.regex.Pattern;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import simbad.experiments.batch.Specs;
 import simbad.experiments.control.Command;
 import simbad.experiments.control.ControllerMaker;
 import simbad.sonar.sensing.Readings;
 
-/** The commands, the spec and the code of docs/guide/batch.md. */
+/** What the commands and the code of docs/guide/batch.md do, in short. */
 class BatchGuideTest {
   private static final Path GUIDE = Path.of("..", "docs", "guide", "batch.md");
   private static final Path TUNING = Path.of("..", "data", "batch", "edge-follower-tuning.json");
@@ -48,15 +47,6 @@ class BatchGuideTest {
     Shell shell = Shell.simbad(words);
     assertEquals(0, shell.status(), shell.err());
     return Path.of(words[words.length - 1]).resolve("results.csv");
-  }
-
-  @Test
-  void spec_isOf90Runs() throws IOException {
-    Files.writeString(folder.resolve("my-bench.csv"), Specs.TABLE);
-    Files.writeString(folder.resolve("my-spec.json"), block("json"));
-    Path results = results("batch my-spec.json --out my-batch");
-    assertEquals(91, Files.readAllLines(results).size());
-    assertTrue(Files.exists(folder.resolve("my-batch/traces/89.csv")));
   }
 
   /** Six of its runs, fast ones. */

@@ -1,15 +1,19 @@
 package simbad.experiments.diagnosis;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
@@ -32,13 +36,21 @@ public record Browser(Path folder) {
           .filter(Files::isExecutable)
           .findFirst();
 
-  /** Says what a reader would see amiss: errors, words over words, words cut off, a wide page. */
+  /** In the jar of axe-core's makers. */
+  private static final String AXE = "axe.min.js";
+
+  /**
+   * Says what a reader would see amiss, errors, words over words, words cut off, a wide page, and
+   * what axe finds against WCAG 2.1 A and AA.
+   */
   private static final String PROBE =
       """
+      <script src="AXE"></script>
       <script>
+      {
       const found = [];
       window.onerror = message => found.push('error: ' + message);
-      window.onload = () => {
+      window.onload = async () => {
         const width = document.documentElement.scrollWidth;
         if (width > window.innerWidth) found.push('wide: ' + width);
         for (const svg of document.querySelectorAll('svg')) {
@@ -54,11 +66,15 @@ public record Browser(Path folder) {
             if (p.height < 10) found.push('small: ' + a + ' ' + p.height);
           });
         }
+        const standard = {preload: false, runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa']};
+        for (const {id, nodes} of (await axe.run(document, standard)).violations)
+          found.push(id + ': ' + nodes.map(node => node.html).join(' '));
         const out = document.createElement('pre');
         out.id = 'probe';
         out.textContent = '[' + found.join('; ') + ']';
         document.body.appendChild(out);
       };
+      }
       </script>
       </body>
       """;
@@ -71,13 +87,32 @@ public record Browser(Path folder) {
   /** What a reader would see amiss in a page: a list in brackets, empty when nothing is. */
   public String faults(String page, int width, boolean dark)
       throws IOException, InterruptedException {
+    return faults(Files.writeString(folder.resolve("page.html"), page), width, dark);
+  }
+
+  /** What a reader would see amiss in a page's file, beside which a copy is written. */
+  public String faults(Path page, int width, boolean dark)
+      throws IOException, InterruptedException {
+    String whole = Files.readString(page);
+    assertTrue(whole.endsWith("</body>\n</html>\n"), page + " ends in another way");
+    String probe = PROBE.replace("AXE", axe().toUri().toString());
     Path probed =
-        Files.writeString(folder.resolve("probed.html"), page.replace("</body>\n", PROBE));
-    String dom = chromium(probed, width, dark, "--dump-dom");
-    Matcher probe = Pattern.compile("<pre id=\"probe\">(.*?)</pre>", Pattern.DOTALL).matcher(dom);
-    assertTrue(probe.find(), dom);
-    assertTrue(!dom.contains("CONSOLE"), dom);
-    return probe.group(1);
+        Files.writeString(page.resolveSibling("probed.html"), whole.replace("</body>\n", probe));
+    String dom = chromium(probed, width, dark, "--dump-dom", "--virtual-time-budget=60000");
+    Matcher said = Pattern.compile("<pre id=\"probe\">(.*?)</pre>", Pattern.DOTALL).matcher(dom);
+    assertTrue(said.find(), dom);
+    assertEquals(
+        List.of(), dom.lines().filter(line -> line.contains(":CONSOLE:")).toList(), "errors");
+    return said.group(1);
+  }
+
+  private Path axe() throws IOException {
+    Path script = folder.resolve(AXE);
+    try (InputStream in =
+        Objects.requireNonNull(ClassLoader.getSystemResourceAsStream(AXE), "axe-core is missing")) {
+      Files.copy(in, script, StandardCopyOption.REPLACE_EXISTING);
+    }
+    return script;
   }
 
   /** The first screen, 800 pixels high. */
@@ -90,7 +125,7 @@ public record Browser(Path folder) {
   }
 
   /** Returns what Chromium prints on both streams. */
-  private String chromium(Path page, int width, boolean dark, String what)
+  private String chromium(Path page, int width, boolean dark, String... what)
       throws IOException, InterruptedException {
     List<String> command = new ArrayList<>();
     command.add(CHROMIUM.orElseThrow().toString());
@@ -110,8 +145,8 @@ public record Browser(Path folder) {
             "--user-data-dir=" + Files.createTempDirectory(folder, "profile"),
             "--window-size=" + width + ",800",
             "--blink-settings=preferredColorScheme=" + (dark ? 0 : 1),
-            what,
             page.toUri().toString()));
+    command.addAll(List.of(what));
     Path output = Files.createTempFile(folder, "output", ".txt");
     Process process =
         new ProcessBuilder(command)

@@ -6,11 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.geom.Line2D;
 import java.util.List;
 import java.util.Objects;
 import org.junit.jupiter.api.Test;
 
 class TuningPlotTest {
+  /** The line of a legend. */
+  private static final Line2D KEY = new Line2D.Double(0, 0, 38, 0);
+
   private static TuningPlot plot(double leastCm, double mostCm) {
     TuningPlot.Line line =
         new TuningPlot.Line(
@@ -35,6 +39,14 @@ class TuningPlotTest {
     assertEquals(List.of("shadow", "best"), List.copyOf(series.keySet()));
     assertArrayEquals(
         new double[] {1, 60}, Objects.requireNonNull(series.get("shadow")).getXData());
+  }
+
+  @Test
+  void legend_hasOneDotHalfWay() {
+    var mark = plot(1, 2).figure().chart().getSeriesMap().get("best");
+    var drawn = Objects.requireNonNull(mark).getLineStyle().createStrokedShape(KEY).getBounds2D();
+    assertEquals(KEY.getX2() / 2, drawn.getCenterX(), 0.5);
+    assertTrue(drawn.getWidth() < KEY.getX2() / 2, drawn.toString());
   }
 
   @Test

@@ -10,6 +10,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -17,6 +18,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 class SiteTest {
   private static final Pattern LINK = Pattern.compile("(?:href|src)=\"([^\"#]+)(?:#([^\"]*))?\"");
+
+  private static final Pattern ANCHOR = Pattern.compile("href=\"([^\"#:]*)#([^\"]*)\"");
 
   @TempDir
   @SuppressWarnings("NullAway.Init")
@@ -45,7 +48,19 @@ class SiteTest {
                       Files.isRegularFile(Objects.requireNonNull(page.getParent()).resolve(link)),
                       page + " -> " + link));
     }
+    for (Path page : pages) {
+      checkAnchors(page);
+    }
     assertTrue(Files.readString(folder.resolve("search-index.js")).startsWith("const PAGES = [{"));
+  }
+
+  private static void checkAnchors(Path page) throws IOException {
+    for (MatchResult link : ANCHOR.matcher(Files.readString(page)).results().toList()) {
+      Path target = link.group(1).isEmpty() ? page : page.resolveSibling(link.group(1));
+      assertTrue(
+          Files.readString(target).contains("id=\"" + link.group(2) + "\""),
+          page + " -> " + link.group());
+    }
   }
 
   @Test

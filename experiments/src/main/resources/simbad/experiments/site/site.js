@@ -1,4 +1,5 @@
 // Looks for all words of what is typed in titles and texts; works from a folder, without a server.
+// Keys: / goes to the search, arrows go through what was found, Enter opens the first, Escape ends it.
 const box = document.getElementById('search');
 const found = document.getElementById('found');
 const MOST = 12;
@@ -44,4 +45,35 @@ function show() {
   }
 }
 
+/** Goes from the box or a hit to the next one or the one before. */
+function move(step) {
+  const places = [box, ...found.querySelectorAll('a')];
+  const at = places.indexOf(document.activeElement);
+  places[Math.min(Math.max(at + step, 0), places.length - 1)].focus();
+}
+
+function key(event) {
+  const inside = event.target === box || found.contains(event.target);
+  const first = found.querySelector('a');
+  if (event.key === '/' && !inside && !event.ctrlKey && !event.metaKey && !event.altKey) box.focus();
+  else if (inside && event.key === 'ArrowDown') move(1);
+  else if (inside && event.key === 'ArrowUp') move(-1);
+  else if (event.key === 'Enter' && event.target === box && first) first.click();
+  else if (inside && event.key === 'Escape') { box.value = ''; show(); box.focus(); }
+  else return;
+  event.preventDefault();
+}
+
+/** What is wider than the page can be scrolled with the keyboard as well. */
+function reachable() {
+  for (const wide of document.querySelectorAll('pre, table')) {
+    if (wide.scrollWidth > wide.clientWidth) wide.tabIndex = 0; else wide.removeAttribute('tabindex');
+  }
+}
+
 box.addEventListener('input', show);
+document.addEventListener('keydown', key);
+addEventListener('resize', reachable);
+reachable();
+// On a phone the list of pages would stand before every page.
+if (matchMedia('(max-width: 50rem)').matches) document.getElementById('pages').open = false;
