@@ -5,7 +5,6 @@ import java.io.BufferedReader;
 import java.io.File;
 import java.io.IOException;
 import java.lang.ProcessBuilder.Redirect;
-import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -81,10 +80,6 @@ final class GuideShell implements AutoCloseable {
 
   private Process start() throws IOException {
     List<String> command = new ArrayList<>(List.of(tool("java"), "-Djava.awt.headless=true"));
-    // The tests' coverage counts what is typed as well.
-    ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
-        .filter(argument -> argument.startsWith("-javaagent"))
-        .forEach(command::add);
     command.addAll(List.of("-Dsimbad.home=" + PROJECT.toRealPath(), "-cp", classPath()));
     command.add(GuideTypist.class.getName());
     ProcessBuilder builder = builder(command).redirectError(Redirect.INHERIT);
@@ -158,7 +153,6 @@ final class GuideShell implements AutoCloseable {
       Process process = typist.get();
       process.getOutputStream().close();
       try {
-        // Its end writes what the coverage saw.
         process.waitFor(1, TimeUnit.MINUTES);
       } catch (InterruptedException interrupted) {
         Thread.currentThread().interrupt();
