@@ -33,7 +33,7 @@ public final class Unknown {
   /** Three effects at once are rarer than one thing that has no name. */
   private static final double THIRD = 2;
 
-  /** In 1,100 checked worlds the longest bursts there may be were never bursts (20 of 20). */
+  /** In 711 checked worlds the longest bursts there may be were never bursts (21 of 21). */
   private static final double TOO_LONG = 6;
 
   private static final double NEARLY = 0.99;

@@ -15,9 +15,6 @@ import simbad.sonar.scene.SonarSpec;
  * <p>Holds buffers; for one thread.
  */
 final class PingModel {
-  /** Nothing is farther away. */
-  private static final double FARTHEST_M = Double.MAX_VALUE;
-
   /** What scatters by more may be nearest to several obstacles: it is asked at so many places. */
   private static final double NEAR_M = 0.05;
 
@@ -148,7 +145,8 @@ final class PingModel {
     double answeredM = answeredM(first, readM);
     for (int obstacle = 0; obstacle < heardShare.length; obstacle++) {
       double distance = geometry.nearestBeforeM(first + obstacle);
-      heardShare[obstacle] += distance < answeredM || distance > FARTHEST_M ? 0 : share;
+      boolean heard = distance >= answeredM && distance < Double.POSITIVE_INFINITY;
+      heardShare[obstacle] += heard ? share : 0;
     }
   }
 
