@@ -68,19 +68,13 @@ public record FittedModel(
     return forms.stream().map(FittedForm::change).toList();
   }
 
-  /**
-   * Returns the forms that say nothing of a scene, because it lacks the one obstacle they are of.
-   */
+  /** Returns the forms that say nothing of a scene, because it lacks the obstacles they are of. */
   public List<FittedForm> idleIn(Scene scene) {
     List<String> labels = Scenes.labels(scene);
     return Stream.concat(calibration.stream(), effects.stream())
         .filter(fitted -> fitted.change() instanceof ObstacleChange)
-        .filter(fitted -> isIdle((ObstacleChange) fitted.change(), labels))
+        .filter(fitted -> ((ObstacleChange) fitted.change()).isIdle(labels))
         .toList();
-  }
-
-  private static boolean isIdle(ObstacleChange change, List<String> labels) {
-    return change.only().filter(only -> !labels.contains(only)).isPresent();
   }
 
   /** Returns the model with its effects. */

@@ -1,6 +1,7 @@
 package simbad.sonar.effect;
 
 import java.util.List;
+import java.util.Optional;
 import simbad.sonar.scene.Scene;
 
 /**
@@ -8,10 +9,22 @@ import simbad.sonar.scene.Scene;
  *
  * @param each one for each obstacle
  */
-public record OrientationShadows(List<OrientationShadow> each) implements SceneChange {
+public record OrientationShadows(List<OrientationShadow> each)
+    implements SceneChange, ObstacleChange {
   /** Copies the list. */
   public OrientationShadows {
     each = List.copyOf(each);
+  }
+
+  /** Of several. */
+  @Override
+  public Optional<String> only() {
+    return Optional.empty();
+  }
+
+  @Override
+  public boolean isIdle(List<String> labels) {
+    return each.stream().allMatch(one -> one.isIdle(labels));
   }
 
   @Override

@@ -1,6 +1,8 @@
 package simbad.sonar.effect;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -457,6 +459,8 @@ class EffectsClosedFormTest {
     OrientationShadow box = new OrientationShadow(Optional.of("box"), four);
     assertEcho(echo(1, 1.3), new OrientationShadows(List.of(post, box)));
     assertEcho(P, new OrientationShadows(List.of(post)));
+    assertTrue(new OrientationShadows(List.of(post, post)).isIdle(List.of("box")));
+    assertFalse(new OrientationShadows(List.of(post, box)).isIdle(List.of("box")));
   }
 
   /** 5 cm nearer from ping to ping and 0.3 periods uncertain: 0.015 m, with 0.02 m 0.025 m. */
