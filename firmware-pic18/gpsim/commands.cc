@@ -27,6 +27,8 @@ const std::map<std::string, RESET_TYPE> resets = {{"power-on", POR_RESET},
 
 RESET_TYPE reset_asked_for = MCLR_RESET;
 
+bool ending = false;
+
 // gpsim knows no brown-out of this processor, and after its power-on in the middle of a byte the serial port stays
 // silent: both are a reset of another cause, with the flags that tell of them.
 void reset_now()
@@ -144,7 +146,15 @@ void obey(const std::string &line)
 
 void halt()
 {
+    ending = true;
     get_bp().halt();
+}
+
+void halt_if_ending()
+{
+    if (ending) {
+        halt();
+    }
 }
 
 } // namespace board

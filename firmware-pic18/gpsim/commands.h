@@ -20,4 +20,7 @@ void obey(const std::string &line);
 // Ends the run; gpsim goes on with its script.
 void halt();
 
+// What halts before the run begins would be forgotten: the run ends at its first tick then.
+void halt_if_ending();
+
 } // namespace board

@@ -248,6 +248,7 @@ void PtyUart::send_bit()
 void PtyUart::tick()
 {
     driver.poll();
+    halt_if_ending();
     read_bytes();
     keep_pace();
     ticker.start(tick_us);

@@ -52,15 +52,6 @@ public record BoardOrder(String text) {
   }
 
   /**
-   * Sets the longest echo; what is further is no echo.
-   *
-   * @param durationS seconds, at least 0; 20 milliseconds to begin with
-   */
-  public static BoardOrder longestEcho(double durationS) {
-    return number("longest", "durationS", durationS * MICROSECONDS);
-  }
-
-  /**
    * Resets the processor.
    *
    * @param cause of the reset

@@ -120,9 +120,4 @@ public record ThresholdFit(
     return String.format(
         Locale.ROOT, "%.3f m [%.3f, %.3f], %d pings", thresholdM, lowM, highM, pings);
   }
-
-  /** Returns how much further the echo was kept on the way out than found on the way in. */
-  public double hysteresisM() {
-    return outM - inM;
-  }
 }

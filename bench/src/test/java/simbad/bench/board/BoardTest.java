@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Random;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -54,6 +55,21 @@ class BoardTest {
     assertFalse(board.isRunning());
     assertFalse(Files.exists(board.port(), LinkOption.NOFOLLOW_LINKS));
     assertEquals(before, workplaces());
+  }
+
+  /** Killed while gpsim was starting, before it had anybody to listen to. */
+  @Test
+  void programThatIsGoneBeforeTheRun_endsGpsim() throws Exception {
+    needTools();
+    BoardSetup setup = new BoardSetup(folder.resolve("tty"), 0);
+    Workplace workplace = Workplace.create(TestBoard.KIT.modules(), TestBoard.KIT.program(), setup);
+    Process gpsim = workplace.startGpsim(TestBoard.KIT.environment());
+    try {
+      assertTrue(gpsim.waitFor(30, TimeUnit.SECONDS), "it runs for nobody");
+    } finally {
+      gpsim.destroyForcibly().waitFor();
+      workplace.delete();
+    }
   }
 
   @Test

@@ -42,7 +42,7 @@ class LadderSearchTest {
     assertTrue(fit.lowM() <= edgeM && edgeM <= fit.highM(), fit.toString());
     assertEquals(edgeM, fit.thresholdM(), 0.0101);
     assertEquals(0.02, fit.highM() - fit.lowM(), 0.0101);
-    assertEquals(0, fit.hysteresisM(), 1e-9);
+    assertEquals(fit.inM(), fit.outM(), 1e-9);
   }
 
   @Test
@@ -64,7 +64,8 @@ class LadderSearchTest {
               heard[0] = m <= (heard[0] ? 1.2 : 1.1);
               return heard[0];
             });
-    assertEquals(0.1, ThresholdFit.of(levels, PLAN).hysteresisM(), 0.0201);
+    ThresholdFit fit = ThresholdFit.of(levels, PLAN);
+    assertEquals(0.1, fit.outM() - fit.inM(), 0.0201);
   }
 
   /**
