@@ -20,7 +20,6 @@ import simbad.gap.diagnosis.Verdict;
 import simbad.gap.explain.Blocks;
 import simbad.gap.explain.Calibration;
 import simbad.gap.explain.Gain;
-import simbad.gap.explain.Misfit;
 import simbad.gap.explain.PracticalSize;
 import simbad.gap.explain.Probabilities;
 import simbad.gap.explain.Scored;
@@ -166,12 +165,7 @@ public final class Diagnoser {
     Hypothesis best = inquiry.best();
     Blocks blocks = new Blocks(evidence.log());
     Gain gain = Gain.of(evidence, blocks, best);
-    double unknown =
-        Unknown.probability(
-            Misfit.of(calibration.loosened(evidence, best), best),
-            gain,
-            best,
-            calibration.clumping());
+    double unknown = Unknown.probability(evidence, calibration, gain, best);
     return new Diagnosis(
         verdict(best, unknown),
         best.effects(),
@@ -216,15 +210,13 @@ public final class Diagnoser {
   }
 
   private GapFigures figures(Gain gain, Blocks blocks) {
-    double[] shrinks = gain.resampled(blocks, seed);
-    int tail = (int) (0.025 * shrinks.length);
     return new GapFigures(
         gain.before().observedM().length,
         100 * gain.beforeM(),
         100 * gain.afterM(),
         100 * gain.floorM(),
-        gain.beforeM() > 0 ? 1 - gain.afterM() / gain.beforeM() : 0,
-        new Interval(shrinks[tail], shrinks[shrinks.length - 1 - tail]));
+        gain.shrinkage(),
+        gain.shrinkage95(blocks, seed));
   }
 
   private static List<Diagnosis.Attempt> attempts(List<Scored> sets) {

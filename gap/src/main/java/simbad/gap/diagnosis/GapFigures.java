@@ -8,7 +8,7 @@ package simbad.gap.diagnosis;
  * @param afterCm gap of the diagnosed model, centimetres
  * @param floorCm gap that no model could remove, centimetres
  * @param shrink 1 - after / before, a fraction; 0 where there is no gap before
- * @param shrinkCi95 its 95 % confidence interval by resampling of blocks
+ * @param shrinkCi95 where the shrinkage of another log from the same set-up lies 19 times of 20
  */
 public record GapFigures(
     int rowsHeldOut,

@@ -19,14 +19,22 @@ public final class Calibration {
   /** What an effect must gain beside a set-up that is fitted to the log as well. */
   private static final double SUPERFLUOUS_NATS = 15;
 
+  /** Blocks in which less could happen say nothing. */
+  private static final double LEAST_VARIANCE = 0.5;
+
+  private static final double LEAST_SQUARES = 4;
+
   private final Optional<Evidence> reference;
   private final Hypothesis setup;
   private final double clumping;
+  private final double rangeClumping;
 
   private Calibration(Optional<Evidence> reference, Hypothesis setup) {
     this.reference = reference;
     this.setup = setup;
-    clumping = reference.map(evidence -> clumping(evidence, setup)).orElse(1.0);
+    Optional<Surprise> surprise = reference.map(evidence -> new Surprise(evidence, setup));
+    clumping = surprise.map(Calibration::ofEchoes).orElse(1.0);
+    rangeClumping = surprise.map(Calibration::ofRanges).orElse(1.0);
   }
 
   /** Returns the calibration of a set-up without a reference: it is as it is believed to be. */
@@ -47,11 +55,16 @@ public final class Calibration {
   }
 
   /**
-   * Returns by how much sums over blocks of readings vary more than those of independent readings
+   * Returns by how much sums over blocks of echoes vary more than those of independent readings
    * would; 1 without a reference.
    */
   public double clumping() {
     return clumping;
+  }
+
+  /** Returns the same of where ranges lie in their distributions. */
+  double rangeClumping() {
+    return rangeClumping;
   }
 
   /**
@@ -114,20 +127,34 @@ public final class Calibration {
     return new Evidence(evidence.setup(), loose.changes(), evidence.log());
   }
 
-  /** Mean square of the blocks' sums of surprises, each in units of what chance gives. */
-  private static double clumping(Evidence evidence, Hypothesis setup) {
-    Surprise surprise = new Surprise(evidence, setup);
-    Blocks blocks = new Blocks(evidence.log());
+  private static double ofEchoes(Surprise surprise) {
+    Blocks blocks = new Blocks(surprise.log);
     double[] sum = new double[blocks.count()];
     double[] variance = new double[blocks.count()];
-    for (int i = 0; i < evidence.log().size(); i++) {
-      sum[blocks.of(i)] += (evidence.log().echo(i) ? 1 : 0) - surprise.expected[i];
+    for (int i = 0; i < surprise.log.size(); i++) {
+      sum[blocks.of(i)] += (surprise.log.echo(i) ? 1 : 0) - surprise.expected[i];
       variance[blocks.of(i)] += surprise.expected[i] * (1 - surprise.expected[i]);
     }
+    return clumping(sum, variance, LEAST_VARIANCE);
+  }
+
+  private static double ofRanges(Surprise surprise) {
+    Blocks blocks = new Blocks(surprise.log);
+    double[] sum = new double[blocks.count()];
+    double[] squares = new double[blocks.count()];
+    for (int i = 0; i < surprise.log.size(); i++) {
+      sum[blocks.of(i)] += surprise.score[i];
+      squares[blocks.of(i)] += surprise.score[i] * surprise.score[i];
+    }
+    return clumping(sum, squares, LEAST_SQUARES);
+  }
+
+  /** Mean square of the blocks' sums of surprises, each in units of what chance gives. */
+  private static double clumping(double[] sum, double[] variance, double least) {
     double[] square = new double[sum.length];
     int count = 0;
     for (int i = 0; i < sum.length; i++) {
-      if (variance[i] > 0.5) {
+      if (variance[i] > least) {
         square[count++] = sum[i] * sum[i] / variance[i];
       }
     }

@@ -3,6 +3,7 @@ package simbad.gap.explain;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -49,7 +50,8 @@ final class HeldOut {
    * than it fits better. Where edges are sharp a single row that flips would else decide.
    */
   static List<Scored> capped(List<Scored> sets) {
-    Map<Set<Effect>, Scored> capped = new HashMap<>();
+    // In the order of the sets: that of hashes differs from process to process.
+    Map<Set<Effect>, Scored> capped = new LinkedHashMap<>();
     sets.stream()
         .sorted(Comparator.comparingInt(set -> set.hypothesis().forms().size()))
         .forEach(set -> capped.put(new TreeSet<>(set.hypothesis().effects()), cap(set, capped)));

@@ -2,7 +2,9 @@ package simbad.gap.explain;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.PingLog;
@@ -23,7 +25,11 @@ public final class Misfit {
    * @param size share of echoes off, or normal scores off on average
    * @param rows in the slice
    */
-  public record Slice(String name, String kind, double z, double size, int rows) {}
+  public record Slice(String name, String kind, double z, double size, int rows) {
+    boolean isOfRanges() {
+      return kind.equals("range") || kind.equals("scatter");
+    }
+  }
 
   private Misfit(Evidence evidence, Hypothesis hypothesis, boolean ahead) {
     Surprise surprise = new Surprise(evidence, hypothesis);
@@ -58,17 +64,27 @@ public final class Misfit {
 
   /** Returns the mean of the greatest of a number of slices, each cut and kind counted once. */
   public double top(int count) {
-    return slices.stream()
-        .map(slice -> slice.name.replaceAll("#.*", "") + slice.kind)
-        .distinct()
+    return top(count, 1, 1);
+  }
+
+  /**
+   * Returns the mean of the greatest where readings hang together.
+   *
+   * @param count of slices, each cut and kind counted once
+   * @param echoes by how much more than by chance sums of echoes vary, at least 1
+   * @param ranges by how much more sums of ranges do, at least 1
+   */
+  public double top(int count, double echoes, double ranges) {
+    Map<String, Double> greatest = new HashMap<>();
+    for (Slice slice : slices) {
+      double more = slice.isOfRanges() ? ranges : echoes;
+      String key = slice.name.replaceAll("#.*", "") + slice.kind;
+      greatest.merge(key, Math.abs(slice.z) / Math.sqrt(more), Math::max);
+    }
+    return greatest.values().stream()
+        .sorted(Comparator.reverseOrder())
         .limit(count)
-        .mapToDouble(
-            key ->
-                slices.stream()
-                    .filter(s -> key.equals(s.name.replaceAll("#.*", "") + s.kind))
-                    .findFirst()
-                    .map(s -> Math.abs(s.z))
-                    .orElse(0.0))
+        .mapToDouble(z -> z)
         .average()
         .orElse(0);
   }

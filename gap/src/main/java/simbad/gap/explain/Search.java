@@ -163,9 +163,11 @@ public final class Search {
     List<Effect> members = set.hypothesis().effects();
     for (Effect member : members.subList(0, members.size() - 1)) {
       Hypothesis rest = swapped.hypothesis().without(member);
-      Fit base = joint(new Fit(rest, swapped.logLikelihood()));
-      keep(base);
-      List<Fit> others = grown(base, promising(singles, rest));
+      keep(joint(new Fit(rest, swapped.logLikelihood())));
+      // Beside the values that they had beside it: alone they would do its work.
+      Fit base = new Fitter(evidence, Fold.ALL).refine(rest, 0);
+      // What gained little beside what soaked it up may gain most beside the other.
+      List<Fit> others = grown(base, members.size() > 2 ? promising(singles, rest) : forms);
       if (!others.isEmpty() && others.get(0).logLikelihood() > swapped.logLikelihood()) {
         swapped = others.get(0);
       }

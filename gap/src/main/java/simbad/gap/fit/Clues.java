@@ -1,11 +1,18 @@
 package simbad.gap.fit;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import simbad.sonar.effect.Change;
 import simbad.sonar.effect.DiagnosedModel;
 import simbad.sonar.effect.Geometry;
+import simbad.sonar.effect.OrientationShadow;
 import simbad.sonar.effect.PingLog;
+import simbad.sonar.effect.Scenes;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.shape.ThresholdTable;
 
 /** What a hypothesis leaves over: readings that it thinks hardly possible, echoes it misses. */
 final class Clues {
@@ -16,7 +23,8 @@ final class Clues {
   final Geometry geometry;
   private final double[] logLikelihood;
   private final double[] nearest;
-  private final SensingSetup setup;
+  private final Evidence evidence;
+  private final Hypothesis hypothesis;
   private final Fold fold;
 
   Clues(Evidence evidence, Hypothesis hypothesis) {
@@ -24,9 +32,10 @@ final class Clues {
   }
 
   Clues(Evidence evidence, Hypothesis hypothesis, Fold fold) {
+    this.evidence = evidence;
+    this.hypothesis = hypothesis;
     this.fold = fold;
     log = evidence.log();
-    setup = evidence.setup();
     DiagnosedModel model = evidence.model(hypothesis);
     geometry = evidence.geometry(model);
     logLikelihood = new double[log.size()];
@@ -52,12 +61,29 @@ final class Clues {
 
   /** Softness of the threshold as believed, metres. */
   double edgeWidthM() {
-    return setup.sensor().edgeWidthM();
+    return setup().sensor().edgeWidthM();
   }
 
   /** The set-up as the simulator believes it. */
   SensingSetup setup() {
-    return setup;
+    return evidence.setup();
+  }
+
+  /** How probable each reading is if the threshold of an obstacle is the same all round. */
+  double[] likelihood(List<OrientationShadow> others, int obstacle, double thresholdM) {
+    List<Change> changes = new ArrayList<>(hypothesis.changes());
+    changes.addAll(others);
+    changes.add(shadow(obstacle, ThresholdTable.uniform(ThresholdTable.LEAST_SIZE, thresholdM)));
+    double[] likelihood = evidence.logLikelihood(changes);
+    for (int i = 0; i < likelihood.length; i++) {
+      likelihood[i] = Math.exp(likelihood[i]);
+    }
+    return likelihood;
+  }
+
+  /** What an obstacle's thresholds would be a table of. */
+  OrientationShadow shadow(int obstacle, ThresholdTable table) {
+    return new OrientationShadow(Optional.of(Scenes.labels(setup().scene()).get(obstacle)), table);
   }
 
   /** Echoes that the hypothesis cannot explain. */

@@ -62,7 +62,11 @@ public final class Evidence {
 
   /** Returns the model of a hypothesis. */
   public DiagnosedModel model(Hypothesis hypothesis) {
-    return new DiagnosedModel(setup, DiagnosedModel.changes(calibration, hypothesis.changes()));
+    return model(hypothesis.changes());
+  }
+
+  private DiagnosedModel model(List<Change> changes) {
+    return new DiagnosedModel(setup, DiagnosedModel.changes(calibration, changes));
   }
 
   /** Returns the geometry under a hypothesis; that of the set-up where nothing changes it. */
@@ -99,8 +103,13 @@ public final class Evidence {
 
   /** Returns the log probability of each reading under a hypothesis. */
   public double[] logLikelihood(Hypothesis hypothesis) {
+    return logLikelihood(hypothesis.changes());
+  }
+
+  /** Returns the log probability of each reading if the simulator were changed so. */
+  double[] logLikelihood(List<Change> changes) {
     double[] into = new double[log.size()];
-    DiagnosedModel model = model(hypothesis);
+    DiagnosedModel model = model(changes);
     logLikelihood(model, geometry(model), into);
     return into;
   }

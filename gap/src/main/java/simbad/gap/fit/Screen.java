@@ -18,6 +18,9 @@ public final class Screen {
   /** Less than this, in nats, is chance. */
   private static final double CHANCE_NATS = 1.5;
 
+  /** Of a table: thresholds are held together, and many have no ping to follow. */
+  private static final double THRESHOLD_NATS = 0.75;
+
   private static final int REFINED = 6;
 
   /** Forms of one effect that are so near each other are both refined before one is chosen. */
@@ -49,7 +52,9 @@ public final class Screen {
     Map<Effect, List<Form>> byEffect =
         forms.stream()
             .filter(form -> !base.hypothesis().has(form.effect()))
-            .collect(Collectors.groupingBy(Form::effect));
+            .collect(
+                Collectors.groupingBy(
+                    Form::effect, () -> new EnumMap<>(Effect.class), Collectors.toList()));
     Map<Effect, List<Fit>> rough = new EnumMap<>(Effect.class);
     byEffect.entrySet().parallelStream()
         .map(entry -> Map.entry(entry.getKey(), bestOf(entry.getValue())))
@@ -119,7 +124,8 @@ public final class Screen {
 
   /** Of two forms that fit alike the simpler one is taken. */
   private static double merit(Fit fit) {
-    return fit.logLikelihood() - CHANCE_NATS * fit.hypothesis().size();
+    double cost = fit.hypothesis().hasTable() ? THRESHOLD_NATS : CHANCE_NATS;
+    return fit.logLikelihood() - cost * fit.hypothesis().size();
   }
 
   private double gain(Fit fit) {

@@ -1,9 +1,14 @@
 package simbad.gap.fit;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.effect.Geometry;
+import simbad.sonar.effect.OrientationShadow;
+import simbad.sonar.shape.ThresholdTable;
 
 /**
  * Reads a table of thresholds off a log: for each bearing the distance that parts the pings that
@@ -18,11 +23,13 @@ final class TableSearch {
   private static final double MIDDLE = 0.1;
 
   private static final int ROUNDS = 3;
+  private static final int BESIDE_ROUNDS = 2;
 
   /** Far off it is open how far a threshold goes. */
   private static final double MOST_FACTOR = 1.5;
 
   private final Clues clues;
+  private final Hearing hearing;
   private final int obstacle;
   private final int size = Forms.TABLE_SIZE;
   private final double uniformM;
@@ -33,18 +40,35 @@ final class TableSearch {
     return Arrays.stream(numbers.split(",", -1)).mapToInt(Integer::parseInt).toArray();
   }
 
-  /** The tables of all obstacles that a form is about, one behind the other. */
+  /**
+   * The tables of all obstacles that a form is about, one behind the other. Of several, each is
+   * read off what the others leave, once with what is believed of them and once with theirs.
+   */
   static double[] tables(Clues clues, Form form) {
-    return Arrays.stream(obstacles(form))
-        .mapToObj(obstacle -> new TableSearch(clues, obstacle).table())
-        .flatMapToDouble(Arrays::stream)
-        .toArray();
+    int[] obstacles = obstacles(form);
+    Map<Integer, double[]> found = new TreeMap<>();
+    for (int round = 0; round < Math.min(obstacles.length, BESIDE_ROUNDS); round++) {
+      for (int obstacle : obstacles) {
+        List<OrientationShadow> others =
+            found.entrySet().stream()
+                .filter(other -> other.getKey() != obstacle)
+                .map(other -> clues.shadow(other.getKey(), ThresholdTable.of(other.getValue())))
+                .toList();
+        found.put(obstacle, new TableSearch(clues, others, obstacle).table());
+      }
+    }
+    return found.values().stream().flatMapToDouble(Arrays::stream).toArray();
   }
 
-  /** Of an obstacle by its index. */
+  /** Of an obstacle by its index, the others being as believed. */
   TableSearch(Clues clues, int obstacle) {
+    this(clues, List.of(), obstacle);
+  }
+
+  private TableSearch(Clues clues, List<OrientationShadow> others, int obstacle) {
     this.clues = clues;
     this.obstacle = obstacle;
+    hearing = new Hearing(clues, others, obstacle);
     uniformM = clues.setup().scene().obstacles().get(obstacle).detection().greatestM();
   }
 
@@ -78,7 +102,7 @@ final class TableSearch {
         table[i] = bestOf(score[i], left, right);
       }
     }
-    new TableSweep(clues, obstacle).improve(table, greatest);
+    new TableSweep(clues, hearing, obstacle).improve(table, greatest);
     return table;
   }
 
@@ -98,8 +122,7 @@ final class TableSearch {
       int cell = (int) Math.rint(g.bearingRad(line) / (2 * Math.PI) * size) % size;
       for (int k = 0; k < score[cell].length; k++) {
         double beyond = (g.centreDistanceM(line) - k * STEP_M) / SOFT_M;
-        double echo = 0.01 + 0.98 / (1 + Math.exp(beyond));
-        score[cell][k] += Math.log(clues.log.echo(ping) ? echo : 1 - echo);
+        score[cell][k] += hearing.logLikelihood(ping, 1 / (1 + Math.exp(beyond)));
       }
     }
   }

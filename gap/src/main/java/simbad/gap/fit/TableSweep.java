@@ -6,8 +6,8 @@ import simbad.sonar.effect.Geometry;
 import simbad.sonar.shape.ThresholdTable;
 
 /**
- * Improves a table of thresholds value by value: each is moved to where the echoes and misses of
- * the bearings on both sides of it are most probable, the table being straight between its points.
+ * Improves a table of thresholds value by value: each is moved to where the readings of the
+ * bearings on both sides of it are most probable, the table being straight between its points.
  */
 final class TableSweep {
   private static final int SWEEPS = 4;
@@ -18,14 +18,14 @@ final class TableSweep {
   /** Against needless zigzag, nats for each metre that a value stands off its neighbours. */
   private static final double HOLD = 1.2;
 
-  private static final double LEAST_ECHO = 0.01;
-
   private final Clues clues;
+  private final Hearing hearing;
   private final int obstacle;
   private final double edgeM;
 
-  TableSweep(Clues clues, int obstacle) {
+  TableSweep(Clues clues, Hearing hearing, int obstacle) {
     this.clues = clues;
+    this.hearing = hearing;
     this.obstacle = obstacle;
     edgeM = Math.max(0.01, clues.edgeWidthM());
   }
@@ -84,8 +84,7 @@ final class TableSweep {
     for (int ping : pings) {
       int line = ping * g.obstacles() + obstacle;
       double beyond = g.centreDistanceM(line) - thresholds.thresholdM(g.bearingRad(line));
-      double echo = LEAST_ECHO + (1 - 2 * LEAST_ECHO) / (1 + Math.exp(beyond / edgeM));
-      sum += Math.log(clues.log.echo(ping) ? echo : 1 - echo);
+      sum += hearing.logLikelihood(ping, 1 / (1 + Math.exp(beyond / edgeM)));
     }
     return sum;
   }

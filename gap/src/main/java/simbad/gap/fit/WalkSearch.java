@@ -9,7 +9,7 @@ import simbad.sonar.effect.Parameter;
 
 /**
  * Looks for ranges that walk by the same step from ping to ping: the step that most strange echoes
- * keep from one to the next, then the end of their round on which most of them agree.
+ * keep from one to the next, then the length of their round on which most of them agree.
  */
 final class WalkSearch {
   private static final int LARGEST_LAG = 4;
@@ -17,6 +17,7 @@ final class WalkSearch {
   private static final int STEPS = 4;
   private static final double NEAR_STEP_M = 0.003;
   private static final double FINE_STEP_M = 0.0005;
+  private static final double SHORT_M = 0.2;
   private static final double BEYOND_M = 0.5;
   private static final double FINE_END_M = 0.01;
   private static final double AGREE_M = 0.03;
@@ -32,17 +33,20 @@ final class WalkSearch {
   }
 
   /** A walk, and how many strange echoes agree with where it starts. */
-  private record Walk(double stepM, double highM, double startM, long votes) {}
+  private record Walk(double stepM, double bandM, double startM, long votes) {}
 
   /** Values of a {@code walking} form to start from; its neutral ones where nothing walks. */
   List<double[]> starts(Form form) {
     List<double[]> starts = new ArrayList<>();
     if (strange.length >= FEWEST) {
       double share = Math.min(0.7, (double) strange.length / clues.log.size());
-      Parameter sense = form.parameters().get(2);
+      double low = Arrays.stream(strange).mapToDouble(clues.log::rangeM).min().orElse(0);
+      double nearest = form.parameters().get(1).clamp(low);
+      Parameter sense = form.parameters().get(3);
       for (double step : steps().stream().filter(sense::permits).toList()) {
-        Walk walk = best(step);
-        starts.add(new double[] {share, walk.highM(), walk.stepM(), walk.startM(), SPREAD_M});
+        Walk walk = best(step, form.parameters().get(2));
+        starts.add(
+            new double[] {share, nearest, walk.bandM(), walk.stepM(), walk.startM(), SPREAD_M});
       }
     }
     return starts.isEmpty() ? List.of(form.neutral()) : starts;
@@ -64,28 +68,30 @@ final class WalkSearch {
     return ping - before <= LARGEST_LAG && clues.log.sequenceStart(ping) <= before;
   }
 
-  private Walk best(double about) {
+  private Walk best(double about, Parameter round) {
     double farthest = Arrays.stream(strange).mapToDouble(clues.log::rangeM).max().orElse(1);
-    Walk best = new Walk(about, farthest, 0, 0);
+    double shortest = round.clamp(farthest - SHORT_M);
+    double longest = round.clamp(farthest + BEYOND_M);
+    Walk best = new Walk(about, shortest, 0, 0);
     for (double step = about - NEAR_STEP_M; step <= about + NEAR_STEP_M; step += FINE_STEP_M) {
-      for (double high = farthest; high <= farthest + BEYOND_M; high += FINE_END_M) {
-        Walk walk = voted(step, high);
+      for (double band = shortest; band <= longest; band += FINE_END_M) {
+        Walk walk = voted(step, band);
         best = walk.votes() > best.votes() ? walk : best;
       }
     }
     return best;
   }
 
-  private Walk voted(double step, double high) {
-    int[] votes = new int[(int) Math.ceil(high / AGREE_M) + 1];
+  private Walk voted(double step, double band) {
+    int[] votes = new int[(int) Math.ceil(band / AGREE_M) + 1];
     int most = 0;
     for (int ping : strange) {
       int order = ping - clues.log.sequenceStart(ping);
       double start = clues.log.rangeM(ping) - step * order;
-      int window = (int) ((start - high * Math.floor(start / high)) / AGREE_M);
+      int window = (int) ((start - band * Math.floor(start / band)) / AGREE_M);
       votes[window]++;
       most = votes[window] > votes[most] ? window : most;
     }
-    return new Walk(step, high, (most + 0.5) * AGREE_M, votes[most]);
+    return new Walk(step, band, (most + 0.5) * AGREE_M, votes[most]);
   }
 }

@@ -3,8 +3,10 @@ package simbad.gap.explain;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import simbad.gap.diagnosis.Interval;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
@@ -87,8 +89,38 @@ class MisfitTest {
     Gain gain = Gain.of(evidence, blocks, offset);
     assertTrue(gain.afterM() < gain.beforeM() - 0.005, () -> "after " + gain.afterM());
     assertEquals(gain.afterM(), gain.floorM(), 0.1 * gain.afterM());
-    double[] shrinks = gain.resampled(blocks, 1);
-    double shrink = 1 - gain.afterM() / gain.beforeM();
-    assertTrue(shrinks[25] < shrink && shrink < shrinks[974], () -> "shrink " + shrink);
+    assertEquals(1 - gain.afterM() / gain.beforeM(), gain.shrinkage(), 1e-12);
+    Interval interval = gain.shrinkage95(blocks, 1);
+    assertEquals(interval, gain.shrinkage95(blocks, 1), "same seed");
+    assertTrue(interval.low() < gain.shrinkage() && gain.shrinkage() < interval.high());
+  }
+
+  @Test
+  void shrinkage_ofAnotherLogLiesInTheInterval() {
+    Hypothesis offset = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.03);
+    List<Gain> gains = new ArrayList<>();
+    List<Interval> intervals = new ArrayList<>();
+    for (int seed = 0; seed < 20; seed++) {
+      Evidence evidence = drawn(offset, 40 + seed);
+      Blocks blocks = new Blocks(evidence.log());
+      gains.add(Gain.of(evidence, blocks, offset));
+      intervals.add(gains.get(seed).shrinkage95(blocks, 1));
+    }
+    int held = 0;
+    for (int i = 0; i < gains.size(); i++) {
+      double next = gains.get((i + 1) % gains.size()).shrinkage();
+      held += intervals.get(i).low() <= next && next <= intervals.get(i).high() ? 1 : 0;
+    }
+    // 17 or more of 20 where 19 of 20 are meant: 98 times of 100.
+    assertTrue(held >= 17, "held " + held + " of 20: " + intervals);
+    assertTrue(intervals.stream().allMatch(i -> i.high() - i.low() < 0.8), "says something");
+  }
+
+  @Test
+  void shrinkage_withoutAnExplanationIsNone() {
+    Evidence evidence = drawn(Hypothesis.NONE, 14);
+    Blocks blocks = new Blocks(evidence.log());
+    Gain gain = Gain.of(evidence, blocks, Hypothesis.NONE);
+    assertEquals(new Interval(0, 0), gain.shrinkage95(blocks, 1));
   }
 }

@@ -11,6 +11,11 @@ import simbad.gap.fixture.Worlds;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.frame.Placement;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.ReadingRow;
 
 /** What is fitted again to some of the pings knows nothing of the others. */
@@ -68,5 +73,42 @@ class RefitTest {
     Hypothesis fitted = new Refit(evidence, Fold.ALL).of(start, 20);
     assertEquals(0.06, fitted.valuesOf(fitted.effects().indexOf(Effect.RANGE_OFFSET))[0], 0.003);
     assertFalse(fitted.equals(start));
+  }
+
+  /** What another effect silences tells nothing of thresholds. */
+  @Test
+  void table_isReadOffBesideWhatSilencesNearEchoes() {
+    Hypothesis deaf = Worlds.effect(Effect.DEAD_ZONE, "sharp", 0.9);
+    Hypothesis truth = deaf.and(table(), lopsided().values());
+    List<ReadingRow> rows = Worlds.read(Worlds.poses(ROWS, 0.3, 2.2, 25), truth, 26);
+    Clues clues = new Clues(Worlds.evidence(rows), deaf);
+    double[] table = TableSearch.tables(clues, table());
+    double far = Arrays.stream(table, 40, 68).average().orElseThrow();
+    assertEquals(1.5, far, 0.08);
+  }
+
+  /** Two posts 12 cm apart: where one is silent the other may answer for it. */
+  @Test
+  void tables_ofObstaclesSideBySide_areToldApart() {
+    Obstacle post = Worlds.POST.scene().obstacles().get(0);
+    Obstacle beside =
+        new Obstacle("beside", new Placement(0.12, 0, 0), post.outline(), post.detection());
+    SensingSetup two =
+        new SensingSetup(
+            Worlds.POST.sensor(), new Scene(List.of(post, beside)), Worlds.POST.noEchoM());
+    Form form = Forms.find(Effect.ORIENTATION_SHADOW, "tables#0,1", two, List.of("s")).get();
+    double[] truth = new double[2 * Forms.TABLE_SIZE];
+    Arrays.fill(truth, 0, Forms.TABLE_SIZE, 0.8);
+    Arrays.fill(truth, Forms.TABLE_SIZE, truth.length, 1.4);
+    Hypothesis shadows = Hypothesis.NONE.and(form, truth);
+    List<ReadingRow> rows = Worlds.read(two, Worlds.poses(4000, 0.3, 2.2, 27), shadows, 28);
+    Evidence evidence = new Evidence(two, List.of(), new PingLog(rows));
+    double[] found = TableSearch.tables(new Clues(evidence, Hypothesis.NONE), form);
+    assertEquals(0.8, Arrays.stream(found, 0, Forms.TABLE_SIZE).average().orElseThrow(), 0.08);
+    double other = Arrays.stream(found, Forms.TABLE_SIZE, truth.length).average().orElseThrow();
+    assertEquals(1.4, other, 0.08);
+    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    double read = fitter.logLikelihood(Hypothesis.NONE.and(form, found));
+    assertTrue(read > fitter.logLikelihood(shadows) - 5, "read off " + read);
   }
 }

@@ -19,6 +19,7 @@ import simbad.sonar.frame.Pose;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -93,5 +94,28 @@ class ScreenTest {
     assertEquals("post", found.hypothesis().forms().get(0).name());
     assertEquals(0.913, found.hypothesis().values()[0], 0.004);
     assertEquals(-0.627, found.hypothesis().values()[1], 0.004);
+  }
+
+  /** Whatever is strange lies nearer than any round of a walk is long. */
+  @Test
+  void walkOfStrangeEchoesCloseBy_isLookedFor() {
+    List<ReadingRow> rows = new ArrayList<>();
+    for (ReadingRow row : Worlds.read(lookingRound(), Hypothesis.NONE, 34)) {
+      int turn = rows.size() % 40;
+      rows.add(
+          turn < 12
+              ? new ReadingRow(
+                  row.run(), row.sensor(), row.timeS(), row.pose(), new Echo(0.03 + 0.01 * turn))
+              : row);
+    }
+    Evidence evidence = Worlds.evidence(rows);
+    Fit nominal = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
+    List<Form> walks =
+        Forms.all(Worlds.POST, List.of("s")).stream()
+            .filter(form -> form.name().startsWith("walking"))
+            .toList();
+    Fit found =
+        Objects.requireNonNull(new Screen(evidence, nominal).all(walks).get(walks.get(0).effect()));
+    assertTrue(found.logLikelihood() > nominal.logLikelihood() + 50, () -> "found " + found);
   }
 }

@@ -32,6 +32,9 @@ public final class Forms {
    */
   private static final double MOST_SPREAD = 0.5;
 
+  /** What scatters by more than so much of an offset is noise beside it. */
+  private static final double MOST_OFFSET_SCATTER = 0.15;
+
   /** What comes from nearly the same range each time has to do with something. */
   private static final double LEAST_BAND_M = 0.3;
 
@@ -95,13 +98,19 @@ public final class Forms {
             0.98 * assumed,
             1.02 * assumed,
             1.06 * assumed));
+    add(Effect.RANGE_OFFSET, "constant", v -> new RangeOffset(v[0]), offset());
     add(
         Effect.RANGE_OFFSET,
-        "constant",
-        v -> new RangeOffset(v[0]),
-        Parameter.of("offset_m", 0, -1, 1, -0.1, -0.03, 0.03, 0.1));
+        "scattered",
+        v -> new ScatteredOffset(new RangeOffset(v[0]), v[1]),
+        offset(),
+        Parameter.of("scatter_share", 0, 0, MOST_OFFSET_SCATTER, 0.1));
     noise();
     steps();
+  }
+
+  private static Parameter offset() {
+    return Parameter.of("offset_m", 0, -1, 1, -0.1, -0.03, 0.03, 0.1);
   }
 
   private void noise() {
@@ -172,9 +181,10 @@ public final class Forms {
     add(
         Effect.CROSSTALK,
         name,
-        v -> new WalkingCrosstalk(v[0], v[1], v[2], v[3], v[4]),
+        v -> new WalkingCrosstalk(v[0], v[1], v[2], v[3], v[4], v[5]),
         SMALL_SHARE,
-        Parameter.of("high_m", most, 0.5, 3 * most, most),
+        Parameter.of("low_m", 0, 0, 0.5, 0),
+        Parameter.of("band_m", most, 0.5, 3 * most, most),
         step,
         Parameter.of("start_m", 0, -3 * most, 3 * most, 0),
         Parameter.of("spread_m", 0, 0, 0.1, 0.01));

@@ -19,7 +19,7 @@ public record MixedMultipath(Multipath added, Multipath scaled) implements Mixtu
     added.apply(moment, mixture);
     // What already took the long way is not sent on another one.
     if (scaled.share() > 0) {
-      scaled.apply(mixture, parts);
+      scaled.apply(moment, mixture, parts);
     }
   }
 }

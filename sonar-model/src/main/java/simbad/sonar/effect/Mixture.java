@@ -76,6 +76,17 @@ public final class Mixture {
     put(newMeanM, newDeviationM, 0, newShare);
   }
 
+  /** Adds a Gaussian part of which the share that would lie beyond a range is lost. */
+  void addUpTo(double mostM, double newMeanM, double newDeviationM, double newShare) {
+    double heard =
+        newDeviationM > 0
+            ? QuickNormal.cumulative((mostM - newMeanM) / newDeviationM)
+            : newMeanM <= mostM ? 1 : 0;
+    if (heard > 0) {
+      add(newMeanM, newDeviationM, newShare * heard);
+    }
+  }
+
   /** Adds an evenly spread part. */
   public void addEven(double lowM, double highM, double newShare) {
     put((lowM + highM) / 2, 0, (highM - lowM) / 2, newShare);

@@ -1,7 +1,8 @@
 package simbad.sonar.effect;
 
 /**
- * Some echoes arrive by a longer way than the direct one.
+ * Some echoes arrive by a longer way than the direct one; after the sensor's time is over they are
+ * lost.
  *
  * @param share of the echoes, in [0, 1]; 0 is neutral
  * @param factor what the range is multiplied by
@@ -20,14 +21,16 @@ public record Multipath(double share, double factor, double extraM, double sprea
     if (share == 0) {
       return;
     }
-    apply(mixture, mixture.size());
+    apply(moment, mixture, mixture.size());
   }
 
   /** Sends some of the first parts alone the long way. */
-  void apply(Mixture mixture, int parts) {
+  void apply(Moment moment, Mixture mixture, int parts) {
+    double most = moment.geometry().sensor().maxRangeM();
     for (int part = 0; part < parts; part++) {
       double own = factor * mixture.deviationM(part);
-      mixture.add(
+      mixture.addUpTo(
+          most,
           mixture.meanM(part) * factor + extraM,
           Math.sqrt(own * own + spreadM * spreadM),
           share * mixture.share(part));

@@ -11,14 +11,14 @@ import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 
 /** Scenes with some obstacles changed. */
-final class Scenes {
+public final class Scenes {
   private Scenes() {}
 
   /**
    * By what changes tell obstacles apart: their names; of several with one name each has its number
    * from 1 behind it.
    */
-  static List<String> labels(Scene scene) {
+  public static List<String> labels(Scene scene) {
     List<String> names = scene.obstacles().stream().map(Obstacle::name).toList();
     return IntStream.range(0, names.size())
         .mapToObj(i -> isAlone(names.get(i), names) ? names.get(i) : names.get(i) + "#" + (i + 1))

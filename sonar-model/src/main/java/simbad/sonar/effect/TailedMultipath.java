@@ -3,7 +3,7 @@ package simbad.sonar.effect;
 /**
  * Some echoes arrive by a longer way, short detours more often than long ones: what they are longer
  * by is exponentially distributed, here in slices that are Gaussian with the slice's own mean and
- * deviation.
+ * deviation. After the sensor's time is over they are lost.
  *
  * @param share of the echoes, in [0, 1]; 0 is neutral
  * @param meanExtraM mean of what the way is longer by, metres
@@ -43,10 +43,12 @@ public record TailedMultipath(double share, double meanExtraM) implements Mixtur
     if (share == 0) {
       return;
     }
+    double most = moment.geometry().sensor().maxRangeM();
     int parts = mixture.size();
     for (int part = 0; part < parts; part++) {
       for (int slice = 0; slice < MEAN.length; slice++) {
-        mixture.add(
+        mixture.addUpTo(
+            most,
             mixture.meanM(part) + meanExtraM * MEAN[slice],
             Math.hypot(mixture.deviationM(part), meanExtraM * DEVIATION[slice]),
             share * (QUANTILES[slice + 1] - QUANTILES[slice]) * mixture.share(part));

@@ -6,20 +6,21 @@ package simbad.sonar.effect;
  * echo.
  *
  * @param share of the pings that hear it, in [0, 1]; 0 is neutral
- * @param highM range at which it starts again from 0, metres
+ * @param lowM range that it starts again from, metres
+ * @param bandM how far it walks before it starts again, metres
  * @param stepM by how much it walks, metres for each ping
  * @param startM range at the first ping of a transducer in a run, metres
  * @param spreadM standard deviation of the range, metres
  */
 public record WalkingCrosstalk(
-    double share, double highM, double stepM, double startM, double spreadM)
+    double share, double lowM, double bandM, double stepM, double startM, double spreadM)
     implements ArrivalChange {
   @Override
   public void add(Moment moment, Arrivals arrivals) {
     if (share == 0) {
       return;
     }
-    double way = startM + stepM * moment.geometry().order(moment.ping());
-    arrivals.add(way - highM * Math.floor(way / highM), spreadM, share);
+    double way = startM - lowM + stepM * moment.geometry().order(moment.ping());
+    arrivals.add(lowM + way - bandM * Math.floor(way / bandM), spreadM, share);
   }
 }

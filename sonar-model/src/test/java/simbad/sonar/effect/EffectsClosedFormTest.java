@@ -94,6 +94,15 @@ class EffectsClosedFormTest {
     assertEcho(P, new RangeOffset(-0.05));
   }
 
+  @Test
+  void rangeOffset_scattersByAShareOfItsSize() {
+    // 0.02 and 0.3 times 0.05 make 0.025: the step's ends are 1 deviation away.
+    RangeOffset nearer = new RangeOffset(-0.05);
+    assertReads(P * 0.6826895, 0.8, new ScatteredOffset(nearer, 0.3));
+    assertReads(P * WITHIN_1_25, 0.8, new ScatteredOffset(nearer, 0));
+    assertReads(P * WITHIN_1_25, 0.85, new ScatteredOffset(new RangeOffset(0), 0.3));
+  }
+
   /** A range that would fall below 0 is 0. */
   @Test
   void rangeOffset_belowZero_readsZero() {
@@ -183,6 +192,21 @@ class EffectsClosedFormTest {
     assertEcho(P, both);
   }
 
+  /** The sensor of the set-up listens up to its greatest range. */
+  @Test
+  void multipath_beyondTheGreatestRangeIsLost() {
+    double most = SETUP.sensor().maxRangeM();
+    Change beyond = new Multipath(0.4, 1, most, 0);
+    assertEcho(0.6 * P, beyond);
+    assertReads(0.6 * P * WITHIN_1_25, 0.85, beyond);
+    assertEcho(0.6 * P, new MixedMultipath(new Multipath(0, 1, 0, 0), new Multipath(0.4, 9, 0, 0)));
+    Mixture mixture = new Mixture();
+    mixture.add(most - 0.3, 0, 1);
+    Moment any = new Moment(new Geometry(new PingLog(List.of()), SETUP, List.of()));
+    new TailedMultipath(1, 0.3).apply(any, mixture);
+    assertEquals(1 - Math.exp(-1), mixture.echoShare(), 0.03);
+  }
+
   /** Of an exponential distribution of mean 0.3 m: mean and variance as they are. */
   @Test
   void multipath_withATail_keepsTheMoments() {
@@ -212,7 +236,7 @@ class EffectsClosedFormTest {
   /** 0.225 m, 0.525 m, and 0.825 m, which is 0.225 m again: all are the middles of steps. */
   @Test
   void crosstalk_thatWalks_isReadWhereItComesFirst() {
-    Change crosstalk = new WalkingCrosstalk(0.3, 0.6, 0.3, 0.225, 0.015);
+    Change crosstalk = new WalkingCrosstalk(0.3, 0, 0.6, 0.3, 0.225, 0.015);
     double[] expected = {0.2, 0.5, 0.2};
     for (int ping = 0; ping < expected.length; ping++) {
       OptionalDouble[] read = {Logs.SILENCE, Logs.SILENCE, Logs.SILENCE};
