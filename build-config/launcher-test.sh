@@ -157,6 +157,8 @@ adds_spark_where_it_is_asked_for() {
   check "and once" calls_not mvn
   simbad batch --spark --help
   check "help does without" prints_not 'spark/java-options'
+  simbad blind-check --out x --spark 'local[2]'
+  check "the withheld check has it as well" prints 'spark/java-options>'
 }
 
 compiles_once_for_a_second() {
@@ -408,7 +410,7 @@ refuses_a_bad_release() {
 }
 
 check_style() {
-  output=$(shellcheck "$here/../simbad" "$here/../.ci/run" "$here/../benchmarks/whole-process" "$here/../docs/figures/measure" \
+  output=$(shellcheck "$here/../simbad" "$here/../.ci/run" "$here/../benchmarks/"{whole-process,memory} "$here/../docs/figures/measure" \
     "${BASH_SOURCE[0]}")
   status=$?
   check "shellcheck finds nothing" status_is 0

@@ -34,6 +34,7 @@ public final class WindowStart {
 
   /** Opens the window, prints when its world was seen, and ends. */
   public static void main(String[] arguments) throws Exception {
+    requireExport();
     Simbad window = new Simbad(new AvoidersDemo(), false);
     double opened = sinceStartS();
     Robot eye = new Robot();
@@ -44,6 +45,16 @@ public final class WindowStart {
     System.out.printf(
         "window %.2f s, world %.2f s, processor time %.2f s%n", opened, seen, processorS());
     System.exit(0);
+  }
+
+  /** Without it Java 3D finds no screen, and nothing would ever be seen. */
+  private static void requireExport() {
+    Module awt = Component.class.getModule();
+    if (!awt.isExported("sun.awt", Canvas3D.class.getModule())) {
+      System.err.println(
+          "WindowStart: expected java --add-exports=java.desktop/sun.awt=ALL-UNNAMED");
+      System.exit(2);
+    }
   }
 
   private static double sinceStartS() {

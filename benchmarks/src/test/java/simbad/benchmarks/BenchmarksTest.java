@@ -47,6 +47,7 @@ class BenchmarksTest {
         .param("speedMPerS", "1")
         .param("obstacles", "100")
         .param("sonars", "12")
+        .param("rows", "120")
         .forks(0)
         .warmupIterations(0)
         .measurementIterations(1)
@@ -58,7 +59,7 @@ class BenchmarksTest {
 
   @Test
   void benchmarks_areAllThere() {
-    assertEquals(9, names().size(), names()::toString);
+    assertEquals(10, names().size(), names()::toString);
   }
 
   @TestFactory

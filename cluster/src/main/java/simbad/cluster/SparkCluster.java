@@ -20,7 +20,7 @@ public final class SparkCluster implements Cluster {
     SparkConf conf =
         new SparkConf()
             .setMaster(master)
-            .setAppName("simbad batch")
+            .setAppName("simbad")
             .setJars(code.jars().toArray(String[]::new))
             .setIfMissing("spark.executor.extraClassPath", code.onThisMachine())
             // What is under way is limited by the waves.

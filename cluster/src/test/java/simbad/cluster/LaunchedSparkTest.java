@@ -3,7 +3,6 @@ package simbad.cluster;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -29,7 +28,8 @@ class LaunchedSparkTest {
   private Path root;
 
   /**
-   * A project that is built already, so that no Maven runs on the files of the one that runs this.
+   * A project that is built already, so that no Maven runs on the files of the one that runs this:
+   * the jars of the phase package, as the launcher lays them out.
    */
   @BeforeEach
   void layOutABuild() throws IOException {
@@ -38,16 +38,12 @@ class LaunchedSparkTest {
     Path spark = Files.createDirectory(build.resolve("spark"));
     Files.createSymbolicLink(spark.resolve("jars"), SPARK_JARS.toAbsolutePath());
     Files.copy(Path.of("src", "main", "java-options"), spark.resolve("java-options"));
-    int number = 0;
-    for (String entry : System.getProperty("java.class.path").split(File.pathSeparator, -1)) {
-      Path path = Path.of(entry).toAbsolutePath();
-      boolean ofThisModule = path.endsWith(Path.of("cluster", "target", "classes"));
-      Path jar = ofThisModule ? spark.resolve("cluster.jar") : build.resolve(number++ + ".jar");
-      if (Files.isDirectory(path)) {
-        pack(path, jar);
-      } else if (Files.isRegularFile(path)
-          && !Files.exists(SPARK_JARS.resolve(path.getFileName()))) {
-        Files.copy(path, jar);
+    pack(Path.of("target", "classes"), spark.resolve("cluster.jar"));
+    Path packaged = Path.of("..", "experiments", "target");
+    Files.copy(packaged.resolve("experiments.jar"), build.resolve("experiments.jar"));
+    try (Stream<Path> libraries = Files.list(packaged.resolve("lib"))) {
+      for (Path jar : libraries.toList()) {
+        Files.copy(jar, build.resolve(jar.getFileName()));
       }
     }
     Files.copy(LAUNCHER, root.resolve("simbad"));
@@ -62,13 +58,17 @@ class LaunchedSparkTest {
     assertEquals(0, status);
   }
 
-  /** Runs the launcher's batch into a folder of that name. */
-  private Path batch(String name, String... where) throws IOException, InterruptedException {
+  /** Has the launcher do a command into a folder of that name. */
+  private Path launched(String line, String name, String... where)
+      throws IOException, InterruptedException {
     Path out = root.resolve(name);
     List<String> command =
-        Stream.concat(
-                Stream.of("bash", "simbad", "batch", "spec.json", "--out", "" + out),
+        Stream.of(
+                Stream.of("bash", "simbad"),
+                Stream.of(line.split(" ")),
+                Stream.of("--out", "" + out),
                 Stream.of(where))
+            .flatMap(words -> words)
             .toList();
     ProcessBuilder builder =
         new ProcessBuilder(command).directory(root.toFile()).redirectErrorStream(true);
@@ -95,14 +95,48 @@ class LaunchedSparkTest {
           "seeds": {"from": 1, "count": 24}
         }
         """);
-    Path here = batch("here", "--jobs", "1");
+    Path here = launched("batch spec.json", "here", "--jobs", "1");
     try (LocalCluster machines = new LocalCluster(root, 2)) {
-      Path there = batch("there", "--spark", machines.url());
+      Path there = launched("batch spec.json", "there", "--spark", machines.url());
       assertEquals(25, Files.readAllLines(here.resolve("results.csv")).size());
       assertEquals(
           Files.readString(here.resolve("results.csv")),
           Files.readString(there.resolve("results.csv")));
       assertTrue(machines.hadExecutor(0) || machines.hadExecutor(1), "the cluster had the runs");
+    }
+  }
+
+  /** The processes that diagnose are started by the workers, of the jars that were sent to them. */
+  @Test
+  @Timeout(600)
+  void blindCheck_onARealCluster_hasTheSameAnswersAsOnThisMachine() throws Exception {
+    String line = "blind-check --cases 4 --seed 5 --rows 240-300 --mix none:1,single:1";
+    Path here = launched(line, "here", "--jobs", "1");
+    try (LocalCluster machines = new LocalCluster(root, 2)) {
+      Path there = launched(line, "there", "--spark", machines.url());
+      assertTrue(machines.hadExecutor(0) || machines.hadExecutor(1), "the cluster had the cases");
+      List<String> names = files(here);
+      assertEquals(names, files(there));
+      List<String> answers = names.stream().filter(name -> name.startsWith("answers/")).toList();
+      assertEquals(4, answers.stream().filter(name -> name.endsWith("predictions.csv")).count());
+      for (String name : List.of("scores.csv", "cases.csv", "confusion.csv", "scores.txt")) {
+        assertEquals(-1, Files.mismatch(here.resolve(name), there.resolve(name)), name);
+      }
+      for (String name : answers) {
+        if (!name.endsWith(".html")) {
+          assertEquals(-1, Files.mismatch(here.resolve(name), there.resolve(name)), name);
+        }
+      }
+    }
+  }
+
+  private static List<String> files(Path folder) throws IOException {
+    try (Stream<Path> paths = Files.walk(folder)) {
+      return paths
+          .filter(Files::isRegularFile)
+          .map(path -> folder.relativize(path).toString())
+          .sorted()
+          .toList();
     }
   }
 }

@@ -10,6 +10,7 @@ import javax.swing.JMenu;
 import javax.swing.JPanel;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.JToggleButton;
+import javax.swing.Timer;
 import org.jspecify.annotations.Nullable;
 import simbad.sim.SimpleAgent;
 import simbad.sim.Simulator;
@@ -18,11 +19,15 @@ import simbad.sim.World;
 /** Moves the view of a world: to a fixed place, or along with an agent. */
 public class WorldControlGUI extends JPanel implements ActionListener {
   private static final String VIEW = "view ";
+  private static final int REFRESH_MS = 200;
 
   private final transient World world;
   private final JComboBox<SimpleAgent> agents;
   private final transient List<Choice> places;
   private final transient List<Choice> followers;
+
+  /** A program may move the view as well. */
+  private final Timer refresh = new Timer(REFRESH_MS, event -> showChosen());
 
   /**
    * Creates the buttons.
@@ -50,6 +55,7 @@ public class WorldControlGUI extends JPanel implements ActionListener {
     add(new LabelledRow("Follow", toggles(followers)));
     add(new LabelledRow("Agent", agents));
     showChosen();
+    refresh.start();
   }
 
   private static JToggleButton[] toggles(List<Choice> choices) {
@@ -109,6 +115,7 @@ public class WorldControlGUI extends JPanel implements ActionListener {
 
   /** Moves the view no more. */
   void close() {
+    refresh.stop();
     choices().forEach(Choice::release);
   }
 }

@@ -50,7 +50,7 @@ public class World {
   private final Lock stepLock = new Lock();
   private long staticRevision;
   private final int surroundings;
-  private int viewPoint;
+  private volatile int viewPoint;
   private @Nullable SimpleAgent viewedAgent;
   private volatile @Nullable WorldView view;
   private @Nullable DisplayException noView;
@@ -204,7 +204,7 @@ public class World {
   }
 
   /** Returns from where the world is viewed, a VIEW constant. */
-  public synchronized int getViewPoint() {
+  public int getViewPoint() {
     return viewPoint;
   }
 

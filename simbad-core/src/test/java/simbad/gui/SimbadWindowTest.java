@@ -11,11 +11,14 @@ import java.awt.image.BufferedImage;
 import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.Stream;
+import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
+import javax.swing.JToggleButton;
 import javax.vecmath.Vector3d;
 import javax.vecmath.Vector3f;
 import org.junit.jupiter.api.Tag;
@@ -25,6 +28,7 @@ import simbad.sim.Box;
 import simbad.sim.EnvironmentDescription;
 import simbad.sim.KeyInputSensor;
 import simbad.sim.RobotFactory;
+import simbad.sim.World;
 
 /** The main window, used as a person uses it. */
 @Tag("display")
@@ -136,6 +140,21 @@ class SimbadWindowTest {
             other -> assertTrue(Desk.difference(other, picture) > 0.02, view + " is different"));
         pictures.add(picture);
       }
+    }
+  }
+
+  /** A program that moves the view leaves the buttons right. */
+  @Test
+  void viewMovedByTheProgram_isTheOneChosen() throws Exception {
+    try (Desk desk = open()) {
+      ControlWindow control = desk.frame(ControlWindow.class);
+      Objects.requireNonNull(field.first.world).changeViewPoint(World.VIEW_FROM_EAST, field.first);
+      Desk.await(
+          "side is chosen",
+          () ->
+              Desk.parts(control, JToggleButton.class)
+                  .filter(AbstractButton::isSelected)
+                  .anyMatch(toggle -> toggle.getText().equals("side")));
     }
   }
 

@@ -3,8 +3,6 @@ package simbad.experiments.cli;
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Path;
-import java.util.ServiceLoader;
-import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -12,8 +10,6 @@ import picocli.CommandLine.Parameters;
 import simbad.experiments.batch.BatchFolder;
 import simbad.experiments.batch.BatchJob;
 import simbad.experiments.batch.ResultLog;
-import simbad.experiments.workers.Cluster;
-import simbad.experiments.workers.LocalWorkers;
 import simbad.experiments.workers.Workers;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TextFile;
@@ -47,28 +43,11 @@ final class BatchCommand extends Subcommand {
   @SuppressWarnings("NullAway.Init")
   private Path out;
 
-  @ArgGroup private Where where = new Where();
-
-  /** Who does the runs. */
-  static final class Where {
-    @Option(
-        names = "--jobs",
-        paramLabel = "N",
-        description = "Runs at a time on this machine. Default: one for each core.")
-    private int jobs = Runtime.getRuntime().availableProcessors();
-
-    @Option(
-        names = "--spark",
-        paramLabel = "MASTER",
-        description = "Have the runs done by Apache Spark: spark://HOST:PORT, or local[N].")
-    private @Nullable String master;
-  }
+  @ArgGroup private WorkersOption who = new WorkersOption();
 
   @Override
   protected void run() throws Exception {
-    if (where.jobs < 1) {
-      throw wrongUsage("--jobs: " + where.jobs + " is not at least 1");
-    }
+    who.check(this);
     try {
       drive(job(TextFile.read(spec)));
     } catch (AccessDeniedException e) {
@@ -81,11 +60,11 @@ final class BatchCommand extends Subcommand {
     try (ResultLog log = ResultLog.open(out, job)) {
       long before = log.done();
       if (before > 0) {
-        out().println(before + " of " + job.size() + " runs are there already");
+        out().println(before + " of " + runsAre(job.size()) + " there already");
         out().flush();
       }
       work(job, log);
-      out().println(log.done() + " runs in " + out.resolve("results.csv"));
+      out().println(runs(log.done()) + " in " + out.resolve("results.csv"));
       if (log.failed() > 0) {
         complain(new IOException(failures(log)));
       }
@@ -93,7 +72,7 @@ final class BatchCommand extends Subcommand {
   }
 
   private static String failures(ResultLog log) {
-    return log.failed() + " of " + log.done() + " runs failed; their rows say why";
+    return log.failed() + " of " + runs(log.done()) + " failed; their rows say why";
   }
 
   /** The batch of the folder, which is begun if it is not yet. */
@@ -116,7 +95,7 @@ final class BatchCommand extends Subcommand {
     }
     Thread farewell = new Thread(() -> err().println(standing(job, log)));
     Runtime.getRuntime().addShutdownHook(farewell);
-    try (Workers workers = workers();
+    try (Workers workers = who.open();
         Progress progress = Progress.of("driving", job.size() - log.done())) {
       workers.run(
           job,
@@ -131,6 +110,14 @@ final class BatchCommand extends Subcommand {
     }
   }
 
+  private static String runs(long count) {
+    return count + (count == 1 ? " run" : " runs");
+  }
+
+  private static String runsAre(long count) {
+    return runs(count) + (count == 1 ? " is" : " are");
+  }
+
   private static void forget(Thread farewell) {
     try {
       Runtime.getRuntime().removeShutdownHook(farewell);
@@ -143,23 +130,9 @@ final class BatchCommand extends Subcommand {
     return "simbad batch: "
         + log.done()
         + " of "
-        + job.size()
-        + " runs are in "
+        + runsAre(job.size())
+        + " in "
         + out
         + "; the same command goes on";
-  }
-
-  private Workers workers() throws IOException {
-    if (where.master == null) {
-      return new LocalWorkers(where.jobs);
-    }
-    Cluster cluster =
-        ServiceLoader.load(Cluster.class)
-            .findFirst()
-            .orElseThrow(
-                () ->
-                    wrongUsage(
-                        "--spark: Spark is not among this program's jars; ./simbad adds it"));
-    return cluster.connect(where.master);
   }
 }

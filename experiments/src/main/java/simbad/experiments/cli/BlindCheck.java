@@ -10,7 +10,6 @@ import java.nio.file.StandardOpenOption;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -21,6 +20,7 @@ import simbad.experiments.blindcheck.CheckOrder.Drawn;
 import simbad.experiments.blindcheck.CheckOrder.Foreign;
 import simbad.experiments.blindcheck.CheckScores;
 import simbad.experiments.blindcheck.CheckSummary;
+import simbad.experiments.workers.Workers;
 import simbad.sonar.format.DataFormatException;
 
 /** The steps of a withheld check, in a folder that keeps what each of them leaves. */
@@ -136,17 +136,24 @@ final class BlindCheck {
   /**
    * Has all cases diagnosed that are not yet.
    *
+   * @param who does it
    * @param limit after which a case is given up
    * @return the cases that still have no answer
    */
-  List<String> diagnose(Duration limit) throws IOException, InterruptedException {
+  List<String> diagnose(WorkersOption who, Duration limit)
+      throws IOException, InterruptedException {
     BlindDiagnosis diagnosis =
-        new BlindDiagnosis(JavaProgram.simbad(), order.withheld(), limit, world, answers);
-    List<String> complaints = Collections.synchronizedList(new ArrayList<>());
+        new BlindDiagnosis(JavaProgram::standing, order.withheld(), limit, world, answers);
     int left = diagnosis.unanswered().size();
+    if (left == 0) {
+      return List.of();
+    }
+    List<String> complaints = new ArrayList<>();
     Instant begun = Instant.now();
-    try (Progress progress = Progress.of("diagnosing", left)) {
+    try (Workers workers = who.open();
+        Progress progress = Progress.of("diagnosing", left)) {
       diagnosis.run(
+          workers,
           progress::step,
           line -> {
             progress.clearLine();

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import simbad.experiments.blindcheck.CheckOrder;
@@ -33,6 +34,7 @@ import simbad.sonar.effect.Effect;
       "Example: simbad blind-check --out check",
       "Example: simbad blind-check --cases 1000 --seed 7 --off --out check-off",
       "Example: simbad blind-check --withhold latency --out check-latency",
+      "Example: simbad blind-check --cases 1000 --seed 7 --spark spark://host:7077 --out check-spark",
       "Example: simbad blind-check --foreign their-data --level 'L3, a bench' --out check-theirs"
     })
 final class BlindCheckCommand extends Subcommand {
@@ -117,11 +119,14 @@ final class BlindCheckCommand extends Subcommand {
       description = "Give a case up after so many seconds without an answer. Default: 600.")
   private double limitS = 600;
 
+  @ArgGroup private WorkersOption who = new WorkersOption();
+
   @Override
   protected void run() throws Exception {
     if (!(limitS > 0 && limitS <= MOST_LIMIT_S)) {
       throw wrongUsage("--limit: " + limitS + " is not in (0, " + MOST_LIMIT_S + "] s");
     }
+    who.check(this);
     CheckOrder order = order();
     if (Files.exists(out) && !BlindCheck.mayStandIn(out)) {
       throw wrongUsage("--out: " + out + " is not the folder of a check, nor empty");
@@ -129,7 +134,7 @@ final class BlindCheckCommand extends Subcommand {
     BlindCheck check = new BlindCheck(out, order, out(), err());
     check.begin();
     check.seal();
-    List<String> unanswered = check.diagnose(Duration.ofMillis((long) (1000 * limitS)));
+    List<String> unanswered = check.diagnose(who, Duration.ofMillis((long) (1000 * limitS)));
     check.score();
     if (!unanswered.isEmpty()) {
       throw new IOException(

@@ -2,8 +2,10 @@ package simbad.experiments.cli;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.lang.ProcessBuilder.Redirect;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -17,10 +19,10 @@ final class ChildProcess implements AutoCloseable {
   private final Thread killer;
   private final Thread reader;
 
-  private ChildProcess(Process process, Consumer<String> complaints) {
+  private ChildProcess(Process process, Thread reader) {
     this.process = process;
     this.killer = new Thread(process::destroy);
-    this.reader = new Thread(() -> read(process, complaints));
+    this.reader = reader;
   }
 
   /**
@@ -39,19 +41,52 @@ final class ChildProcess implements AutoCloseable {
             .directory(folder.toAbsolutePath().toFile())
             .redirectOutput(out.map(file -> Redirect.to(file.toFile())).orElse(Redirect.DISCARD))
             .start();
-    ChildProcess child = new ChildProcess(process, complaints);
+    process.getOutputStream().close();
+    return begun(process, process.errorReader(), complaints);
+  }
+
+  /**
+   * Starts a process that is told what to do line by line.
+   *
+   * @param command with its arguments
+   * @param folder that it runs in
+   * @param heard told, from another thread, each line of both its outputs
+   */
+  static ChildProcess spokenTo(List<String> command, Path folder, Consumer<String> heard)
+      throws IOException {
+    Process process =
+        new ProcessBuilder(command)
+            .directory(folder.toAbsolutePath().toFile())
+            .redirectErrorStream(true)
+            .start();
+    return begun(process, process.inputReader(StandardCharsets.UTF_8), heard);
+  }
+
+  private static ChildProcess begun(Process process, BufferedReader lines, Consumer<String> heard) {
+    ChildProcess child = new ChildProcess(process, new Thread(() -> read(lines, heard)));
     Runtime.getRuntime().addShutdownHook(child.killer);
     child.reader.start();
-    process.getOutputStream().close();
     return child;
   }
 
-  private static void read(Process process, Consumer<String> complaints) {
-    try (BufferedReader lines = process.errorReader()) {
-      lines.lines().forEach(complaints);
+  private static void read(BufferedReader source, Consumer<String> heard) {
+    try (BufferedReader lines = source) {
+      lines.lines().forEach(heard);
     } catch (IOException | UncheckedIOException e) {
       // It was ended while it spoke: there is nothing more to hear.
     }
+  }
+
+  /** Tells it a line; a process that has ended does not hear it. */
+  void say(String line) {
+    PrintWriter input = new PrintWriter(process.outputWriter(StandardCharsets.UTF_8));
+    input.print(line + "\n");
+    input.flush();
+  }
+
+  /** Tells whether it has ended and all that it said was heard. */
+  boolean hasEnded() {
+    return !process.isAlive() && !reader.isAlive();
   }
 
   /** The exit status, all complaints heard; nothing when it still runs after the time. */

@@ -72,6 +72,8 @@ final class DiagnoseCommand extends Subcommand {
       description = "Effects that the diagnosis shall not know, to check what it calls unknown.")
   private List<String> withhold = List.of();
 
+  private final List<Path> diagnosed = new ArrayList<>();
+
   @Override
   protected void run() throws Exception {
     Diagnoser diagnoser = new Diagnoser(seed, withheld());
@@ -91,6 +93,15 @@ final class DiagnoseCommand extends Subcommand {
     } finally {
       threads.shutdownNow();
     }
+    sayWhatToOpen();
+  }
+
+  private void sayWhatToOpen() {
+    if (!json && diagnosed.size() == 1) {
+      out().println("report: " + diagnosed.get(0).resolve(DiagnosisFolder.PAGE));
+    } else if (!json && !diagnosed.isEmpty()) {
+      out().println("reports: " + out.resolve("DATASET").resolve(DiagnosisFolder.PAGE));
+    }
   }
 
   private void await(Future<DiagnoseSummary> result, Progress progress)
@@ -100,6 +111,7 @@ final class DiagnoseCommand extends Subcommand {
       progress.clearLine();
       out().println(json ? summary.json() : summary.line());
       out().flush();
+      diagnosed.add(summary.folder());
     } catch (ExecutionException fault) {
       progress.clearLine();
       complain(fault);

@@ -4,8 +4,10 @@ import java.io.File;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.net.JarURLConnection;
+import java.net.URI;
 import java.net.URISyntaxException;
 import java.net.URL;
+import java.net.URLClassLoader;
 import java.net.URLConnection;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -19,28 +21,43 @@ import java.util.List;
 record JavaProgram(List<String> command) {
   private static final String BLIND_WORLD = "simbad.blindworld.Main";
 
+  /** It has no terminal: its progress is ours. The others are Spark's. */
+  private static final List<String> NOT_FOR_CHILDREN =
+      List.of("-Dsimbad.terminal", "-Dspark.", "--add-");
+
   JavaProgram {
     command = List.copyOf(command);
   }
 
-  /** This very program, with the options that this Java was started with. */
-  static JavaProgram simbad() {
+  /**
+   * This very program, with the options that this Java was started with, as a process that does
+   * commands one after the other ({@link StandingMain}) on one core.
+   */
+  static JavaProgram standing() {
     List<String> command = new ArrayList<>(List.of(java()));
     for (String option : ManagementFactory.getRuntimeMXBean().getInputArguments()) {
-      // It has no terminal: its progress is ours.
-      if (!option.startsWith("-Dsimbad.terminal")) {
+      if (NOT_FOR_CHILDREN.stream().noneMatch(option::startsWith)) {
         command.add(option);
       }
     }
-    command.addAll(List.of("-cp", absolute(System.getProperty("java.class.path"))));
-    command.add(Main.class.getName());
+    command.add("-XX:ActiveProcessorCount=1");
+    command.addAll(List.of("-cp", classPath(), StandingMain.class.getName()));
     return new JavaProgram(command);
   }
 
-  /** The process runs in another folder. */
-  private static String absolute(String classPath) {
+  /**
+   * Where a cluster's worker does the work, the program's jars were sent to it and stand in no
+   * class path, and they come before the worker's own.
+   */
+  private static String classPath() {
     List<String> entries = new ArrayList<>();
-    for (String entry : classPath.split(File.pathSeparator, -1)) {
+    if (JavaProgram.class.getClassLoader() instanceof URLClassLoader sent) {
+      for (URL url : sent.getURLs()) {
+        entries.add(Path.of(URI.create(url.toString())).toString());
+      }
+    }
+    // The process runs in another folder.
+    for (String entry : System.getProperty("java.class.path").split(File.pathSeparator, -1)) {
       entries.add(Path.of(entry).toAbsolutePath().toString());
     }
     return String.join(File.pathSeparator, entries);

@@ -30,7 +30,7 @@ public final class Main {
   }
 
   /** Not {@code System.out}, which swallows errors such as a full disk. */
-  private static PrintWriter utf8(FileDescriptor stream) {
+  static PrintWriter utf8(FileDescriptor stream) {
     return new PrintWriter(
         new PipeOutput(new FileOutputStream(stream)), true, StandardCharsets.UTF_8);
   }

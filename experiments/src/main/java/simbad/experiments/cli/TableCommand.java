@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.report.TablePicture;
@@ -16,7 +17,6 @@ import simbad.experiments.table.Reconstruction;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.TableDocument;
-import simbad.sonar.format.TableFile;
 import simbad.sonar.shape.ThresholdTable;
 
 /** {@code simbad table}: threshold tables. */
@@ -165,11 +165,7 @@ final class TableCommand extends CommandGroup {
     @Parameters(paramLabel = "square|round", description = "Which obstacle.")
     private String obstacle = "";
 
-    @Option(
-        names = "--out",
-        paramLabel = "FILE",
-        description = "A file that does not exist yet. Default: print the table.")
-    private @Nullable Path file;
+    @Mixin private TableResult result = new TableResult();
 
     @Override
     protected void run() throws Exception {
@@ -179,12 +175,7 @@ final class TableCommand extends CommandGroup {
             case "square" -> Reconstruction.square(Catalogue.angleTable().table());
             default -> throw wrongUsage("'" + obstacle + "' is neither square nor round");
           };
-      if (file == null) {
-        out().print(TableFile.text(document));
-      } else {
-        OutputFile.refuseExisting(file);
-        TableFile.write(file, document);
-      }
+      result.give(document, out());
     }
   }
 }

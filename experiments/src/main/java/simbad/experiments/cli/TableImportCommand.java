@@ -6,12 +6,12 @@ import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.table.TableImport;
 import simbad.sonar.format.Provenance;
 import simbad.sonar.format.TableDocument;
-import simbad.sonar.format.TableFile;
 
 /** {@code simbad table import}. */
 @Command(
@@ -29,11 +29,7 @@ final class TableImportCommand extends Subcommand {
   @Parameters(paramLabel = "FILE.csv", description = "With a header row.")
   private Path source = Path.of("");
 
-  @Option(
-      names = "--out",
-      paramLabel = "FILE",
-      description = "A file that does not exist yet. Default: print the table.")
-  private @Nullable Path file;
+  @Mixin private TableResult result = new TableResult();
 
   @Option(
       names = "--bearing",
@@ -84,12 +80,7 @@ final class TableImportCommand extends Subcommand {
                 clockwise,
                 offsetDeg)
             .read(source, header());
-    if (file == null) {
-      out().print(TableFile.text(document));
-    } else {
-      OutputFile.refuseExisting(file);
-      TableFile.write(file, document);
-    }
+    result.give(document, out());
   }
 
   private Map<String, String> header() {

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.table.PredictedTable;
@@ -14,8 +15,6 @@ import simbad.scattering.KnownThresholds;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.OutlineDocument;
 import simbad.sonar.format.SensorFile;
-import simbad.sonar.format.TableDocument;
-import simbad.sonar.format.TableFile;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.shape.Outline;
 
@@ -74,11 +73,7 @@ final class TablePredictCommand extends Subcommand {
           "Calibrated without the angle's measured table, to see how well the angle is predicted.")
   private boolean withoutAngle;
 
-  @Option(
-      names = "--out",
-      paramLabel = "FILE",
-      description = "A file that does not exist yet. Default: print the table.")
-  private @Nullable Path file;
+  @Mixin private TableResult result = new TableResult();
 
   @Override
   protected void run() throws Exception {
@@ -89,16 +84,9 @@ final class TablePredictCommand extends Subcommand {
     OutlineDocument section = OutlineArgument.parse(outline);
     checkSize(section);
     SonarSpec sonar = sensorFile == null ? Catalogue.srf04() : SensorFile.read(sensorFile);
-    if (file != null) {
-      OutputFile.refuseExisting(file);
-    }
+    result.check();
     Calibration calibration = withoutAngle ? Calibration.WITHOUT_ANGLE : Calibration.SRF04;
-    TableDocument table = PredictedTable.of(section, air, sonar, calibration, bearings);
-    if (file == null) {
-      out().print(TableFile.text(table));
-    } else {
-      TableFile.write(file, table);
-    }
+    result.give(PredictedTable.of(section, air, sonar, calibration, bearings), out());
   }
 
   private void checkSize(OutlineDocument section) throws DataFormatException {

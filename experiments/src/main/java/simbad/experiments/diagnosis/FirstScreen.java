@@ -79,7 +79,7 @@ final class FirstScreen {
             + Html.percent(gap.shrinkCi95().high())
             + ", the line on the bar), measured on "
             + gap.rowsHeldOut()
-            + " rows that the fit never saw. The floor is what no model could remove.</p>\n");
+            + " rows that the fit never saw. The floor is the scatter that the diagnosed model expects.</p>\n");
     page.append("</section>\n");
   }
 

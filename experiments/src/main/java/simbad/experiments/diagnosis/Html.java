@@ -16,7 +16,7 @@ final class Html {
   /** A number with three digits, a true minus and no exponent. */
   static String number(double value) {
     if (!Double.isFinite(value)) {
-      return value > 0 ? "no bound" : value < 0 ? "no bound" : "unknown";
+      return Double.isNaN(value) ? "unknown" : "no bound";
     }
     BigDecimal rounded = new BigDecimal(value).round(DIGITS);
     if (rounded.scale() > MOST_DECIMALS) {

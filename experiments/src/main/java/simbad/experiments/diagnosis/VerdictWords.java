@@ -21,7 +21,14 @@ final class VerdictWords {
           "<strong>No gap beyond chance:</strong> these readings are what the simulator expects"
               + withinFigures(diagnosis.gap())
               + ".";
-      case EXPLAINED -> named + explains(diagnosis) + ": " + shrinkage(diagnosis) + ".";
+      case EXPLAINED ->
+          named
+              + explains(diagnosis)
+              + ": "
+              + shrinkage(diagnosis)
+              + "; no model could come below "
+              + Html.centimetres(diagnosis.gap().floorCm())
+              + ".";
       case UNEXPLAINED ->
           diagnosis.explanation().isEmpty()
               ? "<strong>There is a gap, and no effect that has a name here accounts for it</strong>"
@@ -31,7 +38,10 @@ final class VerdictWords {
                   + (diagnosis.explanation().size() == 1 ? " is" : " are")
                   + " at work, <strong>but a gap is left that no named effect accounts for</strong>: "
                   + shrinkage(diagnosis)
-                  + ".";
+                  // A model that knew the rest might come below that.
+                  + "; it then expects "
+                  + Html.centimetres(diagnosis.gap().floorCm())
+                  + " from scatter alone.";
     };
   }
 
@@ -44,9 +54,9 @@ final class VerdictWords {
   private static String withinFigures(GapFigures gap) {
     return " (the gap is "
         + Html.centimetres(gap.beforeCm())
-        + ", of which "
+        + ", of which the model expects "
         + Html.centimetres(gap.floorCm())
-        + " is scatter that no model could remove)";
+        + " from scatter alone)";
   }
 
   private static String shrinkage(Diagnosis diagnosis) {
@@ -59,8 +69,7 @@ final class VerdictWords {
         + Html.centimetres(gap.afterCm())
         + ", by <strong>"
         + Html.percent(gap.shrink())
-        + "</strong>; no model could come below "
-        + Html.centimetres(gap.floorCm());
+        + "</strong>";
   }
 
   /**

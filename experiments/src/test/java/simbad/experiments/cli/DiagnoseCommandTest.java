@@ -61,6 +61,8 @@ class DiagnoseCommandTest {
     assertEquals(0, shell.status(), shell.err());
     assertEquals("", shell.err());
     assertTrue(shell.out().startsWith("bench: explained, range-offset"), shell.out());
+    Path report = out.resolve("bench/report.html");
+    assertTrue(shell.out().endsWith("\nreport: " + report + "\n"), shell.out());
     List<String> files = new ArrayList<>(names(out.resolve("bench")));
     files.remove("next-experiment.csv"); // Only where there is a tie.
     assertEquals(List.of("diagnosis.json", "model.json", "report.html", "scene.json"), files);
@@ -126,6 +128,27 @@ class DiagnoseCommandTest {
       }
     }
     return sum / echoes;
+  }
+
+  /** Where names hash otherwise, as they do in every other process. */
+  @Test
+  void otherHashes_sameBytes() throws IOException, InterruptedException {
+    Path bench = data("bench", 0.05);
+    byte[] first = diagnosedWith("first", "-XX:hashCode=2", bench);
+    byte[] second = diagnosedWith("second", "-XX:hashCode=3", bench);
+    assertArrayEquals(first, second);
+  }
+
+  private byte[] diagnosedWith(String name, String hashing, Path bench)
+      throws IOException, InterruptedException {
+    Path result = folder.resolve(name);
+    List<String> command =
+        new ArrayList<>(
+            SimbadProcess.command("diagnose", "--out", result.toString(), bench.toString()));
+    command.addAll(1, List.of("-XX:+UnlockExperimentalVMOptions", hashing));
+    SimbadProcess diagnose = SimbadProcess.start(folder, "", command);
+    assertEquals(0, diagnose.process().waitFor(), () -> command.toString());
+    return Files.readAllBytes(result.resolve("bench/diagnosis.json"));
   }
 
   @Test

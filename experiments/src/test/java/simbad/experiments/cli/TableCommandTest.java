@@ -38,7 +38,8 @@ class TableCommandTest {
     assertEquals(new Shell(0, committed(name), ""), Shell.simbad("table", "reconstruct", name));
     Path file = folder.resolve(name + ".csv");
     assertEquals(
-        new Shell(0, "", ""), Shell.simbad("table", "reconstruct", name, "--out", file.toString()));
+        new Shell(0, "written to " + file + "\n", ""),
+        Shell.simbad("table", "reconstruct", name, "--out", file.toString()));
     assertEquals(committed(name), Files.readString(file));
   }
 

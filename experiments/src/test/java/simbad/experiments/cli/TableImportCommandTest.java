@@ -110,7 +110,8 @@ class TableImportCommandTest {
   @Test
   void written_isReadBack() throws IOException {
     Path out = folder.resolve("mine.csv");
-    imported("angle,distance\n0,1\n120,2\n240,3\n", "--out", out.toString());
+    Shell made = imported("angle,distance\n0,1\n120,2\n240,3\n", "--out", out.toString());
+    assertEquals("written to " + out + "\n", made.out(), made.err());
     Shell shown = Shell.simbad("table", "show", out.toString());
     assertTrue(
         shown.out().contains("3 bearings, every 120.0 degrees; 1.00 to 3.00 m"), shown.out());

@@ -42,7 +42,7 @@ class TablePredictCommandTest {
             "80",
             "--out",
             out.toString());
-    assertEquals(new Shell(0, "", ""), shell);
+    assertEquals(new Shell(0, "written to " + out + "\n", ""), shell);
     String text = Files.readString(out);
     for (String line :
         new String[] {

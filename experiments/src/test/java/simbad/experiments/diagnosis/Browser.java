@@ -124,28 +124,31 @@ public record Browser(Path folder) {
     return ImageIO.read(png.toFile());
   }
 
+  /** The command that opens a page. */
+  public List<String> command(Path page, int width, boolean dark) throws IOException {
+    return List.of(
+        CHROMIUM.orElseThrow().toString(),
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--disable-quic",
+        "--no-first-run",
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
+        "--disable-dev-shm-usage",
+        "--hide-scrollbars",
+        "--enable-logging=stderr",
+        "--user-data-dir=" + Files.createTempDirectory(folder, "profile"),
+        "--window-size=" + width + ",800",
+        "--blink-settings=preferredColorScheme=" + (dark ? 0 : 1),
+        page.toUri().toString());
+  }
+
   /** Returns what Chromium prints on both streams. */
   private String chromium(Path page, int width, boolean dark, String... what)
       throws IOException, InterruptedException {
-    List<String> command = new ArrayList<>();
-    command.add(CHROMIUM.orElseThrow().toString());
-    command.addAll(
-        List.of(
-            "--headless",
-            "--no-sandbox",
-            "--disable-gpu",
-            "--disable-quic",
-            "--no-first-run",
-            "--disable-background-networking",
-            "--disable-component-update",
-            "--disable-sync",
-            "--disable-dev-shm-usage",
-            "--hide-scrollbars",
-            "--enable-logging=stderr",
-            "--user-data-dir=" + Files.createTempDirectory(folder, "profile"),
-            "--window-size=" + width + ",800",
-            "--blink-settings=preferredColorScheme=" + (dark ? 0 : 1),
-            page.toUri().toString()));
+    List<String> command = new ArrayList<>(command(page, width, dark));
     command.addAll(List.of(what));
     Path output = Files.createTempFile(folder, "output", ".txt");
     Process process =

@@ -129,6 +129,7 @@ class DiagnosisPageTest {
             "gain and absorption are at work, but a gap is left that no named effect accounts for:"
                 + " with them in the simulator"),
         page);
+    assertTrue(page.contains("; it then expects 51.50 cm from scatter alone."), page);
   }
 
   /** Rows without any obstacle, and a single one of them. */
