@@ -13,6 +13,7 @@
 
 #include "commands.h"
 #include "driver.h"
+#include "transmitter.h"
 
 namespace board {
 
@@ -249,6 +250,7 @@ void PtyUart::tick()
 {
     driver.poll();
     halt_if_ending();
+    wake_transmitter();
     read_bytes();
     keep_pace();
     ticker.start(tick_us);

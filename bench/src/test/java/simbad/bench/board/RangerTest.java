@@ -18,11 +18,14 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import simbad.bench.link.PortLink;
+import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.FrameLine;
 import simbad.bench.protocol.FrameLine.Answer;
 import simbad.bench.protocol.FrameLine.Identity;
 import simbad.bench.protocol.FrameLine.Ping;
 import simbad.bench.protocol.PingStatus;
+import simbad.bench.session.SteadyRanger;
 import simbad.sonar.format.DataFormatException;
 
 /** The real program, bit for bit as it is burnt into the chip, in gpsim. */
@@ -228,6 +231,28 @@ class RangerTest {
       ask(test, "f");
       test.serial.await(came -> has(came, 1));
     }
+  }
+
+  /**
+   * The line of an echo from 11 or 12 cm comes to the serial port when the last byte of the answer
+   * before it is leaving: some of them in the same microsecond.
+   */
+  @Test
+  void thesisModeOfNearEchoes_isNeverSilent() throws Exception {
+    List<String> disturbances = new ArrayList<>();
+    TestBoard.World world = new TestBoard.World(n -> at(0.11 + n % 2 * 0.01), timeS -> List.of());
+    BoardSetup setup = new BoardSetup(folder.resolve("tty"), 0);
+    try (Board board = Board.start(TestBoard.KIT, setup, world);
+        SteadyRanger ranger =
+            new SteadyRanger(
+                () -> PortLink.open(board.port()),
+                SteadyRanger.Terms.SIMULATED.in(FirmwareMode.THESIS),
+                disturbances::add)) {
+      for (int i = 0; i < 800; i++) {
+        assertEquals(PingStatus.ECHO, ranger.ping().status());
+      }
+    }
+    assertEquals(List.of(), disturbances);
   }
 
   /**
