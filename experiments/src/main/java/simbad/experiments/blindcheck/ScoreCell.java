@@ -31,10 +31,18 @@ final class ScoreCell {
   }
 
   private static String reached(Measure measure, Estimate found, double reach) {
-    boolean met = measure.isCost() ? found.value() <= reach : found.value() >= reach;
+    boolean met = meets(measure, found.value(), reach);
+    // An interval that holds what is to be reached leaves it open.
+    boolean sure =
+        met == meets(measure, found.low(), reach) && met == meets(measure, found.high(), reach);
     return (measure.isCost() ? "&le;&nbsp;" : "&ge;&nbsp;")
         + measure.text(reach)
-        + (met ? " <span class=\"met\">met</span>" : " <span class=\"missed\">missed</span>");
+        + (met ? " <span class=\"met\">met" : " <span class=\"missed\">missed")
+        + (sure ? "</span>" : "</span>, not surely");
+  }
+
+  private static boolean meets(Measure measure, double value, double reach) {
+    return measure.isCost() ? value <= reach : value >= reach;
   }
 
   private static String bar(Measure measure, Estimate found, OptionalDouble reach) {

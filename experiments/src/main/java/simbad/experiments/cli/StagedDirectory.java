@@ -2,10 +2,12 @@ package simbad.experiments.cli;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Comparator;
@@ -47,9 +49,17 @@ final class StagedDirectory implements AutoCloseable {
     if (parent == null || name == null) {
       throw new FileAlreadyExistsException(target.toString());
     }
-    Files.createDirectories(parent);
     Path staging = parent.resolve("." + name + ".unfinished-" + ProcessHandle.current().pid());
-    StagedDirectory staged = new StagedDirectory(absolute, Files.createDirectory(staging));
+    try {
+      Files.createDirectories(parent);
+      Files.createDirectory(staging);
+    } catch (AccessDeniedException e) {
+      throw new AccessDeniedException(target.toString());
+    } catch (NoSuchFileException e) {
+      // Folders of the system's own, such as those of its processes, are no place for files.
+      throw new FileSystemException(target.toString(), null, "no directory can be made there");
+    }
+    StagedDirectory staged = new StagedDirectory(absolute, staging);
     Runtime.getRuntime().addShutdownHook(staged.discardAtExit);
     return staged;
   }

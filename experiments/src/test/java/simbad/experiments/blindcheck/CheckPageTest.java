@@ -60,6 +60,22 @@ class CheckPageTest {
     assertFalse(PAGE.contains("withheld effect: called unexplained"), "of no case");
   }
 
+  /** 95 % are asked of single effects. */
+  @ParameterizedTest
+  @CsvSource({
+    "0.98, 0.96, 0.99, met</span><",
+    "0.96, 0.90, 0.98, 'met</span>, not surely<'",
+    "0.94, 0.90, 0.98, 'missed</span>, not surely<'",
+    "0.90, 0.85, 0.94, missed</span><"
+  })
+  void intervalThatHoldsTheReach_leavesItOpen(
+      double value, double low, double high, String expected) {
+    Measure singles = Measure.ALL.get(1);
+    String cell =
+        ScoreCell.of(singles, new CheckScores.Estimate(value, low, high, "1 of 2"), false);
+    assertTrue(cell.contains(expected), cell);
+  }
+
   private static String cells(String words) {
     String row = "<th scope=\"row\">" + words + "</th>";
     int from = PAGE.indexOf(row);

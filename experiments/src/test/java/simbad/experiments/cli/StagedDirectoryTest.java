@@ -8,12 +8,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 class StagedDirectoryTest {
@@ -66,6 +69,16 @@ class StagedDirectoryTest {
     Path file = Files.writeString(parent.resolve("file"), "");
     assertThrows(FileAlreadyExistsException.class, () -> StagedDirectory.beside(file));
     assertEquals(List.of("file", "out"), names());
+  }
+
+  /** The complaint names what was typed, not the directory beside it that nobody typed. */
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void placeThatTakesNoDirectory_isNamedAsTyped() {
+    Path target = Path.of("/proc/results");
+    FileSystemException refused =
+        assertThrows(FileSystemException.class, () -> StagedDirectory.beside(target));
+    assertEquals("/proc/results: no directory can be made there", refused.getMessage());
   }
 
   @Test
