@@ -52,7 +52,8 @@ public class DefaultKinematic extends KinematicModel {
   protected String toString(DecimalFormat format) {
     return "DefaultKinematic\ntranslational velocity: "
         + format.format(getTranslationalVelocity())
-        + "\nrotational velocity: "
-        + format.format(getRotationalVelocity());
+        + " m/s\nrotational velocity: "
+        + format.format(getRotationalVelocity())
+        + " rad/s";
   }
 }

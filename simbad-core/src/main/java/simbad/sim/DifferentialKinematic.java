@@ -39,8 +39,9 @@ public class DifferentialKinematic extends KinematicModel {
   protected String toString(DecimalFormat format) {
     return "DifferentialKinematic\nleft velocity: "
         + format.format(getLeftVelocity())
-        + "\nright velocity: "
-        + format.format(getRightVelocity());
+        + " m/s\nright velocity: "
+        + format.format(getRightVelocity())
+        + " m/s";
   }
 
   /** Sets the left wheel's velocity over ground, metres per second. */

@@ -163,7 +163,8 @@ class SteppingThreadTest {
           "y:         0.250 m",
           "heading:   0.000 degrees",
           "odometer:  0.025 m",
-          "translational velocity: 0.500"
+          "translational velocity: 0.500 m/s",
+          "rotational velocity: 0.000 rad/s"
         }) {
       assertTrue(text.lines().anyMatch(line::equals), line + " in\n" + text);
     }

@@ -18,7 +18,7 @@ final class Rhythm {
     this.log = log;
   }
 
-  /** Returns the steps that fit best, best first; also their small multiples and parts. */
+  /** Returns the steps that fit best, best first, then lengths that people choose. */
   List<Double> steps() {
     List<double[]> beats = new ArrayList<>();
     for (double step = LEAST_M; step < GREATEST_M; step *= RATIO) {

@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
@@ -94,6 +96,16 @@ class ScreenTest {
     assertEquals("post", found.hypothesis().forms().get(0).name());
     assertEquals(0.913, found.hypothesis().values()[0], 0.004);
     assertEquals(-0.627, found.hypothesis().values()[1], 0.004);
+  }
+
+  /** The centres of steps are odd multiples of half a step, which keeps their beat as well. */
+  @ParameterizedTest
+  @CsvSource({"start, 0.061", "centre, 0.046", "nearest, 0.073"})
+  void stepsOfNoRoundLength_areFound(String reported, double stepM) {
+    Hypothesis truth = Worlds.effect(Effect.COARSE_RESOLUTION, reported, stepM);
+    Fit found = screened(Worlds.POST, truth, Worlds.poses(800, 0.3, 1.6, 35));
+    assertEquals(reported, found.hypothesis().forms().get(0).name());
+    assertEquals(stepM, found.hypothesis().values()[0], 5e-4);
   }
 
   /** Whatever is strange lies nearer than any round of a walk is long. */
