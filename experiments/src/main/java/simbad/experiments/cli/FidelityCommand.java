@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.fidelity.FidelityLimits;
@@ -16,11 +17,8 @@ import simbad.experiments.run.Experiment;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.RunSettings;
 import simbad.experiments.run.SensorKind;
-import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
-import simbad.sonar.format.SensorFile;
-import simbad.sonar.scene.SonarSpec;
 
 /** {@code simbad fidelity}: the thesis's test of a sensor model. */
 @Command(
@@ -49,17 +47,7 @@ final class FidelityCommand extends Subcommand {
       description = "As in simbad run. Default: ${DEFAULT-VALUE}.")
   private String sensor = "shadow";
 
-  @Option(
-      names = "--sensor-file",
-      paramLabel = "FILE",
-      description = "Figures of the sonar. Default: data/sensors/srf04.json.")
-  private @Nullable Path sensorFile;
-
-  @Option(
-      names = "--speed",
-      paramLabel = "M_PER_S",
-      description = "Of the robot. Default: ${DEFAULT-VALUE}.")
-  private double speedMPerS = RunSettings.THESIS_SPEED_M_PER_S;
+  @Mixin private DriveOptions drive = new DriveOptions();
 
   @Option(
       names = "--out",
@@ -85,17 +73,13 @@ final class FidelityCommand extends Subcommand {
       out().println(result.type().name() + ", " + result.sensor().word() + ": " + verdict);
       out().println("  " + FidelityVerdict.figures(result));
     }
+    if (out != null) {
+      out().println("written to " + out + " (open " + out.resolve("report.html") + ")");
+    }
   }
 
   private RunSettings settings() throws DataFormatException {
-    if (!(speedMPerS > 0 && speedMPerS <= RunSettings.GREATEST_SPEED_M_PER_S)) {
-      throw wrongUsage(
-          "--speed: "
-              + speedMPerS
-              + " is not in (0, "
-              + RunSettings.GREATEST_SPEED_M_PER_S
-              + "] m/s");
-    }
+    double speedMPerS = drive.speedMPerS(this);
     SensorKind kind =
         SensorArgument.parse(sensor)
             .orElseThrow(() -> wrongUsage("--sensor: " + SensorArgument.unknown(sensor)));
@@ -103,7 +87,6 @@ final class FidelityCommand extends Subcommand {
     for (String obstacle : obstacles) {
       types.add(ObstacleArgument.parse(obstacle));
     }
-    SonarSpec sonar = sensorFile == null ? Catalogue.srf04() : SensorFile.read(sensorFile);
-    return new RunSettings(types, List.of(kind), sonar, speedMPerS, Optional.empty(), 1);
+    return new RunSettings(types, List.of(kind), drive.sonar(), speedMPerS, Optional.empty(), 1);
   }
 }

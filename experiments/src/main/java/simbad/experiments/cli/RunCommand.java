@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.report.RunFiles;
@@ -21,12 +22,9 @@ import simbad.experiments.run.Experiment;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.RunSettings;
 import simbad.experiments.run.SensorKind;
-import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
-import simbad.sonar.format.SensorFile;
 import simbad.sonar.frame.Point;
-import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.shape.ThresholdTable;
 
 /** {@code simbad run}: the main job. */
@@ -62,17 +60,7 @@ final class RunCommand extends Subcommand {
               + " Default: original,shadow.")
   private List<String> sensors = List.of("original", "shadow");
 
-  @Option(
-      names = "--sensor-file",
-      paramLabel = "FILE",
-      description = "Figures of the sonar. Default: data/sensors/srf04.json.")
-  private @Nullable Path sensorFile;
-
-  @Option(
-      names = "--speed",
-      paramLabel = "M_PER_S",
-      description = "Of the robot. Default: ${DEFAULT-VALUE}.")
-  private double speedMPerS = RunSettings.THESIS_SPEED_M_PER_S;
+  @Mixin private DriveOptions drive = new DriveOptions();
 
   @Option(
       names = "--start",
@@ -143,18 +131,10 @@ final class RunCommand extends Subcommand {
   }
 
   private RunSettings settings() throws DataFormatException {
-    if (!(speedMPerS > 0 && speedMPerS <= RunSettings.GREATEST_SPEED_M_PER_S)) {
-      throw wrongUsage(
-          "--speed: "
-              + speedMPerS
-              + " is not in (0, "
-              + RunSettings.GREATEST_SPEED_M_PER_S
-              + "] m/s");
-    }
+    double speedMPerS = drive.speedMPerS(this);
     List<SensorKind> kinds = kinds();
     Optional<Point> place = start == null ? Optional.empty() : Optional.of(point(start));
-    SonarSpec sonar = sensorFile == null ? Catalogue.srf04() : SensorFile.read(sensorFile);
-    return new RunSettings(types(), kinds, sonar, speedMPerS, place, seed);
+    return new RunSettings(types(), kinds, drive.sonar(), speedMPerS, place, seed);
   }
 
   private List<SensorKind> kinds() throws DataFormatException {

@@ -27,11 +27,13 @@ class FidelityCommandTest {
             .matches(
                 "round, shadow: faithful\n"
                     + "  agrees at (100|99\\.\\d+).* of the poses; radial error \\d\\.\\d\\d cm in the mean;"
-                    + " 0\\.\\d\\d cm beside the edge in the mean; 0 bearings not reached\n"),
+                    + " 0\\.\\d\\d cm beside the edge in the mean; 0 bearings not reached\n"
+                    + "written to .*out \\(open .*report.html\\)\n"),
         shell.out());
     assertTrue(Files.exists(out.resolve("round/map.csv")));
     assertTrue(Files.exists(out.resolve("round/trace.csv")));
     assertTrue(Files.exists(out.resolve("errors.json")));
+    assertTrue(Files.exists(out.resolve("report.html")));
   }
 
   @Test
