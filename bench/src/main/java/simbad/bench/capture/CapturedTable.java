@@ -81,7 +81,7 @@ public record CapturedTable(TableDocument document, List<ThresholdFit> fits) {
     header.put("object", settings.of("obstacle"));
     header.put("sensor", settings.of("sensor"));
     header.put("provenance", Provenance.CAPTURED.word());
-    header.put("source", "journal sha256 " + text.sha256());
+    header.put("source", simulation(settings) + "journal sha256 " + text.sha256());
     header.put("date", settings.of("date"));
     header.put("unit", "m");
     header.put("resolution", Double.toString(plan.stepM()));
@@ -93,6 +93,12 @@ public record CapturedTable(TableDocument document, List<ThresholdFit> fits) {
     header.put("captured with", settings.of("version"));
     header.values().removeIf(String::isEmpty);
     return header;
+  }
+
+  /** Said wherever the table is shown: nobody shall take it for a real sensor's. */
+  private static String simulation(CaptureSettings settings) {
+    String model = settings.of("model");
+    return model.isEmpty() ? "" : "simulated board, " + model + " model; ";
   }
 
   /**

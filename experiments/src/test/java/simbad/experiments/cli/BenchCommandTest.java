@@ -88,6 +88,7 @@ class BenchCommandTest {
                 .split(" ")));
     checkTable("thesis", 3);
     String table = Files.readString(folder.resolve("thesis-now.csv"));
+    assertTrue(table.contains("# source: simulated board, shadow model; journal sha256 "), table);
     assertTrue(table.contains("# clock: 118.0 us a step, taken in its middle\n"), table);
     try (Stream<String> rows = Files.lines(folder.resolve("thesis/journal.txt"))) {
       assertTrue(
