@@ -33,6 +33,7 @@ import simbad.gap.place.Places;
 import simbad.gap.place.Undetectables;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Parameter;
 import simbad.sonar.effect.PingLog;
 
 /** Diagnoses data sets. Deterministic: the same data set and seed give the same diagnosis. */
@@ -243,10 +244,7 @@ public final class Diagnoser {
       Map<Effect, Double> probability = new EnumMap<>(Effect.class);
       probabilities.ofEffects().forEach((effect, p) -> probability.put(effect, stated(p)));
       Hypothesis best = probabilities.best().hypothesis();
-      double[] deviations =
-          best.hasTable()
-              ? infinite(best.size())
-              : new Uncertainty(evidence, clumping).deviations(best);
+      double[] deviations = new Uncertainty(evidence, clumping).deviations(best);
       List<EffectFinding> findings = new ArrayList<>();
       for (Effect effect : Effect.values()) {
         findings.add(
@@ -310,12 +308,15 @@ public final class Diagnoser {
     private static List<FittedParameter> fitted(Form form, double[] values, double[] deviations) {
       List<FittedParameter> parameters = new ArrayList<>();
       for (int i = 0; i < values.length; i++) {
+        Parameter parameter = form.parameters().get(i);
         double half = NORMAL_95 * deviations[i];
-        parameters.add(
-            new FittedParameter(
-                form.parameters().get(i).name(),
-                values[i],
-                new Interval(values[i] - half, values[i] + half)));
+        // No further than the values that there are; beyond all bounds stays beyond.
+        Interval ci95 =
+            Double.isInfinite(half)
+                ? new Interval(-half, half)
+                : new Interval(
+                    parameter.clamp(values[i] - half), parameter.clamp(values[i] + half));
+        parameters.add(new FittedParameter(parameter.name(), values[i], ci95));
       }
       return parameters;
     }

@@ -1,20 +1,27 @@
 package simbad.gap.explain;
 
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
-import org.hipparchus.exception.MathRuntimeException;
+import java.util.stream.IntStream;
 import org.hipparchus.linear.Array2DRowRealMatrix;
-import org.hipparchus.linear.LUDecomposition;
-import org.hipparchus.linear.RealMatrix;
+import org.hipparchus.linear.EigenDecompositionSymmetric;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Parameter;
 
 /** How well a log bounds fitted values: from the curvature of the likelihood at the fit. */
 public final class Uncertainty {
   private static final double DROP_NATS = 0.5;
   private static final int HALVINGS = 12;
+
+  /** What a step changes by less than this, it does not change. */
+  private static final double FLAT_NATS = 1e-3;
+
+  private static final double APART = 0.05;
 
   private final Fitter fitter;
   private final double clumping;
@@ -26,25 +33,40 @@ public final class Uncertainty {
   }
 
   /**
-   * Returns the standard deviation of each value; infinite where the log does not bound it.
+   * Returns the standard deviation of each value; infinite where the log does not bound it. The
+   * values of a table are held as they are while the others vary, and their own are infinite.
    *
    * @param fit whose values fit best
    */
   public double[] deviations(Hypothesis fit) {
-    int size = fit.size();
-    double[] step = new double[size];
+    int[] free = withoutTables(fit);
     double here = fitter.logLikelihood(fit);
-    for (int i = 0; i < size; i++) {
+    double[] step = new double[fit.size()];
+    for (int i : free) {
       step[i] = step(fit, i, here);
     }
-    double[][] curve = new double[size][size];
-    for (int i = 0; i < size; i++) {
+    double[][] curve = new double[free.length][free.length];
+    for (int i = 0; i < free.length; i++) {
       for (int j = 0; j <= i; j++) {
-        curve[i][j] = -curvature(fit, step, here, i, j);
+        curve[i][j] = -curvature(fit, step, here, free[i], free[j]);
         curve[j][i] = curve[i][j];
       }
     }
-    return inverted(curve, step);
+    double[] steps = inSteps(curve);
+    double[] deviations = new double[fit.size()];
+    Arrays.fill(deviations, Double.POSITIVE_INFINITY);
+    for (int i = 0; i < free.length; i++) {
+      deviations[free[i]] = step[free[i]] * steps[i];
+    }
+    return deviations;
+  }
+
+  private static int[] withoutTables(Hypothesis fit) {
+    List<Form> ofValues =
+        fit.forms().stream()
+            .flatMap(form -> Collections.nCopies(form.parameters().size(), form).stream())
+            .toList();
+    return IntStream.range(0, fit.size()).filter(i -> !ofValues.get(i).isTable()).toArray();
   }
 
   /** Such a step that the likelihood falls by about half a nat. */
@@ -94,19 +116,29 @@ public final class Uncertainty {
     return fit.with(values);
   }
 
-  /** In units of the steps, in which all are alike. */
-  private double[] inverted(double[][] curve, double[] step) {
-    double[] deviations = new double[step.length];
-    RealMatrix inverse;
-    try {
-      inverse = new LUDecomposition(new Array2DRowRealMatrix(curve)).getSolver().getInverse();
-    } catch (MathRuntimeException singular) {
-      java.util.Arrays.fill(deviations, Double.POSITIVE_INFINITY);
+  /**
+   * The deviations in units of the steps, in which all are alike. A direction in which the
+   * likelihood does not fall leaves only those values unbounded that have a part in it.
+   */
+  private double[] inSteps(double[][] curve) {
+    double[] deviations = new double[curve.length];
+    if (curve.length == 0) {
       return deviations;
     }
+    EigenDecompositionSymmetric axes =
+        new EigenDecompositionSymmetric(new Array2DRowRealMatrix(curve));
     for (int i = 0; i < deviations.length; i++) {
-      double variance = inverse.getEntry(i, i) * clumping;
-      deviations[i] = variance > 0 ? step[i] * Math.sqrt(variance) : Double.POSITIVE_INFINITY;
+      double variance = 0;
+      for (int axis = 0; axis < deviations.length; axis++) {
+        double part = axes.getEigenvector(axis).getEntry(i);
+        double fall = axes.getEigenvalue(axis);
+        if (fall > FLAT_NATS) {
+          variance += part * part / fall;
+        } else if (Math.abs(part) > APART) {
+          variance = Double.POSITIVE_INFINITY;
+        }
+      }
+      deviations[i] = Math.sqrt(variance * clumping);
     }
     return deviations;
   }
