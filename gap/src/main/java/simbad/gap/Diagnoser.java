@@ -47,10 +47,7 @@ public final class Diagnoser {
   private static final double TIE_NATS = 3;
 
   /** Of the effects named in logs that were checked, so many were there (docs/method/gap.md). */
-  private static final double NAMED_RIGHTLY = 0.96;
-
-  /** Beside something that has no name, so many of those named only stood in for it. */
-  private static final double STAND_IN = 0.75;
+  private static final double NAMED_RIGHTLY = 0.985;
 
   private static final double NORMAL_95 = 1.96;
 
@@ -256,9 +253,9 @@ public final class Diagnoser {
       return findings;
     }
 
-    /** That it is at work, when what has no name may be at work in its place. */
+    /** That it is at work: beside what has no name, those named nearly all only stand in for it. */
     private double stated(double amongTheNamed) {
-      return NAMED_RIGHTLY * (1 - STAND_IN * unknown) * amongTheNamed;
+      return NAMED_RIGHTLY * (1 - unknown) * amongTheNamed;
     }
 
     private static double[] infinite(int size) {
