@@ -31,14 +31,19 @@ public final class Unknown {
   /** By chance the mean of the five greatest misfits reaches this. */
   private static final double CHANCE = 3;
 
-  // A logistic regression over 375 development worlds (docs/method/gap.md).
-  private static final double BASE = -4.4;
+  // A logistic regression over development worlds (docs/method/gap.md).
+  private static final double BASE = -4.8;
   private static final double PER_MISFIT = 2.2;
   private static final double SOAKING = 0.75;
   private static final double PER_LEFT = 1.75;
   private static final double PER_SHARE_LEFT = 1;
   private static final double THIRD = 1;
   private static final double LITTLE = -0.5;
+
+  /** Two effects that take away less than this share of the gap stand for something else. */
+  private static final double WORTH_TWO = 0.2;
+
+  private static final double TWO_FOR_LITTLE = 2.5;
 
   /** What hangs on no place takes up a little of anything. */
   private static final Set<Effect> SOAK =
@@ -90,7 +95,7 @@ public final class Unknown {
     double off = misfit.top(TOP, calibration.clumping(), calibration.rangeClumping());
     double logit = BASE + PER_MISFIT * Math.max(0, off - CHANCE) + left(gain);
     if (best.size() > 0) {
-      logit += named(best) + PER_SHARE_LEFT * Math.min(1, 1 - gain.shrinkage());
+      logit += named(best, gain.shrinkage());
     }
     Scene scene = evidence.setup().scene();
     if (best.changes().stream().anyMatch(change -> isStandIn(change, scene))) {
@@ -108,10 +113,16 @@ public final class Unknown {
     return over + (gain.afterM() - expected < little ? LITTLE : 0);
   }
 
-  /** By what was named: three effects at once are rarer than one thing that has no name. */
-  private static double named(Hypothesis best) {
+  /**
+   * By what was named and what it takes away: three effects at once are rarer than one thing that
+   * has no name.
+   */
+  static double named(Hypothesis best, double shrinkage) {
     boolean soaks = best.effects().stream().anyMatch(SOAK::contains);
-    return (soaks ? SOAKING : 0) + (best.forms().size() > 2 ? THIRD : 0);
+    return (soaks ? SOAKING : 0)
+        + (best.forms().size() > 2 ? THIRD : 0)
+        + (best.forms().size() > 1 && shrinkage < WORTH_TWO ? TWO_FOR_LITTLE : 0)
+        + PER_SHARE_LEFT * Math.min(1, 1 - shrinkage);
   }
 
   /** Bursts longer than there are, or an object where a known one stands. */
