@@ -160,10 +160,13 @@ final class Typist implements AutoCloseable {
     }
   }
 
+  /** Ends the browser with all its processes: one that is left still writes into the folder. */
   @Override
   public void close() {
+    List<ProcessHandle> all = new ArrayList<>(chromium.descendants().toList());
+    all.add(chromium.toHandle());
     socket.abort();
-    chromium.destroyForcibly();
-    chromium.onExit().join();
+    all.forEach(ProcessHandle::destroyForcibly);
+    all.forEach(process -> process.onExit().join());
   }
 }
