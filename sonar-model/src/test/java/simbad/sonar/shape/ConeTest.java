@@ -54,6 +54,18 @@ class ConeTest {
     check(1.5 / cos(Math.abs(heading) - half), AHEAD, heading, half);
   }
 
+  /**
+   * The edge's direction is the border's, to the last bit; what meets the border is another edge.
+   */
+  @Test
+  void edge_besideTheBorder_hasNoPointOnIt() {
+    double half = Math.toRadians(27.5);
+    double c = Math.cos(half);
+    double s = Math.sin(half);
+    Outline beside = Shapes.outline(1, 2, 1 + c, 2 + s, 1, 5);
+    assertEquals(NONE, new Cone(half).nearestM(beside, 0, 0, 1, 0));
+  }
+
   @Test
   void nothing_isInTheCone() {
     check(NONE, AHEAD, 47, 27.5);

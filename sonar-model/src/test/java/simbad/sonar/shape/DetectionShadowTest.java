@@ -64,6 +64,19 @@ class DetectionShadowTest {
     assertSame(table, new DetectionShadow(table).table());
   }
 
+  /** The first triangle of each cell is of the floor, the second of the ceiling. */
+  @Test
+  void triangles_standOnTheFloor() {
+    double[] prism = new DetectionShadow(ThresholdTable.uniform(4, 2)).triangles(HEIGHT);
+    int cell = prism.length / 4;
+    for (int from = 0; from < prism.length; from += cell) {
+      for (int vertex = 0; vertex < 3; vertex++) {
+        assertEquals(0, prism[from + 3 * vertex + 1]);
+        assertEquals(HEIGHT, prism[from + 9 + 3 * vertex + 1]);
+      }
+    }
+  }
+
   /**
    * Floor and ceiling have the polygon's area, n triangles of T(i) T(i+1) sin(360/n) / 2 each; the
    * wall has the edge's length times the height.

@@ -32,6 +32,16 @@ class OutlineTest {
     assertEquals(reach, SQUARE.reachM(x, z), 1e-12);
   }
 
+  /** Corners from (1, 1) to (4, 5); the sense decides the sign, the place nothing. */
+  @Test
+  void reachAndArea_ofATriangleBesideTheOrigin() {
+    Outline triangle = Shapes.outline(1, 1, 4, 1, 4, 5);
+    assertEquals(5, triangle.reachM(1, 1), 1e-15);
+    assertEquals(Math.sqrt(41), triangle.reachM(0, 0), 1e-15);
+    assertEquals(6, Math.abs(triangle.signedAreaM2()), 1e-12);
+    assertEquals(-triangle.signedAreaM2(), Shapes.mirrored(triangle).signedAreaM2(), 1e-12);
+  }
+
   @Seeded
   void distance_agreesWithDensePoints(@ForAll Random random) {
     Outline outline = Shapes.any(random, 1);
