@@ -1,9 +1,12 @@
 package simbad.experiments.blindcheck;
 
+import simbad.experiments.markup.Markup;
+
 /** What the page's style sheet adds to that of a diagnosis. */
 final class CheckStyle {
   static final String SHEET =
-      """
+      Markup.PLOT_STYLE
+          + """
       h3.part { margin: 1.2rem 0 .3rem; }
       .scores { width: 100%; } .scores th[scope=row] { font-weight: 400; min-width: 13rem; }
       .scores td { white-space: nowrap; } .scores .track { position: relative; height: 6px; min-width: 9rem;
@@ -13,7 +16,7 @@ final class CheckStyle {
       .scores .dot { width: 6px; margin-left: -3px; border-radius: 3px; background: var(--after); }
       .scores .track .reach { width: 2px; margin-left: -1px; top: -3px; height: 12px; background: var(--ink); }
       .met { color: var(--after); } .missed { color: var(--alarm); font-weight: 600; }
-      figure img { display: block; width: 100%; max-width: 400px; height: auto; margin: 0 auto; background: #fff; }
+      figure img { display: block; width: 100%; max-width: 400px; height: auto; margin: 0 auto; }
       .columns { columns: 20rem; } .columns div { break-inside: avoid; }
       .confusion caption { text-align: left; color: var(--soft); padding-bottom: .3rem; }
       .confusion thead th { vertical-align: bottom; font-weight: 400; }

@@ -36,12 +36,15 @@ final class ReportPage {
       th, td { padding: .25rem .5rem; border-bottom: 1px solid #8886; text-align: right; }
       th:first-child, td:first-child, th:nth-child(2), td:nth-child(2) { text-align: left; }
       figure { margin: 1rem 0; }
-      figure img { max-width: 100%; height: auto; background: #fff; }
+      figure img { max-width: 100%; height: auto; }
       figcaption { max-width: 46rem; }
       .scroll { overflow-x: auto; }
       code, li { overflow-wrap: anywhere; }
       .maps { display: grid; grid-template-columns: repeat(auto-fit, minmax(18rem, 1fr)); gap: 1rem; }
       .note { border-left: 4px solid #d55e00; padding-left: .8rem; }
+      """
+          + Markup.PLOT_STYLE
+          + """
       </style>
       </head>
       <body>

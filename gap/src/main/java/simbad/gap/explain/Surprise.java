@@ -1,5 +1,6 @@
 package simbad.gap.explain;
 
+import org.hipparchus.special.Erf;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.DiagnosedModel;
@@ -48,7 +49,8 @@ public final class Surprise {
     }
     double share = (expectation.below()[i] + expectation.reading()[i] * place(i)) / echo;
     double level = Math.max(1e-7, Math.min(1 - 1e-7, share));
-    return Math.max(-FARTHEST, Math.min(FARTHEST, NormalQuantile.of(level)));
+    double quantile = -Math.sqrt(2) * Erf.erfcInv(2 * level);
+    return Math.max(-FARTHEST, Math.min(FARTHEST, quantile));
   }
 
   /** Even in (0, 1), the same for the same ping at any time: a multiplicative hash of its index. */

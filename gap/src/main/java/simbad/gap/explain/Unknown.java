@@ -1,6 +1,6 @@
 package simbad.gap.explain;
 
-import java.util.List;
+import java.util.Arrays;
 import java.util.Set;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
@@ -142,11 +142,6 @@ public final class Unknown {
   }
 
   private static double mean(double[] values) {
-    return java.util.Arrays.stream(values).average().orElse(0);
-  }
-
-  /** Returns the slices that are most off, for the report. */
-  public static List<Misfit.Slice> worst(Misfit misfit) {
-    return misfit.slices().stream().limit(TOP).toList();
+    return Arrays.stream(values).average().orElse(0);
   }
 }

@@ -39,7 +39,6 @@ public class Fitter {
           return size() > REMEMBERED;
         }
       };
-  private int evaluations;
 
   /**
    * Creates a fitter.
@@ -53,14 +52,8 @@ public class Fitter {
     row = new double[evidence.log().size()];
   }
 
-  /** Returns how many times a likelihood was computed. */
-  public int evaluations() {
-    return evaluations;
-  }
-
   /** Returns the log likelihood of the pings that count. */
   public double logLikelihood(Hypothesis hypothesis) {
-    evaluations++;
     DiagnosedModel model = evidence.model(hypothesis);
     evidence.logLikelihood(model, geometry(model), row);
     double sum = 0;

@@ -1,6 +1,5 @@
 package simbad.sonar.effect;
 
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -210,10 +209,5 @@ public final class PingLog {
       return 0;
     }
     return Math.hypot(xM[to] - xM[from], zM[to] - zM[from]) / (timeS[to] - timeS[from]);
-  }
-
-  /** Returns the pings of some rows as a log of its own; sequences are cut, not joined. */
-  public static PingLog of(List<ReadingRow> rows) {
-    return new PingLog(new ArrayList<>(rows));
   }
 }

@@ -60,7 +60,7 @@ public final class NominalModel {
     double zM = pose.position().zM();
     TransducerPose from = new TransducerPose().aim(xM, zM, pose.heading().radians());
     PlacedObstacle placed = obstacles[obstacle];
-    double nearest = placed.nearestM(cone, from, Double.POSITIVE_INFINITY);
+    double nearest = placed.nearestM(cone, from);
     double distance = placed.centreDistanceM(xM, zM);
     double bearing = placed.bearingRad(xM, zM);
     double threshold = placed.detection().thresholdM(bearing);
@@ -82,7 +82,7 @@ public final class NominalModel {
    */
   public void trace(int obstacle, TransducerPose from, SightLine into) {
     PlacedObstacle placed = obstacles[obstacle];
-    double nearest = placed.nearestM(cone, from, Double.POSITIVE_INFINITY);
+    double nearest = placed.nearestM(cone, from);
     double distance = placed.centreDistanceM(from.xM, from.zM);
     if (nearest == Double.POSITIVE_INFINITY) {
       into.set(nearest, distance, 0, 0);

@@ -73,17 +73,14 @@ final class PlacedObstacle {
     return worldOutline.distanceM(xM, zM);
   }
 
-  /** The nearest point of the outline in the cone, infinity when there is none within a limit. */
-  double nearestM(Cone cone, TransducerPose from, double limitM) {
-    if (centreDistanceM(from.xM, from.zM) - reachM > limitM
-        || cone.misses(from.alongM(xM(), zM()), from.acrossM(xM(), zM()), reachM)) {
-      return Double.POSITIVE_INFINITY;
-    }
-    double nearest = inConeM(cone, from);
-    return nearest <= limitM ? nearest : Double.POSITIVE_INFINITY;
+  /** The nearest point of the outline in the cone; infinity when there is none. */
+  double nearestM(Cone cone, TransducerPose from) {
+    return cone.misses(from.alongM(xM(), zM()), from.acrossM(xM(), zM()), reachM)
+        ? Double.POSITIVE_INFINITY
+        : inConeM(cone, from);
   }
 
-  /** The nearest point of the outline in the cone, however far; infinity when there is none. */
+  /** The same, for one that is known to be near the cone. */
   double inConeM(Cone cone, TransducerPose from) {
     return cone.nearestM(worldOutline, from.xM, from.zM, from.directionX, from.directionZ);
   }

@@ -95,7 +95,7 @@ class SequenceTest {
 
   @Test
   void emptyLog() {
-    PingLog log = PingLog.of(List.of());
+    PingLog log = new PingLog(List.of());
     assertEquals(0, log.size());
     assertTrue(
         new DiagnosedModel(SETUP, List.of())

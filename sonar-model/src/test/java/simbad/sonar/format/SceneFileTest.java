@@ -80,6 +80,10 @@ class SceneFileTest {
         "\"turn_deg\": 0 | \"turn_deg\": true | 31: obstacles.1.turn_deg | true is not",
         "[1, 1], [-1, 1], [0, -1] | [1, 1], [-1, 1] | 32: obstacles.1.outline_m | 2 points",
         "[1, 1], [-1, 1], [0, -1] | [1, 1], [1, 1], [1, 1] | 32: obstacles.1.outline_m | all lie",
+        "[1, 1], [-1, 1], [0, -1] | [0, 0], [1, 1], [1, 0], [0, 1] | 32: obstacles.1.outline_m "
+            + "| the outline crosses itself: its edges from corner 1 and from corner 3",
+        "[1, 1], [-1, 1], [0, -1] | [9, 9], [-9, 9], [0, -9] | 32: obstacles.1.outline_m "
+            + "| overlaps obstacle post",
         "[1, 1], [-1, 1] | [1, 1], [-1] | 32: obstacles.1.outline_m.1 | [-1] is not a point [x, z]",
         "[1, 1], [-1, 1] | [1, 1], [-1, 1, 2] | 32: obstacles.1.outline_m.1 | [-1,1,2] is not a point",
         "[1, 1], [-1, 1] | [1, 1], [-1, \"1\"] | 32: obstacles.1.outline_m.1.1 | \"1\" is not",

@@ -39,8 +39,15 @@ class SensorFileTest {
 
   @ParameterizedTest
   @CsvSource({
-    "cone_half_angle_deg, 180", "min_range_m, 0", "resolution_m, 0", "range_noise_m, 0",
-    "miss_rate, 0", "miss_rate, 1", "edge_width_m, 0", "mount_height_m, 0"
+    "cone_half_angle_deg, 180",
+    "min_range_m, 0",
+    "resolution_m, 0",
+    "range_noise_m, 0",
+    "miss_rate, 0",
+    "miss_rate, 1",
+    "edge_width_m, 0",
+    "mount_height_m, 0",
+    "max_range_m, 1e6"
   })
   void figure_atTheEndOfItsDomain_isTaken(String field, String value) throws Exception {
     assertEquals("srf04", SensorFile.read(with(field, value)).name());
