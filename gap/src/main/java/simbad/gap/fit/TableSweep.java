@@ -1,6 +1,7 @@
 package simbad.gap.fit;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import simbad.sonar.effect.Geometry;
 import simbad.sonar.shape.ThresholdTable;
@@ -18,6 +19,21 @@ final class TableSweep {
   /** Against needless zigzag, nats for each metre that a value stands off its neighbours. */
   private static final double HOLD = 1.2;
 
+  /**
+   * The same for the logarithm of their ratio, against a hole or a spike on the word of one ping:
+   * near the obstacle a metre counts for little.
+   */
+  private static final double RATIO_HOLD = 1;
+
+  /** Of smaller thresholds a ratio says nothing, metres. */
+  private static final double NEAR_M = 0.02;
+
+  /**
+   * In the body of any obstacle, metres. A value of 0 would silence the bearings on both sides as
+   * well, whatever their own is, so that neither of two neighbours at 0 could leave it alone.
+   */
+  private static final double LEAST_M = 0.005;
+
   private final Clues clues;
   private final Hearing hearing;
   private final int obstacle;
@@ -32,6 +48,7 @@ final class TableSweep {
 
   void improve(double[] table, double greatestM) {
     List<List<Integer>> cells = cells(table.length);
+    Arrays.setAll(table, i -> Math.max(LEAST_M, table[i]));
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
       for (int i = 0; i < table.length; i++) {
         improve(table, i, greatestM, cells);
@@ -59,7 +76,7 @@ final class TableSweep {
     double bestValue = start;
     double best = merit(table, before, i, cells);
     for (double move : MOVES_M) {
-      table[i] = Math.max(0, Math.min(greatestM + 0.5, start + move));
+      table[i] = Math.max(LEAST_M, Math.min(greatestM + 0.5, start + move));
       double merit = merit(table, before, i, cells);
       if (merit > best) {
         best = merit;
@@ -72,10 +89,15 @@ final class TableSweep {
   private double merit(double[] table, int before, int at, List<List<Integer>> cells) {
     ThresholdTable thresholds = ThresholdTable.of(table);
     int after = (at + 1) % table.length;
-    double away = Math.abs(table[at] - table[before]) + Math.abs(table[at] - table[after]);
     return likelihood(thresholds, cells.get(before))
         + likelihood(thresholds, cells.get(at))
-        - HOLD * away;
+        - zigzag(table[at], table[before])
+        - zigzag(table[at], table[after]);
+  }
+
+  private static double zigzag(double oneM, double otherM) {
+    return HOLD * Math.abs(oneM - otherM)
+        + RATIO_HOLD * Math.abs(Math.log((oneM + NEAR_M) / (otherM + NEAR_M)));
   }
 
   private double likelihood(ThresholdTable thresholds, List<Integer> pings) {
