@@ -61,12 +61,16 @@ final class GenerateCommand {
     if (mix.getOrDefault(Kind.WITHHELD, 0.0) > 0 && withheld.isEmpty()) {
       throw new FormatException("--mix: withheld cases, expected --withheld with their effects");
     }
+    List<String> effects = effects(options.text("--effects").orElse(""));
+    if (!effects.isEmpty()) {
+      checkChoice(effects, mix);
+    }
     return new Order(
         (int) options.number("--cases", 40, 1, 100_000),
         options.whole("--seed", 1),
         mix,
         options.number("--reference", 0, 0, 1),
-        effects(options.text("--effects").orElse("")),
+        effects,
         withheld,
         rows(options.text("--rows").orElse("2000-4500")),
         (int) options.number("--repeats", 400, 40, 100_000));
@@ -104,6 +108,27 @@ final class GenerateCommand {
       throw new FormatException("--effects: no such effect: " + String.join(", ", strange));
     }
     return names;
+  }
+
+  /** Every kind of the mix needs names to choose from. */
+  private static void checkChoice(List<String> effects, Map<Kind, Double> mix)
+      throws FormatException {
+    List<String> inside = effects.stream().filter(Vocabulary::contains).toList();
+    boolean pairs = mix.getOrDefault(Kind.PAIR, 0.0) > 0;
+    if (inside.isEmpty() && (pairs || mix.getOrDefault(Kind.SINGLE, 0.0) > 0)) {
+      throw new FormatException(
+          "--effects: none is of the vocabulary, expected one for --mix's single and pair");
+    }
+    if (inside.size() == effects.size() && mix.getOrDefault(Kind.UNKNOWN, 0.0) > 0) {
+      throw new FormatException(
+          "--effects: all are of the vocabulary, expected one outside it for --mix's unknown");
+    }
+    for (String one : inside) {
+      if (pairs && inside.stream().noneMatch(other -> Vocabulary.isFairPair(one, other))) {
+        throw new FormatException(
+            "--effects: " + one + " makes a fair pair with none of them, which --mix's pair needs");
+      }
+    }
   }
 
   private static List<String> withheld(String text) throws FormatException {

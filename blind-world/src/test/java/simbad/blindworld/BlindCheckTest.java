@@ -384,11 +384,18 @@ class BlindCheckTest {
     check("expected a weight above 0", "generate", "--mix", "none:0", "--out", "x");
     check("--effects: no such effect: magic", "generate", "--effects", "magic", "--out", "x");
     check("--withheld: no such effect: wind", "generate", "--withheld", "wind", "--out", "x");
+    checkMix("gain makes a fair pair with none", "gain", "single:1,pair:1");
+    checkMix("none is of the vocabulary", "speed-loss", "single:1");
+    checkMix("all are of the vocabulary", "gain", "unknown:1");
     check("expected --withheld", "generate", "--mix", "withheld:1", "--out", "x");
     check("--rows: '9'", "generate", "--rows", "9", "--out", "x");
     check("--what: expected one of".replace("--what", "'--what'"), "generate", "--what", "9");
     check("--cases: expected a value after it", "generate", "--cases");
     check("no such folder", "score", "--answers", folder + "/nowhere", "--truth", "x");
+  }
+
+  private static void checkMix(String message, String effects, String mix) {
+    check("--effects: " + message, "generate", "--effects", effects, "--mix", mix, "--out", "x");
   }
 
   private static void check(String message, String... arguments) {

@@ -1,0 +1,63 @@
+package simbad.gap.fit;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import simbad.gap.fixture.Worlds;
+import simbad.sonar.frame.Pose;
+import simbad.sonar.sensing.Echo;
+import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.Reading;
+import simbad.sonar.sensing.ReadingRow;
+
+/** Tables are read off grids that a table decided: 72 bearings, rings 8 cm apart from 12 cm on. */
+class TableSearchTest {
+  private static final int SIZE = 72;
+  private static final double SPACING_M = 0.08;
+
+  /** Near all round, with a lobe on one side. */
+  private static double thresholdM(int bearing) {
+    return bearing >= 20 && bearing < 30 ? 0.9 : 0.17;
+  }
+
+  /** One bearing's pings lose their echo when they are nearer than a distance. */
+  private static List<ReadingRow> grid(int deaf, double deafWithinM) {
+    List<ReadingRow> rows = new ArrayList<>();
+    for (int bearing = 0; bearing < SIZE; bearing++) {
+      double angle = 2 * Math.PI * bearing / SIZE;
+      for (int ring = 0; ring < 15; ring++) {
+        double distance = 0.12 + SPACING_M * ring;
+        double x = distance * Math.sin(angle);
+        double z = distance * Math.cos(angle);
+        boolean heard =
+            distance < thresholdM(bearing) && !(bearing == deaf && distance < deafWithinM);
+        Reading read = heard ? new Echo(distance - 0.05) : NoEcho.NO_ECHO;
+        rows.add(
+            new ReadingRow("r", "s", 0.05 * rows.size(), Pose.of(x, z, Math.atan2(z, -x)), read));
+      }
+    }
+    return rows;
+  }
+
+  private static void check(List<ReadingRow> rows) {
+    Clues clues = new Clues(Worlds.evidence(rows), Hypothesis.NONE);
+    double[] table = new TableSearch(clues, 0).table();
+    for (int bearing = 0; bearing < SIZE; bearing++) {
+      assertEquals(thresholdM(bearing), table[bearing], SPACING_M, "bearing " + 5 * bearing);
+    }
+  }
+
+  @Test
+  void table_isThatOfTheGrid() {
+    check(grid(-1, 0));
+  }
+
+  /** Nearest to the obstacle a bearing has one ping within its threshold. */
+  @Test
+  void lonePingThatIsLost_makesNoHole() {
+    check(grid(50, 0.13));
+    check(grid(24, 0.13));
+  }
+}
