@@ -19,6 +19,7 @@ import simbad.bench.session.SteadyRanger;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.frame.Pose;
 import simbad.sonar.model.SensorModel;
 
 /**
@@ -83,6 +84,24 @@ public final class SimulatedBench implements AutoCloseable {
     return (bearingDeg, distanceM) ->
         turntable.place(
             new BenchScene(Optional.of(target), distanceM, 0, Math.toRadians(bearingDeg)));
+  }
+
+  /**
+   * Puts the obstacle where a sensor has it before it, the obstacle being at the origin and
+   * unturned; nothing when it lies behind.
+   *
+   * @param sensor in the obstacle's frame
+   */
+  public void look(Pose sensor) {
+    double heading = sensor.heading().radians();
+    double xM = sensor.position().xM();
+    double zM = sensor.position().zM();
+    double ahead = zM * Math.sin(heading) - xM * Math.cos(heading);
+    double aside = -xM * Math.sin(heading) - zM * Math.cos(heading);
+    turntable.place(
+        ahead < 0
+            ? new BenchScene(Optional.empty(), 0, 0, 0)
+            : new BenchScene(Optional.of(target), ahead, aside, heading - Math.PI / 2));
   }
 
   /**

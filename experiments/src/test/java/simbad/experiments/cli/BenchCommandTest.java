@@ -275,6 +275,10 @@ class BenchCommandTest {
   void commandsOfTheGuide_work() throws Exception {
     needTools();
     Files.writeString(folder.resolve("numbers.txt"), "49\n".repeat(72));
+    Files.createDirectory(folder.resolve("my-diagnosis"));
+    Files.writeString(
+        folder.resolve("my-diagnosis/next-experiment.csv"),
+        "run,sensor,t_s,x_m,z_m,heading_deg\nnext-1,s,0,0,0.5,90\nnext-1,s,1,0,0.5,90\n");
     ObstacleType post = Catalogue.types().get(0);
     BenchScene scene =
         new BenchScene(
@@ -299,7 +303,7 @@ class BenchCommandTest {
       }
       assertTrue(board.isRunning());
     }
-    assertEquals(10, commands);
+    assertEquals(11, commands);
     checkTable("my-trial", 12);
     checkDone(Shell.simbad("bench", "resume", at("my-trial")));
   }
