@@ -91,14 +91,7 @@ final class BenchCaptureCommand extends Subcommand {
               + " protected against a disturbed line). Default: frame.")
   private String mode = FirmwareMode.FRAME.word();
 
-  @Option(
-      names = "--sensor",
-      paramLabel = "SENSOR",
-      description = "With --auto, when the sensor hears: " + RuleArgument.NAMES + ".")
-  private String sensor = "shadow";
-
-  @Option(names = "--seed", paramLabel = "N", description = "With --auto, of the noisy sensor.")
-  private long seed = 1;
+  @Mixin private SimulatedSensor sensor = new SimulatedSensor();
 
   @Mixin private WebOption web = new WebOption();
 
@@ -128,12 +121,7 @@ final class BenchCaptureCommand extends Subcommand {
 
   private SimulatedBench.Setup simulated(ObstacleType type, CaptureSettings settings) {
     return new SimulatedBench.Setup(
-        type,
-        RuleArgument.parse(sensor)
-            .orElseThrow(
-                () -> wrongUsage("--sensor: '" + sensor + "' is none of " + RuleArgument.NAMES)),
-        seed,
-        settings.ranging().temperatureC());
+        type, sensor.rule(this), sensor.seed(), settings.ranging().temperatureC());
   }
 
   private static Recorder recorder(CaptureFolder target, CaptureSettings known)
@@ -147,9 +135,9 @@ final class BenchCaptureCommand extends Subcommand {
     origin.put("obstacle", obstacle.name());
     origin.put("object", type.thresholds().header("object").orElse(type.name()));
     if (port == null) {
-      origin.put("sensor", "SRF04, simulated board (gpsim), " + sensor + " model");
-      origin.put("model", sensor);
-      origin.put("seed", Long.toString(seed));
+      origin.put("sensor", "SRF04, simulated board (gpsim), " + sensor.word() + " model");
+      origin.put("model", sensor.word());
+      origin.put("seed", Long.toString(sensor.seed()));
     } else {
       origin.put("sensor", "Devantech SRF04");
       origin.put("port", port.toAbsolutePath().toString());

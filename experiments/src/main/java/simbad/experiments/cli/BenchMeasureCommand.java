@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.bench.board.BoardKit;
@@ -24,7 +25,6 @@ import simbad.experiments.bench.SimulatedBench;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.ReadingsFile;
 import simbad.sonar.frame.Pose;
-import simbad.sonar.model.SensorModel;
 import simbad.sonar.sensing.ReadingRow;
 
 /** {@code simbad bench measure}. */
@@ -71,14 +71,7 @@ final class BenchMeasureCommand extends Subcommand {
       description = "With --auto. " + ObstacleArgument.MEANING)
   private @Nullable String obstacle;
 
-  @Option(
-      names = "--sensor",
-      paramLabel = "SENSOR",
-      description = "With --auto, when the sensor hears: " + RuleArgument.NAMES + ".")
-  private String sensor = "shadow";
-
-  @Option(names = "--seed", paramLabel = "N", description = "With --auto, of the noisy sensor.")
-  private long seed = 1;
+  @Mixin private SimulatedSensor sensor = new SimulatedSensor();
 
   @Option(
       names = "--temperature",
@@ -131,13 +124,12 @@ final class BenchMeasureCommand extends Subcommand {
     if (obstacle == null) {
       return Optional.empty();
     }
-    SensorModel model =
-        RuleArgument.parse(sensor)
-            .orElseThrow(
-                () -> wrongUsage("--sensor: '" + sensor + "' is none of " + RuleArgument.NAMES));
     return Optional.of(
         new SimulatedBench.Setup(
-            ObstacleArgument.parse(obstacle), model, seed, ranging.temperatureC()));
+            ObstacleArgument.parse(obstacle),
+            sensor.rule(this),
+            sensor.seed(),
+            ranging.temperatureC()));
   }
 
   private void bySimulation(

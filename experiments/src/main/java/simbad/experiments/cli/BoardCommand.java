@@ -193,9 +193,7 @@ final class BoardCommand extends Subcommand {
   }
 
   private DetectionRule rule() {
-    return RuleArgument.parse(sensor)
-        .orElseThrow(
-            () -> wrongUsage("--sensor: '" + sensor + "' is none of " + RuleArgument.NAMES));
+    return RuleArgument.require(sensor, this);
   }
 
   private void requireRange(String option, double value) {

@@ -18,4 +18,10 @@ final class RuleArgument {
     }
     return Optional.empty();
   }
+
+  /** The same for the option --sensor of a command, which refuses other words. */
+  static DetectionRule require(String word, Subcommand command) {
+    return parse(word)
+        .orElseThrow(() -> command.wrongUsage("--sensor: '" + word + "' is none of " + NAMES));
+  }
 }
