@@ -112,7 +112,8 @@ public final class Journal implements Closeable {
     }
   }
 
-  private static FileChannel held(Path file, FileChannel channel) throws IOException {
+  /** The same channel, as long as nobody else writes to the file. */
+  static FileChannel held(Path file, FileChannel channel) throws IOException {
     try {
       if (channel.tryLock() != null) {
         return channel;
@@ -186,7 +187,7 @@ public final class Journal implements Closeable {
     return new IOException(file + ": cannot be written: " + cause.getMessage(), cause);
   }
 
-  private static void writeAll(FileChannel channel, byte[] bytes) throws IOException {
+  static void writeAll(FileChannel channel, byte[] bytes) throws IOException {
     ByteBuffer buffer = ByteBuffer.wrap(bytes);
     while (buffer.hasRemaining()) {
       channel.write(buffer);

@@ -15,7 +15,7 @@ import simbad.sonar.sensing.ReadingRow;
 
 /**
  * A file of readings that grows row by row, each on the disk before the next: readings.csv of a gap
- * data set, whole at any time. Not thread-safe.
+ * data set, whole at any time. Held by one process at a time. Not thread-safe.
  */
 public final class ReadingsLog implements Closeable {
   private static final String HEAD = ReadingsWriter.text(List.of());
@@ -34,12 +34,17 @@ public final class ReadingsLog implements Closeable {
    *
    * @param file csv, of this class alone meanwhile
    * @throws DataFormatException if it is another file, which is left as it is
-   * @throws IOException if it cannot be written
+   * @throws IOException if it cannot be written, or another process holds it
    */
   public static ReadingsLog open(Path file) throws IOException, DataFormatException {
     FileChannel channel =
-        FileChannel.open(
-            file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
+        Journal.held(
+            file,
+            FileChannel.open(
+                file,
+                StandardOpenOption.CREATE,
+                StandardOpenOption.READ,
+                StandardOpenOption.WRITE));
     try {
       requireOwn(file, channel);
       channel.truncate(wholeLines(channel));
@@ -79,10 +84,7 @@ public final class ReadingsLog implements Closeable {
   }
 
   private static void append(FileChannel channel, String text) throws IOException {
-    ByteBuffer bytes = ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8));
-    while (bytes.hasRemaining()) {
-      channel.write(bytes);
-    }
+    Journal.writeAll(channel, text.getBytes(StandardCharsets.UTF_8));
     channel.force(false);
   }
 

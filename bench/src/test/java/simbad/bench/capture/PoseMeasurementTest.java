@@ -129,6 +129,16 @@ class PoseMeasurementTest {
     assertEquals("bearing_deg,threshold_m\n0,1", Files.readString(file));
   }
 
+  @Test
+  void file_thatIsBeingWritten_isRefused() throws Exception {
+    Path file = folder.resolve("next.csv");
+    try (ReadingsLog log = ReadingsLog.open(file)) {
+      assertEquals(List.of(), log.before());
+      assertThrows(IOException.class, () -> ReadingsLog.open(file).close());
+    }
+    ReadingsLog.open(file).close();
+  }
+
   /** Two seconds pass from look to look. */
   private static final class TickingClock extends Clock {
     private Instant now = Instant.ofEpochSecond(1_700_000_000);

@@ -40,7 +40,12 @@ public final class SimulatedBench implements AutoCloseable {
    * @param seed of the model's chance
    * @param temperatureC of the air, degrees Celsius
    */
-  public record Setup(ObstacleType obstacle, SensorModel model, long seed, double temperatureC) {}
+  public record Setup(ObstacleType obstacle, SensorModel model, long seed, double temperatureC) {
+    /** Returns the same where so many pings are there already: chance does not begin again. */
+    public Setup after(long pings) {
+      return new Setup(obstacle, model, seed + pings, temperatureC);
+    }
+  }
 
   private SimulatedBench(Path folder, Board board, TurntableBench turntable, BenchTarget target) {
     this.folder = folder;

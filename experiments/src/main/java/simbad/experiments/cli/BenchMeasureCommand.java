@@ -102,7 +102,7 @@ final class BenchMeasureCommand extends Subcommand {
                 + " has there, expected a file that is not there yet, or one to go on with");
       }
       if (simulated.isPresent()) {
-        bySimulation(rows, log, ranging, simulated.get());
+        bySimulation(rows, log, ranging, simulated.get().after(log.before().size()));
       } else {
         byHand(rows, log, ranging);
       }

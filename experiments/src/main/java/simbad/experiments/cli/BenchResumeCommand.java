@@ -65,13 +65,14 @@ final class BenchResumeCommand extends Subcommand {
   private static SimulatedBench.Setup simulated(
       CaptureFolder capture, CaptureSettings settings, SweepState state, ObstacleType type)
       throws DataFormatException {
-    return new SimulatedBench.Setup(
-        type,
-        RuleArgument.parse(settings.of("model"))
-            .orElseThrow(() -> damaged(capture, "model", settings)),
-        // Chance does not begin again with what was read already.
-        seed(capture, settings) + state.pings(),
-        settings.ranging().temperatureC());
+    SimulatedBench.Setup begun =
+        new SimulatedBench.Setup(
+            type,
+            RuleArgument.parse(settings.of("model"))
+                .orElseThrow(() -> damaged(capture, "model", settings)),
+            seed(capture, settings),
+            settings.ranging().temperatureC());
+    return begun.after(state.pings());
   }
 
   private CaptureSettings settings(CaptureSettings begun) {

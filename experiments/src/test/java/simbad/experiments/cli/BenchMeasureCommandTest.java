@@ -118,6 +118,32 @@ class BenchMeasureCommandTest {
     assertTrue(echoes > 5 && echoes < 55, echoes + " echoes");
   }
 
+  /** Forty looks from one pose, the second half by a second command. */
+  @Test
+  void chance_doesNotBeginAgain_whenItGoesOn() throws Exception {
+    needTools();
+    ReadingRow look =
+        new ReadingRow("next-1", "left", 0, Pose.of(0, 0.3, Math.PI / 2), NoEcho.NO_ECHO);
+    Path out = folder.resolve("next.csv");
+    for (int count : new int[] {20, 40}) {
+      Path file = folder.resolve(count + ".csv");
+      List<ReadingRow> rows = new ArrayList<>();
+      for (int i = 0; i < count; i++) {
+        rows.add(new ReadingRow("next-1", "left", i, look.pose(), NoEcho.NO_ECHO));
+      }
+      Files.writeString(file, ReadingsWriter.posesText(rows));
+      String command = " --auto --obstacle round --sensor noisy --out ";
+      Shell done = Shell.simbad(("bench measure " + file + command + out).split(" "));
+      assertEquals(0, done.status(), done.err());
+    }
+    List<ReadingRow> read = ReadingsFile.read(out);
+    int alike = 0;
+    for (int i = 0; i < 20; i++) {
+      alike += read.get(i).reading().equals(read.get(20 + i).reading()) ? 1 : 0;
+    }
+    assertTrue(alike < 15, alike + " of 20 alike");
+  }
+
   /** Ends where the person does, and goes on with the row that is missing. */
   @Test
   void person_isAskedForEachPlace() throws Exception {
