@@ -1,15 +1,12 @@
 package simbad;
 
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
-import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import org.junit.jupiter.api.Test;
-import simbad.gui.AgentInspector;
-import simbad.sim.Agent;
 
 /** What the kernel may not know. */
 class KernelRulesTest {
@@ -43,17 +40,6 @@ class KernelRulesTest {
         .should()
         .dependOnClassesThat()
         .resideInAnyPackage("simbad.sim..", "simbad.gui..")
-        .check(CLASSES);
-  }
-
-  /** An agent knows the inspector that shows it: these two signatures are Simbad's. */
-  @Test
-  void packages_haveNoCycles_butForTheInspector() {
-    slices()
-        .matching("simbad.(**)")
-        .should()
-        .beFreeOfCycles()
-        .ignoreDependency(Agent.class, AgentInspector.class)
         .check(CLASSES);
   }
 

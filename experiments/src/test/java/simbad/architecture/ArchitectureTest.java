@@ -19,8 +19,11 @@ import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.lang.syntax.elements.ClassesShould;
+import java.util.Date;
 import java.util.List;
+import java.util.Random;
 import java.util.Set;
+import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.jspecify.annotations.NullMarked;
 import org.junit.jupiter.api.Test;
@@ -243,10 +246,10 @@ class ArchitectureTest {
   /** Randomness and time enter as arguments; the world's pacer and frame meter serve the window. */
   @Test
   void chanceAndWallTime_enterAsArguments() {
-    outsideTheCommandLine().dependOnClassesThat(type(java.util.Date.class)).check(CLASSES);
+    outsideTheCommandLine().dependOnClassesThat(type(Date.class)).check(CLASSES);
     outsideTheCommandLine().callMethod(Math.class, "random").check(CLASSES);
-    outsideTheCommandLine().callConstructor(java.util.Random.class).check(CLASSES);
-    outsideTheCommandLine().callConstructor(java.util.SplittableRandom.class).check(CLASSES);
+    outsideTheCommandLine().callConstructor(Random.class).check(CLASSES);
+    outsideTheCommandLine().callConstructor(SplittableRandom.class).check(CLASSES);
     outsideTheCommandLine().callMethodWhere(callOf(java.time.Instant.class, "now")).check(CLASSES);
     clockless("simbad.sonar..").check(CLASSES);
     clockless("simbad.obstacles..").check(CLASSES);

@@ -2,6 +2,7 @@ package simbad.obstacles;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Map;
 import java.util.Random;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -84,9 +85,7 @@ class EchoNeedsOverlapTest {
       thresholds[i] = random.nextInt(6) == 0 ? 0 : random.nextDouble(0.05, 3);
     }
     return new ObstacleType(
-        "any",
-        CrossSections.angle(),
-        new TableDocument(ThresholdTable.of(thresholds), java.util.Map.of()));
+        "any", CrossSections.angle(), new TableDocument(ThresholdTable.of(thresholds), Map.of()));
   }
 
   /** Pings at several poses; returns the echoes. */

@@ -9,10 +9,10 @@ import simbad.sonar.shape.ThresholdTable;
 /**
  * What is known of one obstacle's thresholds, to calibrate on.
  *
- * @param target how it echoes
+ * @param backscatter how it echoes
  * @param thresholdM by the index of their bearings, metres, positive; at least one
  */
-public record KnownThresholds(Backscatter target, Map<Integer, Double> thresholdM) {
+public record KnownThresholds(Backscatter backscatter, Map<Integer, Double> thresholdM) {
   /** The bench of the thesis turned its obstacles in steps of 5 degrees. */
   public static final int BEARINGS = 72;
 
@@ -25,12 +25,12 @@ public record KnownThresholds(Backscatter target, Map<Integer, Double> threshold
     if (thresholdM.isEmpty()) {
       throw new IllegalArgumentException("thresholdM is empty; a calibration needs a threshold");
     }
-    thresholdM.forEach((index, metres) -> check(target, index, metres));
+    thresholdM.forEach((index, metres) -> check(backscatter, index, metres));
   }
 
-  private static void check(Backscatter target, int index, double metres) {
+  private static void check(Backscatter backscatter, int index, double metres) {
     if (!(index >= 0
-        && index < target.size()
+        && index < backscatter.size()
         && metres > 0
         && ThresholdTable.isThreshold(metres))) {
       throw new IllegalArgumentException(
@@ -39,7 +39,7 @@ public record KnownThresholds(Backscatter target, Map<Integer, Double> threshold
               + " m at bearing number "
               + index
               + " is none of "
-              + target.size());
+              + backscatter.size());
     }
   }
 
@@ -64,10 +64,10 @@ public record KnownThresholds(Backscatter target, Map<Integer, Double> threshold
   double misfit(SonarEquation equation, double raisedDb) {
     double sum = 0;
     // In the order of the bearings: a sum in a map's own order would not be the same twice.
-    for (int i = 0; i < target.size(); i++) {
+    for (int i = 0; i < backscatter.size(); i++) {
       Double known = thresholdM.get(i);
       if (known != null) {
-        double predicted = equation.thresholdM(target.levelDb(i) + raisedDb);
+        double predicted = equation.thresholdM(backscatter.levelDb(i) + raisedDb);
         double ratio = Math.log(Math.max(predicted, LEAST_M) / known);
         sum += ratio * ratio;
       }
@@ -75,11 +75,11 @@ public record KnownThresholds(Backscatter target, Map<Integer, Double> threshold
     return sum / thresholdM.size();
   }
 
-  /** How many lie between the thresholds of targets that are so much weaker and stronger. */
+  /** How many lie between the thresholds of echoes that are so much weaker and stronger. */
   int within(SonarEquation equation, double spreadDb, double slackM) {
     int count = 0;
     for (Map.Entry<Integer, Double> known : thresholdM.entrySet()) {
-      double level = target.levelDb(known.getKey());
+      double level = backscatter.levelDb(known.getKey());
       boolean low = known.getValue() >= equation.thresholdM(level - spreadDb) - slackM;
       boolean high = known.getValue() <= equation.thresholdM(level + spreadDb) + slackM;
       count += low && high ? 1 : 0;

@@ -16,24 +16,25 @@ public record ThresholdPrediction(ThresholdTable table, ThresholdBand band) {
   /**
    * Predicts a table.
    *
-   * @param target how the cross-section echoes
+   * @param backscatter how the cross-section echoes
    * @param air between sensor and obstacle
    * @param limits of the sensor: blanking and time-out
    * @param calibration of the sensor
    */
   public static ThresholdPrediction of(
-      Backscatter target, Air air, RangeLimits limits, Calibration calibration) {
+      Backscatter backscatter, Air air, RangeLimits limits, Calibration calibration) {
     SonarEquation equation = SonarEquation.of(calibration.receiver(), air, limits);
     return new ThresholdPrediction(
-        table(equation, target, 0),
+        table(equation, backscatter, 0),
         new ThresholdBand(
-            table(equation, target, -calibration.spreadDb()),
-            table(equation, target, calibration.spreadDb())));
+            table(equation, backscatter, -calibration.spreadDb()),
+            table(equation, backscatter, calibration.spreadDb())));
   }
 
-  private static ThresholdTable table(SonarEquation equation, Backscatter target, double raisedDb) {
+  private static ThresholdTable table(
+      SonarEquation equation, Backscatter backscatter, double raisedDb) {
     return ThresholdTable.of(
-        Arrays.stream(equation.thresholdsM(target, raisedDb))
+        Arrays.stream(equation.thresholdsM(backscatter, raisedDb))
             .map(metres -> Math.round(metres * STEPS_PER_M) / STEPS_PER_M)
             .toArray());
   }

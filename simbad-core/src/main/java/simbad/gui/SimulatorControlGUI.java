@@ -4,6 +4,7 @@ import java.awt.event.ActionEvent;
 import java.awt.event.ActionListener;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import javax.swing.BoxLayout;
 import javax.swing.JButton;
 import javax.swing.JFrame;
@@ -57,9 +58,7 @@ public class SimulatorControlGUI extends JPanel implements ActionListener {
   }
 
   private List<Choice> factorChoices() {
-    return java.util.stream.IntStream.range(0, FACTORS.length)
-        .mapToObj(i -> factorChoice(FACTORS[i]))
-        .toList();
+    return IntStream.range(0, FACTORS.length).mapToObj(i -> factorChoice(FACTORS[i])).toList();
   }
 
   private Choice factorChoice(float factor) {

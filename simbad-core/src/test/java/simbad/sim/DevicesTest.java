@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
+import java.util.Arrays;
 import javax.media.j3d.BoundingBox;
 import javax.media.j3d.BoundingSphere;
 import javax.swing.JPanel;
@@ -40,7 +41,7 @@ class DevicesTest {
     panel.paint(image.getGraphics());
     int[] pixels =
         image.getRGB(0, 0, panel.getWidth(), panel.getHeight(), null, 0, panel.getWidth());
-    return java.util.Arrays.stream(pixels).distinct().count();
+    return Arrays.stream(pixels).distinct().count();
   }
 
   @Test

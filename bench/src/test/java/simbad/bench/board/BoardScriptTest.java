@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -98,8 +99,7 @@ class BoardScriptTest {
   @Test
   void rows_outOfOrder_areRefused() {
     BoardScript.Row row =
-        new BoardScript.Row(
-            0, new BenchScene(java.util.Optional.empty(), 0, 0, 0), 20, BoardEvent.NONE);
+        new BoardScript.Row(0, new BenchScene(Optional.empty(), 0, 0, 0), 20, BoardEvent.NONE);
     assertThrows(IllegalArgumentException.class, () -> new BoardScript(List.of()));
     assertThrows(IllegalArgumentException.class, () -> new BoardScript(List.of(row, row)));
   }

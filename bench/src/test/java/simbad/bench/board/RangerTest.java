@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalInt;
 import java.util.Random;
@@ -362,7 +363,7 @@ class RangerTest {
           .forEach(record -> bytes.append(record, 9, record.length() - 2));
       StringBuilder hex = new StringBuilder();
       identity.build().chars().forEach(c -> hex.append(Integer.toHexString(c)));
-      assertTrue(bytes.toString().contains(hex.toString().toUpperCase(java.util.Locale.ROOT)));
+      assertTrue(bytes.toString().contains(hex.toString().toUpperCase(Locale.ROOT)));
     }
   }
 }

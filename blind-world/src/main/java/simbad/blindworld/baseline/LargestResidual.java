@@ -2,6 +2,7 @@ package simbad.blindworld.baseline;
 
 import java.util.Comparator;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import simbad.blindworld.world.Forecast;
@@ -34,7 +35,7 @@ final class LargestResidual {
   }
 
   private World.Listening nominal(Recording recording) {
-    return new World(scene, Setup.nominal(scene.sensor()), java.util.List.of()).at(recording);
+    return new World(scene, Setup.nominal(scene.sensor()), List.of()).at(recording);
   }
 
   /** What the scene lets expect of rows. */

@@ -1,5 +1,6 @@
 package simbad.blindworld.effect;
 
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import simbad.blindworld.world.Change;
@@ -15,6 +16,6 @@ public record Effect(String name, Map<String, Object> parameters, Change change)
 
   /** Copies the parameters and keeps their order. */
   public Effect {
-    parameters = java.util.Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
+    parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
   }
 }

@@ -9,6 +9,7 @@ import static simbad.blindworld.effect.Changes.threshold;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.random.RandomGenerator;
 import simbad.blindworld.effect.Form.Drawn;
 import simbad.blindworld.world.Body;
@@ -77,8 +78,7 @@ final class OutsideForms {
             OutsideForms::secondEcho));
   }
 
-  private static Form several(
-      String name, String label, java.util.function.Function<Circumstances, Drawn> draw) {
+  private static Form several(String name, String label, Function<Circumstances, Drawn> draw) {
     return new Form(name, label, Circumstances::severalSensors, draw);
   }
 

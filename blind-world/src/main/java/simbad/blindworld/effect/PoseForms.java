@@ -3,6 +3,7 @@ package simbad.blindworld.effect;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntFunction;
 import java.util.function.ToDoubleFunction;
 import java.util.random.RandomGenerator;
 import simbad.blindworld.effect.Form.Drawn;
@@ -91,7 +92,7 @@ final class PoseForms {
     };
   }
 
-  static List<Pose> each(Path path, java.util.function.IntFunction<Pose> pose) {
+  static List<Pose> each(Path path, IntFunction<Pose> pose) {
     List<Pose> moved = new ArrayList<>(path.size());
     for (int k = 0; k < path.size(); k++) {
       moved.add(pose.apply(k));

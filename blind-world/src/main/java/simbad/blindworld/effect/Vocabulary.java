@@ -1,5 +1,6 @@
 package simbad.blindworld.effect;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -131,9 +132,7 @@ public final class Vocabulary {
   /** The effects in the order in which they act on a ping. */
   public static List<Effect> inOrder(List<Effect> effects) {
     List<String> order = FORMS.stream().map(Form::effect).distinct().toList();
-    return effects.stream()
-        .sorted(java.util.Comparator.comparingInt(e -> order.indexOf(e.name())))
-        .toList();
+    return effects.stream().sorted(Comparator.comparingInt(e -> order.indexOf(e.name()))).toList();
   }
 
   /** Names out of a list that are not known here at all. */

@@ -1,6 +1,7 @@
 package simbad.blindworld.generate;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -202,6 +203,6 @@ final class Drawing {
   }
 
   private static Case.Sheet sheet(Recording recording, double[] readings) {
-    return new Case.Sheet(recording, java.util.Arrays.stream(readings).boxed().toList());
+    return new Case.Sheet(recording, Arrays.stream(readings).boxed().toList());
   }
 }

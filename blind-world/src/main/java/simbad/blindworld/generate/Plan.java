@@ -2,6 +2,7 @@ package simbad.blindworld.generate;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -64,7 +65,7 @@ final class Plan {
   /** By largest remainders, in the order of the kinds. */
   private static Map<Kind, Integer> counts(Order order) {
     double weight = order.mix().values().stream().mapToDouble(Double::doubleValue).sum();
-    Map<Kind, Integer> counts = new java.util.EnumMap<>(Kind.class);
+    Map<Kind, Integer> counts = new EnumMap<>(Kind.class);
     double due = 0;
     int given = 0;
     for (Kind kind : Kind.values()) {

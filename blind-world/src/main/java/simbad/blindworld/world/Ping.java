@@ -1,5 +1,6 @@
 package simbad.blindworld.world;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.random.RandomGenerator;
 
@@ -41,7 +42,7 @@ public final class Ping {
     motion = newMotion;
     System.arraycopy(heard, 0, heardBefore, 0, heard.length);
     if (newIndexInTrack == 0) {
-      java.util.Arrays.fill(heardBefore, false);
+      Arrays.fill(heardBefore, false);
       lastReadingM = Double.POSITIVE_INFINITY;
     }
   }

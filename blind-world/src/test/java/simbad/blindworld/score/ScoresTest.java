@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,7 +20,7 @@ import simbad.blindworld.world.Forecast;
 class ScoresTest {
 
   private static Truth truth(String... effects) {
-    Set<String> strange = new java.util.HashSet<>();
+    Set<String> strange = new HashSet<>();
     Arrays.stream(effects).filter(e -> e.startsWith("odd")).forEach(strange::add);
     return new Truth(
         "c",

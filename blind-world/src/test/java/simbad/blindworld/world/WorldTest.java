@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -117,12 +118,12 @@ class WorldTest {
     Sensor sensor = new Sensor("s", 0.3, 0.02, 5, 0.1, 343, 0, 0.01, 0.2, 0.01, 0.1);
     Scene scene = new Scene(5, sensor, List.of(TestWorlds.post("p", 0, 0, 3)));
     double[] read = TestWorlds.read(scene, TestWorlds.approach(1, 1, 20000), List.of());
-    double[] echoes = java.util.Arrays.stream(read).filter(r -> r < NONE).toArray();
+    double[] echoes = Arrays.stream(read).filter(r -> r < NONE).toArray();
     // Five standard errors: 0.2 +- 0.0028 and 0.01 +- 0.00006 over 20,000 pings.
     assertEquals(0.8, echoes.length / 20000.0, 0.014);
-    double mean = java.util.Arrays.stream(echoes).average().orElseThrow();
+    double mean = Arrays.stream(echoes).average().orElseThrow();
     double variance =
-        java.util.Arrays.stream(echoes).map(r -> (r - mean) * (r - mean)).average().orElseThrow();
+        Arrays.stream(echoes).map(r -> (r - mean) * (r - mean)).average().orElseThrow();
     assertEquals(0.98, mean, 4e-4);
     assertEquals(0.01, Math.sqrt(variance), 3e-4);
   }
@@ -143,7 +144,7 @@ class WorldTest {
     World.Listening rows =
         new World(scene, Setup.nominal(sensor), List.of()).at(TestWorlds.approach(2, 1, 500));
     org.junit.jupiter.api.Assertions.assertArrayEquals(rows.read(4), rows.read(4));
-    assertTrue(!java.util.Arrays.equals(rows.read(4), rows.read(5)));
+    assertTrue(!Arrays.equals(rows.read(4), rows.read(5)));
   }
 
   @Test

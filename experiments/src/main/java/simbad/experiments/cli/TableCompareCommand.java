@@ -5,12 +5,14 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.report.TablePicture;
 import simbad.experiments.table.TableComparison;
+import simbad.gap.diagnosis.Interval;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.shape.ThresholdBand;
 
@@ -27,6 +29,9 @@ import simbad.sonar.shape.ThresholdBand;
       "Example: simbad table compare square predicted.csv --bearings"
     })
 final class TableCompareCommand extends Subcommand {
+  /** Of the resampling: the same tables give the same intervals. */
+  private static final long SEED = 1;
+
   @Parameters(index = "0", paramLabel = "A", description = "An obstacle's name, or TABLE.csv.")
   private String first = "";
 
@@ -72,9 +77,7 @@ final class TableCompareCommand extends Subcommand {
         b.name(),
         b.thresholds().provenanceWord(),
         c.bearings().size());
-    line(
-        "  log-correlation %.3f; median ratio error %.1f %%",
-        c.correlation(), 100 * c.medianRatioError());
+    printLikeness(c);
     line(
         "  second less first: mean %+.3f m, mean size %.3f m",
         c.meanDifferenceM(), c.meanAbsoluteDifferenceM());
@@ -101,6 +104,19 @@ final class TableCompareCommand extends Subcommand {
     }
   }
 
+  private void printLikeness(TableComparison c) {
+    Interval correlation = c.correlationInterval(new SplittableRandom(SEED));
+    Interval ratio = c.medianRatioInterval(new SplittableRandom(SEED));
+    line(
+        "  log-correlation %.3f (95 %% interval %.3f to %.3f); median ratio error %.1f %% (%.0f to %.0f)",
+        c.correlation(),
+        correlation.low(),
+        correlation.high(),
+        100 * c.medianRatioError(),
+        100 * ratio.low(),
+        100 * ratio.high());
+  }
+
   private static long withinBand(TableComparison c, ThresholdBand band) {
     return c.bearings().stream()
         .filter(row -> band.holds(Math.toRadians(row.bearingDeg()), row.firstM()))
@@ -116,10 +132,16 @@ final class TableCompareCommand extends Subcommand {
     out().println(String.format(Locale.ROOT, format, values));
   }
 
+  private static void put(ObjectNode root, String name, Interval interval) {
+    root.putArray(name).add(interval.low()).add(interval.high());
+  }
+
   private static ObjectNode json(ObstacleType b, TableComparison c) {
     ObjectNode root = new ObjectMapper().createObjectNode();
     root.put("log_correlation", c.correlation());
+    put(root, "log_correlation_ci95", c.correlationInterval(new SplittableRandom(SEED)));
     root.put("median_ratio_error", c.medianRatioError());
+    put(root, "median_ratio_error_ci95", c.medianRatioInterval(new SplittableRandom(SEED)));
     root.put("mean_difference_m", c.meanDifferenceM());
     root.put("mean_absolute_difference_m", c.meanAbsoluteDifferenceM());
     root.put("best_rotation_deg", c.best().rotationDeg());

@@ -3,6 +3,7 @@ package simbad.experiments.diagnosis;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -45,7 +46,7 @@ public final class Predictions {
 
   private static String header() {
     return IntStream.range(0, ForecastGap.QUANTILES)
-        .mapToObj(i -> String.format(java.util.Locale.ROOT, "q%02.0f", 100 * ForecastGap.level(i)))
+        .mapToObj(i -> String.format(Locale.ROOT, "q%02.0f", 100 * ForecastGap.level(i)))
         .collect(Collectors.joining(","));
   }
 

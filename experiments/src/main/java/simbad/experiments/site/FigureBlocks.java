@@ -3,17 +3,23 @@ package simbad.experiments.site;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Measured figures in pages. Between {@code <!-- figures: NAME -->} and {@code <!-- end of figures
- * -->} stands what {@code docs/figures/NAME.txt} holds, as a block of code: nobody types a figure.
+ * Measured figures in pages, so that nobody types one. Between {@code <!-- figures: NAME -->} and
+ * {@code <!-- end of figures -->} stands what {@code docs/figures/NAME.txt} holds, as a block of
+ * code; between {@code <!-- figure: NAME -->} and {@code <!-- end -->}, within a line, the one line
+ * that it holds.
  */
 public final class FigureBlocks {
   private static final Pattern BLOCK =
       Pattern.compile(
           "(<!-- figures: ([a-z0-9-]+) -->\\n)(.*?)(<!-- end of figures -->)", Pattern.DOTALL);
+
+  private static final Pattern LINE =
+      Pattern.compile("(<!-- figure: ([a-z0-9-]+) -->)(.*?)(<!-- end -->)");
 
   private FigureBlocks() {}
 
@@ -25,14 +31,25 @@ public final class FigureBlocks {
    * @throws IOException if one of them cannot be read
    */
   public static String filled(String page, Path figures) throws IOException {
+    String blocks =
+        replaced(
+            BLOCK,
+            page,
+            figures,
+            text -> "\n" + text.stripTrailing().indent(4).replaceAll(" +\n", "\n") + "\n");
+    return replaced(LINE, blocks, figures, String::strip);
+  }
+
+  private static String replaced(
+      Pattern place, String page, Path figures, UnaryOperator<String> shown) throws IOException {
     StringBuilder filled = new StringBuilder();
-    Matcher block = BLOCK.matcher(page);
-    while (block.find()) {
-      String measured = Files.readString(figures.resolve(block.group(2) + ".txt"));
-      String code = "\n" + measured.stripTrailing().indent(4).replaceAll(" +\n", "\n") + "\n";
-      block.appendReplacement(
-          filled, Matcher.quoteReplacement(block.group(1) + code + block.group(4)));
+    Matcher found = place.matcher(page);
+    while (found.find()) {
+      String measured = Files.readString(figures.resolve(found.group(2) + ".txt"));
+      found.appendReplacement(
+          filled,
+          Matcher.quoteReplacement(found.group(1) + shown.apply(measured) + found.group(4)));
     }
-    return block.appendTail(filled).toString();
+    return found.appendTail(filled).toString();
   }
 }

@@ -42,7 +42,7 @@ record Page(Path source, Node document) {
   /** All words, for the search. */
   String text() {
     TextContentRenderer plain = TextContentRenderer.builder().extensions(EXTENSIONS).build();
-    return plain.render(document).replaceAll("\\s+", " ").strip();
+    return plain.render(document).replaceAll("<!--.*?-->", "").replaceAll("\\s+", " ").strip();
   }
 
   String html() {

@@ -3,7 +3,10 @@ package simbad.experiments.table;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.ToDoubleBiFunction;
+import java.util.random.RandomGenerator;
 import java.util.stream.IntStream;
+import simbad.gap.diagnosis.Interval;
 import simbad.sonar.shape.ThresholdTable;
 
 /**
@@ -30,7 +33,12 @@ public record TableComparison(
   /** What is nearer counts as this near, metres. */
   public static final double LEAST_M = 0.01;
 
+  /** Neighbours that are resampled together, degrees: a transducer hears about as wide. */
+  public static final double BLOCK_DEG = 20;
+
   private static final double TURN_DEG = 360;
+
+  private static final int RESAMPLES = 2000;
 
   /**
    * One bearing.
@@ -83,6 +91,50 @@ public record TableComparison(
         rows.stream().mapToDouble(Row::differenceM).average().orElseThrow(),
         rows.stream().mapToDouble(row -> Math.abs(row.differenceM())).average().orElseThrow(),
         best(a, b));
+  }
+
+  /**
+   * Returns the 95 % interval of {@link #correlation}: resampled by runs of {@value #BLOCK_DEG}
+   * degrees round the circle, since neighbouring bearings are not independent (percentiles of the
+   * circular block bootstrap, Politis and Romano 1992). It tells what other bearings of the same
+   * obstacle would make of the figure, not what another obstacle would.
+   *
+   * @param random the same state gives the same interval
+   */
+  public Interval correlationInterval(RandomGenerator random) {
+    return interval(TableComparison::correlation, random);
+  }
+
+  /**
+   * Returns the 95 % interval of {@link #medianRatioError}, as that of the correlation.
+   *
+   * @param random the same state gives the same interval
+   */
+  public Interval medianRatioInterval(RandomGenerator random) {
+    return interval(TableComparison::medianRatioError, random);
+  }
+
+  private Interval interval(
+      ToDoubleBiFunction<double[], double[]> statistic, RandomGenerator random) {
+    int n = bearings.size();
+    int block = Math.max(1, (int) Math.round(BLOCK_DEG * n / TURN_DEG));
+    double[] drawn = new double[RESAMPLES];
+    double[] a = new double[n];
+    double[] b = new double[n];
+    for (int k = 0; k < RESAMPLES; k++) {
+      for (int i = 0, from = 0; i < n; i++, from++) {
+        if (i % block == 0) {
+          from = random.nextInt(n);
+        }
+        Row row = bearings.get(from % n);
+        a[i] = row.firstM();
+        b[i] = row.secondM();
+      }
+      drawn[k] = statistic.applyAsDouble(a, b);
+    }
+    Arrays.sort(drawn);
+    int tail = RESAMPLES / 40;
+    return new Interval(drawn[tail - 1], drawn[RESAMPLES - tail]);
   }
 
   private static Placement best(double[] a, double[] b) {

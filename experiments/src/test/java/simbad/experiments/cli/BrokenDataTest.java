@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
@@ -72,7 +73,7 @@ class BrokenDataTest {
 
   private static void deleteAll(Path root) throws IOException {
     try (Stream<Path> entries = Files.walk(root)) {
-      for (Path path : entries.sorted(java.util.Comparator.reverseOrder()).toList()) {
+      for (Path path : entries.sorted(Comparator.reverseOrder()).toList()) {
         Files.delete(path);
       }
     }

@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
@@ -93,10 +94,10 @@ class DiagnoseCommandTest {
     double nominalCm = meanError(lines, nominal);
     assertEquals(5, nominalCm - diagnosedCm, 0.5);
     List<String> backward = new ArrayList<>(lines.subList(1, lines.size()));
-    java.util.Collections.reverse(backward);
+    Collections.reverse(backward);
     backward.add(0, lines.get(0));
     List<String> reversed = predict(Files.write(folder.resolve("back.csv"), backward), "diagnosed");
-    java.util.Collections.reverse(reversed.subList(1, reversed.size()));
+    Collections.reverse(reversed.subList(1, reversed.size()));
     assertEquals(forward, reversed);
   }
 

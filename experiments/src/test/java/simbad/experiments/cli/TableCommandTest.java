@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -93,8 +94,7 @@ class TableCommandTest {
     String obstacle = name.substring(0, name.indexOf('.'));
     assertEquals(
         new Shell(0, "", ""), Shell.simbad("table", "plot", obstacle, "--out", file.toString()));
-    String head =
-        new String(Files.readAllBytes(file), java.nio.charset.StandardCharsets.ISO_8859_1);
+    String head = new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1);
     assertTrue(head.substring(0, 400).contains(begin), head.substring(0, 100));
   }
 

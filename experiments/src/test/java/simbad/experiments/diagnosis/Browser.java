@@ -18,6 +18,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 
@@ -84,13 +85,25 @@ public record Browser(Path folder) {
     return CHROMIUM.isPresent();
   }
 
-  /** What a reader would see amiss in a page: a list in brackets, empty when nothing is. */
-  public String faults(String page, int width, boolean dark)
-      throws IOException, InterruptedException {
-    return faults(Files.writeString(folder.resolve("page.html"), page), width, dark);
+  /** Looks at a page: nothing is amiss, its first screen is drawn, its paper is the theme's. */
+  public void look(String page, int width, boolean dark) throws IOException, InterruptedException {
+    assertEquals("[]", faults(Files.writeString(folder.resolve("page.html"), page), width, dark));
+    BufferedImage picture = picture(page, width, dark);
+    assertEquals(width, picture.getWidth());
+    long colours =
+        IntStream.range(0, width * 800)
+            .map(i -> picture.getRGB(i % width, i / width))
+            .distinct()
+            .count();
+    assertTrue(colours > 60, "colours: " + colours);
+    int paper = picture.getRGB(2, 2) & 0xFFFFFF;
+    assertEquals(dark ? 0x161618 : 0xFFFFFF, paper, "the theme's paper");
   }
 
-  /** What a reader would see amiss in a page's file, beside which a copy is written. */
+  /**
+   * What a reader would see amiss in a page's file, beside which a copy is written: a list in
+   * brackets, empty when nothing is.
+   */
   public String faults(Path page, int width, boolean dark)
       throws IOException, InterruptedException {
     String whole = Files.readString(page);
@@ -116,7 +129,7 @@ public record Browser(Path folder) {
   }
 
   /** The first screen, 800 pixels high. */
-  public BufferedImage picture(String page, int width, boolean dark)
+  private BufferedImage picture(String page, int width, boolean dark)
       throws IOException, InterruptedException {
     Path plain = Files.writeString(folder.resolve("plain.html"), page);
     Path png = folder.resolve("page.png");

@@ -1,12 +1,8 @@
 package simbad.experiments.diagnosis;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.awt.image.BufferedImage;
 import java.nio.file.Path;
-import java.util.stream.IntStream;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -29,18 +25,7 @@ class PageInBrowserTest {
     assumeTrue(Browser.isThere(), "no Chromium on this machine: the page is not looked at");
     DataSet data = Samples.data("bench of a rather long name, 2026-11-21");
     String page = Samples.page(diagnosis(verdict, data), data);
-    Browser browser = new Browser(folder);
-    assertEquals("[]", browser.faults(page, width, dark));
-    BufferedImage picture = browser.picture(page, width, dark);
-    assertEquals(width, picture.getWidth());
-    long colours =
-        IntStream.range(0, width * 800)
-            .map(i -> picture.getRGB(i % width, i / width))
-            .distinct()
-            .count();
-    assertTrue(colours > 60, "colours: " + colours);
-    int paper = picture.getRGB(2, 2) & 0xFFFFFF;
-    assertEquals(dark ? 0x161618 : 0xFFFFFF, paper, "the theme's paper");
+    new Browser(folder).look(page, width, dark);
   }
 
   private static Diagnosis diagnosis(String verdict, DataSet data) {

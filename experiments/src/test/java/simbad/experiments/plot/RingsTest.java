@@ -3,6 +3,7 @@ package simbad.experiments.plot;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,7 +26,7 @@ class RingsTest {
         Samples.circle(1, 360).stream()
             .map(p -> isFree(p) ? new PolarPoint(p.bearingRad(), 0) : p)
             .toList();
-    List<Curve> curves = new java.util.ArrayList<>();
+    List<Curve> curves = new ArrayList<>();
     for (int i = 1; i <= 20; i++) {
       curves.addAll(PlanView.curves(List.of(scaled(points, i)), 1));
     }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
@@ -171,7 +172,7 @@ class TraceErrorsTest {
   void statistics_areOverTheReachedBearings() {
     TraceErrors errors =
         new TraceErrors(
-            java.util.List.of(
+            List.of(
                 OptionalDouble.of(1),
                 OptionalDouble.of(6),
                 OptionalDouble.empty(),

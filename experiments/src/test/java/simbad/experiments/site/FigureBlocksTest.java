@@ -34,6 +34,16 @@ class FigureBlocksTest {
   }
 
   @Test
+  void filled_puts_oneLine_withinALine() throws IOException {
+    Files.writeString(folder.resolve("share.txt"), "97 $1 of 100\n");
+    String row =
+        "| a | <!-- figure: share -->%s<!-- end --> | <!-- figure: share -->%s<!-- end --> |";
+    assertEquals(
+        row.formatted("97 $1 of 100", "97 $1 of 100"),
+        FigureBlocks.filled(row.formatted("", "old"), folder));
+  }
+
+  @Test
   void filled_blockWithoutFile_isRefused() {
     assertThrows(NoSuchFileException.class, () -> FigureBlocks.filled(PAGE.formatted(""), folder));
   }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import simbad.obstacles.Catalogue;
@@ -73,7 +74,7 @@ class ReconstructionTest {
   @Test
   void square_isScaledFromTheFaces() {
     double[] angle = new double[72];
-    java.util.Arrays.fill(angle, 0.1);
+    Arrays.fill(angle, 0.1);
     for (int face : new int[] {18, 36}) {
       angle[face] = 2;
       angle[face - 1] = 0.5;

@@ -1,12 +1,15 @@
 package simbad.experiments.table;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
+import java.util.SplittableRandom;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
+import simbad.gap.diagnosis.Interval;
 import simbad.obstacles.Catalogue;
 import simbad.sonar.shape.ThresholdTable;
 
@@ -58,6 +61,39 @@ class TableComparisonTest {
     assertEquals(1, circle.medianRatioError(), 1e-12);
     assertEquals(-1, circle.meanDifferenceM(), 1e-12);
     assertEquals(4, circle.bearings().size());
+  }
+
+  /**
+   * Ratios are log-normal with 0.3: half of their logarithms are over 0.6745 x 0.3. Were it held in
+   * 95 of 100, more than 20 misses would come by chance less than once in a million times.
+   */
+  @Test
+  void interval_holdsTheTruth_aboutAsOftenAsItSays() {
+    SplittableRandom random = new SplittableRandom(11);
+    double truth = Math.expm1(0.6745 * 0.3);
+    int held = 0;
+    for (int k = 0; k < 100; k++) {
+      double[] off =
+          Arrays.stream(ANGLE.valuesM())
+              .map(t -> t * Math.exp(0.3 * random.nextGaussian()))
+              .toArray();
+      Interval interval =
+          TableComparison.of(ANGLE, ThresholdTable.of(off)).medianRatioInterval(random);
+      held += interval.low() <= truth && truth <= interval.high() ? 1 : 0;
+    }
+    assertTrue(held >= 80, held + " of 100");
+  }
+
+  @Test
+  void interval_ofTheSameTables_isAPoint_andOfOthersTheSameForTheSameSeed() {
+    assertEquals(
+        new Interval(0, 0),
+        TableComparison.of(ANGLE, ANGLE).medianRatioInterval(new SplittableRandom(1)));
+    TableComparison other =
+        TableComparison.of(ANGLE, Catalogue.find("square").orElseThrow().thresholds().table());
+    Interval interval = other.correlationInterval(new SplittableRandom(1));
+    assertEquals(interval, other.correlationInterval(new SplittableRandom(1)));
+    assertTrue(interval.low() < other.correlation() && other.correlation() < interval.high());
   }
 
   /** Nothing heard at all is as good as the least distance, not minus infinity. */

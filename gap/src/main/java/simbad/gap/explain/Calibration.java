@@ -1,6 +1,7 @@
 package simbad.gap.explain;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fitter;
@@ -44,7 +45,7 @@ public final class Calibration {
 
   /** Calibrates. */
   public static Calibration of(SensingSetup setup, PingLog reference) {
-    Evidence evidence = new Evidence(setup, java.util.List.of(), reference);
+    Evidence evidence = new Evidence(setup, List.of(), reference);
     Calibrator calibrator = new Calibrator(new Fitter(evidence, Fold.ALL), setup);
     return new Calibration(Optional.of(evidence), calibrator.fit());
   }
@@ -89,7 +90,7 @@ public final class Calibration {
 
   /** Whether a set-up that fits reference and log together makes an effect superfluous. */
   private Calibration rivalled(Evidence log, Hypothesis explanation) {
-    Evidence raw = new Evidence(log.setup(), java.util.List.of(), log.log());
+    Evidence raw = new Evidence(log.setup(), List.of(), log.log());
     Rival whole = rival(raw, explanation);
     for (Effect effect : explanation.effects()) {
       Rival less = rival(raw, explanation.without(effect));
@@ -122,7 +123,7 @@ public final class Calibration {
     if (reference.isEmpty()) {
       return evidence;
     }
-    Evidence raw = new Evidence(evidence.setup(), java.util.List.of(), evidence.log());
+    Evidence raw = new Evidence(evidence.setup(), List.of(), evidence.log());
     Hypothesis loose = rival(raw, explanation).setup;
     return new Evidence(evidence.setup(), loose.changes(), evidence.log());
   }

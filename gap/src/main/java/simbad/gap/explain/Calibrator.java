@@ -1,5 +1,6 @@
 package simbad.gap.explain;
 
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
@@ -114,7 +115,7 @@ final class Calibrator {
     Hypothesis moved = base;
     for (int i = 0; i < waves.size(); i++) {
       double[] prior = new double[waves.get(i).parameters().size()];
-      java.util.Arrays.fill(prior, variance);
+      Arrays.fill(prior, variance);
       moved = new Waves(fitter, waves.get(i)).moved(moved, prior);
     }
     return moved;

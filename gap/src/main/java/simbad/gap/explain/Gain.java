@@ -1,5 +1,6 @@
 package simbad.gap.explain;
 
+import java.util.Arrays;
 import java.util.Random;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.fit.Evidence;
@@ -117,7 +118,7 @@ public record Gain(GapMeter.Gaps before, GapMeter.Gaps after) {
       }
       left[draw] = was > 0 ? is / was : 1;
     }
-    java.util.Arrays.sort(left);
+    Arrays.sort(left);
     return left;
   }
 

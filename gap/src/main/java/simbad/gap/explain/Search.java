@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
@@ -135,7 +136,7 @@ public final class Search {
         added.stream()
             .limit(PROMISING)
             .flatMap(fit -> fit.hypothesis().effects().stream())
-            .collect(java.util.stream.Collectors.toSet());
+            .collect(Collectors.toSet());
     return forms.stream()
         .filter(form -> gained.contains(form.effect()) && !base.has(form.effect()))
         .toList();

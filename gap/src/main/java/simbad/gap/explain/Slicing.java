@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntToDoubleFunction;
+import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
 import simbad.sonar.effect.Geometry;
 import simbad.sonar.effect.PingLog;
@@ -116,7 +117,7 @@ final class Slicing {
     return cuts;
   }
 
-  private int[] slices(java.util.function.IntUnaryOperator of) {
+  private int[] slices(IntUnaryOperator of) {
     return IntStream.range(0, log.size()).map(of).toArray();
   }
 

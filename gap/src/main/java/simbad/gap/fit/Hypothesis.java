@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import simbad.sonar.effect.Change;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
@@ -120,7 +121,7 @@ public record Hypothesis(List<Form> forms, double[] values) {
   public String toString() {
     return forms.isEmpty()
         ? "none"
-        : java.util.stream.IntStream.range(0, forms.size())
+        : IntStream.range(0, forms.size())
             .mapToObj(i -> forms.get(i) + Arrays.toString(valuesOf(i)))
             .collect(Collectors.joining(" + "));
   }

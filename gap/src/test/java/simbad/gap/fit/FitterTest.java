@@ -3,6 +3,7 @@ package simbad.gap.fit;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -107,9 +108,7 @@ class FitterTest {
             .toList();
     Map<Effect, Fit> best = new Screen(evidence, nominal).all(forms);
     Fit first =
-        best.values().stream()
-            .max(java.util.Comparator.comparingDouble(Fit::logLikelihood))
-            .orElseThrow();
+        best.values().stream().max(Comparator.comparingDouble(Fit::logLikelihood)).orElseThrow();
     assertEquals(List.of(effect), first.hypothesis().effects());
     assertEquals(truth[0], first.hypothesis().values()[0], 0.05 * Math.max(0.4, truth[0]));
   }

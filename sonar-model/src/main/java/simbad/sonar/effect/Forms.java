@@ -3,7 +3,9 @@ package simbad.sonar.effect;
 import static java.lang.Math.toRadians;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import simbad.sonar.scene.SensingSetup;
 
@@ -20,11 +22,6 @@ public final class Forms {
 
   private static final Parameter SHARE = Parameter.of("share", 0, 0, 1, 0.05, 0.2, 0.5);
   private static final Parameter SMALL_SHARE = Parameter.of("share", 0, 0, 0.7, 0.03, 0.1, 0.3);
-
-  /** Fewer ghosts than these are no effect: a form as free as this one finds some in any log. */
-  private static final Parameter GHOSTS = Parameter.of("share", 0, 0.03, 1, 0.1, 0.4);
-
-  private static final double FOREVER_S = 1e9;
 
   /**
    * Spread of a detour over its length, and for one in proportion over that of an echo at 1 m: a
@@ -64,10 +61,10 @@ public final class Forms {
     forms.beam();
     forms.floor();
     forms.objects();
-    forms.memory();
     forms.gates();
+    forms.forms.addAll(MemoryForms.all(setup.sensor()));
     forms.forms.addAll(PlaceForms.all(setup, sensors));
-    forms.forms.sort(java.util.Comparator.comparing(Form::effect));
+    forms.forms.sort(Comparator.comparing(Form::effect));
     return List.copyOf(forms.forms);
   }
 
@@ -137,7 +134,7 @@ public final class Forms {
     for (CoarseResolution.Reported reported : CoarseResolution.Reported.values()) {
       add(
           Effect.COARSE_RESOLUTION,
-          reported.name().toLowerCase(java.util.Locale.ROOT),
+          reported.name().toLowerCase(Locale.ROOT),
           v -> new CoarseResolution(v[0], reported),
           step());
     }
@@ -250,7 +247,7 @@ public final class Forms {
     for (Absorption.Law law : Absorption.Law.values()) {
       add(
           Effect.ABSORPTION,
-          law.name().toLowerCase(java.util.Locale.ROOT),
+          law.name().toLowerCase(Locale.ROOT),
           v -> new Absorption(v[0], law),
           Parameter.of("loss_per_m", 0, 0, 1.5, 0.05, 0.1, 0.2, 0.4));
     }
@@ -259,7 +256,7 @@ public final class Forms {
   private void beam() {
     double half = Math.toDegrees(setup.sensor().coneHalfAngleRad());
     for (BeamPattern.Law law : BeamPattern.Law.values()) {
-      String name = law.name().toLowerCase(java.util.Locale.ROOT);
+      String name = law.name().toLowerCase(Locale.ROOT);
       pattern(name, law, BeamPattern.Angle.CENTRE, half);
       pattern(name + "-outline", law, BeamPattern.Angle.OUTLINE, half);
       pattern(name + "-nearest", law, BeamPattern.Angle.NEAREST, half);
@@ -356,96 +353,6 @@ public final class Forms {
         reach,
         sure,
         Parameter.of("square_deg", 90, 3, 90, 90));
-  }
-
-  private void memory() {
-    add(
-        Effect.STALE_READING,
-        "count",
-        v -> new StaleReading(v[0], FOREVER_S, 1),
-        Parameter.of("pings", 0, 0, 30, 1, 2, 3, 5, 8, 14));
-    double period = setup.sensor().updatePeriodS();
-    add(
-        Effect.STALE_READING,
-        "time",
-        v -> new StaleReading(HiddenState.MOST, v[0], 1),
-        Parameter.of(
-            "hold_s",
-            0,
-            0,
-            20,
-            1.5 * period,
-            2.5 * period,
-            4.5 * period,
-            Math.min(20, 9.5 * period)));
-    add(
-        Effect.STALE_READING,
-        "fading",
-        v -> new StaleReading(HiddenState.MOST, FOREVER_S, v[0]),
-        Parameter.of("chance", 0, 0, 0.98, 0.3, 0.6, 0.85));
-    hysteresis();
-    ghosts();
-  }
-
-  private void hysteresis() {
-    Parameter gap = Parameter.of("gap", 0, 0, 0.7, 0.05, 0.15, 0.3);
-    add(Effect.HYSTERESIS, "pick-up", v -> new Hysteresis(1 - v[0], 1), gap);
-    add(Effect.HYSTERESIS, "hold", v -> new Hysteresis(1, 1 + v[0]), gap);
-    add(
-        Effect.HYSTERESIS,
-        "metres",
-        v -> new Hysteresis(1, 1, v[0]),
-        Parameter.of("pick_up_m", 0, 0, 2, 0.05, 0.15, 0.4));
-    add(Effect.HYSTERESIS, "both", v -> new Hysteresis(1 - v[0] / 2, 1 + v[0] / 2), gap);
-  }
-
-  private void ghosts() {
-    Parameter spread = Parameter.of("spread_m", 0, 0, 0.1, 0.002);
-    add(
-        Effect.PREVIOUS_PING,
-        "shift",
-        v -> new PreviousPing(v[0], 1, v[1], v[2]),
-        GHOSTS,
-        Parameter.of("shift_m", 0, 0.02, 5, 0.2, 0.5, 1),
-        spread);
-    add(
-        Effect.PREVIOUS_PING,
-        "factor",
-        v -> new PreviousPing(v[0], v[1], 0, v[2]),
-        GHOSTS,
-        Parameter.of("factor", 1, 0.05, 0.96, 0.3, 0.5, 0.8),
-        spread);
-    Parameter shift = Parameter.of("shift_m", 0, -0.3, 5, -0.05, 0.05);
-    add(
-        Effect.PREVIOUS_PING,
-        "line",
-        v -> new PreviousPing(v[0], v[1], v[2], v[3]),
-        GHOSTS,
-        Parameter.of("factor", 1, 0.05, 2.2, 0.3, 0.5, 0.8, 2),
-        shift,
-        spread);
-    add(
-        Effect.PREVIOUS_PING,
-        "nearer",
-        v -> new NearerByPrevious(v[0], v[1], v[2], v[3], v[4]),
-        GHOSTS,
-        Parameter.of("own_factor", 1, 0.5, 2.2, 1, 2),
-        Parameter.of("before_factor", 0, -1.5, 1, -0.3, -1),
-        Parameter.of("shift_m", 0, -1, 3, 0, 0.2),
-        spread);
-    ghostReading("read-nearer", true, shift, spread);
-    ghostReading("read", false, shift, spread);
-  }
-
-  private void ghostReading(String name, boolean onlyNearer, Parameter shift, Parameter spread) {
-    add(
-        Effect.PREVIOUS_PING,
-        name,
-        v -> new GhostReading(v[0], v[1], v[2], v[3], onlyNearer),
-        GHOSTS,
-        Parameter.of("factor", 1, 0.05, 2.2, 0.5, 1, 2),
-        shift,
-        spread);
   }
 
   private void gates() {

@@ -1,5 +1,6 @@
 package simbad.sonar.effect;
 
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -24,7 +25,7 @@ public record Parameter(String name, double neutral, double low, double high, Li
   }
 
   static Parameter of(String name, double neutral, double low, double high, double... tries) {
-    return new Parameter(name, neutral, low, high, java.util.Arrays.stream(tries).boxed().toList());
+    return new Parameter(name, neutral, low, high, Arrays.stream(tries).boxed().toList());
   }
 
   /** Tells whether it may have a value: a sensible one, or the neutral one. */

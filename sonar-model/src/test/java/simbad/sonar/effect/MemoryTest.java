@@ -4,9 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.Random;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -89,7 +91,7 @@ class MemoryTest {
   }
 
   private static List<ReadingRow> rowsWithoutReadings() {
-    return rows(java.util.Collections.nCopies(PLACES_M.length, Logs.SILENCE));
+    return rows(Collections.nCopies(PLACES_M.length, Logs.SILENCE));
   }
 
   @ParameterizedTest
@@ -238,7 +240,7 @@ class MemoryTest {
     SensingSetup noisy =
         new SensingSetup(Sonars.noisy(0, 0.05, 0, 0), Scenes.of(Scenes.box(1, 0, 2)), 6.5);
     List<Change> changes = List.of(new PreviousPing(0.5, 0.8, 0, 0), new Dropout(0.2));
-    java.util.Random random = new java.util.Random(5);
+    Random random = new Random(5);
     double[] sums = new double[3];
     double[] squares = new double[3];
     int[] echoes = new int[3];
