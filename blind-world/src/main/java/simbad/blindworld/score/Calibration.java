@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 
 /** Probabilities against what was so: expected calibration error and log score. */
 final class Calibration {
@@ -73,16 +74,24 @@ final class Calibration {
     json.put("ece_ci95", Spread.interval95(claims, Calibration::expectedError));
     json.put("log_score", logScore(claims));
     json.put("log_score_of_base_rate", baseScore(claims));
-    json.put("better_by", betterBy(claims));
-    // Where all or none were so, base rates cannot be bettered.
-    if (baseScore(claims) > LEAST) {
-      json.put("better_by_ci95", Spread.interval95(claims, Calibration::betterBy));
-    }
+    findBetterBy(claims)
+        .ifPresent(
+            share -> {
+              json.put("better_by", share);
+              json.put("better_by_ci95", Spread.interval95(claims, Calibration::betterBy));
+            });
     json.put("curve", curve(claims));
     return json;
   }
 
-  static double betterBy(List<Claim> claims) {
+  /**
+   * By which share the log score is better than that of base rates; none where all or none were so.
+   */
+  static OptionalDouble findBetterBy(List<Claim> claims) {
+    return baseScore(claims) > LEAST ? OptionalDouble.of(betterBy(claims)) : OptionalDouble.empty();
+  }
+
+  private static double betterBy(List<Claim> claims) {
     return better(logScore(claims), baseScore(claims));
   }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.function.Predicate;
 import simbad.blindworld.score.Calibration.Claim;
 import simbad.blindworld.score.Ranking.Scored;
@@ -131,19 +132,28 @@ final class Scores {
     return claims;
   }
 
-  /** The log score over the three verdicts, against always stating their shares. */
-  double verdictBetterBy() {
-    return verdictBetterBy(cases);
+  /**
+   * The log score over the three verdicts, against always stating their shares; none where all
+   * truths have one verdict, for that is stated without a loss.
+   */
+  OptionalDouble verdictBetterBy() {
+    return verdictBase(cases) > 0
+        ? OptionalDouble.of(verdictBetterBy(cases))
+        : OptionalDouble.empty();
   }
 
-  private static double verdictBetterBy(List<Graded> cases) {
+  private static double verdictBase(List<Graded> cases) {
     double base = 0;
     for (Verdict verdict : Verdict.values()) {
       double share = share(cases, g -> g.truth().verdict() == verdict).share();
       base += share > 0 ? share * Calibration.loss(share) : 0;
     }
+    return base;
+  }
+
+  private static double verdictBetterBy(List<Graded> cases) {
     double said = cases.stream().mapToDouble(Scores::verdictLoss).average().orElse(0);
-    return Calibration.better(said, base);
+    return Calibration.better(said, verdictBase(cases));
   }
 
   private static double verdictLoss(Graded graded) {
@@ -202,6 +212,11 @@ final class Scores {
     return values.stream().mapToDouble(Double::doubleValue).average().orElse(0);
   }
 
+  private void putVerdictBetterBy(Map<String, Object> json, double share) {
+    json.put("verdict_log_score_better_by", share);
+    json.put("verdict_log_score_better_by_ci95", Spread.interval95(cases, Scores::verdictBetterBy));
+  }
+
   Map<String, Object> json() {
     Map<String, Object> json = new LinkedHashMap<>();
     json.put("cases", cases.size());
@@ -210,8 +225,7 @@ final class Scores {
     json.put("shares", shares);
     json.put("unknown", unknown());
     json.put("verdict_calibration", Calibration.json(verdictClaims()));
-    json.put("verdict_log_score_better_by", verdictBetterBy());
-    json.put("verdict_log_score_better_by_ci95", Spread.interval95(cases, Scores::verdictBetterBy));
+    verdictBetterBy().ifPresent(share -> putVerdictBetterBy(json, share));
     json.put("first_named_calibration", Calibration.json(firstNamedClaims()));
     json.put("mean_probability_of_truth_detected_singles", mean(trueProbabilities()));
     json.put("mean_set_size_detected_singles", mean(setSizes()));

@@ -3,6 +3,7 @@ package simbad.blindworld.score;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.function.Function;
 
 /** Scores of several sorts of answers in columns. */
@@ -41,7 +42,9 @@ final class Table {
   }
 
   private static String calibration(List<Calibration.Claim> claims) {
-    return number(Calibration.expectedError(claims)) + ", " + percent(Calibration.betterBy(claims));
+    return number(Calibration.expectedError(claims))
+        + ", "
+        + percent(Calibration.findBetterBy(claims));
   }
 
   private static String median(List<Double> values) {
@@ -52,8 +55,8 @@ final class Table {
     return String.format(Locale.ROOT, "%.3f", value);
   }
 
-  private static String percent(double value) {
-    return String.format(Locale.ROOT, "%.0f%%", 100 * value);
+  private static String percent(OptionalDouble share) {
+    return share.isEmpty() ? "-" : String.format(Locale.ROOT, "%.0f%%", 100 * share.getAsDouble());
   }
 
   private void each(StringBuilder text, String name, Function<Scores, String> cell) {

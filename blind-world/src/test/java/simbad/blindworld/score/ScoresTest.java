@@ -11,6 +11,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import simbad.blindworld.score.Calibration.Claim;
@@ -280,6 +281,26 @@ class ScoresTest {
     Scores scores = new Scores(List.of(graded));
     assertEquals(5, scores.shrinkErrors().get(0), 1e-9);
     assertEquals(new Proportion(1, 1), scores.shares().get("shrinkage interval covers"));
+  }
+
+  /** Who always states the one verdict there is loses nothing: no figure says by how much more. */
+  @Test
+  void logScore_ofOneVerdict_isNotCompared() {
+    Scores one = new Scores(List.of(graded(truth("gain"), answer(Verdict.EXPLAINED, 0, "gain"))));
+    assertEquals(OptionalDouble.empty(), one.verdictBetterBy());
+    assertFalse(one.json().containsKey("verdict_log_score_better_by"));
+    assertTrue(
+        new Table("all", Map.of("diagnosis", one))
+            .text()
+            .lines()
+            .anyMatch(l -> l.matches(".*ECE, log score.*, -\\s*")));
+    Scores two =
+        new Scores(
+            List.of(
+                graded(truth("gain"), answer(Verdict.EXPLAINED, 0, "gain")),
+                graded(truth(), answer(Verdict.NONE, 0))));
+    assertTrue(two.verdictBetterBy().orElseThrow() > 0);
+    assertTrue(two.json().containsKey("verdict_log_score_better_by_ci95"));
   }
 
   @Test

@@ -101,9 +101,10 @@ final class BenchMeasureCommand extends Subcommand {
                 + poses
                 + " has there, expected a file that is not there yet, or one to go on with");
       }
-      if (simulated.isPresent()) {
-        bySimulation(rows, log, ranging, simulated.get().after(log.before().size()));
-      } else {
+      int there = log.before().size();
+      if (there < rows.size() && simulated.isPresent()) {
+        bySimulation(rows, log, ranging, simulated.get().after(there));
+      } else if (there < rows.size()) {
         byHand(rows, log, ranging);
       }
     }

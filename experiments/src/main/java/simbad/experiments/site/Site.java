@@ -20,6 +20,12 @@ public final class Site {
   private static final String NAME = "Simbad Sonar";
   private static final List<String> FRONT = List.of("README.md", "CONTRIBUTING.md", "CHANGELOG.md");
 
+  /** What comes first in a folder; the rest is in the order of the files' names. */
+  private static final List<String> FIRST =
+      Stream.concat(
+              FRONT.stream(), Stream.of("docs/guide/first-run.md", "docs/method/sonar-model.md"))
+          .toList();
+
   /** Folders of pages in the order of the list beside each page, and what they are called there. */
   private static final List<String> FOLDERS =
       List.of("", "docs/guide", "docs/method", "docs", "docs/decisions", "data");
@@ -85,9 +91,14 @@ public final class Site {
     }
     pages.sort(
         Comparator.comparingInt((Page page) -> FOLDERS.indexOf(folder(page)))
-            .thenComparingInt(page -> FRONT.indexOf(page.source().toString()))
+            .thenComparingInt(Site::rank)
             .thenComparing(page -> page.source().toString()));
     return pages;
+  }
+
+  private static int rank(Page page) {
+    int first = FIRST.indexOf(page.source().toString().replace('\\', '/'));
+    return first < 0 ? FIRST.size() : first;
   }
 
   private static String folder(Page page) {

@@ -96,6 +96,18 @@ class BenchMeasureCommandTest {
     return rangesM;
   }
 
+  /** Where all is read there is nothing to do: neither a port nor a board is asked for. */
+  @Test
+  void wholeFile_needsNoSensor() throws Exception {
+    List<ReadingRow> rows = poses(4);
+    Path file = Files.writeString(folder.resolve("poses.csv"), ReadingsWriter.posesText(rows));
+    Path out = Files.writeString(folder.resolve("whole.csv"), ReadingsWriter.text(rows));
+    String line = "bench measure " + file + " --out " + out + " --port " + folder.resolve("none");
+    Shell done = Shell.simbad(line.split(" "));
+    assertEquals(0, done.status(), done.err());
+    assertEquals(ReadingsWriter.text(rows), Files.readString(out));
+  }
+
   @Test
   void simulatedBoard_readsWhatTheWorldsSensorWould() throws Exception {
     needTools();

@@ -63,6 +63,15 @@ class SiteTest {
     }
   }
 
+  /** The first run before the other guides, what a sonar hears before the other methods. */
+  @Test
+  void list_beginsWithWhatComesFirst() throws IOException {
+    Site.write(Path.of(".."), folder);
+    String index = Files.readString(folder.resolve("index.html"));
+    assertTrue(index.indexOf(">The first run<") < index.indexOf(">Thousands of runs<"));
+    assertTrue(index.indexOf(">What a sonar hears<") < index.indexOf(">The withheld check<"));
+  }
+
   @Test
   void write_brokenLink_namesPageAndTarget() throws IOException {
     Path project = Files.createDirectories(folder.resolve("project"));
