@@ -2,12 +2,18 @@ package simbad.sonar.effect;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Random;
+import java.util.Set;
+import java.util.random.RandomGenerator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -16,10 +22,12 @@ import simbad.sonar.fixture.Scenes;
 import simbad.sonar.fixture.Sonars;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Pose;
+import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.TableDetection;
+import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.shape.ThresholdTable;
 
@@ -148,6 +156,60 @@ class EffectsClosedFormTest {
     assertReads(P * 0.8943502, 0.85, new NearClamp(0.875));
     // Clamped first, then in steps of 0.25 m.
     assertReads(P, 1, new CoarseResolution(0.25, Reported.START), new NearClamp(1.1));
+  }
+
+  /** What is drawn is what is reported, not what was measured. */
+  @Test
+  void drawnReadings_areReported() {
+    List<ReadingRow> ping = List.of(Logs.row(0, Pose.of(0, 0, 0), Logs.SILENCE));
+    RandomGenerator random = new Random(3);
+    Map<Change, Double> reports =
+        Map.of(
+            new NearClamp(1), 1.0,
+            new CoarseResolution(0.25, Reported.START), 0.75,
+            new CoarseResolution(0.3, Reported.NEAREST), 0.9);
+    reports.forEach(
+        (change, rangeM) -> {
+          ReadingDistribution reading = Logs.forecast(SETUP, ping, List.of(change)).get(0);
+          for (int i = 0; i < 50; i++) {
+            if (reading.sample(random) instanceof Echo echo) {
+              assertEquals(rangeM, echo.rangeM(), 1e-9, change.toString());
+            }
+          }
+        });
+  }
+
+  /** So many boxes at one place are silent when each of them is. */
+  @Test
+  void manyObstacles_areAllAsked() {
+    Obstacle[] boxes = new Obstacle[20];
+    Arrays.fill(boxes, Scenes.box(1, 0, 1.2));
+    SensingSetup crowd = setup(Scenes.of(boxes));
+    Pose pose = Pose.of(0, 0, 0);
+    Change gain = new Gain(0.9);
+    double p = echo(1, 0.9 * 1.2);
+    assertEquals(Math.pow(1 - p, 20), probability(crowd, pose, Logs.SILENCE, gain), 1e-9);
+  }
+
+  /** Parameters that say more than one thing: what a form makes of them. */
+  @Test
+  void forms_spreadTheirValues() {
+    checkMade(new Multipath(0.3, 1, 0.6, 0.06), Effect.MULTIPATH, "added", 0.3, 0.6, 0.1);
+    checkMade(new Multipath(0.3, 1.5, 0, 0.05), Effect.MULTIPATH, "factor", 0.3, 1.5, 0.1);
+    checkMade(new Hysteresis(0.9, 1.1), Effect.HYSTERESIS, "both", 0.2);
+    checkMade(new Hysteresis(0.8, 1), Effect.HYSTERESIS, "pick-up", 0.2);
+    checkMade(new Hysteresis(1, 1.2), Effect.HYSTERESIS, "hold", 0.2);
+    checkMade(new Crosstalk(0.2, 0.5, 2.5, false), Effect.CROSSTALK, "any", 0.2, 0.5, 2);
+  }
+
+  private static void checkMade(Change expected, Effect effect, String name, double... values) {
+    Form form = Forms.find(effect, name, SETUP, List.of()).orElseThrow();
+    assertEquals(expected, form.with(values));
+    // A form is its name, whatever set-up it was made for.
+    assertEquals(form, Forms.find(effect, name, setup(2), List.of("left")).orElseThrow());
+    Form other = Forms.find(Effect.GAIN, "factor", SETUP, List.of()).orElseThrow();
+    assertNotEquals(form, other);
+    assertEquals(2, Set.of(form, other).size());
   }
 
   @Test

@@ -14,6 +14,7 @@ import java.util.OptionalDouble;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.constraints.DoubleRange;
 import org.junit.jupiter.api.Test;
 import simbad.sonar.fixture.Scenes;
 import simbad.sonar.fixture.Sonars;
@@ -195,6 +196,43 @@ class SequenceTest {
     assertPose(geometry, 0, 0.1, 0, 0);
     assertPose(geometry, 1, 0.3, 0.2, 0.2);
     assertPose(geometry, 3, 1.3, 0.2, 0.4);
+  }
+
+  /** Every change of poses: of a way that lies turned on the page, the true way lies so as well. */
+  @Property(tries = 40, seed = "20140617")
+  void changesOfPoses_turnWithThePage(@ForAll @DoubleRange(min = -2, max = 1.5) double turnRad) {
+    List<ReadingRow> turned = way().stream().map(row -> turned(row, turnRad)).toList();
+    List<Change> changes =
+        List.of(
+            new OdometryScale(1.3),
+            new PathScale(0.6),
+            new Latency(0.7),
+            new PingDelay(1.25),
+            new HeadingDrift(0.3, true),
+            new HeadingDrift(0.3, 2, true),
+            new HeadingDriftByWay(0.5));
+    for (Change change : changes) {
+      Geometry plain = geometry(way(), change);
+      Geometry rotated = geometry(turned, change);
+      double cos = Math.cos(turnRad);
+      double sin = Math.sin(turnRad);
+      for (int ping = 0; ping < 4; ping++) {
+        double x = plain.xM(ping);
+        double z = plain.zM(ping);
+        double heading = plain.headingRad(ping) + turnRad;
+        assertPose(rotated, ping, x * cos + z * sin, z * cos - x * sin, heading);
+      }
+    }
+  }
+
+  private static ReadingRow turned(ReadingRow row, double turnRad) {
+    double x = row.pose().position().xM();
+    double z = row.pose().position().zM();
+    double cos = Math.cos(turnRad);
+    double sin = Math.sin(turnRad);
+    Pose pose =
+        Pose.of(x * cos + z * sin, z * cos - x * sin, row.pose().heading().radians() + turnRad);
+    return new ReadingRow(row.run(), row.sensor(), row.timeS(), pose, row.reading());
   }
 
   @Test
