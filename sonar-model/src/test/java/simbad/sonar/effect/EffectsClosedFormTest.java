@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -14,6 +15,7 @@ import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.Set;
 import java.util.random.RandomGenerator;
+import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -226,6 +228,46 @@ class EffectsClosedFormTest {
     Change crosstalk = new Crosstalk(0.2, 0.5, 4.5, true);
     assertEcho(P + 0.2 * (1 - P), crosstalk);
     assertReads(P * WITHIN_1_25 + 0.2 * (1 - P) * 0.05 / 4, 0.85, crosstalk);
+  }
+
+  /** Half of the band from 0.375 m to 1.375 m lies before the face. */
+  @Test
+  void earlyCrosstalk_bandBeginsWhereItSays() {
+    Change crosstalk = new EarlyCrosstalk(0.2, 0.375, 1.375);
+    double foreign = 0.1 * P * 0.025 / 0.5 + 0.2 * (1 - P) * 0.05;
+    assertReads(0.9 * P * WITHIN_1_25 + foreign, 0.85, crosstalk);
+    assertReads(0.1 * P * 0.05 / 0.5 + 0.2 * (1 - P) * 0.05, 0.5, crosstalk);
+  }
+
+  /** What a range was before a change is what it is a change of. */
+  @Test
+  void rangeChanges_areUndone() {
+    List<RangeChange> changes =
+        List.of(
+            new SoundSpeed(1.1),
+            new RangeOffset(-0.05),
+            new ScatteredOffset(new RangeOffset(0.3), 0.1),
+            new RangeNoise(0.1, 0.1));
+    for (RangeChange change : changes) {
+      assertEquals(0.875, change.rangeM(change.meanM(0.875)), 1e-12, change.toString());
+    }
+    assertEquals(
+        new RangeOffset(0.3).order(), new ScatteredOffset(new RangeOffset(0.3), 0.1).order());
+    assertReads(
+        P * WITHIN_1_25, 1.75, new ScatteredOffset(new RangeOffset(0.025), 0), new SoundSpeed(2));
+  }
+
+  /** Even parts are drawn evenly: of 10,000 the mean lies within 5 of its deviations. */
+  @Test
+  void evenParts_areDrawnEvenly() {
+    Mixture mixture = new Mixture();
+    mixture.addEven(1, 2, 1);
+    RandomGenerator random = new Random(5);
+    DoubleSummaryStatistics drawn =
+        DoubleStream.generate(() -> mixture.drawM(0, random)).limit(10_000).summaryStatistics();
+    assertTrue(drawn.getMin() >= 1 && drawn.getMin() < 1.01, drawn.toString());
+    assertTrue(drawn.getMax() <= 2 && drawn.getMax() > 1.99, drawn.toString());
+    assertEquals(1.5, drawn.getAverage(), 5 * Math.sqrt(1 / 12.0 / 10_000));
   }
 
   @Test
