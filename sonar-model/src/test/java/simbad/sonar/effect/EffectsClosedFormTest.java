@@ -350,6 +350,11 @@ class EffectsClosedFormTest {
     }
     assertEcho(0.3 + 0.7 * P, crosstalk);
     assertReads(0.7 * P * WITHIN_1_25, 0.85, crosstalk);
+    // Of the band from 0.3 m to 0.9 m: 0.225 m lies before it, which is 0.825 m, and then 0.525 m.
+    Change farther = new WalkingCrosstalk(0.3, 0.3, 0.6, 0.3, 0.225, 0.015);
+    assertReads(0.3 * 0.6826895 + 0.7 * P * (0.1056498 - 0.0000884), 0.8, farther);
+    double next = sequence(List.of(farther), Logs.SILENCE, OptionalDouble.of(0.5))[1];
+    assertEquals(0.3 * 0.6826895, next, 1e-6);
   }
 
   /** Pings from the same place, 0.1 s apart. */

@@ -1,5 +1,6 @@
 package simbad.sonar.effect;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
@@ -9,6 +10,7 @@ import simbad.sonar.fixture.Scenes;
 import simbad.sonar.fixture.Sonars;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.sensing.ReadingRow;
 
 /** Faces and posts that are not in the scene, by what can be worked out by hand. */
 class UnmodelledObjectTest {
@@ -51,6 +53,20 @@ class UnmodelledObjectTest {
     assertSilent(1, Pose.of(4, 0, Math.PI), face(20, FAR));
     assertSilent(0.2, ahead, face(20, 2.98));
     assertSilent(1, ahead, face(20, 2.97));
+  }
+
+  /** Of two pings with nothing of the scene in their cones, only the one that faces it hears it. */
+  @Test
+  void objects_hangOnThePose_withNothingElseInTheCone() {
+    List<ReadingRow> rows =
+        List.of(
+            Logs.row(0, Pose.of(0, 0, Math.PI), Logs.SILENCE),
+            Logs.row(0.1, Pose.of(0, 0, 0), Logs.SILENCE),
+            Logs.row(0.2, Pose.of(0, 0, Math.PI), Logs.SILENCE));
+    for (Change object : List.of(face(20, FAR), post(0.1, FAR, 90))) {
+      double[] silent = Logs.likelihood(EMPTY, rows, List.of(object));
+      assertArrayEquals(new double[] {1, 0.2, 1}, silent, 1e-12, object.toString());
+    }
   }
 
   /** A post whose nearest point is 2.975 m ahead. */
