@@ -1,11 +1,13 @@
 package simbad.gap.fit;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import simbad.gap.fixture.Worlds;
+import simbad.sonar.effect.Effect;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
@@ -59,5 +61,15 @@ class TableSearchTest {
   void lonePingThatIsLost_makesNoHole() {
     check(grid(50, 0.13));
     check(grid(24, 0.13));
+  }
+
+  /** The believed 1.5 m times 0.6 + 0.2 cos b - 0.15 sin 2b, read off as a series. */
+  @Test
+  void waves_areThoseOfTheThreshold() {
+    double[] series = {-0.4, 0.2, 0, 0, -0.15, 0, 0};
+    Hypothesis truth = Worlds.effect(Effect.ORIENTATION_SHADOW, "waves:post#0", series);
+    List<ReadingRow> rows = Worlds.read(Worlds.poses(4000, 0.1, 1.6, 3), truth, 5);
+    double[] found = new TableSearch(new Clues(Worlds.evidence(rows), Hypothesis.NONE), 0).waves();
+    assertArrayEquals(series, found, 0.03);
   }
 }
