@@ -42,6 +42,24 @@ class DiagnosisJsonTest {
     assertEquals(Set.of(), schema().validate(sample()));
   }
 
+  /** Unknown u and named p give u, (1 - u) p and (1 - u)(1 - p). */
+  @Test
+  void verdictsProbabilities_addUp() {
+    Diagnosis sample = Samples.diagnosis();
+    double unknown = sample.unknownProbability();
+    double named = sample.namedProbability();
+    assertTrue(unknown > 0 && unknown < 1 && named > 0 && named < 1, "a sample that tells");
+    assertEquals(unknown, sample.probability(Verdict.UNEXPLAINED));
+    assertEquals((1 - unknown) * named, sample.probability(Verdict.EXPLAINED), 1e-12);
+    assertEquals((1 - unknown) * (1 - named), sample.probability(Verdict.NONE), 1e-12);
+    for (Verdict verdict : Verdict.values()) {
+      assertEquals(
+          sample.probability(verdict),
+          sample().get("verdict_probability").get(verdict.word()).asDouble(),
+          1e-9);
+    }
+  }
+
   @Test
   void text_isTheTree() throws IOException {
     String text = DiagnosisJson.text(Samples.diagnosis(), Samples.DATA, Samples.PROVENANCE);

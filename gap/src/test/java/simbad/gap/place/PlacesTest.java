@@ -20,6 +20,12 @@ import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.frame.Placement;
+import simbad.sonar.frame.Pose;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.Reading;
@@ -128,6 +134,37 @@ class PlacesTest {
     assertTrue(overlap(rows, audible, POST.in(first)) > 0.7, first::toString);
     assertEquals(GapKind.RANGE_ERROR, first.kind());
     assertTrue(first.afterCm() < 0.5 * first.beforeCm(), first::toString);
+  }
+
+  /** Of two posts 3 m apart only one is deaf: the place names it. */
+  @Test
+  void obstacle_thatIsNotHeard_isNamed() {
+    Obstacle near = Worlds.POST.scene().obstacles().get(0);
+    Obstacle far = new Obstacle("far", new Placement(3, 0, 0), near.outline(), near.detection());
+    SensingSetup two =
+        new SensingSetup(
+            Worlds.POST.sensor(), new Scene(List.of(near, far)), Worlds.POST.noEchoM());
+    List<ReadingRow> poses = new ArrayList<>(Worlds.poses(900, 0.3, 1.4, 31));
+    for (ReadingRow row : Worlds.poses(900, 0.3, 1.4, 33)) {
+      Pose pose = row.pose();
+      Pose there =
+          Pose.of(pose.position().xM() + 3, pose.position().zM(), pose.heading().radians());
+      poses.add(new ReadingRow("r", "s", 45 + row.timeS(), there, row.reading()));
+    }
+    List<ReadingRow> rows =
+        planted(
+            Worlds.read(two, poses, Hypothesis.NONE, 35),
+            row -> row.pose().position().xM() > 1.5 && row.timeS() % 0.2 < 0.1,
+            NoEcho.NO_ECHO);
+    Evidence evidence = new Evidence(two, List.of(), new PingLog(rows));
+    GapMeter meter = new GapMeter(evidence);
+    GapMeter.Gaps gap = meter.measure(evidence, Hypothesis.NONE);
+    List<Place> places = Places.find(evidence, gap, gap, new Blocks(evidence.log()));
+    assertTrue(
+        places.stream()
+            .flatMap(place -> place.conditions().stream())
+            .anyMatch(condition -> condition.name().filter("far"::equals).isPresent()),
+        places::toString);
   }
 
   @ParameterizedTest
