@@ -36,6 +36,24 @@ class ProbabilitiesTest {
     assertEquals(1 / (1 + Math.exp(-1)), clumped.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
   }
 
+  /** A third effect costs four times as much as one of two, a fourth seven times. */
+  @Test
+  void aThirdAndAFourthEffectCostMore() {
+    Hypothesis three = BOTH.and(Worlds.effect(Effect.LATENCY, "time", 0.1).forms().get(0), 0.1);
+    Hypothesis four =
+        three.and(Worlds.effect(Effect.SOUND_SPEED, "scale", 340).forms().get(0), 340);
+    checkEven(BOTH, 10 * 2 + 0.5 * 2);
+    checkEven(three, 10 * (1 + 1 + 4) + 0.5 * 3);
+    checkEven(four, 10 * (1 + 1 + 4 + 7) + 0.5 * 4);
+  }
+
+  private static void checkEven(Hypothesis set, double nats) {
+    Probabilities even =
+        new Probabilities(
+            List.of(scored(Hypothesis.NONE, -100), scored(set, -100 + nats)), 10, 1, Set.of());
+    assertEquals(0.5, even.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12, set.toString());
+  }
+
   /** What does not show in the gap costs five times as much. */
   @Test
   void anUnseenEffectCostsMore() {
