@@ -105,7 +105,7 @@ public final class Unknown {
   }
 
   /** By what is left of the gap; next to nothing does not matter, however sure it is. */
-  private static double left(Gain gain) {
+  static double left(Gain gain) {
     double expected = mean(gain.after().expectedM());
     double ratio = (gain.afterM() + MILLIMETRE) / (expected + MILLIMETRE);
     double over = PER_LEFT * Math.log(Math.max(LEAST_LEFT, Math.min(MOST_LEFT, ratio)));
@@ -126,7 +126,7 @@ public final class Unknown {
   }
 
   /** Bursts longer than there are, or an object where a known one stands. */
-  private static boolean isStandIn(Change change, Scene scene) {
+  static boolean isStandIn(Change change, Scene scene) {
     if (change instanceof Burst burst) {
       return burst.lengthPings() > NEARLY * Burst.LONGEST_PINGS;
     }

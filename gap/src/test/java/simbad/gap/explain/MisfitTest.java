@@ -48,6 +48,28 @@ class MisfitTest {
     assertTrue(top(drawn(gain, 7), gain) < 4);
   }
 
+  /** Silence where echoes are expected is off by the share of echoes that were expected. */
+  @Test
+  void sizeOfAMisfit_isTheShareThatIsOff() {
+    List<ReadingRow> silent =
+        Worlds.poses(500, 0.3, 2.2, 9).stream().map(MisfitTest::silent).toList();
+    List<Misfit.Slice> echoes =
+        Misfit.of(Worlds.evidence(silent), Hypothesis.NONE).slices().stream()
+            .filter(slice -> slice.kind().equals("echo"))
+            .toList();
+    assertTrue(echoes.stream().allMatch(slice -> slice.z() < 0 && slice.size() < 0));
+    // Up to the threshold of 1.5 m all but what an edge of 5 cm lets go, and 2 % that are lost.
+    double all = echoes.stream().mapToDouble(Misfit.Slice::size).min().orElseThrow();
+    assertEquals(-0.98, all, 0.02);
+    double some =
+        echoes.stream()
+            .filter(slice -> slice.name().startsWith("sensor#"))
+            .mapToDouble(Misfit.Slice::size)
+            .findFirst()
+            .orElseThrow();
+    assertEquals(-0.98 * 1.2 / 1.9, some, 0.06);
+  }
+
   /** Bursts learn ping by ping that it is silent far off; where no reading is known they cannot. */
   @Test
   void memoryThatSoaksUpSomethingElse_isSeenAhead() {
@@ -65,6 +87,10 @@ class MisfitTest {
             .orElseThrow();
     assertTrue(Math.abs(worst.z()) > 5, worst::toString);
     assertTrue(misfit.slices().size() > 100);
+    assertTrue(
+        misfit.slices().stream()
+            .anyMatch(slice -> slice.kind().equals("forecast") && slice.name().endsWith("#0")),
+        "the first slice of a cut is one of them");
   }
 
   private static ReadingRow silent(ReadingRow row) {

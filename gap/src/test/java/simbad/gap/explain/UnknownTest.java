@@ -1,12 +1,16 @@
 package simbad.gap.explain;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
+import simbad.sonar.effect.Burst;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Forms;
 
@@ -28,5 +32,70 @@ class UnknownTest {
     Hypothesis dropout = Worlds.effect(Effect.DROPOUT, "single", 0.1);
     assertTrue(Unknown.named(dropout, 0.5) > Unknown.named(OFFSET, 0.5));
     assertTrue(Unknown.named(OFFSET, 0.1) > Unknown.named(OFFSET, 0.9));
+  }
+
+  private static Gain gain(double beforeM, double afterM, double expectedM) {
+    return new Gain(
+        new GapMeter.Gaps(new double[] {beforeM}, new double[] {0}),
+        new GapMeter.Gaps(new double[] {afterM}, new double[] {expectedM}));
+  }
+
+  /** Twice as much is left of the gap as the explanation expects of itself. */
+  @Test
+  void whatIsLeftOfTheGap_speaksForSomethingElse() {
+    assertEquals(
+        Unknown.left(gain(0.3, 0.04, 0.04)) + 1.75 * Math.log(81.0 / 41) + 0.5,
+        Unknown.left(gain(0.3, 0.08, 0.04)),
+        1e-9);
+    assertEquals(
+        Unknown.left(gain(9, 4.5, 0.5)), Unknown.left(gain(9, 6, 0.5)), "no more than fourfold");
+  }
+
+  /** 1 cm more than expected: a twentieth of what was there to take away is 5 mm, or 15. */
+  @Test
+  void aTwentiethOfTheGap_doesNotMatter() {
+    double over = 1.75 * Math.log(111.0 / 101);
+    assertEquals(over, Unknown.left(gain(0.2, 0.11, 0.1)), 1e-9);
+    assertEquals(over - 0.5, Unknown.left(gain(0.4, 0.11, 0.1)), 1e-9);
+    assertEquals(
+        1.75 * Math.log(2.9 / 2) - 0.5,
+        Unknown.left(gain(0.002, 0.0019, 0.001)),
+        1e-9,
+        "2 mm never do");
+  }
+
+  private static boolean standsIn(Effect effect, String form, double... values) {
+    return Unknown.isStandIn(
+        Worlds.effect(effect, form, values).changes().get(0), Worlds.POST.scene());
+  }
+
+  @Test
+  void whatNeverWasThere_standsForSomethingElse() {
+    assertTrue(standsIn(Effect.DROPOUT, "bursts", 0.3, Burst.LONGEST_PINGS));
+    assertFalse(standsIn(Effect.DROPOUT, "bursts", 0.3, 0.9 * Burst.LONGEST_PINGS));
+    assertFalse(standsIn(Effect.DROPOUT, "single", 0.3));
+    // The post of the scene ends 5 cm from its middle.
+    assertTrue(standsIn(Effect.UNMODELLED_OBJECT, "post", 0.09, 0, 0.05, 4, 0.95, 90));
+    assertFalse(standsIn(Effect.UNMODELLED_OBJECT, "post", 0.59, 0, 0.05, 4, 0.95, 90));
+  }
+
+  /** The same log, the same share of it lost: only how long bursts are said to be differs. */
+  @Test
+  void standIn_makesTheUnknownProbable() {
+    Evidence evidence =
+        Worlds.evidence(
+            Worlds.read(
+                Worlds.poses(300, 0.3, 1.3, 1),
+                Worlds.effect(Effect.DROPOUT, "bursts", 0.3, 11),
+                2));
+    Blocks blocks = new Blocks(evidence.log());
+    double[] probability = new double[2];
+    for (int i = 0; i < 2; i++) {
+      Hypothesis bursts =
+          Worlds.effect(Effect.DROPOUT, "bursts", 0.3, i == 0 ? 11 : Burst.LONGEST_PINGS);
+      Gain gain = Gain.of(evidence, blocks, bursts);
+      probability[i] = Unknown.probability(evidence, Calibration.none(), gain, bursts);
+    }
+    assertTrue(probability[0] < 0.5 && probability[1] > 0.5, () -> Arrays.toString(probability));
   }
 }

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.frame.Pose;
+import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -42,6 +43,40 @@ class PostSearchTest {
     double nearest =
         starts.stream().mapToDouble(s -> Math.hypot(s[0] - 0.9, s[1] + 0.6)).min().orElseThrow();
     assertTrue(nearest < 0.01, "nearest start is " + nearest + " m away");
+  }
+
+  /** Every second reading is of a world with another post, every tenth from anywhere. */
+  @Test
+  void twoPostsAmongStrays_areBothFound() {
+    double[][] places = {{0.9, -0.6}, {-1.1, 0.7}};
+    List<List<ReadingRow>> worlds = new ArrayList<>();
+    for (double[] at : places) {
+      worlds.add(
+          Worlds.read(
+              lookingRound(),
+              Worlds.effect(Effect.UNMODELLED_OBJECT, "post", at[0], at[1], 0.05, 4, 0.95, 90),
+              12));
+    }
+    Random random = new Random(13);
+    List<ReadingRow> rows = new ArrayList<>();
+    for (int i = 0; i < 600; i++) {
+      ReadingRow row = worlds.get(i % 2).get(i);
+      Echo stray = new Echo(random.nextDouble(0.1, 3.9));
+      rows.add(
+          i % 10 < 9
+              ? row
+              : new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), stray));
+    }
+    Clues both = new Clues(Worlds.evidence(rows), Hypothesis.NONE);
+    List<double[]> starts = new PostSearch(both, 4).starts();
+    for (double[] at : places) {
+      double nearest =
+          starts.stream()
+              .mapToDouble(s -> Math.hypot(s[0] - at[0], s[1] - at[1]))
+              .min()
+              .orElseThrow();
+      assertTrue(nearest < 0.01, "nearest start is " + nearest + " m away");
+    }
   }
 
   @Test

@@ -78,6 +78,20 @@ class ScreenTest {
     assertEquals(List.of(form), found.hypothesis().forms());
   }
 
+  /** The form with a value more fits at least as well: it holds the other. */
+  @ParameterizedTest
+  @CsvSource({"DROPOUT, single, 0.2, bursts", "RANGE_OFFSET, constant, 0.04, scattered"})
+  void ofFormsThatFitAlike_theSimplerIsTaken(
+      Effect effect, String simple, double value, String wider) {
+    assertTrue(
+        form(Worlds.POST, effect, wider).parameters().size()
+            > form(Worlds.POST, effect, simple).parameters().size());
+    Fit found =
+        screened(
+            Worlds.POST, Worlds.effect(effect, simple, value), Worlds.poses(600, 0.3, 1.6, 36));
+    assertEquals(simple, found.hypothesis().forms().get(0).name());
+  }
+
   /** The angle at which it is heard no more is a gate: between its pings nothing changes. */
   @Test
   void gateOfAFace_isFound() {

@@ -1,0 +1,70 @@
+package simbad.gap.place;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+/** Four hundred pings, twenty steps of one variable by twenty of another. */
+class ScanTest {
+  private static final int SIDE = 20;
+  private static final Slice ALL = new Slice(List.of());
+  private static final Axis ONE = Axis.numbered("one", SIDE * SIDE, 1, i -> Math.floorDiv(i, SIDE));
+  private static final Axis OTHER = Axis.numbered("other", SIDE * SIDE, 1, i -> i % SIDE);
+  private static final Scan.Cut BOTH = new Scan.Cut(ALL, List.of(ONE, OTHER));
+
+  private static Scan scan(IntPredicate off) {
+    double[] excess =
+        IntStream.range(0, SIDE * SIDE).mapToDouble(i -> off.test(i) ? 1 : 0).toArray();
+    return new Scan(excess, i -> true);
+  }
+
+  private static boolean isWithin(int value, int from, int to) {
+    return value >= from && value < to;
+  }
+
+  @Test
+  void range_holdsItsBinsAndNoMore() {
+    Slice.Range range = new Slice.Range(ONE, 5, 7);
+    for (int ping = 0; ping < SIDE * SIDE; ping++) {
+      assertEquals(isWithin(ping / SIDE, 5, 7), range.holds(ping), "ping " + ping);
+    }
+    assertTrue(ALL.and(range).holds(5 * SIDE));
+    assertFalse(ALL.and(range).and(new Slice.Range(OTHER, 3, 4)).holds(5 * SIDE));
+  }
+
+  @Test
+  void interval_isFoundWithItsBorders() {
+    Scan.Found found =
+        scan(i -> isWithin(i / SIDE, 5, 7)).best(new Scan.Cut(ALL, List.of(ONE))).orElseThrow();
+    assertEquals(List.of(new Slice.Range(ONE, 5, 7)), found.slice().ranges());
+    assertEquals(2.0 * SIDE, found.merit(), 1e-9);
+  }
+
+  @Test
+  void field_isFoundWithAllItsBorders() {
+    Scan.Found found =
+        scan(i -> isWithin(i / SIDE, 5, 9) && isWithin(i % SIDE, 3, 10)).best(BOTH).orElseThrow();
+    assertTrue(found.slice().ranges().contains(new Slice.Range(ONE, 5, 9)), found::toString);
+    assertTrue(found.slice().ranges().contains(new Slice.Range(OTHER, 3, 10)), found::toString);
+    assertEquals(28, found.merit(), 1e-9);
+  }
+
+  /** What one variable tells alone is told by it alone. */
+  @Test
+  void secondVariable_hasToBeWorthIt() {
+    assertTrue(scan(i -> isWithin(i / SIDE, 5, 9)).best(BOTH).isEmpty());
+    // Nine tenths of the other: 18 squared over 18 to a step is less than 1.25 times over 20.
+    assertTrue(scan(i -> isWithin(i / SIDE, 5, 9) && i % SIDE < 18).best(BOTH).isEmpty());
+    assertTrue(scan(i -> isWithin(i / SIDE, 5, 9) && i % SIDE < 10).best(BOTH).isPresent());
+  }
+
+  @Test
+  void noExcess_isNowhere() {
+    assertTrue(scan(i -> false).best(BOTH).isEmpty());
+  }
+}
