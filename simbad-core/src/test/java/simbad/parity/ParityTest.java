@@ -11,11 +11,13 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -39,6 +41,21 @@ class ParityTest {
           "# belt of \\w+ '(.*)' n=(\\d+) maxRange=(\\S+) flags=(\\d) ups=(\\S+) angles=(.*)");
   private static final Pattern AGENT =
       Pattern.compile("# agent (\\w+) radius=(\\S+) height=(\\S+) mass=(\\S+)");
+
+  private static int values;
+  private static double greatest;
+
+  /** What docs/figures/measure takes. */
+  @AfterAll
+  static void say() {
+    int traces = Scenarios.all().size();
+    System.out.printf(
+        Locale.ROOT,
+        "parity: %d traces, %,d values, greatest difference %.1e%n",
+        traces,
+        values,
+        greatest);
+  }
 
   static Stream<String> names() {
     return Scenarios.all().keySet().stream();
@@ -108,6 +125,9 @@ class ParityTest {
           0, Math.IEEEremainder(number(expected) - actual.number(), 2 * Math.PI), TOLERANCE, where);
     } else {
       assertEquals(number(expected), actual.number(), TOLERANCE, where);
+      double difference = Math.abs(number(expected) - actual.number());
+      greatest = Math.max(greatest, Double.isNaN(difference) ? 0 : difference);
+      values++;
     }
   }
 

@@ -77,6 +77,7 @@ final class BenchTableCommand extends Subcommand {
 
   private void compare(CapturedTable table, ThresholdTable known) {
     double sum = 0;
+    double least = Double.POSITIVE_INFINITY;
     double most = 0;
     int within = 0;
     int size = table.fits().size();
@@ -87,15 +88,17 @@ final class BenchTableCommand extends Subcommand {
       double knownM = known.thresholdM(bearingRad);
       double difference = Math.abs(fit.thresholdM() - knownM);
       sum += difference;
+      least = Math.min(least, difference);
       most = Math.max(most, difference);
       within += band.holds(bearingRad, knownM) ? 1 : 0;
     }
     out()
         .printf(
             Locale.ROOT,
-            "against %s: mean difference %.2f cm, largest %.2f cm; %d of %d within the interval%n",
+            "against %s: %.2f cm off in the mean, %.2f to %.2f cm; %d of %d within the interval%n",
             other,
             CM * sum / size,
+            CM * least,
             CM * most,
             within,
             size);

@@ -65,7 +65,11 @@ public record FidelityVerdict(List<String> failings) {
     OptionalDouble radial = result.errors().meanM();
     return String.join(
         "; ",
-        text("agrees at %.2f %% of the poses", 100 * result.map().agreement()),
+        String.format(
+            Locale.ROOT,
+            "agrees at %.2f %% of %,d poses",
+            100 * result.map().agreement(),
+            result.map().poses()),
         radial.isPresent()
             ? text("radial error %.2f cm in the mean", CM * radial.getAsDouble())
             : "crosses no bearing",

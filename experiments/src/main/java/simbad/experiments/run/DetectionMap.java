@@ -49,6 +49,11 @@ public record DetectionMap(ShareGrid disagreement, double agreement) {
         .orElse(0);
   }
 
+  /** Returns the number of poses: places times headings. */
+  public int poses() {
+    return disagreement.cells() * disagreement.cells() * HEADINGS;
+  }
+
   private Point placeOf(int index) {
     int cells = disagreement.cells();
     return new Point(disagreement.centreM(index % cells), disagreement.centreM(index / cells));

@@ -26,7 +26,7 @@ class FidelityCommandTest {
             .out()
             .matches(
                 "round, shadow: faithful\n"
-                    + "  agrees at (100|99\\.\\d+).* of the poses; radial error \\d\\.\\d\\d cm in the mean;"
+                    + "  agrees at (100|99\\.\\d+).* of 39,366 poses; radial error \\d\\.\\d\\d cm in the mean;"
                     + " 0\\.\\d\\d cm beside the edge in the mean; 0 bearings not reached\n"
                     + "written to .*out \\(open .*report.html\\)\n"),
         shell.out());

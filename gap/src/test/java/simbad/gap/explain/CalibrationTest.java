@@ -16,6 +16,8 @@ import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.PingLog;
 import simbad.sonar.effect.SetupForms;
+import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.ReadingRow;
 
 class CalibrationTest {
   private static PingLog log(Hypothesis world, int rows, long seed) {
@@ -133,5 +135,27 @@ class CalibrationTest {
     Arrays.fill(tight, 1e-8);
     Hypothesis held = new Waves(fitter, form).moved(Hypothesis.NONE, tight);
     assertEquals(0, held.values()[0], 1e-3);
+    // 4 cm at most in a step: what the prior wins is more than what the readings lose.
+    Hypothesis back = new Waves(fitter, form).moved(free, tight);
+    assertEquals(free.values()[0] - 0.04, back.values()[0], 1e-9);
+  }
+
+  /** A reference of which every fourth block of time is silent, and one of independent readings. */
+  @Test
+  void clumping_isHowMuchMoreBlocksVary() {
+    List<ReadingRow> rows = Worlds.read(Worlds.poses(600, 0.3, 1.3, 19), Hypothesis.NONE, 20);
+    assertEquals(1, Calibration.of(Worlds.POST, new PingLog(rows)).clumping(), 0.6);
+    List<ReadingRow> clumped =
+        rows.stream()
+            .map(row -> Math.floor(row.timeS() / 2.5) % 4 == 1 ? silent(row) : row)
+            .toList();
+    Calibration calibration = Calibration.of(Worlds.POST, new PingLog(clumped));
+    // 50 pings in a block: all lost in three of twelve, none in nine.
+    assertTrue(calibration.clumping() > 4, () -> "clumping " + calibration.clumping());
+    assertTrue(Calibration.of(Worlds.POST, new PingLog(rows)).clumping() >= 1);
+  }
+
+  private static ReadingRow silent(ReadingRow row) {
+    return new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), NoEcho.NO_ECHO);
   }
 }

@@ -3,6 +3,7 @@ package simbad.gap.place;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -13,6 +14,8 @@ import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
 import simbad.sonar.sensing.ReadingRow;
 
 class ExperimentsTest {
@@ -87,5 +90,23 @@ class ExperimentsTest {
     NextExperiment next =
         Experiments.separate(Worlds.evidence(ONE_DISTANCE), speed, OFFSET).orElseThrow();
     assertEquals(List.of(Effect.SOUND_SPEED), next.separates());
+  }
+
+  /** Only the transducer that is bent can tell whether it is. */
+  @Test
+  void whatOneTransducerDoes_isAskedOfIt() {
+    List<ReadingRow> rows = new ArrayList<>();
+    for (String sensor : List.of("left", "right")) {
+      for (ReadingRow row : ONE_DISTANCE) {
+        rows.add(new ReadingRow(row.run(), sensor, row.timeS(), row.pose(), row.reading()));
+      }
+    }
+    Form bent =
+        Forms.find(Effect.BEAM_MISALIGNMENT, "only:right", Worlds.POST, List.of("left", "right"))
+            .orElseThrow();
+    NextExperiment next =
+        Experiments.separate(Worlds.evidence(rows), Hypothesis.NONE, Hypothesis.NONE.and(bent, 6))
+            .orElseThrow();
+    assertTrue(next.poses().stream().allMatch(row -> row.sensor().equals("right")));
   }
 }

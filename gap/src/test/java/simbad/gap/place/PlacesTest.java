@@ -136,14 +136,42 @@ class PlacesTest {
     assertTrue(first.afterCm() < 0.5 * first.beforeCm(), first::toString);
   }
 
+  /** A post at the origin and another 3 m to the right. */
+  private static SensingSetup twoPosts() {
+    Obstacle near = Worlds.POST.scene().obstacles().get(0);
+    Obstacle far = new Obstacle("far", new Placement(3, 0, 0), near.outline(), near.detection());
+    return new SensingSetup(
+        Worlds.POST.sensor(), new Scene(List.of(near, far)), Worlds.POST.noEchoM());
+  }
+
+  /** Distances and angles are to the obstacle that the ping belongs to. */
+  @Test
+  void distance_isToTheObstacleInTheCone() {
+    List<ReadingRow> rows = new ArrayList<>();
+    for (int i = 0; i < 10; i++) {
+      Pose pose =
+          Pose.of(i % 2 == 0 ? 0.5 + 0.05 * i : 2.2 + 0.05 * i, 0, i % 2 == 0 ? Math.PI : 0);
+      rows.add(new ReadingRow("r", "s", 0.1 * i, pose, NoEcho.NO_ECHO));
+    }
+    Evidence evidence = new Evidence(twoPosts(), List.of(), new PingLog(rows));
+    Axis distance =
+        Cuts.of(evidence.geometry(evidence.model(Hypothesis.NONE))).stream()
+            .map(cut -> cut.axes().get(0))
+            .filter(axis -> axis.condition(0, 1).variable().equals("distance_m"))
+            .findFirst()
+            .orElseThrow();
+    for (int i = 0; i < 10; i++) {
+      double metres = i % 2 == 0 ? 0.5 + 0.05 * i : 0.8 - 0.05 * i;
+      int bin = distance.bin(i);
+      Interval range = distance.condition(bin, bin + 1).interval().orElseThrow();
+      assertTrue(range.low() <= metres + 1e-9 && metres - 1e-9 <= range.high(), i + ": " + range);
+    }
+  }
+
   /** Of two posts 3 m apart only one is deaf: the place names it. */
   @Test
   void obstacle_thatIsNotHeard_isNamed() {
-    Obstacle near = Worlds.POST.scene().obstacles().get(0);
-    Obstacle far = new Obstacle("far", new Placement(3, 0, 0), near.outline(), near.detection());
-    SensingSetup two =
-        new SensingSetup(
-            Worlds.POST.sensor(), new Scene(List.of(near, far)), Worlds.POST.noEchoM());
+    SensingSetup two = twoPosts();
     List<ReadingRow> poses = new ArrayList<>(Worlds.poses(900, 0.3, 1.4, 31));
     for (ReadingRow row : Worlds.poses(900, 0.3, 1.4, 33)) {
       Pose pose = row.pose();
