@@ -46,6 +46,9 @@ class EffectDetailsTest {
     double heading = Math.toRadians(10);
     assertEquals(heading, nearestOffAxis(Pose.of(0, 0.05, heading)), 1e-9);
     assertEquals(heading, nearestOffAxis(Pose.of(0, -0.05, -heading)), 1e-9);
+    double across = Math.toRadians(90);
+    assertEquals(heading, nearestOffAxis(Pose.of(1.04, 0.5, across - heading)), 1e-9);
+    assertEquals(heading, nearestOffAxis(Pose.of(0.94, -0.5, -across + heading)), 1e-9);
     // From beside, the corner at (0.875, 0.125): 0.375 m across and 0.875 m ahead.
     assertEquals(Math.atan2(0.375, 0.875), nearestOffAxis(Pose.of(0, 0.5, 0)), 1e-9);
     // It has left the cone of 27.5 degrees: what is nearest of the rest lies on the cone's edge.
@@ -180,6 +183,7 @@ class EffectDetailsTest {
     Parameter gain = Parameter.of("gain", 1, 0.5, 1, 0.9);
     assertEquals("in [0.5, 1.0]", gain.domain());
     assertTrue(gain.permits(1));
+    assertEquals("in [0.0, 1.0]", Parameter.of("share", 0, 0, 1, 0.1).domain());
     assertFalse(gain.permits(1.1));
   }
 }
