@@ -16,6 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simbad.sonar.fixture.Scenes;
 import simbad.sonar.fixture.Sonars;
 import simbad.sonar.frame.Pose;
+import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.ReadingRow;
@@ -185,5 +186,37 @@ class EffectDetailsTest {
     assertTrue(gain.permits(1));
     assertEquals("in [0.0, 1.0]", Parameter.of("share", 0, 0, 1, 0.1).domain());
     assertFalse(gain.permits(1.1));
+  }
+
+  private static List<String> names(Effect effect, List<String> sensors, Obstacle... obstacles) {
+    return Forms.all(setup(0.05, Scenes.of(obstacles)), sensors).stream()
+        .filter(form -> form.effect() == effect)
+        .map(Form::name)
+        .toList();
+  }
+
+  /** What is of one obstacle or transducer and what is of all are two forms where there are two. */
+  @Test
+  void forms_areOfOneOrOfAll() {
+    Obstacle box = Scenes.box(1, 0, 1.2);
+    Obstacle other = Scenes.box(-1, 0, 1.2);
+    List<String> one = List.of("left");
+    List<String> two = List.of("left", "right");
+    assertEquals(List.of("all"), names(Effect.OBSTACLE_OFFSET, one, box));
+    assertEquals(3, names(Effect.OBSTACLE_OFFSET, one, box, other).size());
+    assertEquals(List.of("all"), names(Effect.BEAM_MISALIGNMENT, one, box));
+    assertEquals(
+        List.of("all", "only:left", "only:right"), names(Effect.BEAM_MISALIGNMENT, two, box));
+    assertFalse(names(Effect.ORIENTATION_SHADOW, one, box).contains("tables#0"));
+    assertTrue(names(Effect.ORIENTATION_SHADOW, one, box, other).contains("tables#0,1"));
+  }
+
+  /** Laws by the angle to the centre, to the outline, and to the nearest point. */
+  @Test
+  void forms_areAllOfTheirKind() {
+    List<String> patterns = names(Effect.BEAM_PATTERN, List.of("s"), Scenes.box(1, 0, 1.2));
+    assertTrue(patterns.stream().anyMatch(name -> name.endsWith("-nearest")), patterns::toString);
+    assertTrue(names(Effect.STALE_READING, List.of("s")).containsAll(List.of("count", "time")));
+    assertTrue(names(Effect.PREVIOUS_PING, List.of("s")).contains("read-nearer"));
   }
 }
