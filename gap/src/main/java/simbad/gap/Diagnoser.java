@@ -16,16 +16,16 @@ import simbad.gap.diagnosis.FittedParameter;
 import simbad.gap.diagnosis.GapFigures;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.NextExperiment;
-import simbad.gap.diagnosis.Verdict;
+import simbad.gap.diagnosis.Place;
 import simbad.gap.explain.Blocks;
 import simbad.gap.explain.Calibration;
 import simbad.gap.explain.Gain;
-import simbad.gap.explain.PracticalSize;
 import simbad.gap.explain.Probabilities;
 import simbad.gap.explain.Scored;
 import simbad.gap.explain.Search;
 import simbad.gap.explain.Uncertainty;
 import simbad.gap.explain.Unknown;
+import simbad.gap.explain.Weighed;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.place.Experiments;
@@ -103,17 +103,16 @@ public final class Diagnoser {
       double worthNats,
       Search search,
       List<Scored> sets,
-      Probabilities probabilities,
+      Weighed weighed,
       boolean isFull) {
     static Inquiry of(Evidence evidence, Calibration calibration, double worthNats, Search search) {
       List<Scored> sets = search.run();
-      Probabilities probabilities = weighed(evidence, sets, worthNats, calibration.clumping());
-      return new Inquiry(
-          evidence, calibration, worthNats, search, sets, probabilities, !search.isOff());
+      Weighed weighed = Weighed.of(evidence, sets, worthNats, calibration.clumping());
+      return new Inquiry(evidence, calibration, worthNats, search, sets, weighed, !search.isOff());
     }
 
     Hypothesis best() {
-      return probabilities.best().hypothesis();
+      return weighed.probabilities().best().hypothesis();
     }
 
     /** The set-up with what of this belongs to it. */
@@ -129,7 +128,7 @@ public final class Diagnoser {
           worthNats,
           search,
           more,
-          weighed(evidence, more, worthNats, calibration.clumping()),
+          Weighed.of(evidence, more, worthNats, calibration.clumping()),
           true);
     }
   }
@@ -139,39 +138,31 @@ public final class Diagnoser {
     double least = Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size());
     double worth = least * calibration.clumping() * (data.reference().isEmpty() ? 1 : OFF);
     // In one block nothing is left to test on what is fitted: too few rows to name anything.
-    Set<Effect> excluded = new Blocks(log).count() > 1 ? withheld : EnumSet.allOf(Effect.class);
+    Set<Effect> excluded = new Blocks(log).canBeHeldOut() ? withheld : EnumSet.allOf(Effect.class);
     return Inquiry.of(evidence, calibration, worth, new Search(evidence, excluded, worth));
-  }
-
-  private static Probabilities weighed(
-      Evidence evidence, List<Scored> sets, double worth, double clumping) {
-    PracticalSize size = new PracticalSize(evidence, sets);
-    Set<Effect> unseen = EnumSet.noneOf(Effect.class);
-    Probabilities probabilities = new Probabilities(sets, worth, clumping, unseen);
-    double most = (1 + Probabilities.UNSEEN) * worth;
-    while (unseen.addAll(size.unseen(probabilities.best(), most))) {
-      probabilities = new Probabilities(sets, worth, clumping, unseen);
-    }
-    return probabilities;
   }
 
   private Diagnosis conclude(Inquiry inquiry) {
     Evidence evidence = inquiry.evidence;
     Calibration calibration = inquiry.calibration;
     List<Scored> sets = inquiry.sets;
-    Probabilities probabilities = inquiry.probabilities;
+    Probabilities probabilities = inquiry.weighed.probabilities();
+    Gain gain = inquiry.weighed.gain();
     Hypothesis best = inquiry.best();
     Blocks blocks = new Blocks(evidence.log());
-    Gain gain = Gain.of(evidence, blocks, best);
     double unknown = Unknown.probability(evidence, calibration, gain, best);
+    List<Place> where = Places.find(evidence, gain.before(), gain.after(), blocks);
+    Conclusion conclusion = Conclusion.of(inquiry.weighed, unknown, where, blocks);
     return new Diagnosis(
-        verdict(best, unknown),
+        conclusion.verdict(),
+        conclusion.reason(),
         best.effects(),
         new Findings(evidence, sets, probabilities, unknown, calibration.clumping()).all(),
         unknown,
         1 - probabilities.ofNone(),
+        conclusion.atBound(),
         figures(gain, blocks),
-        Places.find(evidence, gain.before(), gain.after(), blocks),
+        where,
         Undetectables.of(evidence, best, Probabilities.COST_NATS * calibration.clumping()),
         nextExperiment(evidence, sets, probabilities, calibration.clumping()),
         best,
@@ -200,21 +191,19 @@ public final class Diagnoser {
     return Optional.empty();
   }
 
-  private static Verdict verdict(Hypothesis best, double unknown) {
-    if (unknown > 0.5) {
-      return Verdict.UNEXPLAINED;
-    }
-    return best.forms().isEmpty() ? Verdict.NONE : Verdict.EXPLAINED;
-  }
-
+  /** One block alone says nothing of another log. */
   private GapFigures figures(Gain gain, Blocks blocks) {
+    Interval shrink =
+        blocks.canBeHeldOut()
+            ? gain.shrinkage95(blocks, seed)
+            : new Interval(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
     return new GapFigures(
         gain.before().observedM().length,
         100 * gain.beforeM(),
         100 * gain.afterM(),
         100 * gain.floorM(),
         gain.shrinkage(),
-        gain.shrinkage95(blocks, seed));
+        shrink);
   }
 
   private static List<Diagnosis.Attempt> attempts(List<Scored> sets) {

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
@@ -16,10 +17,14 @@ import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.Verdict;
+import simbad.gap.fixture.Worlds;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.ReadingsFile;
 import simbad.sonar.format.SceneFile;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.sensing.Echo;
+import simbad.sonar.sensing.Reading;
 import simbad.sonar.sensing.ReadingRow;
 
 /** Data sets whose truth is known: src/test/resources/practice/README.md. */
@@ -100,11 +105,59 @@ class DiagnoserTest {
   }
 
   @Test
-  void saysNoneOfTooFewRows() throws Exception {
+  void saysUndecidedOfTooFewRows() throws Exception {
     DataSet all = practice("p010");
     List<ReadingRow> one = all.readings().subList(0, 1);
     Diagnosis diagnosis =
         new Diagnoser(1, Set.of()).diagnose(new DataSet("one", all.setup(), one, List.of()));
+    assertEquals(Verdict.UNDECIDED, diagnosis.verdict());
+    assertEquals(List.of(), diagnosis.explanation());
+    assertTrue(diagnosis.reason().startsWith("there are too few readings: 1 "), diagnosis.reason());
+    assertTrue(Double.isInfinite(diagnosis.gap().shrinkCi95().low()), "nothing is known of it");
+  }
+
+  /** Stored with a wrong constant: the noise and the steps are scaled with the ranges. */
+  @Test
+  void namesSoundSpeedWhereAllReadingsAreTheSameShareOfTheTruth() throws Exception {
+    for (double share : new double[] {0.64, 5}) {
+      Diagnosis diagnosis = new Diagnoser(1, Set.of()).diagnose(multiplied("p005", share));
+      assertEquals(Verdict.EXPLAINED, diagnosis.verdict(), () -> share + ": " + diagnosis.fitted());
+      assertEquals(List.of(Effect.SOUND_SPEED), diagnosis.explanation());
+      assertEquals(343 / share, fitted(diagnosis, Effect.SOUND_SPEED), 0.02 * 343 / share);
+    }
+  }
+
+  /** Beyond all that is searched: it fits as well as can be, and explains nothing. */
+  @Test
+  void explainsNothingByAValueAtTheEndOfTheSearch() throws Exception {
+    Diagnosis diagnosis = new Diagnoser(1, Set.of()).diagnose(multiplied("p005", 9));
+    assertEquals(Verdict.UNEXPLAINED, diagnosis.verdict());
+    assertEquals(Effect.SOUND_SPEED, diagnosis.atBound().get(0).effect());
+    assertTrue(diagnosis.reason().contains("stands at the end of what was searched"));
+  }
+
+  @Test
+  void pingsThatAreSecondsApartAreDiagnosed() throws Exception {
+    DataSet quick = practice("p005");
+    List<ReadingRow> slow = new ArrayList<>();
+    for (ReadingRow row : quick.readings().subList(0, 300)) {
+      slow.add(
+          new ReadingRow(row.run(), row.sensor(), 50 * row.timeS(), row.pose(), row.reading()));
+    }
+    SensingSetup setup = Worlds.withUpdatePeriod(quick.setup(), 5);
+    Diagnosis diagnosis =
+        new Diagnoser(1, Set.of()).diagnose(new DataSet("slow", setup, slow, List.of()));
     assertEquals(Verdict.NONE, diagnosis.verdict());
+  }
+
+  private static DataSet multiplied(String id, double share) throws Exception {
+    DataSet all = practice(id);
+    List<ReadingRow> rows = new ArrayList<>();
+    for (ReadingRow row : all.readings().subList(0, 500)) {
+      Reading reading =
+          row.reading() instanceof Echo echo ? new Echo(share * echo.rangeM()) : row.reading();
+      rows.add(new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), reading));
+    }
+    return new DataSet(id, all.setup(), rows, List.of());
   }
 }

@@ -97,6 +97,11 @@ public record JsonObject(String where, Map<String, Object> fields) {
     return listOf(name, String.class, "a list of texts");
   }
 
+  /** True when a field is a list with a null in it. */
+  public boolean hasNull(String name) throws FormatException {
+    return field(name, List.class, "a list").contains(null);
+  }
+
   /** A field's list of numbers. */
   public List<Double> numbers(String name) throws FormatException {
     return listOf(name, Double.class, "a list of numbers");

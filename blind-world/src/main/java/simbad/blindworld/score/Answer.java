@@ -82,6 +82,7 @@ public record Answer(
       case UNEXPLAINED -> unknownProbability;
       case EXPLAINED -> (1 - unknownProbability) * any;
       case NONE -> (1 - unknownProbability) * (1 - any);
+      case PARTLY, UNDECIDED -> 0;
     };
   }
 }

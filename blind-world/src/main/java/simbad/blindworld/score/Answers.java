@@ -87,7 +87,7 @@ public final class Answers {
                     json.where()
                         + ", verdict: '"
                         + word
-                        + "', expected none, explained or unexplained"));
+                        + "', expected none, explained, partly, unexplained or undecided"));
   }
 
   private static List<Answer.Named> named(JsonObject json) throws FormatException {
@@ -107,7 +107,7 @@ public final class Answers {
     }
     JsonObject stated = json.object("verdict_probability");
     Map<Verdict, Double> probabilities = new EnumMap<>(Verdict.class);
-    for (Verdict verdict : Verdict.values()) {
+    for (Verdict verdict : Verdict.TRUTHS) {
       probabilities.put(verdict, stated.within(verdict.word(), 0, 1));
     }
     return Optional.of(probabilities);
@@ -119,8 +119,8 @@ public final class Answers {
     }
     JsonObject gap = json.object("gap");
     double value = gap.number("shrink");
-    List<Double> interval =
-        gap.has("shrink_ci95") ? gap.numbers("shrink_ci95") : List.of(value, value);
+    boolean bounded = gap.has("shrink_ci95") && !gap.hasNull("shrink_ci95");
+    List<Double> interval = bounded ? gap.numbers("shrink_ci95") : List.of(value, value);
     if (interval.size() != 2) {
       throw new FormatException(gap.where() + ", shrink_ci95: expected two numbers");
     }

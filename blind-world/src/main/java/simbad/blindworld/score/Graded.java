@@ -21,9 +21,19 @@ public record Graded(Truth truth, Optional<Answer> answer) {
     return answer.isPresent() && answer.get().verdict() == verdict;
   }
 
-  /** True when the verdict is the right one. */
+  /** True when something is said to be at work that has no name. */
+  public boolean leavesSomething() {
+    return says(Verdict.UNEXPLAINED) || says(Verdict.PARTLY);
+  }
+
+  /** True when the verdict is the right one; what has no name may stand beside names. */
   public boolean verdictRight() {
-    return says(truth.verdict());
+    return truth.isStrange() ? leavesSomething() : says(truth.verdict());
+  }
+
+  /** True when names are concluded to be all that is at work, and they are not. */
+  public boolean wronglyExplained() {
+    return says(Verdict.EXPLAINED) && (truth.isStrange() || !named());
   }
 
   /** True when the verdict is right and, but for what is strange, so are the names. */
@@ -33,7 +43,7 @@ public record Graded(Truth truth, Optional<Answer> answer) {
 
   /** True when something is said to be at work. */
   public boolean detected() {
-    return answer.isPresent() && !says(Verdict.NONE);
+    return answer.isPresent() && !says(Verdict.NONE) && !says(Verdict.UNDECIDED);
   }
 
   /** True when the explanation is the truth's effects by their very names and no other. */

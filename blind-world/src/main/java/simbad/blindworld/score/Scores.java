@@ -60,12 +60,14 @@ final class Scores {
         "unknown flagged at 5 % false",
         Ranking.flaggedAt(scored(strange()), scored(known()), FALSE_UNKNOWN));
     shares.put("all verdicts right", share(cases, Graded::verdictRight));
+    shares.put("all undecided", share(cases, g -> g.says(Verdict.UNDECIDED)));
+    shares.put("all wrongly explained", share(cases, Graded::wronglyExplained));
     shares.put("shrinkage interval covers", shrinkCovered());
     return shares;
   }
 
   private static Proportion unexplained(List<Graded> of) {
-    return share(of, g -> g.says(Verdict.UNEXPLAINED));
+    return share(of, Graded::leavesSomething);
   }
 
   private List<Graded> known() {
@@ -144,7 +146,7 @@ final class Scores {
 
   private static double verdictBase(List<Graded> cases) {
     double base = 0;
-    for (Verdict verdict : Verdict.values()) {
+    for (Verdict verdict : Verdict.TRUTHS) {
       double share = share(cases, g -> g.truth().verdict() == verdict).share();
       base += share > 0 ? share * Calibration.loss(share) : 0;
     }

@@ -52,11 +52,10 @@ public record Truth(
    * (of it, but the diagnosis was not told).
    */
   public String kind() {
-    return switch (verdict()) {
-      case UNEXPLAINED -> strange.stream().allMatch(Vocabulary::contains) ? "withheld" : "outside";
-      case NONE -> "none";
-      case EXPLAINED -> effects.size() == 1 ? "single" : "pair";
-    };
+    if (!strange.isEmpty()) {
+      return strange.stream().allMatch(Vocabulary::contains) ? "withheld" : "outside";
+    }
+    return effects.isEmpty() ? "none" : effects.size() == 1 ? "single" : "pair";
   }
 
   /** True when the true world's forecast removes half a centimetre of the nominal gap or more. */

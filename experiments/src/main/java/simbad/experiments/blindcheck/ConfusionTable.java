@@ -23,7 +23,9 @@ final class ConfusionTable {
           "withheld",
           "explained, named rightly",
           "explained, named otherwise",
-          "unexplained");
+          "unexplained",
+          "partly",
+          "undecided");
 
   private static final String SEVERAL = "several names";
 

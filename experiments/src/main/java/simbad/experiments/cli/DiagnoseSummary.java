@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
+import simbad.gap.diagnosis.Verdict;
 import simbad.sonar.effect.Effect;
 
 /**
@@ -18,8 +19,17 @@ import simbad.sonar.effect.Effect;
  */
 record DiagnoseSummary(String dataset, Diagnosis diagnosis, Path folder) {
 
-  /** For people: verdict, explanation with probabilities, shrinkage. */
+  /** For people: verdict, explanation with probabilities or why there is none, shrinkage. */
   String line() {
+    if (diagnosis.verdict() == Verdict.UNDECIDED) {
+      return String.format(
+          Locale.ROOT,
+          "%s: undecided; %s; gap %.2f cm (floor %.2f cm)",
+          dataset,
+          diagnosis.reason(),
+          diagnosis.gap().beforeCm(),
+          diagnosis.gap().floorCm());
+    }
     String gap =
         String.format(
             Locale.ROOT,
@@ -33,7 +43,8 @@ record DiagnoseSummary(String dataset, Diagnosis diagnosis, Path folder) {
         + diagnosis.verdict().word()
         + explanation()
         + String.format(Locale.ROOT, ", unknown %.2f; ", diagnosis.unknownProbability())
-        + gap;
+        + gap
+        + (diagnosis.reason().isEmpty() ? "" : "; " + diagnosis.reason());
   }
 
   private String explanation() {
@@ -70,6 +81,9 @@ record DiagnoseSummary(String dataset, Diagnosis diagnosis, Path folder) {
     ObjectNode node = new ObjectMapper().createObjectNode();
     node.put("dataset", dataset);
     node.put("verdict", diagnosis.verdict().word());
+    if (!diagnosis.reason().isEmpty()) {
+      node.put("reason", diagnosis.reason());
+    }
     ObjectNode probabilities = node.putObject("explanation");
     diagnosis
         .explanation()

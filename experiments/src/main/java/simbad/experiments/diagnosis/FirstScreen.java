@@ -67,20 +67,28 @@ final class FirstScreen {
     page.append("<section class=\"panel\"><h3>How far the gap shrinks: mean gap in cm</h3>\n");
     page.append("<div class=\"bars\">\n");
     size("before", gap.beforeCm(), scale, "before", "");
-    size("after", gap.afterCm(), scale, "after", whisker(gap, scale));
+    boolean shrinks = !diagnosis.explanation().isEmpty();
+    size("after", gap.afterCm(), scale, "after", shrinks ? whisker(gap, scale) : "");
     size("floor", gap.floorCm(), scale, "floor", "");
     page.append("</div>\n");
-    page.append(
-        "<p class=\"soft\">The gap shrinks by "
-            + Html.percent(gap.shrink())
-            + " (95&nbsp;% interval "
-            + Html.percent(gap.shrinkCi95().low())
-            + " to "
-            + Html.percent(gap.shrinkCi95().high())
-            + ", the line on the bar), measured on "
-            + gap.rowsHeldOut()
-            + " rows that the fit never saw. The floor is the scatter that the diagnosed model expects.</p>\n");
+    page.append("<p class=\"soft\">" + shrinks(gap) + "</p>\n");
     page.append("</section>\n");
+  }
+
+  private String shrinks(GapFigures gap) {
+    if (diagnosis.explanation().isEmpty()) {
+      return "No effect was put into the simulator, so the gap after is the gap before. The floor is"
+          + " the scatter that the simulator itself expects.";
+    }
+    return "The gap shrinks by "
+        + Html.percent(gap.shrink())
+        + " (95&nbsp;% interval "
+        + Html.percent(gap.shrinkCi95().low())
+        + " to "
+        + Html.percent(gap.shrinkCi95().high())
+        + ", the line on the bar), measured on "
+        + gap.rowsHeldOut()
+        + " rows that the fit never saw. The floor is the scatter that the diagnosed model expects.";
   }
 
   private void size(String name, double cm, AxisScale scale, String style, String more) {

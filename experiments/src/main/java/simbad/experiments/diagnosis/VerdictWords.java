@@ -2,47 +2,79 @@ package simbad.experiments.diagnosis;
 
 import java.util.Comparator;
 import java.util.List;
+import simbad.experiments.markup.Markup;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.GapFigures;
+import simbad.gap.diagnosis.Verdict;
 import simbad.sonar.effect.Effect;
 
 /** The verdict in one sentence, and those that follow from it. */
 final class VerdictWords {
   private static final double WORTH_SAYING = 0.005;
 
+  /** A gap that is less than this times the floor is the floor's, give or take the fit. */
+  private static final double LEFT = 1.05;
+
   private VerdictWords() {}
 
-  /** The verdict in a sentence of HTML. */
+  /** The verdict in a sentence or two of HTML. */
   static String sentence(Diagnosis diagnosis) {
-    String named = "<strong>" + Html.list(diagnosis.explanation()) + "</strong>";
     return switch (diagnosis.verdict()) {
       case NONE ->
           "<strong>No gap beyond chance:</strong> these readings are what the simulator expects"
               + withinFigures(diagnosis.gap())
               + ".";
       case EXPLAINED ->
-          named
+          "<strong>"
+              + Html.list(diagnosis.explanation())
+              + "</strong>"
               + explains(diagnosis)
               + ": "
               + shrinkage(diagnosis)
-              + "; no model could come below "
+              + ". The diagnosed model itself expects a gap of "
               + Html.centimetres(diagnosis.gap().floorCm())
-              + ".";
-      case UNEXPLAINED ->
-          diagnosis.explanation().isEmpty()
-              ? "<strong>There is a gap, and no effect that has a name here accounts for it</strong>"
-                  + withinFigures(diagnosis.gap())
-                  + "."
-              : named
-                  + (diagnosis.explanation().size() == 1 ? " is" : " are")
-                  + " at work, <strong>but a gap is left that no named effect accounts for</strong>: "
-                  + shrinkage(diagnosis)
-                  // A model that knew the rest might come below that.
-                  + "; it then expects "
-                  + Html.centimetres(diagnosis.gap().floorCm())
-                  + " from scatter alone.";
+              + " from scatter.";
+      case UNEXPLAINED -> unexplained(diagnosis);
+      case UNDECIDED ->
+          "<strong>These data cannot tell:</strong> " + Markup.escaped(diagnosis.reason()) + ".";
     };
+  }
+
+  private static String unexplained(Diagnosis diagnosis) {
+    if (diagnosis.explanation().isEmpty()) {
+      return "<strong>"
+          + (leavesGap(diagnosis.gap())
+              ? "There is a gap, and no effect that has a name here accounts for it"
+              : "The readings differ from what the simulator expects in a way that no effect with a"
+                  + " name here accounts for")
+          + "</strong>"
+          + withinFigures(diagnosis.gap())
+          + ".";
+    }
+    boolean one = diagnosis.explanation().size() == 1;
+    return "<strong>No named effect accounts for the gap.</strong> Nearest "
+        + (one ? "comes " : "come ")
+        + Html.list(diagnosis.explanation())
+        + ": "
+        + shrinkage(diagnosis)
+        + ". "
+        + (diagnosis.reason().isEmpty()
+            ? remains(diagnosis.gap())
+            : "But " + Markup.escaped(diagnosis.reason()) + ".");
+  }
+
+  /** Why what comes nearest is no explanation. */
+  private static String remains(GapFigures gap) {
+    return leavesGap(gap)
+        ? "But that model expects only " + Html.centimetres(gap.floorCm()) + " from scatter."
+        : "The size of what is left is what that model expects from scatter, but the readings"
+            + " spread otherwise than it says.";
+  }
+
+  /** Whether what is left is plainly more than the model expects of itself. */
+  private static boolean leavesGap(GapFigures gap) {
+    return gap.afterCm() > LEFT * gap.floorCm();
   }
 
   private static String explains(Diagnosis diagnosis) {
@@ -87,9 +119,10 @@ final class VerdictWords {
                 + ".</p>\n");
       }
     }
-    if (diagnosis.unknownProbability() >= WORTH_SAYING) {
+    if (diagnosis.verdict() != Verdict.UNDECIDED
+        && diagnosis.unknownProbability() >= WORTH_SAYING) {
       words.append(
-          "<p>That something without a name here is at work as well has a probability of "
+          "<p>That something without a name here is at work has a probability of "
               + Html.probability(diagnosis.unknownProbability())
               + ".</p>\n");
     }

@@ -37,9 +37,9 @@ class DiagnosisPageTest {
   @ValueSource(
       strings = {
         "gain accounts for the gap: with it in the simulator the gap shrinks from 178.80 cm to 60.25"
-            + " cm, by 66 %; no model could come below 51.50 cm.",
+            + " cm, by 66 %. The diagnosed model itself expects a gap of 51.50 cm from scatter.",
         "These data cannot tell gain from absorption.",
-        "something without a name here is at work as well has a probability of 3 %",
+        "something without a name here is at work has a probability of 3 %",
         "(95 % interval 61 % to 70 %, the line on the bar), measured on 1500 rows",
         "Where most of it lies: bearing 100 to 170°, distance from 0.5 m: missed echo, 41 % of the"
             + " gap, 420.00 cm before and 90.00 cm after.",
@@ -96,40 +96,81 @@ class DiagnosisPageTest {
         page.contains("No gap beyond chance: these readings are what the simulator expects"));
     assertTrue(page.contains("Nothing is tied"));
     assertTrue(page.contains("No effect is probable enough for its parameters to mean something"));
-    assertFalse(page.contains("something without a name here is at work as well"), page);
+    assertFalse(page.contains("something without a name here is at work has"), page);
   }
 
   @Test
   void unexplained_saysThatNothingWithANameAccountsForIt() {
-    String page = words(Samples.page(Samples.without(Verdict.UNEXPLAINED, DATA), DATA));
-    assertTrue(page.contains("There is a gap, and no effect that has a name here accounts for it"));
+    Diagnosis none = Samples.without(Verdict.UNEXPLAINED, DATA);
+    String page = words(Samples.page(none, DATA));
+    assertTrue(
+        page.contains(
+            "The readings differ from what the simulator expects in a way that no effect with a name"
+                + " here accounts for (the gap is 2.00 cm"),
+        page);
     assertTrue(page.contains("probability of 97 %"));
+    GapFigures large = new GapFigures(20, 9, 9, 2, 0, none.gap().shrinkCi95());
+    String much = words(Samples.page(as(Verdict.UNEXPLAINED, "", List.of(), large), DATA));
+    assertTrue(much.contains("There is a gap, and no effect that has a name here accounts for it"));
+  }
+
+  /** What comes nearest is not said to be at work, and no gap is left where after is the floor. */
+  @Test
+  void unexplained_withNames_saysHowNearTheyCome() {
+    List<Effect> names = List.of(Effect.GAIN, Effect.ABSORPTION);
+    GapFigures left = Samples.explained(DATA).gap();
+    String page = words(Samples.page(as(Verdict.UNEXPLAINED, "", names, left), DATA));
+    assertTrue(
+        page.contains(
+            "No named effect accounts for the gap. Nearest come gain and absorption: with them in"
+                + " the simulator the gap shrinks from 178.8 cm to 60.25 cm, by 66 %. But that model"
+                + " expects only 51.50 cm from scatter."),
+        page);
+    assertFalse(page.contains("at work, but"), page);
+    GapFigures floor = new GapFigures(1500, 178.8, 51.6, 51.5, 0.71, left.shrinkCi95());
+    String same = words(Samples.page(as(Verdict.UNEXPLAINED, "", names, floor), DATA));
+    assertTrue(same.contains("what is left is what that model expects from scatter, but"), same);
+    String bound = "power of gain stands at the end";
+    String reason = words(Samples.page(as(Verdict.UNEXPLAINED, bound, names, left), DATA));
+    assertTrue(reason.contains("by 66 %. But power of gain stands at the end."), reason);
   }
 
   @Test
-  void unexplainedInPart_saysWhatIsLeft() {
-    Diagnosis whole = Samples.explained(DATA);
-    Diagnosis part =
-        new Diagnosis(
-            Verdict.UNEXPLAINED,
-            List.of(Effect.GAIN, Effect.ABSORPTION),
-            whole.effects(),
-            0.8,
-            0.9,
-            whole.gap(),
-            whole.where(),
-            whole.undetectable(),
-            Optional.empty(),
-            whole.fitted(),
-            Hypothesis.NONE,
-            whole.tried());
-    String page = words(Samples.page(part, DATA));
+  void explained_claimsNoMoreThanTheModelExpects() {
+    String page = words(EXPLAINED);
     assertTrue(
-        page.contains(
-            "gain and absorption are at work, but a gap is left that no named effect accounts for:"
-                + " with them in the simulator"),
-        page);
-    assertTrue(page.contains("; it then expects 51.50 cm from scatter alone."), page);
+        page.contains("The diagnosed model itself expects a gap of 51.50 cm from scatter."), page);
+    assertFalse(page.contains("no model could"), page);
+  }
+
+  @Test
+  void undecided_saysWhy_andStatesNoInterval() {
+    String html = Samples.page(Samples.without(Verdict.UNDECIDED, DATA), DATA);
+    String page = words(html);
+    assertTrue(
+        html.contains("These data cannot tell:</strong> there are &lt;too few&gt; readings."));
+    assertFalse(page.contains("interval"), page);
+    assertFalse(page.contains("No gap beyond chance"), page);
+    assertFalse(page.contains("has a probability of"), page);
+  }
+
+  private static Diagnosis as(Verdict verdict, String reason, List<Effect> names, GapFigures gap) {
+    Diagnosis whole = Samples.explained(DATA);
+    return new Diagnosis(
+        verdict,
+        reason,
+        names,
+        whole.effects(),
+        0.8,
+        0.9,
+        List.of(),
+        gap,
+        whole.where(),
+        whole.undetectable(),
+        Optional.empty(),
+        whole.fitted(),
+        Hypothesis.NONE,
+        whole.tried());
   }
 
   /** Rows without any obstacle, and a single one of them. */

@@ -49,6 +49,7 @@ final class Samples {
     Form gain = form(Effect.GAIN, data);
     return new Diagnosis(
         Verdict.EXPLAINED,
+        "",
         List.of(Effect.GAIN),
         effects(
             finding(
@@ -64,6 +65,7 @@ final class Samples {
             finding(Effect.LATENCY, 0.004, List.of())),
         0.03,
         0.999,
+        List.of(),
         new GapFigures(1500, 178.8, 60.25, 51.5, 0.663, new Interval(0.61, 0.7)),
         places(),
         List.of(
@@ -84,10 +86,12 @@ final class Samples {
     double unknown = verdict == Verdict.NONE ? 0.0001 : 0.97;
     return new Diagnosis(
         verdict,
+        verdict == Verdict.UNDECIDED ? "there are <too few> readings" : "",
         List.of(),
         effects(),
         unknown,
         0.01,
+        List.of(),
         new GapFigures(data.readings().size(), 2, 2, 1.95, 0, new Interval(-0.02, 0.02)),
         List.of(),
         List.of(),

@@ -9,12 +9,15 @@ import simbad.sonar.effect.Effect;
  * A diagnosis of one data set.
  *
  * @param verdict what is concluded
+ * @param reason why these data cannot tell, or why what was fitted is no explanation, in a sentence
+ *     without its full stop; empty where nothing needs one
  * @param explanation the effects concluded to be at work; empty for none
  * @param effects every name of the vocabulary, most probable first
  * @param unknownProbability that something outside the vocabulary is at work, alone or beside named
  *     effects
  * @param namedProbability that some effect of the vocabulary is at work, given that nothing outside
  *     it is
+ * @param atBound parameters of the explanation that stand at an end of what was searched
  * @param gap its size before and after
  * @param where the places of the gap, largest share first
  * @param undetectable effects that these data could not have shown
@@ -26,10 +29,12 @@ import simbad.sonar.effect.Effect;
  */
 public record Diagnosis(
     Verdict verdict,
+    String reason,
     List<Effect> explanation,
     List<EffectFinding> effects,
     double unknownProbability,
     double namedProbability,
+    List<AtBound> atBound,
     GapFigures gap,
     List<Place> where,
     List<Undetectable> undetectable,
@@ -41,17 +46,22 @@ public record Diagnosis(
   public Diagnosis {
     explanation = List.copyOf(explanation);
     effects = List.copyOf(effects);
+    atBound = List.copyOf(atBound);
     where = List.copyOf(where);
     undetectable = List.copyOf(undetectable);
     tried = List.copyOf(tried);
   }
 
-  /** Returns how probable a verdict is that it is the right one; the three add up to 1. */
+  /**
+   * Returns how probable it is that a verdict is the right one. None, explained and unexplained add
+   * up to 1; undecided says nothing of the world, so its probability is 0.
+   */
   public double probability(Verdict of) {
     return switch (of) {
       case NONE -> (1 - unknownProbability) * (1 - namedProbability);
       case EXPLAINED -> (1 - unknownProbability) * namedProbability;
       case UNEXPLAINED -> unknownProbability;
+      case UNDECIDED -> 0;
     };
   }
 

@@ -10,20 +10,28 @@ import java.io.UncheckedIOException;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Collection;
+import java.util.List;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 
 /**
- * A diagnosis as the text of diagnosis.json, {@code format} "sonar-diagnosis/1", rounded to six
+ * A diagnosis as the text of diagnosis.json, {@code format} "sonar-diagnosis/2", rounded to six
  * digits; the ends of an interval that the data do not bound are null.
  */
 public final class DiagnosisJson {
   /** The file's name in a diagnosis's folder. */
   public static final String FILE = "diagnosis.json";
 
+  /** The version of the format that is written. */
+  public static final String FORMAT = "sonar-diagnosis/2";
+
   /** The name of the file with the poses to measure next, beside it. */
   public static final String POSES = "next-experiment.csv";
+
+  /** Undecided is no state of the world, so it has no probability. */
+  private static final List<Verdict> TRUTHS =
+      List.of(Verdict.NONE, Verdict.EXPLAINED, Verdict.UNEXPLAINED);
 
   private static final ObjectMapper MAPPER = new ObjectMapper();
   private static final MathContext DIGITS = new MathContext(6);
@@ -58,15 +66,20 @@ public final class DiagnosisJson {
    */
   static ObjectNode tree(Diagnosis diagnosis, DataSet data, Provenance provenance) {
     ObjectNode root = MAPPER.createObjectNode();
-    root.put("format", "sonar-diagnosis/1");
+    root.put("format", FORMAT);
     root.put("dataset", data.name());
     root.put("verdict", diagnosis.verdict().word());
+    if (!diagnosis.reason().isEmpty()) {
+      root.put("reason", diagnosis.reason());
+    }
     words(root.putArray("explanation"), diagnosis.explanation());
     put(root, "unknown_probability", diagnosis.unknownProbability());
     ObjectNode verdicts = root.putObject("verdict_probability");
-    for (Verdict verdict : Verdict.values()) {
+    for (Verdict verdict : TRUTHS) {
       put(verdicts, verdict.word(), diagnosis.probability(verdict));
     }
+    ArrayNode atBound = root.putArray("at_bound");
+    diagnosis.atBound().forEach(one -> atBound(atBound.addObject(), one));
     gap(root.putObject("gap"), diagnosis.gap());
     diagnosis.effects().forEach(finding -> effect(root.withArray("effects").addObject(), finding));
     ArrayNode where = root.putArray("where");
@@ -79,6 +92,13 @@ public final class DiagnosisJson {
     diagnosis.tried().forEach(attempt -> attempt(tried.addObject(), attempt));
     provenance(root.putObject("provenance"), diagnosis, data, provenance);
     return root;
+  }
+
+  private static void atBound(ObjectNode node, AtBound one) {
+    node.put("effect", one.effect().word());
+    node.put("parameter", one.parameter());
+    put(node, "value", one.value());
+    interval(node.putArray("allowed"), one.allowed());
   }
 
   private static void gap(ObjectNode node, GapFigures gap) {

@@ -6,7 +6,7 @@ package simbad.gap.diagnosis;
  * @param rowsHeldOut number of those rows
  * @param beforeCm gap of the simulator as it is, centimetres
  * @param afterCm gap of the diagnosed model, centimetres
- * @param floorCm gap that no model could remove, centimetres
+ * @param floorCm gap that the diagnosed model expects of itself from scatter, centimetres
  * @param shrink 1 - after / before, a fraction; 0 where there is no gap before
  * @param shrinkCi95 where the shrinkage of another log from the same set-up lies 19 times of 20
  */

@@ -7,7 +7,9 @@ public enum Verdict {
   /** The effects named account for the gap. */
   EXPLAINED("explained"),
   /** A gap is left, or all of it, that no named effect accounts for. */
-  UNEXPLAINED("unexplained");
+  UNEXPLAINED("unexplained"),
+  /** These data cannot tell. */
+  UNDECIDED("undecided");
 
   private final String word;
 

@@ -11,7 +11,9 @@ import simbad.sonar.effect.PingLog;
  */
 public final class Blocks {
   private static final int PER_RUN = 12;
-  private static final int LEAST_ROWS = 25;
+
+  /** Rows of a block at least, where a run has enough of them for two. */
+  public static final int LEAST_ROWS = 25;
 
   private final int[] block;
   private final int count;
@@ -40,6 +42,11 @@ public final class Blocks {
   /** Returns the number of blocks. */
   public int count() {
     return count;
+  }
+
+  /** Tells whether values can be fitted on one part and tested on another. */
+  public boolean canBeHeldOut() {
+    return count > 1;
   }
 
   /** Returns the block of a ping. */

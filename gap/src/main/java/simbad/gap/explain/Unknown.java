@@ -98,7 +98,8 @@ public final class Unknown {
       logit += named(best, gain.shrinkage());
     }
     Scene scene = evidence.setup().scene();
-    if (best.changes().stream().anyMatch(change -> isStandIn(change, scene))) {
+    // A value that would go on beyond what there is fits something else.
+    if (best.isAtBound() || best.changes().stream().anyMatch(c -> isStandIn(c, scene))) {
       logit += STAND_IN;
     }
     return LEAST + (MOST - LEAST) / (1 + Math.exp(-logit));

@@ -96,6 +96,12 @@ public record Hypothesis(List<Form> forms, double[] values) {
     return Arrays.copyOfRange(values, from, from + forms.get(form).parameters().size());
   }
 
+  /** Returns whether a value stands at an end of what was searched. */
+  public boolean isAtBound() {
+    List<Parameter> parameters = parameters();
+    return IntStream.range(0, values.length).anyMatch(i -> parameters.get(i).isAtBound(values[i]));
+  }
+
   /** Returns the changes that the forms make. */
   public List<Change> changes() {
     List<Change> changes = new ArrayList<>();

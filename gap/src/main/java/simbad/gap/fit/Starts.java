@@ -27,6 +27,7 @@ final class Starts {
     List<List<Double>> tries = new ArrayList<>();
     form.parameters().forEach(parameter -> tries.add(parameter.tries()));
     return switch (form.effect()) {
+      case SOUND_SPEED -> speeds(form, tries);
       case FLOOR_ECHO -> floor(form, tries);
       case UNMODELLED_OBJECT -> object(form);
       case MULTIPATH -> multipath(form, tries);
@@ -93,6 +94,19 @@ final class Starts {
     return form.name().equals("post")
         ? new PostSearch(clues, form.parameters().get(3).high()).starts()
         : new FaceSearch(clues).starts(form);
+  }
+
+  /** That of which most readings are the same multiple of a distance, beside the usual ones. */
+  private List<double[]> speeds(Form form, List<List<Double>> tries) {
+    DoubleStream logarithms =
+        clues
+            .echoesInCone()
+            .filter(i -> clues.log.rangeM(i) > 0 && clues.nearestM(i) > 0)
+            .mapToDouble(i -> Math.log(clues.log.rangeM(i) / clues.nearestM(i)));
+    List<Double> speeds = new ArrayList<>(tries.get(0));
+    double assumed = form.parameters().get(0).neutral();
+    modes(logarithms, 0.02).forEach(logarithm -> speeds.add(assumed / Math.exp(logarithm)));
+    return product(form, speeds);
   }
 
   private List<double[]> floor(Form form, List<List<Double>> tries) {

@@ -141,7 +141,7 @@ final class Probes {
     return new Form(
         Effect.ORIENTATION_SHADOW,
         table.name(),
-        List.of(new Parameter("relative_swing", 0, 0, 0.9, List.of())),
+        List.of(new Parameter("relative_swing", 0, 0, 0.9, List.of(), false)),
         v ->
             table.with(
                 IntStream.range(0, uniformM.length)

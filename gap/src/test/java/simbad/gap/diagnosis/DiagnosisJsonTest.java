@@ -14,6 +14,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
@@ -52,7 +53,9 @@ class DiagnosisJsonTest {
     assertEquals(unknown, sample.probability(Verdict.UNEXPLAINED));
     assertEquals((1 - unknown) * named, sample.probability(Verdict.EXPLAINED), 1e-12);
     assertEquals((1 - unknown) * (1 - named), sample.probability(Verdict.NONE), 1e-12);
-    for (Verdict verdict : Verdict.values()) {
+    assertEquals(0, sample.probability(Verdict.UNDECIDED), "no state of the world");
+    assertFalse(sample().get("verdict_probability").has("undecided"));
+    for (Verdict verdict : List.of(Verdict.NONE, Verdict.EXPLAINED, Verdict.UNEXPLAINED)) {
       assertEquals(
           sample.probability(verdict),
           sample().get("verdict_probability").get(verdict.word()).asDouble(),
@@ -82,12 +85,13 @@ class DiagnosisJsonTest {
   static Stream<Arguments> spoilt() {
     return Map.<String, Consumer<ObjectNode>>of(
             "verdict", root -> root.put("verdict", "maybe"),
-            "format", root -> root.put("format", "sonar-diagnosis/2"),
+            "format", root -> root.put("format", "sonar-diagnosis/3"),
             "unknown", root -> root.put("unknown_probability", 1.01),
             "gap", root -> root.withObject("gap").remove("floor_cm"),
             "effects", root -> root.withArray("effects").remove(3),
             "name", root -> root.withArray("explanation").add("ghosts"),
             "slice", root -> root.withObject("/where/0/slice").put("colour", "red"),
+            "bound", root -> root.withObject("/at_bound/0").remove("allowed"),
             "interval", root -> root.withArray("/gap/shrink_ci95").add(1),
             "hash", root -> root.withObject("/provenance/sha256").put("scene.json", "?"))
         .entrySet()
@@ -106,7 +110,13 @@ class DiagnosisJsonTest {
   @Test
   void figures_standWhereTheFormatSays() {
     JsonNode root = sample();
-    assertEquals("explained", root.at("/verdict").asText());
+    assertEquals("sonar-diagnosis/2", root.at("/format").asText());
+    assertEquals("unexplained", root.at("/verdict").asText());
+    assertEquals("offset_m stands at the end", root.at("/reason").asText());
+    assertEquals("range-offset", root.at("/at_bound/0/effect").asText());
+    assertEquals("offset_m", root.at("/at_bound/0/parameter").asText());
+    assertEquals(1, root.at("/at_bound/0/value").asDouble());
+    assertEquals(-1, root.at("/at_bound/0/allowed/0").asDouble());
     assertEquals("range-offset", root.at("/explanation/0").asText());
     assertEquals(0.333333, root.at("/effects/0/parameters/offset_m").asDouble());
     assertEquals(0.04, root.at("/effects/0/ci95/offset_m/0").asDouble());

@@ -60,11 +60,13 @@ final class Samples {
             "bearing_deg", Optional.of(new Interval(10, 20.00000001)), Optional.empty());
     Place.Condition run = new Place.Condition("run", Optional.empty(), Optional.of("a"));
     return new Diagnosis(
-        Verdict.EXPLAINED,
+        Verdict.UNEXPLAINED,
+        "offset_m stands at the end",
         List.of(Effect.RANGE_OFFSET),
         findings(),
         0.0625,
         0.96,
+        List.of(new AtBound(Effect.RANGE_OFFSET, "offset_m", 1, new Interval(-1, 1))),
         new GapFigures(2, 3.2, 1.6, 1.5, 0.5, new Interval(Double.NEGATIVE_INFINITY, 0.6)),
         List.of(new Place(List.of(bearing, run), 30, 0.4, 9, 1, GapKind.MISSED_ECHO, 1e-9)),
         List.of(

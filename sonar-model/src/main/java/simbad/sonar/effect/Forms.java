@@ -3,6 +3,7 @@ package simbad.sonar.effect;
 import static java.lang.Math.toRadians;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -20,7 +21,7 @@ public final class Forms {
   /** Waves of a fitted shadow of few lobes. */
   public static final int SHADOW_WAVES = 3;
 
-  private static final Parameter SHARE = Parameter.of("share", 0, 0, 1, 0.05, 0.2, 0.5);
+  private static final Parameter SHARE = Parameter.of("share", 0, 0, 1, 0.05, 0.2, 0.5).asClosed();
   private static final Parameter SMALL_SHARE = Parameter.of("share", 0, 0, 0.7, 0.03, 0.1, 0.3);
 
   /**
@@ -34,6 +35,17 @@ public final class Forms {
 
   /** What comes from nearly the same range each time has to do with something. */
   private static final double LEAST_BAND_M = 0.3;
+
+  /** A wrong unit or constant scales ranges by a fifth to five times; neither is at a bound. */
+  private static final double MOST_SCALE = 5.5;
+
+  /**
+   * Believed over read: what is taken for another unit or way is so exactly, and steps that are
+   * scaled leave no room between (inches, feet, one way for both, some timers).
+   */
+  private static final double[] UNITS = {
+    0.2, 0.25, 0.3048, 1 / 2.54, 0.5, 0.94, 0.98, 1.02, 1.06, 2, 2.54, 1 / 0.3048, 4, 5
+  };
 
   /** And so has what hardly walks. */
   private static final double LEAST_STEP_M = 0.01;
@@ -82,19 +94,17 @@ public final class Forms {
 
   private void ranges() {
     double assumed = setup.sensor().assumedSoundSpeedMPerS();
+    double resolution = setup.sensor().resolutionM();
     add(
         Effect.SOUND_SPEED,
         "scale",
         v -> new SoundSpeed(assumed / v[0]),
-        Parameter.of(
-            "sound_speed_m_s",
-            assumed,
-            0.7 * assumed,
-            1.4 * assumed,
-            0.94 * assumed,
-            0.98 * assumed,
-            1.02 * assumed,
-            1.06 * assumed));
+        speed(assumed, 0.94, 0.98, 1.02, 1.06));
+    add(
+        Effect.SOUND_SPEED,
+        "reading",
+        v -> new ReadingScale(assumed / v[0], resolution),
+        speed(assumed, UNITS));
     add(Effect.RANGE_OFFSET, "constant", v -> new RangeOffset(v[0]), offset());
     add(
         Effect.RANGE_OFFSET,
@@ -104,6 +114,15 @@ public final class Forms {
         Parameter.of("scatter_share", 0, 0, MOST_OFFSET_SCATTER, 0.1));
     noise();
     steps();
+  }
+
+  private static Parameter speed(double assumed, double... shares) {
+    return Parameter.of(
+        "sound_speed_m_s",
+        assumed,
+        assumed / MOST_SCALE,
+        assumed * MOST_SCALE,
+        Arrays.stream(shares).map(share -> share * assumed).toArray());
   }
 
   private static Parameter offset() {
@@ -126,7 +145,7 @@ public final class Forms {
         Effect.RANGE_NOISE,
         "tails",
         v -> new NoiseTails(v[0], v[1]),
-        Parameter.of("share", 0, 0, 1, 0.1, 0.4),
+        Parameter.of("share", 0, 0, 1, 0.1, 0.4).asClosed(),
         Parameter.of("deviation_m", 0, 0, 0.25, 0.03, 0.1));
   }
 
@@ -292,7 +311,7 @@ public final class Forms {
             0.7 * halfDeg,
             1.1 * halfDeg,
             2 * halfDeg),
-        Parameter.of("power", 1, 0.3, 8, 0.7, 2));
+        Parameter.of("power", 1, 0.3, 8, 0.7, 2).asClosed());
   }
 
   private void floor() {
@@ -312,15 +331,15 @@ public final class Forms {
         Parameter.of("spread_m", 0, 0, 0.15, 0.02),
         SHARE,
         Parameter.of("apart_m", 0, 0.01, 0.4, 0.05),
-        Parameter.of("farther_share", 0, 0, 1, 0.2));
+        Parameter.of("farther_share", 0, 0, 1, 0.2).asClosed());
   }
 
   private void objects() {
     Parameter x = Parameter.of("x_m", 0, -20, 20, 0);
     Parameter z = Parameter.of("z_m", 0, -20, 20, 0);
-    Parameter normal = Parameter.of("normal_deg", 0, -400, 400, 0);
-    Parameter width = Parameter.of("half_width_m", 0, 0.02, 10, 0.4);
-    Parameter sure = Parameter.of("share", 0, 0.1, 1, 0.95);
+    Parameter normal = Parameter.of("normal_deg", 0, -400, 400, 0).asClosed();
+    Parameter width = Parameter.of("half_width_m", 0, 0.02, 10, 0.4).asClosed();
+    Parameter sure = Parameter.of("share", 0, 0.1, 1, 0.95).asClosed();
     double most = setup.sensor().maxRangeM();
     Parameter reach = Parameter.of("reach_m", most, 0.05, most, most);
     add(
@@ -341,7 +360,7 @@ public final class Forms {
         normal,
         width,
         sure,
-        Parameter.of("square_deg", 30, 3, 90, 15, 40),
+        Parameter.of("square_deg", 30, 3, 90, 15, 40).asClosed(),
         reach);
     add(
         Effect.UNMODELLED_OBJECT,
@@ -352,7 +371,7 @@ public final class Forms {
         Parameter.of("radius_m", 0, 0, 0.5, 0.05),
         reach,
         sure,
-        Parameter.of("square_deg", 90, 3, 90, 90));
+        Parameter.of("square_deg", 90, 3, 90, 90).asClosed());
   }
 
   private void gates() {

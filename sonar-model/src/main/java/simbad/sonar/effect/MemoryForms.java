@@ -10,6 +10,8 @@ final class MemoryForms {
   private static final Parameter GHOSTS = Parameter.of("share", 0, 0.03, 1, 0.1, 0.4);
 
   private static final double FOREVER_S = 1e9;
+  private static final double MOST_HOLD_S = 20;
+  private static final double MOST_PINGS = 30;
 
   private final List<Form> forms = new ArrayList<>();
 
@@ -32,7 +34,7 @@ final class MemoryForms {
         Effect.STALE_READING,
         "count",
         v -> new StaleReading(v[0], FOREVER_S, 1),
-        Parameter.of("pings", 0, 0, 30, 1, 2, 3, 5, 8, 14));
+        Parameter.of("pings", 0, 0, MOST_PINGS, 1, 2, 3, 5, 8, 14));
     double period = sensor.updatePeriodS();
     add(
         Effect.STALE_READING,
@@ -42,11 +44,11 @@ final class MemoryForms {
             "hold_s",
             0,
             0,
-            20,
+            Math.max(MOST_HOLD_S, MOST_PINGS * period),
             1.5 * period,
             2.5 * period,
             4.5 * period,
-            Math.min(20, 9.5 * period)));
+            9.5 * period));
     add(
         Effect.STALE_READING,
         "fading",

@@ -9,12 +9,21 @@ import java.util.List;
  * @param name with its unit, as in files: {@code offset_m}, {@code turn_deg}
  * @param neutral at which the form is the nominal model; may be infinite
  * @param low least value that makes sense
- * @param high greatest value that makes sense
+ * @param high greatest value that makes sense, above low
  * @param tries values from which a search may start, all in [low, high]
+ * @param closed whether nothing lies beyond its ends (all pings, a whole turn): a value at an end
+ *     is then as good as any; else the ends are those of the search
  */
-public record Parameter(String name, double neutral, double low, double high, List<Double> tries) {
+public record Parameter(
+    String name, double neutral, double low, double high, List<Double> tries, boolean closed) {
+  /** A value nearer to an end of the search than this share of the interval stands at it. */
+  private static final double AT_END = 1e-3;
+
   /** Checks the interval and copies the tries. */
   public Parameter {
+    if (!(low < high)) {
+      throw new IllegalArgumentException(name + ": [" + low + ", " + high + "] is no interval");
+    }
     tries = List.copyOf(tries);
     for (double value : tries) {
       if (!(value >= low && value <= high)) {
@@ -24,13 +33,41 @@ public record Parameter(String name, double neutral, double low, double high, Li
     }
   }
 
+  /**
+   * Creates one whose ends are those of the search. Tries that lie outside, since they depend on
+   * the sensor, are moved to the end; bounds that cross, for a sensor of hardly any range, are
+   * parted.
+   */
   static Parameter of(String name, double neutral, double low, double high, double... tries) {
-    return new Parameter(name, neutral, low, high, Arrays.stream(tries).boxed().toList());
+    double most = high > low ? high : Math.nextUp(low);
+    return new Parameter(
+        name,
+        neutral,
+        low,
+        most,
+        Arrays.stream(tries).map(v -> Math.max(low, Math.min(most, v))).boxed().distinct().toList(),
+        false);
+  }
+
+  /** Returns the same with ends beyond which there is nothing. */
+  Parameter asClosed() {
+    return new Parameter(name, neutral, low, high, tries, true);
   }
 
   /** Tells whether it may have a value: a sensible one, or the neutral one. */
   public boolean permits(double value) {
     return (value >= low && value <= high) || value == neutral;
+  }
+
+  /**
+   * Tells whether a value stands at an end of the search, where a better one may lie beyond. The
+   * neutral value is no such end, nor one that is as good as an infinite neutral value.
+   */
+  public boolean isAtBound(double value) {
+    double near = AT_END * (high - low);
+    boolean atLow = value <= low + near && low != neutral && neutral != Double.NEGATIVE_INFINITY;
+    boolean atHigh = value >= high - near && high != neutral && neutral != Double.POSITIVE_INFINITY;
+    return !closed && (atLow || atHigh);
   }
 
   /** Returns in words which values it may have. */

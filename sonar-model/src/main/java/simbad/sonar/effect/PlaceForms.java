@@ -15,6 +15,8 @@ import simbad.sonar.shape.ThresholdTable;
 /** The forms of effects on where sensors and obstacles are, and on each obstacle's thresholds. */
 final class PlaceForms {
   private static final double MOST_THRESHOLD_M = 20;
+  private static final double MOST_DELAY_S = 5;
+  private static final double MOST_PINGS = 30;
 
   private final SensingSetup setup;
   private final List<String> sensors;
@@ -80,7 +82,7 @@ final class PlaceForms {
         Effect.OBSTACLE_TURN,
         name,
         v -> new ObstacleTurn(toRadians(v[0]), only),
-        Parameter.of("turn_deg", 0, -180, 180, -30, -20, -12, -7, -3, 3, 7, 12, 20, 30));
+        Parameter.of("turn_deg", 0, -180, 180, -30, -20, -12, -7, -3, 3, 7, 12, 20, 30).asClosed());
     add(
         Effect.OBSTACLE_OFFSET,
         name,
@@ -126,17 +128,22 @@ final class PlaceForms {
   private static List<Parameter> thresholds(String prefix, double uniformM) {
     return IntStream.range(0, Forms.TABLE_SIZE)
         .mapToObj(i -> prefix + "threshold_" + i * 360 / Forms.TABLE_SIZE + "_deg_m")
-        .map(name -> Parameter.of(name, uniformM, 0, MOST_THRESHOLD_M, uniformM))
+        .map(name -> thresholdM(name, uniformM))
         .toList();
+  }
+
+  private static Parameter thresholdM(String name, double uniformM) {
+    double most = Math.max(MOST_THRESHOLD_M, 2 * uniformM);
+    return Parameter.of(name, uniformM, 0, most, uniformM).asClosed();
   }
 
   /** A shadow of few lobes, which few readings tell of. */
   private void waved(String name, Optional<String> only) {
     List<Parameter> series = new ArrayList<>();
-    series.add(Parameter.of("level", 0, -1, 1, 0));
+    series.add(Parameter.of("level", 0, -1, 1, 0).asClosed());
     for (int wave = 1; wave <= Forms.SHADOW_WAVES; wave++) {
-      series.add(Parameter.of("cos_" + wave, 0, -1, 1, 0));
-      series.add(Parameter.of("sin_" + wave, 0, -1, 1, 0));
+      series.add(Parameter.of("cos_" + wave, 0, -1, 1, 0).asClosed());
+      series.add(Parameter.of("sin_" + wave, 0, -1, 1, 0).asClosed());
     }
     add(
         Effect.ORIENTATION_SHADOW,
@@ -149,10 +156,18 @@ final class PlaceForms {
     double period = setup.sensor().updatePeriodS();
     Parameter delay =
         Parameter.of(
-            "delay_s", 0, 0, 5, Math.min(5, period), Math.min(5, 2 * period), 0.3, 0.6, 1.2);
+            "delay_s",
+            0,
+            0,
+            Math.max(MOST_DELAY_S, MOST_PINGS * period),
+            period,
+            2 * period,
+            0.3,
+            0.6,
+            1.2);
     Parameter scatter = Parameter.of("scatter_pings", 0, 0, 3, 0.2);
     add(Effect.LATENCY, "time", v -> new Latency(v[0]), delay);
-    Parameter pings = Parameter.of("pings", 0, 0, 30, 1, 2, 4, 8);
+    Parameter pings = Parameter.of("pings", 0, 0, MOST_PINGS, 1, 2, 4, 8);
     add(Effect.LATENCY, "pings", v -> new PingDelay(v[0]), pings);
     add(
         Effect.LATENCY,
@@ -182,7 +197,7 @@ final class PlaceForms {
         "settling",
         v -> new HeadingDrift(toRadians(v[0] / v[1]), v[1], false),
         Parameter.of("turn_deg", 0, -60, 60, -15, -5, 5, 15),
-        Parameter.of("settling_s", 10, 0.1, 1000, 1, 10, 40));
+        Parameter.of("settling_s", 10, 0.1, 1000, 1, 10, 40).asClosed());
     add(
         Effect.HEADING_DRIFT,
         "way",

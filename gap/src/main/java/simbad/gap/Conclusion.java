@@ -1,0 +1,147 @@
+package simbad.gap;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import simbad.gap.diagnosis.AtBound;
+import simbad.gap.diagnosis.Interval;
+import simbad.gap.diagnosis.Place;
+import simbad.gap.diagnosis.Verdict;
+import simbad.gap.explain.Blocks;
+import simbad.gap.explain.Gain;
+import simbad.gap.explain.Weighed;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Parameter;
+
+/**
+ * What is concluded of a log. What holds whatever the probabilities say: nothing is explained by a
+ * value at the end of the search, and "none" never stands beside a gap that is plainly there.
+ *
+ * @param verdict of the log
+ * @param reason why these data cannot tell, or why what fits is no explanation; empty for none
+ * @param atBound values of the best set at the end of the search
+ */
+record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
+  /** A gap that is so many times what the simulator expects of itself is no chance. */
+  static final double MANY_TIMES = 2;
+
+  /** A place of the gap that is no chance. */
+  static final double SURE_PLACE = 0.01;
+
+  /** Copies the list. */
+  Conclusion {
+    atBound = List.copyOf(atBound);
+  }
+
+  /**
+   * Concludes.
+   *
+   * @param weighed the best set and what it gains
+   * @param unknown probability of something that has no name
+   * @param where the places of the gap
+   * @param blocks of the log
+   */
+  static Conclusion of(Weighed weighed, double unknown, List<Place> where, Blocks blocks) {
+    if (!blocks.canBeHeldOut()) {
+      return undecided(tooFew(weighed.gain()));
+    }
+    Hypothesis best = weighed.probabilities().best().hypothesis();
+    List<AtBound> atBound = atBound(best);
+    if (!atBound.isEmpty()) {
+      return new Conclusion(Verdict.UNEXPLAINED, bounds(atBound), atBound);
+    }
+    if (unknown > 0.5) {
+      return new Conclusion(Verdict.UNEXPLAINED, "", List.of());
+    }
+    if (!best.forms().isEmpty()) {
+      return new Conclusion(Verdict.EXPLAINED, "", List.of());
+    }
+    String doubt = doubt(weighed, where);
+    return doubt.isEmpty() ? new Conclusion(Verdict.NONE, "", List.of()) : undecided(doubt);
+  }
+
+  private static Conclusion undecided(String reason) {
+    return new Conclusion(Verdict.UNDECIDED, reason, List.of());
+  }
+
+  private static String tooFew(Gain gain) {
+    int rows = gain.before().observedM().length;
+    return String.format(
+        Locale.ROOT,
+        "there are too few readings: %d in one stretch of time; an effect is tested on readings"
+            + " that it was not fitted on, which takes %d of one run, or a second run",
+        rows,
+        2 * Blocks.LEAST_ROWS);
+  }
+
+  /** Why "none" cannot be said of what no effect explains; empty where it can. */
+  private static String doubt(Weighed weighed, List<Place> where) {
+    Gain gain = weighed.gain();
+    double floorCm = 100 * gain.floorM();
+    if (100 * gain.beforeM() > MANY_TIMES * floorCm) {
+      return String.format(
+          Locale.ROOT,
+          "no effect was found, but the gap is %.2f cm where the simulator expects %.2f cm from"
+              + " scatter alone",
+          100 * gain.beforeM(),
+          floorCm);
+    }
+    if (!weighed.enlarging().isEmpty()) {
+      return "what makes these readings likelier ("
+          + words(weighed.enlarging().get(0).hypothesis().effects())
+          + ") makes the gap larger on readings that it was not fitted on";
+    }
+    List<Place> sure = where.stream().filter(place -> place.qValue() < SURE_PLACE).toList();
+    return sure.isEmpty()
+        ? ""
+        : String.format(
+            Locale.ROOT,
+            "no effect was found, but at one place of the log lies %.0f %% of the gap, more than"
+                + " chance puts there (q = %.1g)",
+            100 * sure.get(0).shareOfGap(),
+            sure.get(0).qValue());
+  }
+
+  private static String bounds(List<AtBound> atBound) {
+    return atBound.stream()
+            .map(
+                one ->
+                    String.format(
+                        Locale.ROOT,
+                        "%s of %s stands at the end of what was searched (%s, from %s to %s)",
+                        one.parameter(),
+                        one.effect(),
+                        number(one.value()),
+                        number(one.allowed().low()),
+                        number(one.allowed().high())))
+            .collect(Collectors.joining("; "))
+        + ", so it fits but explains nothing";
+  }
+
+  private static String number(double value) {
+    return String.format(Locale.ROOT, "%.4g", value);
+  }
+
+  private static String words(List<Effect> effects) {
+    return effects.stream().map(Effect::word).collect(Collectors.joining(" + "));
+  }
+
+  private static List<AtBound> atBound(Hypothesis best) {
+    List<AtBound> found = new ArrayList<>();
+    for (int i = 0; i < best.forms().size(); i++) {
+      Form form = best.forms().get(i);
+      double[] values = best.valuesOf(i);
+      for (int p = 0; p < values.length; p++) {
+        Parameter parameter = form.parameters().get(p);
+        if (parameter.isAtBound(values[p])) {
+          Interval allowed = new Interval(parameter.low(), parameter.high());
+          found.add(new AtBound(form.effect(), parameter.name(), values[p], allowed));
+        }
+      }
+    }
+    return found;
+  }
+}

@@ -1,0 +1,14 @@
+package simbad.gap.diagnosis;
+
+import simbad.sonar.effect.Effect;
+
+/**
+ * A fitted parameter that stands at an end of what was searched: a better value may lie beyond it,
+ * so it explains nothing.
+ *
+ * @param effect whose parameter it is
+ * @param parameter its name, with its unit
+ * @param value fitted
+ * @param allowed the values that were searched
+ */
+public record AtBound(Effect effect, String parameter, double value, Interval allowed) {}

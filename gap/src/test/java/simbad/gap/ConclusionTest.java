@@ -1,0 +1,111 @@
+package simbad.gap;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.EnumSet;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import simbad.gap.diagnosis.GapKind;
+import simbad.gap.diagnosis.Place;
+import simbad.gap.diagnosis.Verdict;
+import simbad.gap.explain.Blocks;
+import simbad.gap.explain.Gain;
+import simbad.gap.explain.GapMeter;
+import simbad.gap.explain.Probabilities;
+import simbad.gap.explain.Scored;
+import simbad.gap.explain.Weighed;
+import simbad.gap.fit.Hypothesis;
+import simbad.gap.fixture.Worlds;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.PingLog;
+
+/** What holds of a verdict whatever the probabilities say. */
+class ConclusionTest {
+  private static final Blocks BLOCKS = blocks(150);
+  private static final Hypothesis OFFSET = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.05);
+
+  private static Blocks blocks(int rows) {
+    return new Blocks(new PingLog(Worlds.poses(rows, 0.3, 1.3, 1)));
+  }
+
+  private static Weighed weighed(Hypothesis best, double gapM, double floorM, Scored... enlarging) {
+    Scored only = new Scored(best, 0, 0);
+    GapMeter.Gaps gaps = new GapMeter.Gaps(new double[] {gapM}, new double[] {floorM});
+    return new Weighed(
+        new Probabilities(List.of(only), 10, 1, EnumSet.noneOf(Effect.class)),
+        new Gain(gaps, gaps),
+        List.of(enlarging));
+  }
+
+  private static Place place(double qValue) {
+    return new Place(List.of(), 20, 0.58, 30, 30, GapKind.MISSED_ECHO, qValue);
+  }
+
+  private static Conclusion of(Weighed weighed, double unknown, Place... where) {
+    return Conclusion.of(weighed, unknown, List.of(where), BLOCKS);
+  }
+
+  private static void isUndecided(String why, Conclusion conclusion) {
+    assertEquals(Verdict.UNDECIDED, conclusion.verdict());
+    assertTrue(conclusion.reason().contains(why), conclusion.reason());
+  }
+
+  @Test
+  void smallGapWithoutAPlace_isNone() {
+    Conclusion none = of(weighed(Hypothesis.NONE, 0.019, 0.01), 0.1, place(0.02));
+    assertEquals(new Conclusion(Verdict.NONE, "", List.of()), none);
+  }
+
+  @Test
+  void noneNeverStandsBesideAPlaceThatIsNoChance() {
+    isUndecided(
+        "at one place of the log lies 58 % of the gap, more than chance puts there (q = 0.0004)",
+        of(weighed(Hypothesis.NONE, 0.019, 0.01), 0.1, place(4e-4)));
+  }
+
+  @Test
+  void noneNeverStandsBesideAGapOfManyTimesTheFloor() {
+    isUndecided(
+        "the gap is 2.10 cm where the simulator expects 1.00 cm",
+        of(weighed(Hypothesis.NONE, 0.021, 0.01), 0.1));
+  }
+
+  @Test
+  void noneIsNotSaidWhereWhatIsLikelierEnlargesTheGap() {
+    Scored enlarging = new Scored(OFFSET, 100, 100);
+    isUndecided(
+        "what makes these readings likelier (range-offset) makes the gap larger",
+        of(weighed(Hypothesis.NONE, 0.01, 0.01, enlarging), 0.1));
+  }
+
+  @Test
+  void oneBlock_isUndecidedWhateverFits() {
+    Conclusion few =
+        Conclusion.of(weighed(OFFSET, 0.01, 0.01), 0.9, List.of(place(1e-9)), blocks(49));
+    isUndecided("takes 50 of one run, or a second run", few);
+  }
+
+  @Test
+  void whatIsNotKnown_decidesBetweenExplainedAndUnexplained() {
+    assertEquals(Verdict.EXPLAINED, of(weighed(OFFSET, 0.01, 0.01), 0.5).verdict());
+    assertEquals(Verdict.UNEXPLAINED, of(weighed(OFFSET, 0.01, 0.01), 0.51).verdict());
+    assertEquals(Verdict.UNEXPLAINED, of(weighed(Hypothesis.NONE, 0.01, 0.01), 0.51).verdict());
+  }
+
+  @Test
+  void valueAtTheEndOfTheSearch_explainsNothing() {
+    Hypothesis far = Worlds.effect(Effect.RANGE_OFFSET, "constant", 1);
+    Conclusion conclusion = of(weighed(far, 0.01, 0.01), 0.01);
+    assertEquals(Verdict.UNEXPLAINED, conclusion.verdict());
+    assertEquals("offset_m", conclusion.atBound().get(0).parameter());
+    assertEquals(1, conclusion.atBound().get(0).allowed().high());
+    assertTrue(
+        conclusion
+            .reason()
+            .startsWith(
+                "offset_m of range-offset stands at the end of what was searched (1.000, from"
+                    + " -1.000 to 1.000)"),
+        conclusion.reason());
+  }
+}
