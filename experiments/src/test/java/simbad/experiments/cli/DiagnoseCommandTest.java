@@ -168,6 +168,27 @@ class DiagnoseCommandTest {
     withheld.forEach(word -> assertFalse(word.asText().equals("range-offset")));
   }
 
+  /** However large the gap is: with nothing to test on, neither "none" nor a name is said. */
+  @Test
+  void tooFewRows_areUndecided_andEveryOutputSaysWhy() throws IOException {
+    Path few = BenchData.write(folder.resolve("few"), BenchData.rows(20, 0.5));
+    String why = "there are too few readings: 20 in one stretch of time";
+    Shell shell = diagnose(few);
+    assertEquals(0, shell.status(), shell.err());
+    assertTrue(shell.out().startsWith("few: undecided; " + why), shell.out());
+    JsonNode json = diagnosis("few");
+    assertEquals("undecided", json.at("/verdict").asText());
+    assertTrue(json.at("/reason").asText().startsWith(why), json.at("/reason").asText());
+    assertTrue(json.at("/gap/shrink_ci95/0").isNull(), "nothing is known of another log");
+    String page = Files.readString(out.resolve("few/report.html"));
+    assertTrue(page.contains("<strong>These data cannot tell:</strong> " + why));
+    Path again = folder.resolve("again");
+    Shell script = Shell.simbad("diagnose", few.toString(), "--json", "--out", again.toString());
+    JsonNode line = new ObjectMapper().readTree(script.out());
+    assertEquals("undecided", line.get("verdict").asText());
+    assertEquals(json.get("reason"), line.get("reason"));
+  }
+
   /** Bad data sets say why, the others are diagnosed; what is there already is not touched. */
   @Test
   void oneIsBad_othersAreDone() throws IOException {
