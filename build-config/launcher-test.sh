@@ -67,7 +67,7 @@ END
 }
 
 # A Maven that packages; FAKE_MAVEN=fail lets it fail like a compiler error, =crash like a
-# crash, =slow lets it take its time.
+# crash, =slow lets it take its time, =kill kills the launcher.
 fake_maven() {
   fake "$1" mvn <<'END'
 if [[ ${FAKE_MAVEN:-} == fail ]]; then
@@ -78,6 +78,7 @@ if [[ ${FAKE_MAVEN:-} == fail ]]; then
 fi
 [[ ${FAKE_MAVEN:-} == crash ]] && echo 'out of memory' && exit 1
 [[ ${FAKE_MAVEN:-} == slow ]] && sleep 1
+[[ ${FAKE_MAVEN:-} == kill ]] && kill -KILL "$PPID" && exit
 root=$PWD
 while (($# > 0)); do
   [[ $1 == -f ]] && root=${2%/pom.xml}
@@ -120,7 +121,7 @@ simbad() {
     SIMBAD_INCLUDE_DIRECTORY="$work/include" \
     FAKE_UID="${FAKE_UID:-1000}" FAKE_COMMIT="${FAKE_COMMIT:-1234}" FAKE_STATUS="${FAKE_STATUS:-0}" \
     FAKE_MAVEN="${FAKE_MAVEN:-}" FAKE_CHANGES="${FAKE_CHANGES:-}" FAKE_SKIPPED="${FAKE_SKIPPED:-}" FAKE_WORK="$work" CI="${ci:-}" DISPLAY=:7 \
-    SIMBAD_TESTING="${testing:-}" SIMBAD_CLASS_PATH="${own_classes:-}" bash "${launcher:-$project/simbad}" "$@" </dev/null 2>&1)
+    TMPDIR="${temporary:-/tmp}" SIMBAD_TESTING="${testing:-}" SIMBAD_CLASS_PATH="${own_classes:-}" bash "${launcher:-$project/simbad}" "$@" </dev/null 2>&1)
   status=$?
 }
 
@@ -390,6 +391,30 @@ simbad-sonar-1.2-sources.tar.gz simbad-sonar-1.2.cdx.json simbad-sonar-1.2.jar"
   check "release: a failed build publishes nothing" test ! -e "$work/failed"
 }
 
+# What a killed one left: of a process that is gone, of one that runs, of another that has the number now.
+sweeps_after_a_kill() {
+  local mark temporary=$work/temporary sleeper start
+  new_project
+  mkdir "$temporary"
+  FAKE_MAVEN="kill" simbad release --out killed
+  mark=$(cd "$temporary" && echo simbad-release-*-1)
+  mark=${mark#simbad-release-}
+  check "release: killed, it leaves its work" test -d "$temporary/simbad-release-$mark"
+  check "release: and what it had begun" test -d "$work/.killed.unfinished-$mark"
+  sleep 100 &
+  sleeper=$!
+  start=$(cut -d ' ' -f 22 "/proc/$sleeper/stat")
+  mkdir "$work/.runs.unfinished-$sleeper-$start-${mark#*-*-}" "$work/.reused.unfinished-$sleeper-1$start-${mark#*-*-}" \
+    "$work/.far.unfinished-$sleeper-1$start-000000-000000-1"
+  simbad release --out killed
+  check "release: the next one is done" status_is 0
+  output=$(cd "$work" && echo .*.unfinished* "$temporary"/*)
+  check "release: and sweeps what no process needs, on this machine" prints \
+    ".far.unfinished-$sleeper-1$start-000000-000000-1 .runs.unfinished-$sleeper-$start-${mark#*-*-} $temporary/*"
+  kill "$sleeper"
+  rm -r "$work"/.*.unfinished*
+}
+
 sums_are_right() { (cd "$work/my release" && sha256sum --quiet -c SHA256SUMS); }
 
 refuses_a_bad_release() {
@@ -428,6 +453,7 @@ installs_with_apt
 tests_like_ci
 tells_what_works
 releases_a_commit
+sweeps_after_a_kill
 refuses_a_bad_release
 check_style
 ((failures == 0))

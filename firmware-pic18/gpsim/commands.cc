@@ -86,6 +86,8 @@ bool obey_sensor(Srf04 &sensor, const std::string &key, const std::string &text)
         sensor.set_longest(value);
     } else if (key == "trigger" && number(text, 0, value)) {
         sensor.set_least_trigger(value);
+    } else if (key == "burst" && number(text, 1, value)) {
+        sensor.set_burst(value);
     } else if (key == "fault" && faults.count(text)) {
         sensor.set_fault(faults.at(text));
     } else {

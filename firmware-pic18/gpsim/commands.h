@@ -8,6 +8,7 @@ namespace board {
 // Carries out one line:
 //   distance METRES|none    what the next pings meet        temperature CELSIUS
 //   longest US              the sensor's longest echo       trigger US   the shortest trigger that it takes
+//   burst US                from the trigger until the pulse begins
 //   fault none|no-echo|high|low                             wake TIME_US "wake" is sent then
 //   reset power-on|brown-out|watchdog|master-clear DELAY_US
 //   garbage COUNT           bytes on the serial line that nobody sent

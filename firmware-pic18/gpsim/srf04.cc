@@ -67,7 +67,7 @@ void Srf04::triggered(bool level)
         busy = true;
         pings++;
         driver.ask("ping %lu %.0f %.0f", pings, now, now - rose_us);
-        burst.start(burst_us);
+        burst.start(before_pulse_us);
     }
 }
 

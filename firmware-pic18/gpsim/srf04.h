@@ -24,6 +24,7 @@ public:
     void set_temperature(double celsius) { temperature_c = celsius; }
     void set_longest(double us) { longest_us = us; }
     void set_least_trigger(double us) { least_us = us; }
+    void set_burst(double us) { before_pulse_us = us; }
     // A line that is stuck is so at once; a pulse under way ends when the fault is over.
     void set_fault(Fault now);
 
@@ -39,6 +40,7 @@ private:
     double temperature_c = 20;
     double longest_us = longest_echo_us;
     double least_us = least_trigger_us;
+    double before_pulse_us = burst_us;
     Fault fault = Fault::none;
 
     bool busy = false;

@@ -67,13 +67,18 @@ uint8_t capture_line_high(void)
 }
 
 /*
- * Timer 0 is read first, low byte before high (that read latches the high one), on the same way at both edges. Reading
- * port B ends the mismatch that set the request; without it the chip would set it again, though gpsim would not.
+ * Timer 0 is read first, on the same way at both edges. The chip latches its high byte when the low one is read (data
+ * sheet DS39599, "16-bit mode timer reads and writes"); in gpsim the timer clears that latch when it overflows. So this
+ * relies on no latch: where the low byte has wrapped since, the high one is read once more, and it was one less before.
+ * Reading port B ends the mismatch that set the request; without it the chip would set it again, though gpsim would not.
  */
 void capture_interrupt(void) INTERRUPT_HIGH
 {
     now.byte.low = TMR0L;
     now.byte.high = TMR0H;
+    if (TMR0L < now.byte.low) {
+        now.byte.high = TMR0H - 1u;
+    }
     line = PORTB;
     CLEAR_BITS(INTCON, INTCON_RBIF);
     if (line & PORTB_ECHO) {

@@ -20,7 +20,7 @@ void clock_open(void)
 uint16_t clock_ms(void)
 {
     uint16_t ms;
-    /* Two bytes, read one after the other: the interrupt has to wait until both are. */
+    /* Two bytes, read one after the other: the count has to wait until both are. */
     CLEAR_BITS(PIE1, PERIPHERAL_TMR2);
     ms = count_ms;
     SET_BITS(PIE1, PERIPHERAL_TMR2);
@@ -29,7 +29,8 @@ uint16_t clock_ms(void)
 
 void clock_interrupt(void)
 {
-    if (PIR1 & PERIPHERAL_TMR2) {
+    /* The serial port's interrupt comes here too, also while the count is being read: then the flag stays for later. */
+    if ((PIE1 & PERIPHERAL_TMR2) && (PIR1 & PERIPHERAL_TMR2)) {
         CLEAR_BITS(PIR1, PERIPHERAL_TMR2);
         count_ms++;
     }

@@ -76,13 +76,28 @@ static void clock_counts_milliseconds(void **state)
     assert_int_equal(PIE1 & 0x02, 0x02);
 }
 
+/* While the count is being read its own interrupt is disabled; the one of the serial port goes through the same code. */
+static void clock_waits_while_it_is_read(void **state)
+{
+    (void)state;
+    clock_open();
+    PIE1 &= (uint8_t)~0x02;
+    PIR1 |= 0x02;
+    low_interrupt();
+    assert_int_equal(PIR1 & 0x02, 0x02);
+    /* Reading enables it again. */
+    assert_int_equal(clock_ms(), 0);
+    low_interrupt();
+    assert_int_equal(PIR1 & 0x02, 0);
+    assert_int_equal(clock_ms(), 1);
+}
+
 /* ---------------------------------------------------------------- capture */
 
 static void edge(uint8_t high, uint16_t at_us)
 {
     PORTB = high ? 0x10 : 0;
-    TMR0L = (uint8_t)at_us;
-    TMR0H = (uint8_t)(at_us >> 8);
+    stand_in_set_timer(at_us);
     INTCON |= 0x01;
     capture_interrupt();
     assert_int_equal(INTCON & 0x01, 0);
@@ -126,6 +141,24 @@ static void pulses_are_timed_over_the_timers_wrap(void **state)
     check_pulse(65500, 36000);
     check_pulse(255, 1);
     check_pulse(40000, 60000);
+}
+
+/* Wherever an edge falls, also between the reads of two bytes of which the first has wrapped. */
+static void check_every_phase(enum stand_in_timer kind)
+{
+    stand_in_set_timer_kind(kind);
+    capture_open();
+    for (uint32_t at_us = 0; at_us <= 65535; at_us++) {
+        check_pulse((uint16_t)at_us, 5753);
+    }
+}
+
+static void pulses_are_timed_wherever_the_timer_is(void **state)
+{
+    (void)state;
+    check_every_phase(STAND_IN_LATCHED);
+    check_every_phase(STAND_IN_CLEARED);
+    check_every_phase(STAND_IN_UNLATCHED);
 }
 
 static void edges_that_are_not_awaited_change_nothing(void **state)
@@ -233,9 +266,11 @@ int hal_tests(void)
         cmocka_unit_test_setup(board_notes_and_rearms_the_cause_of_the_reset, setup),
         cmocka_unit_test_setup(board_enables_both_priorities_last, setup),
         cmocka_unit_test_setup(clock_counts_milliseconds, setup),
+        cmocka_unit_test_setup(clock_waits_while_it_is_read, setup),
         cmocka_unit_test_setup(capture_has_the_high_priority, setup),
         cmocka_unit_test_setup(trigger_is_at_least_ten_microseconds, setup),
         cmocka_unit_test_setup(pulses_are_timed_over_the_timers_wrap, setup),
+        cmocka_unit_test_setup(pulses_are_timed_wherever_the_timer_is, setup),
         cmocka_unit_test_setup(edges_that_are_not_awaited_change_nothing, setup),
         cmocka_unit_test_setup(serial_is_19200_8n1_of_low_priority, setup),
         cmocka_unit_test_setup(serial_sends_a_text_byte_by_byte, setup),

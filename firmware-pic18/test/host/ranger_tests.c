@@ -22,8 +22,7 @@ static uint16_t pulse_left_us;
 static void edge(uint8_t high)
 {
     PORTB = high ? 0x10 : 0;
-    TMR0L = (uint8_t)time_us;
-    TMR0H = (uint8_t)(time_us >> 8);
+    stand_in_set_timer(time_us);
     capture_interrupt();
 }
 

@@ -6,25 +6,32 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.TemporaryFolder;
 import simbad.sonar.format.TextFile;
 
 /** A folder of its own for one run of gpsim: its script, its socket, what it says. */
 final class Workplace {
+  private final TemporaryFolder temporary;
   private final Path folder;
 
-  private Workplace(Path folder) {
-    this.folder = folder;
+  private Workplace(TemporaryFolder temporary) {
+    this.temporary = temporary;
+    folder = temporary.path();
   }
 
   static Workplace create(Path modules, Path program, BoardSetup setup)
       throws IOException, DataFormatException {
     String image = GpsimImage.read(program);
-    Workplace workplace = new Workplace(Files.createTempDirectory("simbad-board"));
-    TextFile.write(workplace.image(), image);
-    TextFile.write(workplace.script(), workplace.text(modules, setup));
-    return workplace;
+    Workplace workplace = new Workplace(TemporaryFolder.create("simbad-board"));
+    try {
+      TextFile.write(workplace.image(), image);
+      TextFile.write(workplace.script(), workplace.text(modules, setup));
+      return workplace;
+    } catch (IOException e) {
+      workplace.delete();
+      throw e;
+    }
   }
 
   /**
@@ -93,13 +100,6 @@ final class Workplace {
   }
 
   void delete() {
-    try (Stream<Path> files = Files.list(folder)) {
-      for (Path file : files.toList()) {
-        Files.deleteIfExists(file);
-      }
-      Files.deleteIfExists(folder);
-    } catch (IOException e) {
-      // A temporary folder that is left is no failure of the run.
-    }
+    temporary.close();
   }
 }

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import simbad.bench.protocol.FrameLine.Identity;
 import simbad.bench.protocol.FrameLine.Ping;
 import simbad.bench.protocol.PingStatus;
+import simbad.sonar.format.Leftovers;
 import simbad.sonar.model.DetectionRule;
 
 /** The simulated board as a thing that starts, is driven, fails and ends. */
@@ -36,7 +37,10 @@ class BoardTest {
   }
 
   private static long workplaces() throws IOException {
-    try (Stream<Path> files = Files.list(Path.of(System.getProperty("java.io.tmpdir")))) {
+    Path temporary = Path.of(System.getProperty("java.io.tmpdir"));
+    // Of processes that were killed; the next board would delete it as well.
+    Leftovers.sweep(temporary);
+    try (Stream<Path> files = Files.list(temporary)) {
       return files.filter(f -> f.getFileName().toString().startsWith("simbad-board")).count();
     }
   }

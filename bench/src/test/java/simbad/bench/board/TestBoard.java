@@ -74,6 +74,14 @@ final class TestBoard implements AutoCloseable {
     serial = new SerialReader(board.port());
   }
 
+  /** What the board is made of, where this machine has it; otherwise the test is skipped. */
+  static BoardKit kit() {
+    assumeTrue(
+        KIT.missingPackages().isEmpty(),
+        () -> "no simulated board here: missing " + KIT.missingPackages());
+    return KIT;
+  }
+
   static TestBoard start(Path folder, LongFunction<List<BoardOrder>> atPing)
       throws IOException, DataFormatException, InterruptedException {
     return start(folder, new World(atPing, timeS -> List.of()));
@@ -81,11 +89,8 @@ final class TestBoard implements AutoCloseable {
 
   static TestBoard start(Path folder, World world)
       throws IOException, DataFormatException, InterruptedException {
-    assumeTrue(
-        KIT.missingPackages().isEmpty(),
-        () -> "no simulated board here: missing " + KIT.missingPackages());
     // Real time until the reader is there: nothing is lost in between.
-    Board board = Board.start(KIT, new BoardSetup(folder.resolve("tty"), 1), world);
+    Board board = Board.start(kit(), new BoardSetup(folder.resolve("tty"), 1), world);
     TestBoard test = new TestBoard(world, board);
     board.order(BoardOrder.pace(0));
     return test;

@@ -5,16 +5,14 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
-import java.util.Comparator;
-import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import simbad.experiments.report.TraceTable;
 import simbad.experiments.run.Trace;
 import simbad.experiments.workers.Job;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.TemporaryFolder;
 
 /**
  * The runs of a batch: its spec, and the contents of all files that the spec names. Thread-safe.
@@ -103,14 +101,12 @@ public final class BatchJob implements Job<BatchOutcome> {
   /** The readers of all formats take files: the contents stand in some for as long as it takes. */
   private Prepared prepare() {
     try {
-      Path folder = Files.createTempDirectory("simbad-batch");
-      try {
+      try (TemporaryFolder temporary = TemporaryFolder.create("simbad-batch")) {
+        Path folder = temporary.path();
         write(folder);
         BatchSpec parsed = BatchSpec.parse(Path.of(specName), spec);
         BatchPlan plan = BatchPlan.read(parsed, InputPlace.copies(folder));
         return new Prepared(plan, new ResultColumns(plan));
-      } finally {
-        delete(folder);
       }
     } catch (IOException e) {
       throw new UncheckedIOException(e);
@@ -129,15 +125,6 @@ public final class BatchJob implements Job<BatchOutcome> {
       Path file = folder.resolve(input.getKey());
       Files.createDirectories(file.getParent());
       Files.writeString(file, input.getValue());
-    }
-  }
-
-  private static void delete(Path folder) throws IOException {
-    try (Stream<Path> entries = Files.walk(folder)) {
-      List<Path> deepestFirst = entries.sorted(Comparator.reverseOrder()).toList();
-      for (Path path : deepestFirst) {
-        Files.delete(path);
-      }
     }
   }
 }

@@ -18,6 +18,7 @@ import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.ReadingsWriter;
 import simbad.sonar.format.SceneWriter;
+import simbad.sonar.format.TemporaryFolder;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
@@ -87,8 +88,8 @@ public record CaptureFolder(Path path) {
    */
   public void writeDataSet(CapturedReadings readings, ObstacleType believed, SonarSpec sensor)
       throws IOException, DataFormatException {
-    Path staging = Files.createTempDirectory(path, ".data-set");
-    try {
+    try (TemporaryFolder temporary = TemporaryFolder.in(path, ".data-set")) {
+      Path staging = temporary.path();
       Files.writeString(
           staging.resolve(DataSetFolder.SCENE),
           SceneWriter.text(setup(readings.settings().ranging(), believed, sensor)),
@@ -105,11 +106,6 @@ public record CaptureFolder(Path path) {
             StandardCopyOption.ATOMIC_MOVE,
             StandardCopyOption.REPLACE_EXISTING);
       }
-    } finally {
-      for (Path file : files(staging)) {
-        Files.delete(file);
-      }
-      Files.delete(staging);
     }
   }
 

@@ -1,8 +1,6 @@
 package simbad.experiments.bench;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.Consumer;
@@ -19,6 +17,7 @@ import simbad.bench.session.SteadyRanger;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.TemporaryFolder;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.model.SensorModel;
 
@@ -27,7 +26,7 @@ import simbad.sonar.model.SensorModel;
  * ends it and leaves no file behind.
  */
 public final class SimulatedBench implements AutoCloseable {
-  private final Path folder;
+  private final TemporaryFolder folder;
   private final Board board;
   private final TurntableBench turntable;
   private final BenchTarget target;
@@ -47,7 +46,8 @@ public final class SimulatedBench implements AutoCloseable {
     }
   }
 
-  private SimulatedBench(Path folder, Board board, TurntableBench turntable, BenchTarget target) {
+  private SimulatedBench(
+      TemporaryFolder folder, Board board, TurntableBench turntable, BenchTarget target) {
     this.folder = folder;
     this.board = board;
     this.turntable = turntable;
@@ -74,12 +74,12 @@ public final class SimulatedBench implements AutoCloseable {
             new Random(setup.seed()),
             new BenchScene(Optional.of(target), 1, 0, 0),
             setup.temperatureC());
-    Path folder = Files.createTempDirectory("simbad-port");
+    TemporaryFolder folder = TemporaryFolder.create("simbad-port");
     try {
-      Board board = Board.start(kit, new BoardSetup(folder.resolve("tty"), 0), turntable);
+      Board board = Board.start(kit, new BoardSetup(folder.path().resolve("tty"), 0), turntable);
       return new SimulatedBench(folder, board, turntable, target);
     } catch (IOException | DataFormatException | InterruptedException e) {
-      Files.delete(folder);
+      folder.close();
       throw e;
     }
   }
@@ -129,10 +129,6 @@ public final class SimulatedBench implements AutoCloseable {
   @Override
   public void close() {
     board.close();
-    try {
-      Files.deleteIfExists(folder);
-    } catch (IOException e) {
-      // An empty folder for temporary files that is left is no failure of the capture.
-    }
+    folder.close();
   }
 }

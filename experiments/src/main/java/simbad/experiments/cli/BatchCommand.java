@@ -93,8 +93,7 @@ final class BatchCommand extends Subcommand {
     if (log.done() == job.size()) {
       return;
     }
-    Thread farewell = new Thread(() -> err().println(standing(job, log)));
-    Runtime.getRuntime().addShutdownHook(farewell);
+    Ending ending = Ending.with(() -> err().println(standing(job, log)));
     try (Workers workers = who.open();
         Progress progress = Progress.of("driving", job.size() - log.done())) {
       workers.run(
@@ -106,7 +105,7 @@ final class BatchCommand extends Subcommand {
             progress.step();
           });
     } finally {
-      forget(farewell);
+      ending.close();
     }
   }
 
@@ -116,14 +115,6 @@ final class BatchCommand extends Subcommand {
 
   private static String runsAre(long count) {
     return runs(count) + (count == 1 ? " is" : " are");
-  }
-
-  private static void forget(Thread farewell) {
-    try {
-      Runtime.getRuntime().removeShutdownHook(farewell);
-    } catch (IllegalStateException exiting) {
-      // It is being said.
-    }
   }
 
   private String standing(BatchJob job, ResultLog log) {

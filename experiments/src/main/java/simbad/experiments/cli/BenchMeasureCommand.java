@@ -140,8 +140,7 @@ final class BenchMeasureCommand extends Subcommand {
             SimulatedBench.start(BoardKit.ofProject(ProjectFolder.find()), setup);
         SteadyRanger ranger = bench.connect(FirmwareMode.FRAME, this::note);
         Progress progress = Progress.of("poses", rows.size())) {
-      Thread ending = new Thread(bench::close);
-      Runtime.getRuntime().addShutdownHook(ending);
+      Ending ending = Ending.with(bench::close);
       PoseMeasurement measurement =
           new PoseMeasurement(
               rows,
@@ -154,16 +153,8 @@ final class BenchMeasureCommand extends Subcommand {
       try {
         measurement.run(log, Optional.empty());
       } finally {
-        forget(ending);
+        ending.close();
       }
-    }
-  }
-
-  private static void forget(Thread ending) {
-    try {
-      Runtime.getRuntime().removeShutdownHook(ending);
-    } catch (IllegalStateException e) {
-      // Ctrl-C: it is at work.
     }
   }
 

@@ -22,6 +22,7 @@ import simbad.experiments.blindcheck.CheckScores;
 import simbad.experiments.blindcheck.CheckSummary;
 import simbad.experiments.workers.Workers;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.TemporaryFolder;
 
 /** The steps of a withheld check, in a folder that keeps what each of them leaves. */
 final class BlindCheck {
@@ -187,8 +188,8 @@ final class BlindCheck {
             baseline.toString()),
         Optional.empty(),
         line -> {});
-    Path file = Files.createTempFile("simbad-scores", ".json");
-    try {
+    try (TemporaryFolder temporary = TemporaryFolder.create("simbad-scores")) {
+      Path file = temporary.path().resolve("scores.json");
       List<String> arguments =
           new ArrayList<>(List.of("score", "--truth", world.resolve("truth").toString()));
       arguments.addAll(List.of("--answers", answers.toString(), "--baseline", baseline.toString()));
@@ -199,8 +200,6 @@ final class BlindCheck {
       CheckScores scores = CheckScores.read(file);
       CheckFiles.write(folder, order, scores);
       CheckSummary.lines(scores).forEach(out::println);
-    } finally {
-      Files.deleteIfExists(file);
     }
     log("scored");
     out.println();

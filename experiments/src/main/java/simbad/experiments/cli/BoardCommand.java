@@ -1,7 +1,6 @@
 package simbad.experiments.cli;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -22,6 +21,7 @@ import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.SensorFile;
+import simbad.sonar.format.TemporaryFolder;
 import simbad.sonar.model.DetectionRule;
 import simbad.sonar.scene.SonarSpec;
 
@@ -115,41 +115,26 @@ final class BoardCommand extends Subcommand {
             new Random(seed),
             endS == null ? OptionalDouble.empty() : OptionalDouble.of(endS));
     if (link == null) {
-      Path folder = Files.createTempDirectory("simbad-port");
-      play(bench, new BoardSetup(folder.resolve("tty"), pace), () -> delete(folder));
+      try (TemporaryFolder folder = TemporaryFolder.create("simbad-port")) {
+        play(bench, new BoardSetup(folder.path().resolve("tty"), pace));
+      }
     } else {
-      play(bench, new BoardSetup(link, pace), () -> {});
+      play(bench, new BoardSetup(link, pace));
     }
   }
 
-  private void play(ScriptedBench bench, BoardSetup setup, Runnable afterwards)
+  private void play(ScriptedBench bench, BoardSetup setup)
       throws IOException, DataFormatException, InterruptedException {
     try (Board board = Board.start(BoardKit.ofProject(ProjectFolder.find()), setup, bench)) {
       // Ctrl-C ends the process while this waits: then nobody else would end gpsim and its files.
-      Thread ending = inTurn(board::close, afterwards);
-      Runtime.getRuntime().addShutdownHook(ending);
-      out().println("serial port: " + board.port());
-      board.awaitEnd();
+      Ending ending = Ending.with(board::close);
+      try {
+        out().println("serial port: " + board.port());
+        board.awaitEnd();
+      } finally {
+        ending.close();
+      }
       out().println("pings: " + bench.pings());
-      Runtime.getRuntime().removeShutdownHook(ending);
-    } finally {
-      afterwards.run();
-    }
-  }
-
-  private static Thread inTurn(Runnable first, Runnable second) {
-    return new Thread(
-        () -> {
-          first.run();
-          second.run();
-        });
-  }
-
-  private static void delete(Path folder) {
-    try {
-      Files.deleteIfExists(folder);
-    } catch (IOException e) {
-      // An empty folder for temporary files that is left is no failure of the run.
     }
   }
 

@@ -112,21 +112,18 @@ final class CaptureRun {
   /** Ctrl-C ends it; that is said, and how it goes on. */
   private void interruptible(Work work, Runnable atTheEnd)
       throws IOException, DataFormatException, InterruptedException {
-    Thread ending =
-        new Thread(
-            () -> {
-              interrupted = true;
-              err.println(
-                  "bench: all readings are kept; go on with: simbad bench resume " + folder.path());
-              atTheEnd.run();
-            });
-    Runtime.getRuntime().addShutdownHook(ending);
+    Runnable farewell =
+        () -> {
+          interrupted = true;
+          err.println(
+              "bench: all readings are kept; go on with: simbad bench resume " + folder.path());
+          atTheEnd.run();
+        };
+    Ending ending = Ending.with(farewell);
     try {
       work.run();
     } finally {
-      if (!interrupted) {
-        Runtime.getRuntime().removeShutdownHook(ending);
-      }
+      ending.close();
     }
   }
 

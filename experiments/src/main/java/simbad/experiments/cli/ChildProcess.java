@@ -16,12 +16,12 @@ import java.util.function.Consumer;
 /** A process that ends when it is closed, and when this program ends. */
 final class ChildProcess implements AutoCloseable {
   private final Process process;
-  private final Thread killer;
+  private final Ending atEnd;
   private final Thread reader;
 
   private ChildProcess(Process process, Thread reader) {
     this.process = process;
-    this.killer = new Thread(process::destroy);
+    this.atEnd = Ending.with(process::destroy);
     this.reader = reader;
   }
 
@@ -64,7 +64,6 @@ final class ChildProcess implements AutoCloseable {
 
   private static ChildProcess begun(Process process, BufferedReader lines, Consumer<String> heard) {
     ChildProcess child = new ChildProcess(process, new Thread(() -> read(lines, heard)));
-    Runtime.getRuntime().addShutdownHook(child.killer);
     child.reader.start();
     return child;
   }
@@ -103,10 +102,6 @@ final class ChildProcess implements AutoCloseable {
   public void close() {
     process.destroyForcibly();
     process.onExit().join();
-    try {
-      Runtime.getRuntime().removeShutdownHook(killer);
-    } catch (IllegalStateException exiting) {
-      // The hook runs already.
-    }
+    atEnd.close();
   }
 }

@@ -33,6 +33,8 @@ final class Complaints {
 
   /** Prints the line, and the stack trace where it is asked for; returns the exit status. */
   int about(Throwable fault) {
+    // Of what the end took away.
+    Ending.goOnUnlessItEnds();
     err.println(commandName + ": " + line(fault).replaceAll("\\s*\\R\\s*", " "));
     if (trace) {
       fault.printStackTrace(err);

@@ -4,19 +4,17 @@ import java.io.PrintWriter;
 
 /** Says that the command was interrupted when the process ends before the command does. */
 final class Interruption {
-  private final Thread announcement;
+  private final Ending announcement;
 
-  private Interruption(Thread announcement) {
+  private Interruption(Ending announcement) {
     this.announcement = announcement;
   }
 
   static Interruption announcedOn(PrintWriter err) {
-    Thread announcement = new Thread(() -> err.println("simbad: interrupted"));
-    Runtime.getRuntime().addShutdownHook(announcement);
-    return new Interruption(announcement);
+    return new Interruption(Ending.with(() -> err.println("simbad: interrupted")));
   }
 
   void noLongerPossible() {
-    Runtime.getRuntime().removeShutdownHook(announcement);
+    announcement.close();
   }
 }

@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 import picocli.CommandLine;
+import simbad.sonar.format.TemporaryFolder;
 
 /** The program: parses the command line, runs one command, ends with its exit status. */
 public final class Main {
@@ -24,7 +25,9 @@ public final class Main {
     PrintWriter out = utf8(FileDescriptor.out);
     PrintWriter err = utf8(FileDescriptor.err);
     Interruption interruption = Interruption.announcedOn(err);
+    Ending tidying = Ending.with(TemporaryFolder::closeAll);
     int status = run(Subcommands.all(), out, err, arguments);
+    tidying.close();
     interruption.noLongerPossible();
     System.exit(status);
   }

@@ -13,23 +13,26 @@ import java.nio.file.StandardCopyOption;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
+import simbad.sonar.format.Leftovers;
 
 /**
  * A directory of results that appears under its name only when all of it is written.
  *
  * <p>Until then the files stand in a directory beside it. That directory is deleted when the
- * command fails, and when the process is told to end (Ctrl-C). Thread-safe.
+ * command fails, and when the process is told to end (Ctrl-C); after a kill, by the next that
+ * writes there. Thread-safe.
  */
 final class StagedDirectory implements AutoCloseable {
   private final Path target;
   private final Path staging;
-  private final Thread discardAtExit;
-  private boolean open = true;
+  private final Ending discardAtEnd;
+  private boolean open;
+  private boolean discarded;
 
   private StagedDirectory(Path target, Path staging) {
     this.target = target;
     this.staging = staging;
-    this.discardAtExit = new Thread(this::discard);
+    this.discardAtEnd = Ending.with(this::discard);
   }
 
   /**
@@ -49,19 +52,27 @@ final class StagedDirectory implements AutoCloseable {
     if (parent == null || name == null) {
       throw new FileAlreadyExistsException(target.toString());
     }
-    Path staging = parent.resolve("." + name + ".unfinished-" + ProcessHandle.current().pid());
+    Leftovers.sweep(parent);
+    Path staging = parent.resolve(Leftovers.name("." + name + ".unfinished"));
+    StagedDirectory staged = new StagedDirectory(absolute, staging);
     try {
-      Files.createDirectories(parent);
-      Files.createDirectory(staging);
+      staged.make();
+      return staged;
     } catch (AccessDeniedException e) {
       throw new AccessDeniedException(target.toString());
     } catch (NoSuchFileException e) {
       // Folders of the system's own, such as those of its processes, are no place for files.
       throw new FileSystemException(target.toString(), null, "no directory can be made there");
     }
-    StagedDirectory staged = new StagedDirectory(absolute, staging);
-    Runtime.getRuntime().addShutdownHook(staged.discardAtExit);
-    return staged;
+  }
+
+  private synchronized void make() throws IOException {
+    if (discarded) {
+      throw new FileSystemException(target.toString(), null, "the program is ending");
+    }
+    Files.createDirectories(staging.getParent());
+    Files.createDirectory(staging);
+    open = true;
   }
 
   /** True when nothing is there or an empty directory. */
@@ -102,14 +113,11 @@ final class StagedDirectory implements AutoCloseable {
   @Override
   public void close() {
     discard();
-    try {
-      Runtime.getRuntime().removeShutdownHook(discardAtExit);
-    } catch (IllegalStateException exiting) {
-      // The hook runs already, and finds nothing left to do.
-    }
+    discardAtEnd.close();
   }
 
   private synchronized void discard() {
+    discarded = true;
     // A command that is being interrupted may still write a file while the others go.
     for (int attempt = 0; open && attempt < 3; attempt++) {
       open = !deletedStaging();

@@ -107,18 +107,36 @@ class StagedDirectoryTest {
     }
   }
 
+  private Process endless() throws IOException {
+    return new ProcessBuilder(
+            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-cp",
+            System.getProperty("java.class.path"),
+            Endless.class.getName(),
+            parent.resolve("out").toString())
+        .redirectError(ProcessBuilder.Redirect.INHERIT)
+        .start();
+  }
+
+  @Test
+  void processKilled_isTidiedUpAfterByTheNext() throws Exception {
+    Process process = endless();
+    try (BufferedReader output = process.inputReader()) {
+      assertEquals("written", output.readLine());
+      StagedDirectory.beside(parent.resolve("other")).close();
+      assertEquals(1, names().size(), "what a running process writes stays");
+    } finally {
+      process.destroyForcibly().waitFor();
+    }
+    assertEquals(1, names().size());
+    StagedDirectory.beside(parent.resolve("other")).close();
+    assertEquals(List.of(), names());
+  }
+
   /** By SIGTERM, which takes the way of Ctrl-C; a parent that ignores SIGINT would hand that on. */
   @Test
   void processInterrupted_leavesNothing() throws Exception {
-    Process process =
-        new ProcessBuilder(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-cp",
-                System.getProperty("java.class.path"),
-                Endless.class.getName(),
-                parent.resolve("out").toString())
-            .redirectError(ProcessBuilder.Redirect.INHERIT)
-            .start();
+    Process process = endless();
     try (BufferedReader output = process.inputReader()) {
       assertEquals("written", output.readLine());
       assertEquals(1, names().size());
