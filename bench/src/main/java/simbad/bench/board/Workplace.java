@@ -18,13 +18,18 @@ final class Workplace {
     this.folder = folder;
   }
 
-  static Workplace create(Path modules, Path program, BoardSetup setup)
-      throws IOException, DataFormatException {
-    String image = GpsimImage.read(program);
+  static Workplace create(BoardKit kit, BoardSetup setup)
+      throws IOException, DataFormatException, InterruptedException {
     Workplace workplace = new Workplace(Files.createTempDirectory("simbad-board"));
-    TextFile.write(workplace.image(), image);
-    TextFile.write(workplace.script(), workplace.text(modules, setup));
-    return workplace;
+    try {
+      Path modules = kit.modules(workplace.folder);
+      TextFile.write(workplace.image(), GpsimImage.read(kit.program()));
+      TextFile.write(workplace.script(), workplace.text(modules, setup));
+      return workplace;
+    } catch (IOException | DataFormatException | InterruptedException e) {
+      workplace.delete();
+      throw e;
+    }
   }
 
   /**
