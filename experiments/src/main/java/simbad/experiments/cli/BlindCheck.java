@@ -22,6 +22,8 @@ import simbad.experiments.blindcheck.CheckScores;
 import simbad.experiments.blindcheck.CheckSummary;
 import simbad.experiments.workers.Workers;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.TextFile;
+import simbad.sonar.format.WholeFile;
 
 /** The steps of a withheld check, in a folder that keeps what each of them leaves. */
 final class BlindCheck {
@@ -69,7 +71,7 @@ final class BlindCheck {
     String text = CheckJson.text(order.json());
     if (!Files.isRegularFile(file)) {
       Files.createDirectories(folder);
-      Files.writeString(file, text);
+      TextFile.write(file, text);
     } else if (!Files.readString(file).equals(text)) {
       throw DataFormatException.inFile(
           file, "begun with other options or another program, expected the same or another --out");
@@ -176,18 +178,9 @@ final class BlindCheck {
    */
   void score() throws IOException, DataFormatException, InterruptedException {
     Path baseline = folder.resolve("baseline");
-    blindWorld.run(
-        List.of(
-            "baseline",
-            "--cases",
-            world.resolve("cases").toString(),
-            "--rows",
-            world.resolve("rows").toString(),
-            "--out",
-            baseline.toString()),
-        Optional.empty(),
-        line -> {});
+    answerByRule(baseline);
     Path file = Files.createTempFile("simbad-scores", ".json");
+    Path text = Files.createTempFile("simbad-scores", ".txt");
     try {
       List<String> arguments =
           new ArrayList<>(List.of("score", "--truth", world.resolve("truth").toString()));
@@ -195,24 +188,53 @@ final class BlindCheck {
       arguments.addAll(List.of("--manifest", world.resolve(MANIFEST).toString()));
       arguments.addAll(List.of("--out", file.toString()));
       addWithheld(arguments);
-      blindWorld.run(arguments, Optional.of(folder.resolve("scores.txt")), line -> {});
+      blindWorld.run(arguments, Optional.of(text), line -> {});
+      TextFile.write(folder.resolve("scores.txt"), Files.readString(text));
       CheckScores scores = CheckScores.read(file);
       CheckFiles.write(folder, order, scores);
       CheckSummary.lines(scores).forEach(out::println);
     } finally {
       Files.deleteIfExists(file);
+      Files.deleteIfExists(text);
     }
     log("scored");
     out.println();
     out.println("written to " + folder + " (open " + folder.resolve(CheckFiles.PAGE) + ")");
   }
 
+  /** Has the baseline's answers given, unless they are already. */
+  private void answerByRule(Path baseline)
+      throws IOException, DataFormatException, InterruptedException {
+    if (Files.exists(baseline)) {
+      return;
+    }
+    try (StagedDirectory staged = StagedDirectory.beside(baseline)) {
+      blindWorld.run(
+          List.of(
+              "baseline",
+              "--cases",
+              world.resolve("cases").toString(),
+              "--rows",
+              world.resolve("rows").toString(),
+              "--out",
+              staged.path().toString()),
+          Optional.empty(),
+          line -> {});
+      staged.publish();
+    }
+  }
+
   /** Times stand in this file only, so that all others are the same each time. */
   private void log(String line) throws IOException {
-    Files.writeString(
-        folder.resolve("run.log"),
-        Instant.now() + " " + line + "\n",
-        StandardOpenOption.CREATE,
-        StandardOpenOption.APPEND);
+    Path log = folder.resolve("run.log");
+    try {
+      Files.writeString(
+          log,
+          Instant.now() + " " + line + "\n",
+          StandardOpenOption.CREATE,
+          StandardOpenOption.APPEND);
+    } catch (IOException e) {
+      throw WholeFile.naming(log, e);
+    }
   }
 }
