@@ -5,8 +5,11 @@ set -u
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+# For other accounts, too.
+chmod 755 "$work"
+trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
 failures=0
+account=()
 
 # ---------------------------------------------------------------- fakes
 
@@ -25,8 +28,8 @@ fake() {
 fake_system() {
   local program
   mkdir -p "$work/bin"
-  for program in awk bash cat chmod cp dirname env find flock grep gzip mkdir mktemp mv readlink rm sed sha256sum sort tail \
-    touch tr true; do
+  for program in awk bash cat chmod cp dirname env find flock grep gzip mkdir mktemp mv readlink rm sed sha256sum sort stat \
+    stty tail tee touch tr true xargs; do
     ln -s "$(type -P "$program")" "$work/bin/$program"
   done
   fake "$work/bin" id <<'END'
@@ -117,11 +120,12 @@ new_project() {
 # Calls the launcher with a clean environment; sets status, and output with both streams.
 simbad() {
   : >"$work/calls.log"
-  output=$(cd "${from:-$work}" && env -i HOME="$work" PATH="$work/tools:$work/bin" SIMBAD_JVM_DIRECTORY="$work/jvm" \
+  chmod 666 "$work/calls.log"
+  output=$(cd "${from:-$work}" && "${account[@]}" env -i HOME="$work" PATH="$work/tools:$work/bin" SIMBAD_JVM_DIRECTORY="$work/jvm" \
     SIMBAD_INCLUDE_DIRECTORY="$work/include" \
     FAKE_UID="${FAKE_UID:-1000}" FAKE_COMMIT="${FAKE_COMMIT:-1234}" FAKE_STATUS="${FAKE_STATUS:-0}" \
     FAKE_MAVEN="${FAKE_MAVEN:-}" FAKE_CHANGES="${FAKE_CHANGES:-}" FAKE_SKIPPED="${FAKE_SKIPPED:-}" FAKE_WORK="$work" CI="${ci:-}" DISPLAY=:7 \
-    TMPDIR="${temporary:-/tmp}" SIMBAD_TESTING="${testing:-}" SIMBAD_CLASS_PATH="${own_classes:-}" bash "${launcher:-$project/simbad}" "$@" </dev/null 2>&1)
+    TMPDIR="${temporary:-/tmp}" SIMBAD_INSTALL="${install:-}" SIMBAD_TESTING="${testing:-}" SIMBAD_CLASS_PATH="${own_classes:-}" bash "${launcher:-$project/simbad}" "$@" </dev/null 2>&1)
   status=$?
 }
 
@@ -143,6 +147,7 @@ prints() { [[ $output == *"$1"* ]]; }
 prints_not() { [[ $output != *"$1"* ]]; }
 calls() { grep -q -- "^$1" "$work/calls.log"; }
 calls_not() { ! calls "$1"; }
+says_nothing() { prints_not 'simbad: '; }
 builds() { [[ -e $project/experiments/target/launcher/stamp ]]; }
 
 adds_spark_where_it_is_asked_for() {
@@ -198,7 +203,7 @@ builds_what_is_out_of_date() {
   simbad run
   check "no Maven when nothing changed" calls_not mvn
   check "the archive of classes is used" prints 'classes.jsa>'
-  touch "$project/experiments/src/main/java/deep/A.java"
+  echo change >>"$project/experiments/src/main/java/deep/A.java"
   simbad run
   check "Maven after a change of a source" calls mvn
   simbad run
@@ -206,10 +211,11 @@ builds_what_is_out_of_date() {
   rm "$project/experiments/src/main/java/deep/B.java"
   simbad run
   check "Maven after a deleted source" calls mvn
+  : >"$project/experiments/src/main/java/deep/A.java"
   touch -d '2 days ago' "$project/experiments/src/main/java/deep/A.java"
   simbad run
   check "Maven after a source was put back with an old date" calls mvn
-  touch "$project/experiments/pom.xml"
+  echo change >>"$project/experiments/pom.xml"
   simbad run
   check "Maven after a change of a module's pom.xml" calls mvn
   FAKE_COMMIT=5678 simbad run
@@ -222,14 +228,14 @@ keeps_builds_apart() {
   local first=("$project"/experiments/target/launcher/build-*)
   exec 7<"${first[0]}"
   flock -s 7
-  touch "$project/pom.xml"
+  echo change >>"$project/pom.xml"
   simbad run
   check "a build that a command still uses is kept" test -d "${first[0]}"
   exec 7<&-
-  touch "$project/pom.xml"
+  echo change >>"$project/pom.xml"
   simbad run
   check "and is deleted when it is free" test ! -e "${first[0]}"
-  touch "$project/pom.xml"
+  echo change >>"$project/pom.xml"
   : >"$work/calls.log"
   (FAKE_MAVEN=slow simbad run) & (FAKE_MAVEN=slow simbad run) & wait
   check "two launchers at once leave one build" builds_once
@@ -251,7 +257,7 @@ reports_a_failed_build() {
   check "a build that ends without an error line: all of its output" prints 'out of memory'
   simbad run
   check "the next call builds again" calls mvn
-  touch "$project/pom.xml"
+  echo change >>"$project/pom.xml"
   testing=1 simbad run
   check "no build inside the tests" prints 'cannot build while the tests run'
 }
@@ -279,6 +285,130 @@ runs_from_anywhere() {
   check "with a window: not headless" prints_not 'headless=true'
 }
 
+# The option that every command has may stand before its name.
+finds_the_command_behind_an_option() {
+  new_project
+  simbad --trace view
+  check "--trace view: not headless" prints_not 'headless=true'
+  check "--trace view: arrives as typed" prints $'argument <--trace>\nargument <view>'
+  simbad demo --trace
+  check "demo --trace: no demo named, headless" prints 'headless=true'
+  simbad --trace batch spec.json --out x --spark
+  check "--trace batch --spark: has Spark" prints 'spark/java-options>'
+  simbad --trace table predict square
+  check "--trace table predict: without the second compiler" prints TieredStopAtLevel
+  simbad bench --trace resume x
+  check "bench --trace resume: is made for long" prints UseSerialGC
+  simbad --trace doctor
+  check "--trace doctor: is answered" prints 'ok       build'
+  simbad doctor --trace
+  check "doctor --trace: as well" prints 'ok       build'
+  simbad --trace test --ful
+  check "--trace test: reads its options" prints "test: '--ful' is not an option"
+  simbad --trace release
+  check "--trace release: reads its options" prints 'release: --out DIR is missing'
+  simbad --help test
+  check "--help test: the program's help" prints $'argument <--help>\nargument <test>'
+  check "--help test: no test" calls_not 'mvn.*verify'
+}
+
+# Makes the next calls those of an account that may read the project and not write to it.
+as_another_account() {
+  if ((EUID == 0)); then
+    account=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+  else
+    chmod -R a-w "$project"
+  fi
+}
+
+as_the_owner() {
+  account=()
+  chmod -R u+w "$project"
+}
+
+# A git clone with the real git, which refuses to look at other accounts' clones.
+new_clone() {
+  new_project
+  ln -sf "$(type -P git)" "$work/tools/git"
+  echo /experiments/target >"$project/.gitignore"
+  git -C "$project" init -q
+  git -C "$project" add -A
+  git -C "$project" -c user.name=x -c user.email=x@example.org commit -qm x
+}
+
+runs_for_another_account() {
+  local launcher project
+  new_clone
+  as_another_account
+  simbad run
+  check "another account, not built: status 1" status_is 1
+  check "another account, not built: one line" test "$(wc -l <<<"$output")" = 1
+  check "another account, not built: whose it is" prints "is not built, and this account may not write there; let $(id -un) call"
+  as_the_owner
+  (umask 077 && simbad run)
+  as_another_account
+  simbad run
+  check "another account: runs what its owner built" status_is 0
+  check "another account: without a word" says_nothing
+  check "another account: without Maven" calls_not mvn
+  simbad test
+  check "another account: cannot test there" prints 'test: builds in'
+  simbad batch spec.json --out x --spark
+  check "another account: no Spark where its owner had none" prints 'Spark is not built in'
+  as_the_owner
+  echo change >>"$project/experiments/src/main/java/deep/A.java"
+  as_another_account
+  simbad run
+  check "another account: runs an older build" status_is 0
+  check "another account: and says so" prints 'the sources are not those of the build, which this account may not renew'
+  as_the_owner
+  runs_from_a_worktree
+}
+
+runs_from_a_worktree() {
+  git -C "$project" worktree add -q "$work/tree" 2>/dev/null
+  project=$work/tree launcher=$work/tree/simbad
+  simbad run
+  as_another_account
+  simbad run
+  check "another account: a worktree as well" says_nothing
+  as_the_owner
+  rm -rf "$work/tree"
+}
+
+# A copy, or an image of a container, has the same files with other dates.
+runs_a_copy_as_built() {
+  local launcher project
+  new_clone
+  simbad run
+  cp -a "$project" "$work/copy"
+  project=$work/copy launcher=$work/copy/simbad
+  rm -rf "$project/.git"
+  as_another_account
+  simbad run
+  check "a copy that cannot be written: runs" status_is 0
+  check "a copy that cannot be written: as built" says_nothing
+  as_the_owner
+  simbad run
+  check "a copy: no build" calls_not mvn
+  check "a copy: is looked at closely once" test -z "$(find "$project" -path '*/src/*' -newercm "$project/experiments/target/launcher/stamp")"
+  rm -rf "$work/copy"
+}
+
+runs_from_a_read_only_mount() {
+  new_clone
+  simbad run
+  if ! unshare -m true 2>/dev/null; then
+    return
+  fi
+  # shellcheck disable=SC2016 # for the other shell to expand
+  account=(unshare -m bash -c 'mount --bind -o ro "$0" "$0" && "$@"' "$project")
+  from=/ simbad run
+  check "read-only: runs from any folder" status_is 0
+  check "read-only: without a word" says_nothing
+  account=()
+}
+
 chooses_a_new_enough_java() {
   new_project
   fake_jdk "$work/jvm/a-jdk-11" 11
@@ -296,7 +426,7 @@ fake_apt() {
 [[ $2 == openjdk-21-* ]]
 END
   fake "$work/tools" apt-get <<'END'
-[[ " $* " == *" install "* ]] || exit 0
+[[ " $* " == *" install "* ]] || { echo 'Get:1 lists'; exit; }
 cp -r "$FAKE_WORK/store/." "$FAKE_WORK"
 END
 }
@@ -322,6 +452,8 @@ exec "$@"
 END
   simbad run
   check "sudo: installs" calls 'apt-get .*install -y --no-install-recommends maven openjdk-21-jdk-headless'
+  check "sudo: what and why is said" prints \
+    'installing with apt to build the program: maven openjdk-21-jdk-headless (with SIMBAD_INSTALL=no'
   check "sudo: then runs" status_is 0
   rm -r "$work/jvm" "$work/tools/mvn" "$work/tools/sudo"
   FAKE_UID=0 simbad run
@@ -329,6 +461,36 @@ END
   check "root: then runs" status_is 0
   simbad run
   check "all there: no apt-get" calls_not apt-get
+  rm -r "$work/jvm" "$work/tools/mvn"
+  echo change >>"$project/pom.xml"
+  install=no FAKE_UID=0 simbad run
+  check "told not to: status 1" status_is 1
+  check "told not to: the line to type, of root" prints 'missing here to build the program; please type: apt-get update && apt-get install -y --no-install-recommends maven openjdk-21-jdk-headless'
+  check "told not to: nothing is installed" calls_not apt-get
+}
+
+# As simbad does, at a terminal: output has what a person would see, the bytes that wipe a line included.
+simbad_at_a_terminal() {
+  local line
+  : >"$work/calls.log"
+  printf -v line '%q ' env PATH="$work/tools:$work/bin" SIMBAD_JVM_DIRECTORY="$work/jvm" HOME="$work" FAKE_UID=0 FAKE_COMMIT=1 \
+    FAKE_WORK="$work" FAKE_MAVEN="${FAKE_MAVEN:-}" bash "$project/simbad" "$@"
+  output=$(script -qec "$line" /dev/null </dev/null)
+  status=$?
+}
+
+shows_progress_on_a_terminal() {
+  new_project
+  FAKE_MAVEN=fail simbad_at_a_terminal run
+  check "terminal: what Maven says is seen" prints $'\r\e[Knoise'
+  check "terminal: and wiped" prints $'\r\e[K[ERROR] Foo.java:[3,4] cannot find symbol'
+  check "terminal: Maven says what it fetches" calls_not 'mvn .*-ntp'
+  check "terminal: Maven's status counts" status_is 1
+  fake_apt
+  rm "$work/tools/mvn"
+  simbad_at_a_terminal run
+  check "terminal: what is installed is said before, the progress seen" prints \
+    $'installing with apt to build the program: maven (with SIMBAD_INSTALL=no it says what to type instead)\r\n\r\e[KGet:1 lists'
 }
 
 tests_like_ci() {
@@ -449,7 +611,12 @@ keeps_builds_apart
 reports_a_failed_build
 runs_from_anywhere
 chooses_a_new_enough_java
+finds_the_command_behind_an_option
+runs_for_another_account
+runs_a_copy_as_built
+runs_from_a_read_only_mount
 installs_with_apt
+shows_progress_on_a_terminal
 tests_like_ci
 tells_what_works
 releases_a_commit

@@ -2,6 +2,7 @@ package simbad.blindworld;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.util.Arrays;
 import simbad.blindworld.file.FormatException;
@@ -31,6 +32,9 @@ public final class Main {
             throw new FormatException(
                 "'" + command + "': expected generate, seal, baseline or score");
       }
+      if (out.checkError()) {
+        throw new IOException("cannot write to standard output");
+      }
       return 0;
     } catch (FormatException e) {
       err.println("blind-world: " + e.getMessage());
@@ -38,6 +42,9 @@ public final class Main {
     } catch (NoSuchFileException e) {
       err.println("blind-world: " + e.getFile() + ": there is no such file");
       return 2;
+    } catch (FileSystemException e) {
+      err.println("blind-world: " + e.getMessage());
+      return 1;
     } catch (IOException | RuntimeException e) {
       err.println("blind-world: " + e);
       return 1;

@@ -2,7 +2,6 @@ package simbad.blindworld;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -13,6 +12,7 @@ import simbad.blindworld.effect.Vocabulary;
 import simbad.blindworld.file.FormatException;
 import simbad.blindworld.file.Json;
 import simbad.blindworld.file.JsonObject;
+import simbad.blindworld.file.Output;
 import simbad.blindworld.score.Answers;
 import simbad.blindworld.score.Scoring;
 import simbad.blindworld.score.Truth;
@@ -55,7 +55,7 @@ final class ScoreCommand {
       json.put("withheld", options.text("--withheld").orElse(""));
       json.put("scores", scoring.json());
       json.put("cases", scoring.casesJson("diagnosis"));
-      Files.writeString(Path.of(options.required("--out")), Json.write(json));
+      Output.write(Path.of(options.required("--out")), Json.write(json));
     }
   }
 

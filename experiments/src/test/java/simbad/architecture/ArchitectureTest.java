@@ -19,6 +19,14 @@ import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.lang.syntax.elements.ClassesShould;
+import java.io.File;
+import java.io.FileOutputStream;
+import java.io.FileWriter;
+import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Date;
 import java.util.List;
 import java.util.Random;
@@ -35,6 +43,7 @@ import simbad.experiments.cli.Main;
 import simbad.gui.AgentInspector;
 import simbad.gui.Console;
 import simbad.sim.Agent;
+import simbad.sonar.format.WholeFile;
 
 /** The arrows of docs/architecture.md, over all modules, and who may do what. */
 class ArchitectureTest {
@@ -269,6 +278,39 @@ class ArchitectureTest {
         .callMethodWhere(callOf(System.class, "(currentTimeMillis|nanoTime)"));
   }
 
+  /**
+   * A file appears under its name when all of it is there. Others than {@link WholeFile} write logs
+   * that grow line by line; the blind world, which shares no code, writes into unfinished folders.
+   */
+  @Test
+  void files_areWrittenAsAWhole() {
+    writesNoFile().check(CLASSES);
+  }
+
+  private static ArchRule writesNoFile() {
+    return noClasses()
+        .that()
+        .doNotHaveFullyQualifiedName(WholeFile.class.getName())
+        .and()
+        .haveNameNotMatching(
+            "simbad\\.(bench\\.capture\\.(Journal|ReadingsLog)|experiments\\.batch\\.ResultLog"
+                + "|experiments\\.cli\\.BlindCheck|blindworld\\.file\\.Output)")
+        .should()
+        .callMethodWhere(callOf(Files.class, "write|writeString|newBufferedWriter|newOutputStream"))
+        .orShould()
+        .callMethodWhere(callOf(Files.class, "newByteChannel|copy"))
+        .orShould()
+        .callMethodWhere(callOf(FileChannel.class, "open"))
+        .orShould()
+        .callConstructor(FileOutputStream.class, File.class)
+        .orShould()
+        .callConstructor(FileOutputStream.class, String.class)
+        .orShould()
+        .dependOnClassesThat(type(FileWriter.class))
+        .orShould()
+        .dependOnClassesThat(type(RandomAccessFile.class));
+  }
+
   /** The blind world is a program of its own, with a command line and seeds of its own. */
   private static ClassesShould outsideTheCommandLine() {
     return noClasses().that().resideOutsideOfPackages(CLI, BLIND).should();
@@ -289,6 +331,7 @@ class ArchitectureTest {
         () -> refuse(outsideTheCommandLine().callMethod(Math.class, "random"), offender),
         () -> refuse(outsideTheCommandLine().dependOnClassesThat(type(Main.class)), offender),
         () -> refuse(clockless("simbad.architecture"), offender),
+        () -> refuse(writesNoFile(), offender),
         () -> refuse(apart("simbad.architecture", OBSTACLES), offender));
   }
 
@@ -300,7 +343,8 @@ class ArchitectureTest {
   static final class Offender {
     private Offender() {}
 
-    static void offend() {
+    static void offend() throws IOException {
+      Files.writeString(Path.of("torn"), "");
       System.out.println(Math.random() + System.currentTimeMillis());
       simbad.obstacles.Catalogue.types();
     }

@@ -49,9 +49,8 @@ public final class Board implements AutoCloseable {
    */
   public static Board start(BoardKit kit, BoardSetup setup, BoardWorld world)
       throws IOException, DataFormatException, InterruptedException {
-    Path modules = kit.modules();
     refuseFile(setup.link());
-    Workplace workplace = Workplace.create(modules, kit.program(), setup);
+    Workplace workplace = Workplace.create(kit, setup);
     try {
       return start(workplace, kit.environment(), setup, world);
     } catch (IOException | InterruptedException e) {

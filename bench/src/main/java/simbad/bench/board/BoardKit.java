@@ -41,7 +41,7 @@ public record BoardKit(Path firmware, boolean sanitized) {
     }
     // The leaks would be gpsim's.
     return Map.of(
-        "LD_PRELOAD", said("g++", "-print-file-name=libasan.so").strip(),
+        "LD_PRELOAD", said(List.of("g++", "-print-file-name=libasan.so")).strip(),
         "ASAN_OPTIONS", "detect_leaks=0:exitcode=99",
         "UBSAN_OPTIONS", "halt_on_error=1:exitcode=99");
   }
@@ -84,14 +84,16 @@ public record BoardKit(Path firmware, boolean sanitized) {
   }
 
   /**
-   * Builds the gpsim modules where they are missing or out of date.
+   * Builds the gpsim modules where they are missing or out of date: in the project's folder, for
+   * all who may read it, or, where this account may not write there, in another one.
    *
+   * @param own a folder of this account's
    * @return the library
    * @throws IOException if a tool is missing, saying which and how to install it, or if the build
    *     fails
    * @throws InterruptedException if the thread is interrupted meanwhile
    */
-  Path modules() throws IOException, InterruptedException {
+  Path modules(Path own) throws IOException, InterruptedException {
     List<String> missing = missingPackages();
     if (!missing.isEmpty()) {
       throw new IOException(
@@ -101,13 +103,29 @@ public record BoardKit(Path firmware, boolean sanitized) {
     if (!Files.exists(firmware.resolve("Makefile"))) {
       throw new IOException(firmware + ": is not the project's folder firmware-pic18");
     }
-    said("make", "-s", "-C", firmware.toString(), sanitized ? "sanitized-modules" : "modules");
-    return firmware
-        .resolve("target")
-        .resolve(sanitized ? "libsimbadboard-sanitized.so" : "libsimbadboard.so");
+    String what = sanitized ? "sanitized-modules" : "modules";
+    List<String> make = List.of("make", "-s", "-C", firmware.toString(), what);
+    Path target = firmware.resolve("target");
+    boolean mayBuild = Files.isWritable(Files.exists(target) ? target : firmware);
+    Path folder = mayBuild || isDone(with(make, "-q")) ? target : own;
+    said(folder.equals(own) ? with(make, "BUILD=" + own.toAbsolutePath()) : make);
+    return folder.resolve(sanitized ? "libsimbadboard-sanitized.so" : "libsimbadboard.so");
   }
 
-  private static String said(String... command) throws IOException, InterruptedException {
+  private static List<String> with(List<String> command, String argument) {
+    return Stream.concat(command.stream(), Stream.of(argument)).toList();
+  }
+
+  private static boolean isDone(List<String> command) throws IOException, InterruptedException {
+    return new ProcessBuilder(command)
+            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+            .redirectError(ProcessBuilder.Redirect.DISCARD)
+            .start()
+            .waitFor()
+        == 0;
+  }
+
+  private static String said(List<String> command) throws IOException, InterruptedException {
     Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
     process.getOutputStream().close();
     String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);

@@ -20,15 +20,15 @@ final class Workplace {
     folder = temporary.path();
   }
 
-  static Workplace create(Path modules, Path program, BoardSetup setup)
-      throws IOException, DataFormatException {
-    String image = GpsimImage.read(program);
+  static Workplace create(BoardKit kit, BoardSetup setup)
+      throws IOException, DataFormatException, InterruptedException {
     Workplace workplace = new Workplace(TemporaryFolder.create("simbad-board"));
     try {
-      TextFile.write(workplace.image(), image);
+      Path modules = kit.modules(workplace.folder);
+      TextFile.write(workplace.image(), GpsimImage.read(kit.program()));
       TextFile.write(workplace.script(), workplace.text(modules, setup));
       return workplace;
-    } catch (IOException e) {
+    } catch (IOException | DataFormatException | InterruptedException e) {
       workplace.delete();
       throw e;
     }

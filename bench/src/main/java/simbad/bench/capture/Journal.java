@@ -8,6 +8,7 @@ import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
@@ -57,7 +58,9 @@ public final class Journal implements Closeable {
                 beginning,
                 StandardOpenOption.CREATE,
                 StandardOpenOption.TRUNCATE_EXISTING,
-                StandardOpenOption.WRITE));
+                StandardOpenOption.WRITE,
+                // The file's name is known before: somebody may have left a link there.
+                LinkOption.NOFOLLOW_LINKS));
     Journal journal = new Journal(file, channel, DiskSync.of(channel, 0), 0);
     try {
       journal.append(List.of(begun));
@@ -132,7 +135,8 @@ public final class Journal implements Closeable {
             beside,
             StandardOpenOption.CREATE,
             StandardOpenOption.WRITE,
-            StandardOpenOption.APPEND)) {
+            StandardOpenOption.APPEND,
+            LinkOption.NOFOLLOW_LINKS)) {
       writeAll(aside, (torn + "\n").getBytes(StandardCharsets.ISO_8859_1));
       aside.force(true);
     }

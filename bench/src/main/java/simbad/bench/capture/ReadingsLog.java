@@ -11,6 +11,7 @@ import java.util.List;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.ReadingsFile;
 import simbad.sonar.format.ReadingsWriter;
+import simbad.sonar.format.WholeFile;
 import simbad.sonar.sensing.ReadingRow;
 
 /**
@@ -20,10 +21,12 @@ import simbad.sonar.sensing.ReadingRow;
 public final class ReadingsLog implements Closeable {
   private static final String HEAD = ReadingsWriter.text(List.of());
 
+  private final Path file;
   private final FileChannel channel;
   private final List<ReadingRow> before;
 
-  private ReadingsLog(FileChannel channel, List<ReadingRow> before) {
+  private ReadingsLog(Path file, FileChannel channel, List<ReadingRow> before) {
+    this.file = file;
     this.channel = channel;
     this.before = before;
   }
@@ -50,9 +53,9 @@ public final class ReadingsLog implements Closeable {
       channel.truncate(wholeLines(channel));
       channel.position(channel.size());
       if (channel.size() == 0) {
-        append(channel, HEAD);
+        append(file, channel, HEAD);
       }
-      return new ReadingsLog(channel, ReadingsFile.read(file));
+      return new ReadingsLog(file, channel, ReadingsFile.read(file));
     } catch (IOException | DataFormatException e) {
       channel.close();
       throw e;
@@ -83,9 +86,16 @@ public final class ReadingsLog implements Closeable {
     return 0;
   }
 
-  private static void append(FileChannel channel, String text) throws IOException {
-    Journal.writeAll(channel, text.getBytes(StandardCharsets.UTF_8));
-    channel.force(false);
+  /** The text as a whole, or the file as it was. */
+  private static void append(Path file, FileChannel channel, String text) throws IOException {
+    long whole = channel.position();
+    try {
+      Journal.writeAll(channel, text.getBytes(StandardCharsets.UTF_8));
+      channel.force(false);
+    } catch (IOException e) {
+      channel.truncate(whole);
+      throw WholeFile.naming(file, e);
+    }
   }
 
   /** Returns the rows that were there when it was opened. */
@@ -96,10 +106,10 @@ public final class ReadingsLog implements Closeable {
   /**
    * Adds a row, which is on the disk afterwards.
    *
-   * @throws IOException if it cannot be written
+   * @throws IOException naming the file, if it cannot be written; the file is then as it was
    */
   public void add(ReadingRow row) throws IOException {
-    append(channel, ReadingsWriter.text(List.of(row)).substring(HEAD.length()));
+    append(file, channel, ReadingsWriter.text(List.of(row)).substring(HEAD.length()));
   }
 
   @Override

@@ -66,7 +66,7 @@ class BoardTest {
   void programThatIsGoneBeforeTheRun_endsGpsim() throws Exception {
     needTools();
     BoardSetup setup = new BoardSetup(folder.resolve("tty"), 0);
-    Workplace workplace = Workplace.create(TestBoard.KIT.modules(), TestBoard.KIT.program(), setup);
+    Workplace workplace = Workplace.create(TestBoard.KIT, setup);
     Process gpsim = workplace.startGpsim(TestBoard.KIT.environment());
     try {
       assertTrue(gpsim.waitFor(30, TimeUnit.SECONDS), "it runs for nobody");

@@ -156,4 +156,21 @@ class JournalTest {
       assertTrue(String.valueOf(again.getMessage()).contains("nothing is written any more"));
     }
   }
+
+  /** The names are known before: what somebody left there is not followed. */
+  @Test
+  void linksThatWereLeftThere_areNotFollowed() throws Exception {
+    Path theirs = Files.writeString(folder.resolve("theirs"), "theirs");
+    Path file = folder.resolve("new.txt");
+    Files.createSymbolicLink(Journal.beginning(file), theirs);
+    assertThrows(IOException.class, () -> Journal.create(file, BEGUN));
+    Files.delete(Journal.beginning(file));
+    Journal.create(file, BEGUN).close();
+    Files.createSymbolicLink(folder.resolve("new.txt.torn"), theirs);
+    String whole = Files.readString(file);
+    Files.writeString(file, whole + "torn");
+    JournalText text = JournalText.read(file, entry -> {});
+    assertThrows(IOException.class, () -> Journal.resume(text));
+    assertEquals("theirs", Files.readString(theirs));
+  }
 }

@@ -11,6 +11,7 @@ import java.util.Optional;
 import simbad.blindworld.file.Csv;
 import simbad.blindworld.file.FormatException;
 import simbad.blindworld.file.Json;
+import simbad.blindworld.file.Output;
 import simbad.blindworld.world.Forecast;
 import simbad.blindworld.world.Scene;
 
@@ -55,12 +56,12 @@ public final class Baseline {
     Csv readings = Csv.read(set.resolve("readings.csv"));
     LargestResidual rule = new LargestResidual(scene);
     Optional<String> name = rule.name(DataSet.rows(readings), DataSet.ranges(readings));
-    Files.writeString(out.resolve("diagnosis.json"), Json.write(diagnosis(set, name)));
+    Output.write(out.resolve("diagnosis.json"), Json.write(diagnosis(set, name)));
     Path own = rows.resolve("rows.csv");
     Path wanted = Files.isRegularFile(own) ? own : rows.resolve("sealed.csv");
     if (Files.isRegularFile(wanted)) {
       Forecast forecast = rule.forecast(DataSet.rows(Csv.read(wanted)));
-      Files.writeString(out.resolve("predictions.csv"), forecast.csv());
+      Output.write(out.resolve("predictions.csv"), forecast.csv());
     }
   }
 

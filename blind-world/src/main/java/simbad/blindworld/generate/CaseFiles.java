@@ -15,6 +15,7 @@ import simbad.blindworld.effect.Effect;
 import simbad.blindworld.effect.Vocabulary;
 import simbad.blindworld.file.Decimals;
 import simbad.blindworld.file.Json;
+import simbad.blindworld.file.Output;
 import simbad.blindworld.file.Seal;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Row;
@@ -66,7 +67,7 @@ final class CaseFiles {
   /** Writes a text file and returns its SHA-256. */
   static String put(Path folder, String name, String text) throws IOException {
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
-    Path file = Files.write(folder.resolve(name), bytes);
+    Path file = Output.write(folder.resolve(name), text);
     Files.setLastModifiedTime(file, TIME);
     return Seal.sha256(bytes);
   }

@@ -13,6 +13,7 @@ import simbad.experiments.run.Trace;
 import simbad.experiments.workers.Job;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TemporaryFolder;
+import simbad.sonar.format.TextFile;
 
 /**
  * The runs of a batch: its spec, and the contents of all files that the spec names. Thread-safe.
@@ -124,7 +125,7 @@ public final class BatchJob implements Job<BatchOutcome> {
     for (var input : inputs.entrySet()) {
       Path file = folder.resolve(input.getKey());
       Files.createDirectories(file.getParent());
-      Files.writeString(file, input.getValue());
+      TextFile.write(file, input.getValue());
     }
   }
 }

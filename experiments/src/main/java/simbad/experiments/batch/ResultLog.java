@@ -15,6 +15,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.List;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TextFile;
+import simbad.sonar.format.WholeFile;
 
 /**
  * The results of a batch in its folder, results.csv, and the traces beside it.
@@ -108,7 +109,11 @@ public final class ResultLog implements AutoCloseable {
 
   private void begin(BatchJob job) throws IOException, DataFormatException {
     if (channel.size() == 0) {
-      write(job.columns().header());
+      try {
+        write(job.columns().header());
+      } catch (IOException e) {
+        throw WholeFile.naming(file, e);
+      }
       return;
     }
     List<String> names = job.columns().names();

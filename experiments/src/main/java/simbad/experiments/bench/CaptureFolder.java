@@ -1,12 +1,9 @@
 package simbad.experiments.bench;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.stream.Stream;
 import simbad.bench.capture.CaptureSettings;
@@ -18,7 +15,8 @@ import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.ReadingsWriter;
 import simbad.sonar.format.SceneWriter;
-import simbad.sonar.format.TemporaryFolder;
+import simbad.sonar.format.TextFile;
+import simbad.sonar.format.WholeFile;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
@@ -78,7 +76,7 @@ public record CaptureFolder(Path path) {
 
   /**
    * Writes readings as a gap data set beside the journal, over the one that was there. Whole files
-   * only: what is under way has another name, and is gone when it fails.
+   * only.
    *
    * @param readings of this folder's journal
    * @param believed what the simulator expects of the obstacle
@@ -88,25 +86,16 @@ public record CaptureFolder(Path path) {
    */
   public void writeDataSet(CapturedReadings readings, ObstacleType believed, SonarSpec sensor)
       throws IOException, DataFormatException {
-    try (TemporaryFolder temporary = TemporaryFolder.in(path, ".data-set")) {
-      Path staging = temporary.path();
-      Files.writeString(
-          staging.resolve(DataSetFolder.SCENE),
-          SceneWriter.text(setup(readings.settings().ranging(), believed, sensor)),
-          StandardCharsets.UTF_8);
-      try (ReadingsWriter rows = ReadingsWriter.open(staging.resolve(DataSetFolder.READINGS))) {
-        readings.forEach(rows::write);
-      } catch (UncheckedIOException e) {
-        throw e.getCause();
-      }
-      for (Path file : files(staging)) {
-        Files.move(
-            file,
-            path.resolve(String.valueOf(file.getFileName())),
-            StandardCopyOption.ATOMIC_MOVE,
-            StandardCopyOption.REPLACE_EXISTING);
-      }
-    }
+    WholeFile.write(
+        path.resolve(DataSetFolder.READINGS),
+        file -> {
+          try (ReadingsWriter rows = ReadingsWriter.to(file)) {
+            readings.forEach(rows::write);
+          }
+        });
+    TextFile.write(
+        path.resolve(DataSetFolder.SCENE),
+        SceneWriter.text(setup(readings.settings().ranging(), believed, sensor)));
   }
 
   private static SensingSetup setup(Ranging ranging, ObstacleType believed, SonarSpec sensor) {
@@ -130,11 +119,5 @@ public record CaptureFolder(Path path) {
             believed.outline(),
             new TableDetection(believed.thresholds().table()));
     return new SensingSetup(spec, new Scene(List.of(obstacle)), spec.maxRangeM());
-  }
-
-  private static List<Path> files(Path folder) throws IOException {
-    try (Stream<Path> files = Files.list(folder)) {
-      return files.toList();
-    }
   }
 }

@@ -2,17 +2,15 @@ package simbad.experiments.blindcheck;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import de.siegmar.fastcsv.writer.CsvWriter;
-import de.siegmar.fastcsv.writer.LineDelimiter;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import simbad.experiments.blindcheck.CheckScores.Estimate;
 import simbad.experiments.blindcheck.CheckScores.Figures;
+import simbad.experiments.report.CsvFile;
+import simbad.sonar.format.TextFile;
 
 /** Writes a check's results: check.json, tables as csv, the page. */
 public final class CheckFiles {
@@ -50,14 +48,14 @@ public final class CheckFiles {
     check.put("format", "blind-check/1");
     check.set("order", order.json());
     scores.document().properties().forEach(field -> keep(check, field.getKey(), scores));
-    Files.writeString(folder.resolve("check.json"), CheckJson.text(check));
+    TextFile.write(folder.resolve("check.json"), CheckJson.text(check));
     writeScores(folder.resolve("scores.csv"), scores);
     writeCalibration(folder.resolve("calibration.csv"), scores);
     writeCounts(folder.resolve("kinds.csv"), "kind", "kinds", scores);
     writeCounts(folder.resolve("confusion.csv"), "so", "confusion", scores);
     writeEffects(folder.resolve("effects.csv"), scores);
     writeCases(folder.resolve("cases.csv"), scores);
-    Files.writeString(folder.resolve(PAGE), CheckPage.of(order, scores));
+    TextFile.write(folder.resolve(PAGE), CheckPage.of(order, scores));
   }
 
   private static void keep(ObjectNode check, String name, CheckScores scores) {
@@ -67,93 +65,100 @@ public final class CheckFiles {
   }
 
   private static void writeScores(Path file, CheckScores scores) throws IOException {
-    try (CsvWriter csv = csv(file)) {
-      csv.writeRecord("part", "answers", "score", "value", "low95", "high95", "counted");
-      for (Figures figures : scores.figures()) {
-        for (Measure measure : Measure.ALL) {
-          Optional<Estimate> found = measure.of().apply(figures);
-          if (found.isPresent()) {
-            Estimate e = found.get();
-            csv.writeRecord(
-                figures.part(),
-                figures.sort(),
-                measure.name(),
-                Double.toString(e.value()),
-                Double.toString(e.low()),
-                Double.toString(e.high()),
-                e.counted());
+    CsvFile.write(
+        file,
+        csv -> {
+          csv.writeRecord("part", "answers", "score", "value", "low95", "high95", "counted");
+          for (Figures figures : scores.figures()) {
+            for (Measure measure : Measure.ALL) {
+              Optional<Estimate> found = measure.of().apply(figures);
+              if (found.isPresent()) {
+                Estimate e = found.get();
+                csv.writeRecord(
+                    figures.part(),
+                    figures.sort(),
+                    measure.name(),
+                    Double.toString(e.value()),
+                    Double.toString(e.low()),
+                    Double.toString(e.high()),
+                    e.counted());
+              }
+            }
           }
-        }
-      }
-    }
+        });
   }
 
   private static void writeCalibration(Path file, CheckScores scores) throws IOException {
-    try (CsvWriter csv = csv(file)) {
-      csv.writeRecord(
-          "part", "answers", "claim", "stated", "share", "low95", "high95", "hits", "of");
-      for (Figures figures : scores.figures()) {
-        for (String claim : List.of("verdict", "first_named")) {
-          for (Calibration.Bin bin : figures.calibration(claim + "_calibration").bins()) {
-            Stream<Number> numbers =
-                Stream.of(bin.stated(), bin.share(), bin.low(), bin.high(), bin.hits(), bin.of());
-            csv.writeRecord(
-                Stream.concat(
-                        Stream.of(figures.part(), figures.sort(), claim),
-                        numbers.map(Number::toString))
-                    .toList());
+    CsvFile.write(
+        file,
+        csv -> {
+          csv.writeRecord(
+              "part", "answers", "claim", "stated", "share", "low95", "high95", "hits", "of");
+          for (Figures figures : scores.figures()) {
+            for (String claim : List.of("verdict", "first_named")) {
+              for (Calibration.Bin bin : figures.calibration(claim + "_calibration").bins()) {
+                Stream<Number> numbers =
+                    Stream.of(
+                        bin.stated(), bin.share(), bin.low(), bin.high(), bin.hits(), bin.of());
+                csv.writeRecord(
+                    Stream.concat(
+                            Stream.of(figures.part(), figures.sort(), claim),
+                            numbers.map(Number::toString))
+                        .toList());
+              }
+            }
           }
-        }
-      }
-    }
+        });
   }
 
   /** How often what was so was said to be what. */
   private static void writeCounts(Path file, String row, String field, CheckScores scores)
       throws IOException {
-    try (CsvWriter csv = csv(file)) {
-      csv.writeRecord("part", "answers", row, "said", "cases");
-      for (Figures figures : scores.figures()) {
-        for (var so : figures.figures().path(field).properties()) {
-          for (var said : so.getValue().properties()) {
-            csv.writeRecord(
-                figures.part(),
-                figures.sort(),
-                so.getKey(),
-                said.getKey(),
-                said.getValue().asText());
+    CsvFile.write(
+        file,
+        csv -> {
+          csv.writeRecord("part", "answers", row, "said", "cases");
+          for (Figures figures : scores.figures()) {
+            for (var so : figures.figures().path(field).properties()) {
+              for (var said : so.getValue().properties()) {
+                csv.writeRecord(
+                    figures.part(),
+                    figures.sort(),
+                    so.getKey(),
+                    said.getKey(),
+                    said.getValue().asText());
+              }
+            }
           }
-        }
-      }
-    }
+        });
   }
 
   private static void writeEffects(Path file, CheckScores scores) throws IOException {
-    try (CsvWriter csv = csv(file)) {
-      csv.writeRecord("part", "answers", "effect", "share", "low95", "high95", "hits", "of");
-      for (Figures figures : scores.figures()) {
-        for (JsonNode line : figures.figures().path("effects_worst_first")) {
-          csv.writeRecord(
-              Stream.concat(
-                      Stream.of(figures.part(), figures.sort()),
-                      Stream.of("effect", "share", "low95", "high95", "hits", "of")
-                          .map(name -> line.path(name).asText()))
-                  .toList());
-        }
-      }
-    }
+    CsvFile.write(
+        file,
+        csv -> {
+          csv.writeRecord("part", "answers", "effect", "share", "low95", "high95", "hits", "of");
+          for (Figures figures : scores.figures()) {
+            for (JsonNode line : figures.figures().path("effects_worst_first")) {
+              csv.writeRecord(
+                  Stream.concat(
+                          Stream.of(figures.part(), figures.sort()),
+                          Stream.of("effect", "share", "low95", "high95", "hits", "of")
+                              .map(name -> line.path(name).asText()))
+                      .toList());
+            }
+          }
+        });
   }
 
   private static void writeCases(Path file, CheckScores scores) throws IOException {
-    try (CsvWriter csv = csv(file)) {
-      csv.writeRecord(CASE_FIELDS);
-      for (JsonNode one : scores.cases()) {
-        csv.writeRecord(CASE_FIELDS.stream().map(name -> one.path(name).asText()).toList());
-      }
-    }
-  }
-
-  private static CsvWriter csv(Path file) throws IOException {
-    return CsvWriter.builder().lineDelimiter(LineDelimiter.LF).build(file, StandardCharsets.UTF_8);
+    CsvFile.write(
+        file,
+        csv -> {
+          csv.writeRecord(CASE_FIELDS);
+          for (JsonNode one : scores.cases()) {
+            csv.writeRecord(CASE_FIELDS.stream().map(name -> one.path(name).asText()).toList());
+          }
+        });
   }
 }

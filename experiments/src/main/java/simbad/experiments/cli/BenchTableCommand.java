@@ -1,7 +1,5 @@
 package simbad.experiments.cli;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
@@ -12,10 +10,10 @@ import simbad.bench.capture.CapturedReadings;
 import simbad.bench.capture.CapturedTable;
 import simbad.bench.capture.ThresholdFit;
 import simbad.experiments.bench.CaptureFolder;
-import simbad.experiments.plot.Figure;
 import simbad.experiments.report.TablePicture;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.TextFile;
 import simbad.sonar.shape.ThresholdBand;
 import simbad.sonar.shape.ThresholdTable;
 
@@ -50,14 +48,19 @@ final class BenchTableCommand extends Subcommand {
   @Override
   protected void run() throws Exception {
     Path file = output.file();
+    if (plot != null) {
+      requirePicture("--plot", plot);
+      OutputFile.refuseExisting(plot);
+    }
     CaptureFolder capture = argument.folder();
     CapturedReadings readings = capture.read();
     CapturedTable table = CapturedTable.of(readings.text(), readings.state());
     ObstacleType type = ObstacleArgument.parse(readings.settings().of("obstacle"));
     if (plot != null) {
-      draw(TablePicture.of(new ObstacleType(type.name(), type.outline(), table.document())), plot);
+      ObstacleType drawn = new ObstacleType(type.name(), type.outline(), table.document());
+      OutputFile.draw(TablePicture.of(drawn), plot);
     }
-    Files.writeString(file, table.text());
+    TextFile.create(file, table.text());
     capture.writeDataSet(readings, type, Catalogue.srf04());
     out()
         .printf(
@@ -102,11 +105,5 @@ final class BenchTableCommand extends Subcommand {
             CM * most,
             within,
             size);
-  }
-
-  private void draw(Figure figure, Path target) throws IOException {
-    requirePicture("--plot", target);
-    OutputFile.refuseExisting(target);
-    OutputFile.draw(figure, target);
   }
 }

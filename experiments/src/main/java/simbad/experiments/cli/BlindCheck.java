@@ -23,6 +23,8 @@ import simbad.experiments.blindcheck.CheckSummary;
 import simbad.experiments.workers.Workers;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TemporaryFolder;
+import simbad.sonar.format.TextFile;
+import simbad.sonar.format.WholeFile;
 
 /** The steps of a withheld check, in a folder that keeps what each of them leaves. */
 final class BlindCheck {
@@ -70,7 +72,7 @@ final class BlindCheck {
     String text = CheckJson.text(order.json());
     if (!Files.isRegularFile(file)) {
       Files.createDirectories(folder);
-      Files.writeString(file, text);
+      TextFile.write(file, text);
     } else if (!Files.readString(file).equals(text)) {
       throw DataFormatException.inFile(
           file, "begun with other options or another program, expected the same or another --out");
@@ -177,26 +179,18 @@ final class BlindCheck {
    */
   void score() throws IOException, DataFormatException, InterruptedException {
     Path baseline = folder.resolve("baseline");
-    blindWorld.run(
-        List.of(
-            "baseline",
-            "--cases",
-            world.resolve("cases").toString(),
-            "--rows",
-            world.resolve("rows").toString(),
-            "--out",
-            baseline.toString()),
-        Optional.empty(),
-        line -> {});
+    answerByRule(baseline);
     try (TemporaryFolder temporary = TemporaryFolder.create("simbad-scores")) {
       Path file = temporary.path().resolve("scores.json");
+      Path text = temporary.path().resolve("scores.txt");
       List<String> arguments =
           new ArrayList<>(List.of("score", "--truth", world.resolve("truth").toString()));
       arguments.addAll(List.of("--answers", answers.toString(), "--baseline", baseline.toString()));
       arguments.addAll(List.of("--manifest", world.resolve(MANIFEST).toString()));
       arguments.addAll(List.of("--out", file.toString()));
       addWithheld(arguments);
-      blindWorld.run(arguments, Optional.of(folder.resolve("scores.txt")), line -> {});
+      blindWorld.run(arguments, Optional.of(text), line -> {});
+      TextFile.write(folder.resolve("scores.txt"), Files.readString(text));
       CheckScores scores = CheckScores.read(file);
       CheckFiles.write(folder, order, scores);
       CheckSummary.lines(scores).forEach(out::println);
@@ -206,12 +200,39 @@ final class BlindCheck {
     out.println("written to " + folder + " (open " + folder.resolve(CheckFiles.PAGE) + ")");
   }
 
+  /** Has the baseline's answers given, unless they are already. */
+  private void answerByRule(Path baseline)
+      throws IOException, DataFormatException, InterruptedException {
+    if (Files.exists(baseline)) {
+      return;
+    }
+    try (StagedDirectory staged = StagedDirectory.beside(baseline)) {
+      blindWorld.run(
+          List.of(
+              "baseline",
+              "--cases",
+              world.resolve("cases").toString(),
+              "--rows",
+              world.resolve("rows").toString(),
+              "--out",
+              staged.path().toString()),
+          Optional.empty(),
+          line -> {});
+      staged.publish();
+    }
+  }
+
   /** Times stand in this file only, so that all others are the same each time. */
   private void log(String line) throws IOException {
-    Files.writeString(
-        folder.resolve("run.log"),
-        Instant.now() + " " + line + "\n",
-        StandardOpenOption.CREATE,
-        StandardOpenOption.APPEND);
+    Path log = folder.resolve("run.log");
+    try {
+      Files.writeString(
+          log,
+          Instant.now() + " " + line + "\n",
+          StandardOpenOption.CREATE,
+          StandardOpenOption.APPEND);
+    } catch (IOException e) {
+      throw WholeFile.naming(log, e);
+    }
   }
 }

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import simbad.experiments.workers.Workers;
+import simbad.sonar.format.WholeFile;
 
 /**
  * Has cases diagnosed by processes that see their open files and nothing else.
@@ -110,7 +111,7 @@ final class BlindDiagnosis {
     }
     Path partial = Files.createDirectory(answers.resolve(answer.id() + PARTIAL));
     for (var file : answer.files().entrySet()) {
-      Files.write(partial.resolve(file.getKey()), file.getValue());
+      WholeFile.write(partial.resolve(file.getKey()), file.getValue());
     }
     Files.move(partial, answers.resolve(answer.id()), StandardCopyOption.ATOMIC_MOVE);
   }

@@ -7,6 +7,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.NoSuchFileException;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
@@ -14,6 +15,9 @@ import picocli.CommandLine.UnmatchedArgumentException;
 /** Says in one line on standard error what went wrong. */
 final class Complaints {
   static final String TRACE_OPTION = "--trace";
+
+  /** A folder that is not published yet goes by the name that it was to have. */
+  private static final Pattern STAGED = Pattern.compile("\\.([^/]+)\\.unfinished-[^/:]+(?=/|:|$)");
 
   private final String commandName;
   private final PrintWriter err;
@@ -35,7 +39,8 @@ final class Complaints {
   int about(Throwable fault) {
     // Of what the end took away.
     Ending.goOnUnlessItEnds();
-    err.println(commandName + ": " + line(fault).replaceAll("\\s*\\R\\s*", " "));
+    String line = STAGED.matcher(line(fault)).replaceAll("$1");
+    err.println(commandName + ": " + line.replaceAll("\\s*\\R\\s*", " "));
     if (trace) {
       fault.printStackTrace(err);
     }

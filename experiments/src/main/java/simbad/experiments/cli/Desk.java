@@ -15,6 +15,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import simbad.sonar.format.WholeFile;
 
 /**
  * A diagnosing process in a folder of its own, far from the truths, that holds one case at a time:
@@ -88,7 +89,7 @@ final class Desk implements AutoCloseable {
   private static void write(Map<String, byte[]> files, Path target) throws IOException {
     Files.createDirectories(target);
     for (var file : files.entrySet()) {
-      Files.write(target.resolve(file.getKey()), file.getValue());
+      WholeFile.write(target.resolve(file.getKey()), file.getValue());
     }
   }
 

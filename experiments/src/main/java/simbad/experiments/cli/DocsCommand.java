@@ -10,6 +10,7 @@ import picocli.CommandLine.Option;
 import simbad.experiments.site.FigureBlocks;
 import simbad.experiments.site.RoomDiagram;
 import simbad.experiments.site.Site;
+import simbad.sonar.format.TextFile;
 
 /** {@code simbad docs}: the guides as pages, and the figures in them. */
 @Command(
@@ -59,7 +60,7 @@ final class DocsCommand extends Subcommand {
   private void update(Path file, String content) throws IOException {
     boolean same = Files.exists(file) && Files.readString(file).equals(content);
     if (!same) {
-      Files.writeString(file, content);
+      TextFile.write(file, content);
     }
     out().println(file + (same ? ": as it was" : ": written anew"));
   }

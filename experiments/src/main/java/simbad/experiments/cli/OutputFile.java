@@ -3,17 +3,19 @@ package simbad.experiments.cli;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Locale;
 import simbad.experiments.plot.Figure;
+import simbad.sonar.format.WholeFile;
 
 /** A single file that a command writes. */
 final class OutputFile {
   private OutputFile() {}
 
   static void refuseExisting(Path file) throws IOException {
-    if (Files.exists(file)) {
+    if (Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
       throw new FileAlreadyExistsException(file.toString());
     }
     Path folder = file.toAbsolutePath().getParent();
@@ -30,12 +32,8 @@ final class OutputFile {
     return file.toString().toLowerCase(Locale.ROOT).endsWith(".png");
   }
 
-  /** As PNG or SVG by the file's ending. */
+  /** As PNG or SVG by the file's ending; the file appears when all of it is there. */
   static void draw(Figure figure, Path file) throws IOException {
-    if (isPng(file)) {
-      figure.writePng(file, Figure.PRINT_DPI);
-    } else {
-      figure.writeSvg(file);
-    }
+    WholeFile.create(file, isPng(file) ? figure.png(Figure.PRINT_DPI) : figure.svg());
   }
 }

@@ -24,6 +24,7 @@ import simbad.experiments.run.RunSettings;
 import simbad.experiments.run.SensorKind;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.TextFile;
 import simbad.sonar.frame.Point;
 import simbad.sonar.shape.ThresholdTable;
 
@@ -91,7 +92,7 @@ final class RunCommand extends Subcommand {
     try (StagedDirectory staged = StagedDirectory.beside(folder)) {
       List<RunResult> results = experiment(settings);
       RunFiles.write(staged.path(), new RunOrigin(BuildVersion.text(), settings), results);
-      Files.writeString(staged.path().resolve("run.log"), log(begun));
+      TextFile.write(staged.path().resolve("run.log"), log(begun));
       staged.publish();
       RunSummary.print(out(), results);
       out().println();

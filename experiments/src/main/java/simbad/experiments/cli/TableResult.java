@@ -7,6 +7,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 import simbad.sonar.format.TableDocument;
 import simbad.sonar.format.TableFile;
+import simbad.sonar.format.TextFile;
 
 /** {@code --out} of the commands that print one table where they are given no file for it. */
 final class TableResult {
@@ -33,7 +34,7 @@ final class TableResult {
       out.print(TableFile.text(table));
     } else {
       check();
-      TableFile.write(file, table);
+      TextFile.create(file, TableFile.text(table));
       out.println("written to " + file);
     }
   }

@@ -1,13 +1,12 @@
 package simbad.experiments.dataset;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.sonar.format.ReadingsWriter;
 import simbad.sonar.format.SceneWriter;
+import simbad.sonar.format.TextFile;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -35,6 +34,6 @@ public record MadeDataSet(SensingSetup setup, List<ReadingRow> readings) {
   }
 
   private static void save(Path file, String text) throws IOException {
-    Files.writeString(file, text, StandardCharsets.UTF_8);
+    TextFile.write(file, text);
   }
 }

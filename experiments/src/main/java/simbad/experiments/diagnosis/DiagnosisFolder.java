@@ -1,7 +1,6 @@
 package simbad.experiments.diagnosis;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -19,6 +18,8 @@ import simbad.sonar.effect.FittedModel;
 import simbad.sonar.effect.PingLog;
 import simbad.sonar.format.ModelFile;
 import simbad.sonar.format.ReadingsWriter;
+import simbad.sonar.format.TextFile;
+import simbad.sonar.format.WholeFile;
 
 /** Writes a diagnosis's folder. */
 public final class DiagnosisFolder {
@@ -43,7 +44,9 @@ public final class DiagnosisFolder {
   public static void write(
       Path folder, Path source, DataSet data, Diagnosis diagnosis, Provenance provenance)
       throws IOException {
-    Files.copy(source.resolve(DataSetFolder.SCENE), folder.resolve(DataSetFolder.SCENE));
+    WholeFile.write(
+        folder.resolve(DataSetFolder.SCENE),
+        Files.readAllBytes(source.resolve(DataSetFolder.SCENE)));
     save(folder, DiagnosisJson.FILE, DiagnosisJson.text(diagnosis, data, provenance));
     if (diagnosis.nextExperiment().isPresent()) {
       String poses = ReadingsWriter.posesText(diagnosis.nextExperiment().get().poses());
@@ -72,6 +75,6 @@ public final class DiagnosisFolder {
   }
 
   private static void save(Path folder, String name, String text) throws IOException {
-    Files.writeString(folder.resolve(name), text, StandardCharsets.UTF_8);
+    TextFile.write(folder.resolve(name), text);
   }
 }

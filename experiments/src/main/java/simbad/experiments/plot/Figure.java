@@ -2,15 +2,12 @@ package simbad.experiments.plot;
 
 import java.awt.Dimension;
 import java.awt.Graphics2D;
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Optional;
 import org.knowm.xchart.XYChart;
 
 /**
- * A picture that is laid out and can be written, as often as need be and always with the same
- * bytes. Works without a display.
+ * A picture that is laid out and can be drawn, as often as need be and always with the same bytes.
+ * Works without a display.
  *
  * <p>Title and provenance also stand in the files as plain text: in the SVG's {@code title} and
  * {@code desc}, in the PNG's {@code Title} and {@code Description}. Instances are not thread-safe:
@@ -70,25 +67,6 @@ public final class Figure {
   /** The picture as SVG 1.1, a point being one unit. */
   public byte[] svg() {
     return SvgWriter.write(this);
-  }
-
-  /**
-   * Writes the PNG, over a file that may exist.
-   *
-   * @param dpi pixels to the inch, 1 to 1200
-   * @throws IOException when the file cannot be written
-   */
-  public void writePng(Path file, int dpi) throws IOException {
-    Files.write(file, png(dpi));
-  }
-
-  /**
-   * Writes the SVG, over a file that may exist.
-   *
-   * @throws IOException when the file cannot be written
-   */
-  public void writeSvg(Path file) throws IOException {
-    Files.write(file, svg());
   }
 
   /** Draws everything, one unit being a point. */

@@ -3,8 +3,6 @@ package simbad.experiments.report;
 import static java.util.stream.Collectors.joining;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -16,6 +14,7 @@ import simbad.experiments.run.SensorKind;
 import simbad.experiments.run.TraceMove;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.effect.FittedForm;
+import simbad.sonar.format.TextFile;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.shape.DetectionShadow;
 
@@ -76,7 +75,7 @@ final class ReportPage {
     byObstacle.values().forEach(results -> addObstacle(page, results));
     addOrigin(page, origin, hashes);
     page.append("</main>\n</body>\n</html>\n");
-    Files.writeString(file, page, StandardCharsets.UTF_8);
+    TextFile.write(file, page.toString());
   }
 
   private static void addErrors(StringBuilder page, Map<String, List<RunResult>> byObstacle) {

@@ -5,12 +5,9 @@ import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import com.fasterxml.jackson.databind.ObjectWriter;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.datatype.jdk8.Jdk8Module;
-import de.siegmar.fastcsv.writer.CsvWriter;
-import de.siegmar.fastcsv.writer.LineDelimiter;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
@@ -25,6 +22,7 @@ import simbad.experiments.plot.ShareGrid;
 import simbad.experiments.run.RunResult;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.TableFile;
+import simbad.sonar.format.TextFile;
 import simbad.sonar.shape.ThresholdTable;
 
 /** Writes a run's results into a folder: one folder per obstacle, the errors of all, a page. */
@@ -94,18 +92,20 @@ public final class RunFiles {
     document.put("sensor", origin.settings().sonar().name());
     document.put("table_sha256", hashes);
     document.put("results", errors);
-    Files.writeString(file, JSON.writeValueAsString(document) + "\n", StandardCharsets.UTF_8);
+    TextFile.write(file, JSON.writeValueAsString(document) + "\n");
   }
 
   private static void writeErrorsCsv(Path file, List<ErrorRecord> errors) throws IOException {
-    try (CsvWriter csv = csv(file)) {
-      List<Map<String, Object>> rows = errors.stream().map(RunFiles::fields).toList();
-      csv.writeRecord(rows.isEmpty() ? List.of() : List.copyOf(rows.get(0).keySet()));
-      for (Map<String, Object> row : rows) {
-        csv.writeRecord(
-            row.values().stream().map(value -> value == null ? "" : value.toString()).toList());
-      }
-    }
+    CsvFile.write(
+        file,
+        csv -> {
+          List<Map<String, Object>> rows = errors.stream().map(RunFiles::fields).toList();
+          csv.writeRecord(rows.isEmpty() ? List.of() : List.copyOf(rows.get(0).keySet()));
+          for (Map<String, Object> row : rows) {
+            csv.writeRecord(
+                row.values().stream().map(value -> value == null ? "" : value.toString()).toList());
+          }
+        });
   }
 
   @SuppressWarnings("unchecked")
@@ -117,49 +117,51 @@ public final class RunFiles {
   }
 
   private static void writeTraces(Path file, List<RunResult> results) throws IOException {
-    try (CsvWriter csv = csv(file)) {
-      TraceTable.writeHeader(csv);
-      for (RunResult result : results) {
-        TraceTable.writeRows(csv, result.sensor().word(), result.trace());
-      }
-    }
+    CsvFile.write(
+        file,
+        csv -> {
+          TraceTable.writeHeader(csv);
+          for (RunResult result : results) {
+            TraceTable.writeRows(csv, result.sensor().word(), result.trace());
+          }
+        });
   }
 
   private static void writeRadial(Path file, List<RunResult> results) throws IOException {
-    try (CsvWriter csv = csv(file)) {
-      csv.writeRecord("sensor", "bearing_deg", "threshold_m", "mean_abs_error_m");
-      for (RunResult result : results) {
-        ThresholdTable table = result.type().thresholds().table();
-        for (int i = 0; i < table.size(); i++) {
-          OptionalDouble error = result.errors().radialM().get(i);
-          csv.writeRecord(
-              result.sensor().word(),
-              fixed(i * 360.0 / table.size(), 4),
-              Double.toString(table.valueM(i)),
-              error.isPresent() ? fixed(error.getAsDouble(), 6) : "");
-        }
-      }
-    }
+    CsvFile.write(
+        file,
+        csv -> {
+          csv.writeRecord("sensor", "bearing_deg", "threshold_m", "mean_abs_error_m");
+          for (RunResult result : results) {
+            ThresholdTable table = result.type().thresholds().table();
+            for (int i = 0; i < table.size(); i++) {
+              OptionalDouble error = result.errors().radialM().get(i);
+              csv.writeRecord(
+                  result.sensor().word(),
+                  fixed(i * 360.0 / table.size(), 4),
+                  Double.toString(table.valueM(i)),
+                  error.isPresent() ? fixed(error.getAsDouble(), 6) : "");
+            }
+          }
+        });
   }
 
   private static void writeMap(Path file, List<RunResult> results) throws IOException {
-    try (CsvWriter csv = csv(file)) {
-      csv.writeRecord("sensor", "x_m", "z_m", "disagreement");
-      for (RunResult result : results) {
-        ShareGrid grid = result.map().disagreement();
-        for (int i = 0; i < grid.shares().size(); i++) {
-          csv.writeRecord(
-              result.sensor().word(),
-              fixed(grid.centreM(i % grid.cells()), 4),
-              fixed(grid.centreM(i / grid.cells()), 4),
-              fixed(grid.shares().get(i), 4));
-        }
-      }
-    }
-  }
-
-  private static CsvWriter csv(Path file) throws IOException {
-    return CsvWriter.builder().lineDelimiter(LineDelimiter.LF).build(file, StandardCharsets.UTF_8);
+    CsvFile.write(
+        file,
+        csv -> {
+          csv.writeRecord("sensor", "x_m", "z_m", "disagreement");
+          for (RunResult result : results) {
+            ShareGrid grid = result.map().disagreement();
+            for (int i = 0; i < grid.shares().size(); i++) {
+              csv.writeRecord(
+                  result.sensor().word(),
+                  fixed(grid.centreM(i % grid.cells()), 4),
+                  fixed(grid.centreM(i / grid.cells()), 4),
+                  fixed(grid.shares().get(i), 4));
+            }
+          }
+        });
   }
 
   /**

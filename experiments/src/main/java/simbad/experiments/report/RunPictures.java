@@ -22,6 +22,7 @@ import simbad.experiments.run.RunResult;
 import simbad.experiments.run.Trace;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.TableDocument;
+import simbad.sonar.format.WholeFile;
 import simbad.sonar.frame.Point;
 import simbad.sonar.shape.ThresholdBand;
 import simbad.sonar.shape.ThresholdTable;
@@ -77,8 +78,8 @@ final class RunPictures {
   }
 
   private static void save(Figure figure, Path folder, String name) throws IOException {
-    figure.writePng(folder.resolve(name + ".png"), SCREEN_DPI);
-    figure.writeSvg(folder.resolve(name + ".svg"));
+    WholeFile.write(folder.resolve(name + ".png"), figure.png(SCREEN_DPI));
+    WholeFile.write(folder.resolve(name + ".svg"), figure.svg());
   }
 
   private static Figure polar(ObstacleType type, List<RunResult> results) {

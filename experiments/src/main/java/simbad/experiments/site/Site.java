@@ -14,6 +14,8 @@ import java.util.Objects;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import simbad.experiments.markup.Markup;
+import simbad.sonar.format.TextFile;
+import simbad.sonar.format.WholeFile;
 
 /** The project's pages as a folder of HTML. */
 public final class Site {
@@ -68,7 +70,7 @@ public final class Site {
     }
     site.writeIndex(out);
     for (String name : List.of("site.css", "site.js")) {
-      Files.write(out.resolve(name), resource(name));
+      WholeFile.write(out.resolve(name), resource(name));
     }
     return site.pages.size();
   }
@@ -110,7 +112,7 @@ public final class Site {
   private void write(Page page, Path out) throws IOException {
     Path target = out.resolve(page.file());
     Files.createDirectories(Objects.requireNonNull(target.getParent()));
-    Files.writeString(target, whole(page));
+    TextFile.write(target, whole(page));
     for (Path linked : page.linked()) {
       if (!linked.toString().endsWith(".md")) {
         copy(page, linked, out);
@@ -128,7 +130,7 @@ public final class Site {
     Path target = out.resolve(linked);
     if (!Files.exists(target)) {
       Files.createDirectories(Objects.requireNonNull(target.getParent()));
-      Files.copy(source, target);
+      WholeFile.write(target, Files.readAllBytes(source));
     }
   }
 
@@ -202,7 +204,7 @@ public final class Site {
             .map(page -> Map.of("f", page.file(), "t", page.title(), "w", page.text()))
             .<Map<String, String>>map(TreeMap::new)
             .toList();
-    Files.writeString(
+    TextFile.write(
         out.resolve("search-index.js"),
         "const PAGES = " + new ObjectMapper().writeValueAsString(index) + ";\n");
   }

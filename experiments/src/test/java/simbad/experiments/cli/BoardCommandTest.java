@@ -5,9 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -49,6 +52,41 @@ class BoardCommandTest {
     // Four a second for a minute, but for the 5 s in which the line is stuck high.
     assertTrue(pings > 210 && pings < 230, shell.out());
     assertTrue(Files.notExists(link, LinkOption.NOFOLLOW_LINKS));
+  }
+
+  private void copyFirmware(Path project) throws IOException {
+    Path source = Path.of("../firmware-pic18");
+    for (String part : List.of(".", "dist", "gpsim", "gpsim/shim")) {
+      Path to = Files.createDirectories(project.resolve("firmware-pic18").resolve(part));
+      try (var entries = Files.list(source.resolve(part))) {
+        for (Path file : entries.filter(Files::isRegularFile).toList()) {
+          Files.copy(file, to.resolve(file.getFileName()));
+        }
+      }
+    }
+  }
+
+  /** Of another account, or a read-only mount, in which the board was never built. */
+  @Test
+  void projectThatCannotBeWritten_hasItsBoardBuiltElsewhere() throws Exception {
+    needTools();
+    Path project = folder.resolve("project");
+    copyFirmware(project);
+    Path temporary = Files.createDirectory(folder.resolve("temporary"));
+    List<String> command = new ArrayList<>(ReadOnly.command(project));
+    for (String word : SimbadProcess.command("board", "--pace", "0", "--for", "2")) {
+      command.add(word.startsWith("-Dsimbad.home") ? "-Dsimbad.home=" + project : word);
+    }
+    command.add(command.indexOf("-cp"), "-Djava.io.tmpdir=" + temporary);
+    SimbadProcess board = SimbadProcess.start(folder, "", command);
+    int status = board.process().waitFor();
+    assertEquals(List.of(), board.complaints());
+    assertEquals(0, status);
+    assertTrue(Files.readString(board.out()).contains("pings: 8"));
+    assertTrue(Files.notExists(project.resolve("firmware-pic18/target")));
+    try (var left = Files.list(temporary)) {
+      assertEquals(List.of(), left.toList());
+    }
   }
 
   @Test

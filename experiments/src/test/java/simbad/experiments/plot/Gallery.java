@@ -19,8 +19,8 @@ final class Gallery {
   public static void main(String[] args) throws IOException {
     Path folder = Files.createDirectories(Path.of(args[0]));
     for (Map.Entry<String, Figure> entry : figures().entrySet()) {
-      entry.getValue().writePng(folder.resolve(entry.getKey() + ".png"), SCREEN_DPI);
-      entry.getValue().writeSvg(folder.resolve(entry.getKey() + ".svg"));
+      Files.write(folder.resolve(entry.getKey() + ".png"), entry.getValue().png(SCREEN_DPI));
+      Files.write(folder.resolve(entry.getKey() + ".svg"), entry.getValue().svg());
     }
   }
 

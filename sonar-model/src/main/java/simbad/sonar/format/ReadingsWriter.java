@@ -9,9 +9,9 @@ import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.nio.channels.Channels;
+import java.nio.channels.WritableByteChannel;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import simbad.sonar.sensing.Echo;
@@ -45,13 +45,12 @@ public final class ReadingsWriter implements Closeable {
   }
 
   /**
-   * Begins a file of rows with their readings.
+   * Begins rows with their readings.
    *
-   * @param file is written over if it is there
-   * @throws IOException if it cannot be written
+   * @param channel the file; closed with the writer
    */
-  public static ReadingsWriter open(Path file) throws IOException {
-    return begin(Files.newBufferedWriter(file, StandardCharsets.UTF_8), true);
+  public static ReadingsWriter to(WritableByteChannel channel) {
+    return begin(Channels.newWriter(channel, StandardCharsets.UTF_8), true);
   }
 
   /**

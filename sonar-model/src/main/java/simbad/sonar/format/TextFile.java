@@ -1,15 +1,10 @@
 package simbad.sonar.format;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
 
 /** Whole text files in UTF-8. */
 public final class TextFile {
@@ -49,39 +44,24 @@ public final class TextFile {
   }
 
   /**
-   * Writes a file: beside the target, synced, then moved over it, so that nobody sees a half.
+   * Writes a file as {@link WholeFile} does: nobody sees a half, and no link is followed.
+   *
+   * @param file to write, over one that may be there; its directory must exist
+   * @param text the whole content
+   * @throws IOException naming the file, if it cannot be written; the target is then as it was
+   */
+  public static void write(Path file, String text) throws IOException {
+    WholeFile.write(file, text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  /**
+   * Writes a file that is not there yet, otherwise as {@link #write} does.
    *
    * @param file to write; its directory must exist
    * @param text the whole content
-   * @throws IOException if it cannot be written; the target is then as it was
+   * @throws IOException naming the file, if it cannot be written or if something is there already
    */
-  public static void write(Path file, String text) throws IOException {
-    Path target = file.toAbsolutePath();
-    Path beside = target.resolveSibling("." + target.getFileName() + ".part");
-    try {
-      try (FileChannel channel =
-          FileChannel.open(
-              beside,
-              StandardOpenOption.CREATE,
-              StandardOpenOption.TRUNCATE_EXISTING,
-              StandardOpenOption.WRITE)) {
-        ByteBuffer bytes = ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8));
-        while (bytes.hasRemaining()) {
-          channel.write(bytes);
-        }
-        channel.force(true);
-      }
-      move(beside, target);
-    } finally {
-      Files.deleteIfExists(beside);
-    }
-  }
-
-  private static void move(Path from, Path to) throws IOException {
-    try {
-      Files.move(from, to, StandardCopyOption.ATOMIC_MOVE);
-    } catch (AtomicMoveNotSupportedException e) {
-      Files.move(from, to, StandardCopyOption.REPLACE_EXISTING);
-    }
+  public static void create(Path file, String text) throws IOException {
+    WholeFile.create(file, text.getBytes(StandardCharsets.UTF_8));
   }
 }

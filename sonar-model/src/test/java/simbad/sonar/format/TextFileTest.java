@@ -67,15 +67,22 @@ class TextFileTest {
     assertEquals(true, Files.exists(occupied.resolve("content")));
   }
 
+  /** Somebody who knows where the new text is written before it is moved could leave a link. */
   @Test
-  void oldText_isKept_whenWritingFails() throws Exception {
-    Path file = directory.resolve("text");
-    TextFile.write(file, "before");
-    // Where the new text would be written stands a directory: the write fails half-way.
-    Files.createDirectory(directory.resolve(".text.part"));
-    Files.createFile(directory.resolve(".text.part").resolve("content"));
-    assertThrows(IOException.class, () -> TextFile.write(file, "after"));
-    assertEquals("before", TextFile.read(file));
+  void linkThatWasLeftThere_isNotFollowed() throws Exception {
+    Path theirs = Files.writeString(directory.resolve("theirs"), "theirs");
+    Files.createSymbolicLink(directory.resolve(".text.part"), theirs);
+    TextFile.write(directory.resolve("text"), "mine");
+    assertEquals("theirs", Files.readString(theirs));
+  }
+
+  @Test
+  void linkInPlaceOfTheFile_isReplaced() throws Exception {
+    Path theirs = Files.writeString(directory.resolve("theirs"), "theirs");
+    Path file = Files.createSymbolicLink(directory.resolve("text"), theirs);
+    TextFile.write(file, "mine");
+    assertEquals("theirs", Files.readString(theirs));
+    assertEquals("mine", Files.readString(file));
   }
 
   @Test
