@@ -32,6 +32,11 @@ public record CaptureSettings(
     origin = new LinkedHashMap<>(origin);
   }
 
+  /** Tells whether a journal gives a text of the origin back as it was. */
+  public static boolean canHold(String text) {
+    return text.equals(JournalLine.field(text));
+  }
+
   /** Returns one thing of the origin, empty text when it is not told. */
   public String of(String name) {
     return origin.getOrDefault(name, "");

@@ -10,9 +10,16 @@ import java.util.Map;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
+import simbad.sonar.format.OneLine;
 
 /** Says in one line on standard error what went wrong. */
 final class Complaints {
+  /** What a file is called may be long, and stands at the begin; what is wrong at the end. */
+  private static final int LONGEST = 1000;
+
+  private static final int LONGEST_USAGE = 320;
+  private static final int LONGEST_ARGUMENT = 80;
+
   static final String TRACE_OPTION = "--trace";
 
   private final String commandName;
@@ -33,7 +40,7 @@ final class Complaints {
 
   /** Prints the line, and the stack trace where it is asked for; returns the exit status. */
   int about(Throwable fault) {
-    err.println(commandName + ": " + line(fault).replaceAll("\\s*\\R\\s*", " "));
+    err.println(commandName + ": " + OneLine.of(line(fault), LONGEST));
     if (trace) {
       fault.printStackTrace(err);
     }
@@ -62,7 +69,7 @@ final class Complaints {
       return unmatched(unmatched) + seeHelp();
     }
     if (fault instanceof ParameterException) {
-      return fault.getMessage() + seeHelp();
+      return OneLine.of(textOf(fault), LONGEST_USAGE) + seeHelp();
     }
     if (fault instanceof IOException io) {
       return inputOutput(io);
@@ -79,7 +86,7 @@ final class Complaints {
     String kind = argument.startsWith("-") ? "option" : "command or argument";
     List<String> suggestions = fault.getSuggestions(); // The most similar first.
     String instead = suggestions.isEmpty() ? "" : "; did you mean " + suggestions.get(0) + "?";
-    return "unknown " + kind + " '" + argument + "'" + instead;
+    return "unknown " + kind + " '" + OneLine.of(argument, LONGEST_ARGUMENT) + "'" + instead;
   }
 
   private String seeHelp() {
