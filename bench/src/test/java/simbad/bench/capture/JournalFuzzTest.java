@@ -78,12 +78,13 @@ class JournalFuzzTest {
         new CaptureSettings(plan, OptionalDouble.of(20), Map.of("obstacle", "angle")).entry());
     for (int bearing = 0; bearing < BEARINGS; bearing++) {
       for (int i = 0; i < 8; i++) {
+        int level = i / 2;
         PingStatus status = i < 4 ? PingStatus.ECHO : PingStatus.NO_ECHO;
         entries.add(
             new Entry.Taken(
                 1e9 + i,
                 bearing,
-                new Probe(1 + 0.02 * (i / 2), Approach.OUT),
+                new Probe(1 + 0.02 * level, Approach.OUT),
                 i,
                 status,
                 OptionalInt.of(5800),
