@@ -32,6 +32,11 @@ public record CaptureSettings(
     origin = new LinkedHashMap<>(origin);
   }
 
+  /** Tells whether a journal gives a text of the origin back as it was. */
+  public static boolean canHold(String text) {
+    return text.equals(JournalLine.field(text));
+  }
+
   /** Returns one thing of the origin, empty text when it is not told. */
   public String of(String name) {
     return origin.getOrDefault(name, "");
@@ -91,7 +96,8 @@ public record CaptureSettings(
       throw DataFormatException.inField(file, 1, FORMAT, "expected " + FORMAT_NAME);
     }
     try {
-      CaptureSettings settings = new CaptureSettings(plan(all), temperature(all), rest(all));
+      CaptureSettings settings =
+          new CaptureSettings(plan(file, all), temperature(file, all), rest(all));
       settings.ranging();
       return settings;
     } catch (IllegalArgumentException e) {
@@ -99,23 +105,40 @@ public record CaptureSettings(
     }
   }
 
-  private static SweepPlan plan(Map<String, String> all) {
+  private static SweepPlan plan(Path file, Map<String, String> all) throws DataFormatException {
     return new SweepPlan(
-        (int) number(all, "bearings"),
-        (int) number(all, "pings"),
-        (int) number(all, "misses"),
-        number(all, "step_m"),
-        number(all, "near_m"),
-        number(all, "far_m"));
+        whole(file, all, "bearings"),
+        whole(file, all, "pings"),
+        whole(file, all, "misses"),
+        number(file, all, "step_m"),
+        number(file, all, "near_m"),
+        number(file, all, "far_m"));
   }
 
-  private static double number(Map<String, String> all, String name) {
-    return Double.parseDouble(all.getOrDefault(name, ""));
+  private static int whole(Path file, Map<String, String> all, String name)
+      throws DataFormatException {
+    double value = number(file, all, name);
+    if (value != (int) value) {
+      throw DataFormatException.inField(
+          file, 1, name, "'" + all.get(name) + "' is not a whole number");
+    }
+    return (int) value;
   }
 
-  private static OptionalDouble temperature(Map<String, String> all) {
+  private static double number(Path file, Map<String, String> all, String name)
+      throws DataFormatException {
+    String text = all.getOrDefault(name, "");
+    try {
+      return Double.parseDouble(text);
+    } catch (NumberFormatException e) {
+      throw DataFormatException.inField(file, 1, name, "'" + text + "' is not a number");
+    }
+  }
+
+  private static OptionalDouble temperature(Path file, Map<String, String> all)
+      throws DataFormatException {
     return all.containsKey(TEMPERATURE)
-        ? OptionalDouble.of(number(all, TEMPERATURE))
+        ? OptionalDouble.of(number(file, all, TEMPERATURE))
         : OptionalDouble.empty();
   }
 

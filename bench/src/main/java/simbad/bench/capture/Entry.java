@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import simbad.bench.protocol.PingStatus;
@@ -100,12 +99,13 @@ public sealed interface Entry {
         number, "repeated", List.of(Integer.toString(((Repeated) this).bearing())));
   }
 
-  /** Reads what a line tells; empty when it is no entry. */
-  static Optional<Entry> of(JournalLine line) {
-    try {
-      return Optional.ofNullable(EntryFields.entry(line.kind(), line.fields()));
-    } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
-      return Optional.empty();
-    }
+  /**
+   * Reads what a line tells.
+   *
+   * @param bearings how many the capture has
+   * @throws JournalFieldException if it tells what no capture can have written
+   */
+  static Entry of(JournalLine line, int bearings) throws JournalFieldException {
+    return EntryFields.entry(line.kind(), line.fields(), bearings);
   }
 }

@@ -18,7 +18,6 @@ import simbad.bench.protocol.FrameLine;
  */
 public final class GuidedSweep {
   private static final double CM = 100;
-  private static final double GREATEST_CM = 10_000;
 
   /** One may be missed, or be of something else. */
   private static final int LOOKS = 3;
@@ -159,11 +158,12 @@ public final class GuidedSweep {
 
   private void take(int bearing, OptionalDouble distanceCm, String typed)
       throws IOException, InterruptedException {
-    if (!(distanceCm.orElse(-1) > 0 && distanceCm.getAsDouble() <= GREATEST_CM)) {
+    // To a tenth of a millimetre, of which there must be one.
+    double distanceM = Math.rint(distanceCm.orElse(-1) * CM) / (CM * CM);
+    if (!(distanceM > 0 && distanceM <= SweepPlan.FURTHEST_M)) {
       operator.say("'" + typed + "' is neither a distance in cm nor one of u, r, p, t, q");
       return;
     }
-    double distanceM = Math.rint(distanceCm.getAsDouble() * CM) / (CM * CM);
     if (isDoubtful(distanceM)) {
       return;
     }
@@ -197,8 +197,8 @@ public final class GuidedSweep {
     operator.say(
         String.format(
             Locale.ROOT,
-            "not taken: axis at %.1f cm, but %.1f cm read to the surface; type it again (the same is"
-                + " then believed)",
+            "not taken: axis at %.1f cm, but %.1f cm read to the surface; type it again (the same"
+                + " is then believed)",
             CM * distanceM,
             CM * contradictionM.getAsDouble()));
     return true;

@@ -17,6 +17,7 @@ final class JournalReader {
   private final Consumer<Entry> each;
   private final MessageDigest digest = sha256();
   private Entry.@Nullable Begun begun;
+  private int bearings = SweepPlan.MOST_BEARINGS;
   private long lines;
   private long wholeBytes;
 
@@ -36,16 +37,16 @@ final class JournalReader {
   JournalText read(LineBytes from) throws IOException, DataFormatException {
     byte[] line = from.next();
     while (line.length > 0) {
-      Optional<Entry> entry = entry(line);
+      Optional<JournalLine> whole = whole(line);
       byte[] following = from.next();
-      if (entry.isEmpty()) {
+      if (whole.isEmpty()) {
         if (following.length > 0) {
           throw DataFormatException.inField(
               file, lines + 1, "line", "damaged: number or checksum does not fit");
         }
         break;
       }
-      take(line, entry.get());
+      take(line, entry(whole.get()));
       line = following;
     }
     if (begun == null) {
@@ -56,15 +57,24 @@ final class JournalReader {
         file, begun, lines, wholeBytes, torn, HexFormat.of().formatHex(digest.digest()));
   }
 
-  private Optional<Entry> entry(byte[] line) {
+  /** A line that was written to its end, and not changed since. */
+  private Optional<JournalLine> whole(byte[] line) {
     int last = line.length - 1;
     if (line[last] != '\n') {
       // Without its end it is torn, however well it reads.
       return Optional.empty();
     }
     return JournalLine.parse(new String(line, 0, last, StandardCharsets.UTF_8))
-        .filter(told -> told.number() == lines + 1)
-        .flatMap(Entry::of);
+        .filter(told -> told.number() == lines + 1);
+  }
+
+  /** A checksum can be computed anew: it does not say that the fields are what they should be. */
+  private Entry entry(JournalLine line) throws DataFormatException {
+    try {
+      return Entry.of(line, bearings);
+    } catch (JournalFieldException e) {
+      throw DataFormatException.inField(file, lines + 1, e.field(), e.problem());
+    }
   }
 
   private void take(byte[] line, Entry entry) throws DataFormatException {
@@ -73,11 +83,20 @@ final class JournalReader {
         throw noJournal();
       }
       begun = first;
+      bearings = bearings(first);
     }
     lines++;
     wholeBytes += line.length;
     digest.update(line);
     each.accept(entry);
+  }
+
+  /** As many as any capture may have where it does not say; {@link CaptureSettings} complains. */
+  private static int bearings(Entry.Begun begun) {
+    String bearings = begun.settings().getOrDefault("bearings", "");
+    return bearings.matches("[1-9]\\d{0,3}")
+        ? Math.min(Integer.parseInt(bearings), SweepPlan.MOST_BEARINGS)
+        : SweepPlan.MOST_BEARINGS;
   }
 
   private DataFormatException noJournal() {

@@ -18,13 +18,16 @@ public record Ranging(double temperatureC, FirmwareMode mode) {
   /** Taken when nobody says how warm it is. */
   public static final double ASSUMED_C = 20;
 
+  static final double COLDEST_C = -50;
+  static final double WARMEST_C = 80;
+
   private static final double SPEED_AT_ZERO_M_PER_S = 331.3;
   private static final double ZERO_K = 273.15;
   private static final double SECONDS_PER_US = 1e-6;
 
   /** Checks the temperature. */
   public Ranging {
-    if (!(temperatureC >= -50 && temperatureC <= 80)) {
+    if (!(temperatureC >= COLDEST_C && temperatureC <= WARMEST_C)) {
       throw new IllegalArgumentException("temperatureC = " + temperatureC + " is not in [-50, 80]");
     }
   }

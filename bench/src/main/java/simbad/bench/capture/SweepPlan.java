@@ -12,6 +12,9 @@ package simbad.bench.capture;
  */
 public record SweepPlan(
     int bearings, int pings, int misses, double stepM, double nearM, double farM) {
+  static final int MOST_BEARINGS = 3600;
+  static final double FURTHEST_M = 100;
+
   /** Ten pings every 2 cm from 4 cm to 3.4 m, lost when 5 are missed. */
   public static SweepPlan ofBearings(int bearings) {
     return new SweepPlan(bearings, 10, 5, 0.02, 0.04, 3.4);
@@ -30,12 +33,12 @@ public record SweepPlan(
 
   /** Checks that every number is in its interval. */
   public SweepPlan {
-    require(bearings >= 3 && bearings <= 3600, "bearings", bearings, "[3, 3600]");
+    require(bearings >= 3 && bearings <= MOST_BEARINGS, "bearings", bearings, "[3, 3600]");
     require(pings >= 1 && pings <= 10_000, "pings", pings, "[1, 10000]");
     require(misses >= 1 && misses <= pings, "misses", misses, "[1, pings = " + pings + "]");
     require(stepM > 0 && stepM <= 1, "stepM", stepM, "(0, 1]");
-    require(nearM >= stepM && nearM <= 100, "nearM", nearM, "[stepM = " + stepM + ", 100]");
-    require(farM > nearM && farM <= 100, "farM", farM, "(nearM = " + nearM + ", 100]");
+    require(nearM >= stepM && nearM <= FURTHEST_M, "nearM", nearM, "[stepM = " + stepM + ", 100]");
+    require(farM > nearM && farM <= FURTHEST_M, "farM", farM, "(nearM = " + nearM + ", 100]");
   }
 
   private static void require(boolean holds, String name, double value, String permitted) {

@@ -10,6 +10,7 @@ import java.util.OptionalInt;
 import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.ThesisLine;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.OneLine;
 import simbad.sonar.format.Provenance;
 import simbad.sonar.format.TableDocument;
 import simbad.sonar.format.TextFile;
@@ -103,7 +104,9 @@ public final class ThesisCapture {
     header.put("object", meaning.name());
     header.put("sensor", "Devantech SRF04");
     header.put("provenance", Provenance.CAPTURED.word());
-    header.put("source", "numbers of the thesis's display; " + file.getFileName());
+    header.put(
+        "source",
+        "numbers of the thesis's display; " + OneLine.of(file.getFileName() + "").strip());
     header.put("unit", "m");
     header.put("resolution", Double.toString(ThesisLine.STEP_M));
     meaning.ranging().describe(header, meaning.temperatureC().isPresent());

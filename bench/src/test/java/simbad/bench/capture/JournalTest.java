@@ -10,12 +10,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simbad.bench.protocol.PingStatus;
 import simbad.sonar.format.DataFormatException;
 
@@ -24,6 +27,10 @@ class JournalTest {
 
   private static final Entry.Begun BEGUN =
       new Entry.Begun(Map.of("format", "bench-journal/1", "obstacle", "a post, round"));
+
+  private static final CaptureSettings SETTINGS =
+      new CaptureSettings(
+          SweepPlan.ofBearings(12), OptionalDouble.of(20), Map.of("obstacle", "angle"));
 
   private static Entry.Taken taken(int number) {
     return new Entry.Taken(
@@ -116,14 +123,98 @@ class JournalTest {
     checkDamaged(List.of(), "is no journal");
   }
 
-  /** Well summed up, but nobody can stand there. */
-  @Test
-  void distanceThatIsNone_isDamage() throws Exception {
+  /** Well summed up, but no capture wrote it: who computes checksums can write anything. */
+  @ParameterizedTest
+  @CsvSource(
+      quoteCharacter = '`',
+      value = {
+        "0, time_s, -1",
+        "0, time_s, NaN",
+        "0, time_s, 1e13",
+        "1, bearing, -1",
+        "1, bearing, 3600",
+        "1, bearing, 99999999999",
+        "2, distance_m, -0.04",
+        "2, distance_m, 0",
+        "2, distance_m, 1e5",
+        "2, distance_m, Infinity",
+        "3, approach, sideways",
+        "4, sequence, 65536",
+        "4, sequence, -1",
+        "5, status, maybe",
+        "6, echo_us, -100",
+        "6, echo_us, 100000",
+        "6, echo_us, 1e3",
+        "7, temperature_c, 1e9",
+        "7, temperature_c, -51",
+        "7, temperature_c, warm"
+      })
+  void fieldOutOfItsRange_isNamed(int index, String name, String value) throws Exception {
     List<String> lines = new ArrayList<>(Files.readAllLines(written()));
     List<String> fields = new ArrayList<>(EntryFields.of(taken(1)));
-    fields.set(2, "-0.04");
+    fields.set(index, value);
     lines.set(2, new JournalLine(3, "ping", fields).text().strip());
-    checkDamaged(lines, ":3: line: damaged");
+    checkDamaged(lines, ":3: " + name + ": '" + value + "' is n");
+  }
+
+  /** Nor is it taken for a torn line where it is the last one. */
+  @ParameterizedTest
+  @CsvSource(
+      quoteCharacter = '`',
+      value = {
+        "ping, , `time_s: '' is not a number`",
+        "ping, 1.5, `bearing: is missing`",
+        "done, 1.5, `bearing: '1.5' is not a whole number in [0, 3599]`",
+        "undone, -1, `bearing: '-1' is not a whole number`",
+        "repeated, x, `bearing: 'x' is not a whole number`",
+        "note, 5, `note: is missing`",
+        "sung, 5, `kind: 'sung' is no kind of entry`"
+      })
+  void lastLineThatSaysNothing_isNamed(String kind, String field, String message) throws Exception {
+    List<String> lines = new ArrayList<>(Files.readAllLines(written()));
+    String told = field == null ? "" : field;
+    lines.set(lines.size() - 1, new JournalLine(lines.size(), kind, List.of(told)).text().strip());
+    checkDamaged(lines, ":" + lines.size() + ": " + message);
+  }
+
+  /** The first line says how many there are. */
+  @Test
+  void bearingThatTheCaptureDoesNotHave_isNamed() throws Exception {
+    Entry.Begun begun = new Entry.Begun(Map.of("bearings", "12"));
+    List<String> lines =
+        List.of(begun.line(1).text().strip(), new Entry.Done(12).line(2).text().strip());
+    checkDamaged(lines, ":2: bearing: '12' is not a whole number in [0, 11]");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "bearings, 3.5, bearings: '3.5' is not a whole number",
+    "bearings, many, bearings: 'many' is not a number",
+    "pings, 1e9, pings = 1.0E9 is not in",
+    "step_m, NaN, stepM = NaN is not in",
+    "far_m, 1e5, farM = 100000.0 is not in",
+    "temperature_c, 1e9, temperatureC = 1.0E9 is not in",
+    "mode, loud, mode = 'loud' is none"
+  })
+  void settingOutOfItsRange_isNamed(String name, String value, String message) throws Exception {
+    Map<String, String> settings = new LinkedHashMap<>(SETTINGS.entry().settings());
+    settings.put(name, value);
+    Path file = folder.resolve("begun");
+    Journal.create(file, new Entry.Begun(settings)).close();
+    DataFormatException fault =
+        assertThrows(DataFormatException.class, () -> CapturedReadings.of(file));
+    assertTrue(String.valueOf(fault.getMessage()).contains(message), fault.getMessage());
+  }
+
+  @Test
+  void settingOnTwoLines_isNamed() throws Exception {
+    JournalLine line = new JournalLine(1, "begun", List.of("obstacle=a\rb"));
+    Path file = Files.writeString(folder.resolve("two"), line.text());
+    DataFormatException fault =
+        assertThrows(DataFormatException.class, () -> JournalEntries.text(file));
+    assertTrue(
+        String.valueOf(fault.getMessage()).contains(":1: begun: 'obstacle=a b' is not NAME=TEXT"),
+        fault.getMessage());
   }
 
   private void checkDamaged(List<String> lines, String message) throws IOException {

@@ -92,7 +92,7 @@ public record Tuning(List<Setting> settings, int leftOut) {
   private static Setting setting(CsvTable table, int row, String x, String c)
       throws DataFormatException {
     return new Setting(
-        table.text(row, "sensor"),
+        table.label(row, "sensor"),
         table.number(row, x, Double::isFinite, "a number"),
         table.number(row, c, Double::isFinite, "a number"),
         table.number(row, "mean_abs_cm", cm -> cm >= 0, "at least 0"),

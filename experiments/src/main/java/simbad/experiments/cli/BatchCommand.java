@@ -18,14 +18,15 @@ import simbad.sonar.format.TextFile;
 @Command(
     name = "batch",
     description = {
-      "Let robots circle obstacles in every combination, or a sample, of what a spec lists: obstacles,"
-          + " scenes, sensors, effects, controllers, speeds, seeds (docs/guide/batch.md).",
+      "Let robots circle obstacles in every combination, or a sample, of what a spec lists:"
+          + " obstacles, scenes, sensors, effects, controllers, speeds, seeds"
+          + " (docs/guide/batch.md).",
       "Writes a row per run to results.csv in --out; a batch that was interrupted goes on with the"
           + " same command."
     },
     footer = {
       "",
-      "Example: simbad batch data/batch/tuning.json --out tuning",
+      "Example: simbad batch data/batch/edge-follower-tuning.json --out tuning",
       "Example: simbad batch my-spec.json --out results --spark spark://host:7077"
     })
 final class BatchCommand extends Subcommand {

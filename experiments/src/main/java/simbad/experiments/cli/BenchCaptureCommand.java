@@ -132,7 +132,7 @@ final class BenchCaptureCommand extends Subcommand {
 
   private CaptureSettings settings(ObstacleType type) throws IOException {
     Map<String, String> origin = new LinkedHashMap<>();
-    origin.put("obstacle", obstacle.name());
+    origin.put("obstacle", kept("--obstacle", obstacle.name()));
     origin.put("object", type.thresholds().header("object").orElse(type.name()));
     if (port == null) {
       origin.put("sensor", "SRF04, simulated board (gpsim), " + sensor.word() + " model");
@@ -140,7 +140,7 @@ final class BenchCaptureCommand extends Subcommand {
       origin.put("seed", Long.toString(sensor.seed()));
     } else {
       origin.put("sensor", "Devantech SRF04");
-      origin.put("port", port.toAbsolutePath().toString());
+      origin.put("port", kept("--port", port.toAbsolutePath().toString()));
     }
     origin.put(
         CaptureSettings.MODE,
@@ -157,6 +157,19 @@ final class BenchCaptureCommand extends Subcommand {
     } catch (IllegalArgumentException e) {
       throw wrongUsage(String.valueOf(e.getMessage()));
     }
+  }
+
+  /** What the capture goes on with later must be in the journal as it is. */
+  private String kept(String option, String value) {
+    if (!CaptureSettings.canHold(value)) {
+      throw wrongUsage(
+          option
+              + ": '"
+              + value
+              + "' holds a comma, a star, a line break or blanks at an end, which no journal keeps;"
+              + " name it otherwise");
+    }
+    return value;
   }
 
   private int half() {

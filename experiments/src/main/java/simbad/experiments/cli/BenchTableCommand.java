@@ -22,7 +22,7 @@ import simbad.sonar.shape.ThresholdTable;
     name = "table",
     description = {
       "Make the threshold table of a capture that is done; simbad run takes it.",
-      "Columns besides bearing and threshold: a 95 % interval, the furthest distances heard on the"
+      "Columns besides bearing and threshold: a 95 %% interval, the furthest distances heard on the"
           + " way out and in, the number of pings."
     },
     footer = {

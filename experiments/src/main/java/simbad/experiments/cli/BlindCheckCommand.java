@@ -16,25 +16,28 @@ import simbad.experiments.blindcheck.CheckOrder;
 import simbad.experiments.blindcheck.CheckOrder.Drawn;
 import simbad.experiments.blindcheck.CheckOrder.Foreign;
 import simbad.sonar.effect.Effect;
+import simbad.sonar.format.OneLine;
 
 /** {@code simbad blind-check}: the withheld check of the diagnosis. */
 @Command(
     name = "blind-check",
     description = {
-      "Check the diagnosis on data sets whose truth is withheld from it: one program draws truths, seals"
-          + " them by salted SHA-256 and writes data sets, another one diagnoses them in a folder that holds"
-          + " nothing else, a third verifies the seals and scores.",
+      "Check the diagnosis on data sets whose truth is withheld from it: one program draws truths,"
+          + " seals them by salted SHA-256 and writes data sets, another one diagnoses them in a"
+          + " folder that holds nothing else, a third verifies the seals and scores.",
       "Called again with the same options and folder, it goes on where it ended."
     },
     footer = {
       "",
-      "Exit status 0 when all cases were answered, rightly or not; 1 when some were not, or the work failed;"
-          + " 2 for bad usage or input, such as a truth that is not the one that was sealed.",
+      "Exit status 0 when all cases were answered, rightly or not; 1 when some were not, or the"
+          + " work failed; 2 for bad usage or input, such as a truth that is not the one that was"
+          + " sealed.",
       "",
       "Example: simbad blind-check --out check",
       "Example: simbad blind-check --cases 1000 --seed 7 --off --out check-off",
       "Example: simbad blind-check --withhold latency --out check-latency",
-      "Example: simbad blind-check --cases 1000 --seed 7 --spark spark://host:7077 --out check-spark",
+      "Example: simbad blind-check --cases 1000 --seed 7 --spark spark://host:7077 --out"
+          + " check-spark",
       "Example: simbad blind-check --foreign their-data --level 'L3, a bench' --out check-theirs"
     })
 final class BlindCheckCommand extends Subcommand {
@@ -64,8 +67,8 @@ final class BlindCheckCommand extends Subcommand {
       names = "--reference",
       paramLabel = "SHARE",
       description =
-          "Share of cases whose set-up is itself a little off and that come with a reference (level L2)."
-              + " Default: 0.3.")
+          "Share of cases whose set-up is itself a little off and that come with a reference (level"
+              + " L2). Default: 0.3.")
   private @Nullable Double reference;
 
   @Option(names = "--off", description = "All of them so: --reference 1.")
@@ -161,6 +164,14 @@ final class BlindCheckCommand extends Subcommand {
     if (drawing) {
       throw wrongUsage(
           "--foreign: nothing is drawn then, of which the other options could say how");
+    }
+    if (level != null && !OneLine.isName(level)) {
+      throw wrongUsage(
+          "--level: '"
+              + level
+              + "' is not a text of at most "
+              + OneLine.LONGEST_NAME
+              + " characters on one line");
     }
     return new CheckOrder(
         BuildVersion.text(), new Foreign(foreign.toString(), Optional.ofNullable(level)), withhold);

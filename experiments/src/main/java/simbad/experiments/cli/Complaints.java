@@ -11,9 +11,16 @@ import java.util.regex.Pattern;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
+import simbad.sonar.format.OneLine;
 
 /** Says in one line on standard error what went wrong. */
 final class Complaints {
+  /** What a file is called may be long, and stands at the begin; what is wrong at the end. */
+  private static final int LONGEST = 1000;
+
+  private static final int LONGEST_USAGE = 320;
+  private static final int LONGEST_ARGUMENT = 80;
+
   static final String TRACE_OPTION = "--trace";
 
   /** A folder that is not published yet goes by the name that it was to have. */
@@ -40,7 +47,7 @@ final class Complaints {
     // Of what the end took away.
     Ending.goOnUnlessItEnds();
     String line = STAGED.matcher(line(fault)).replaceAll("$1");
-    err.println(commandName + ": " + line.replaceAll("\\s*\\R\\s*", " "));
+    err.println(commandName + ": " + OneLine.of(line, LONGEST));
     if (trace) {
       fault.printStackTrace(err);
     }
@@ -69,7 +76,7 @@ final class Complaints {
       return unmatched(unmatched) + seeHelp();
     }
     if (fault instanceof ParameterException) {
-      return fault.getMessage() + seeHelp();
+      return OneLine.of(textOf(fault), LONGEST_USAGE) + seeHelp();
     }
     if (fault instanceof IOException io) {
       return inputOutput(io);
@@ -86,7 +93,7 @@ final class Complaints {
     String kind = argument.startsWith("-") ? "option" : "command or argument";
     List<String> suggestions = fault.getSuggestions(); // The most similar first.
     String instead = suggestions.isEmpty() ? "" : "; did you mean " + suggestions.get(0) + "?";
-    return "unknown " + kind + " '" + argument + "'" + instead;
+    return "unknown " + kind + " '" + OneLine.of(argument, LONGEST_ARGUMENT) + "'" + instead;
   }
 
   private String seeHelp() {

@@ -2,6 +2,7 @@ package simbad.experiments.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
@@ -51,8 +52,8 @@ final class DatasetCommand extends CommandGroup {
   @Command(
       name = "grid",
       description = {
-        "Readings round an obstacle as its threshold table decides them, before a scene that believes"
-            + " Simbad's original sensor: one range of 2.5 m for all bearings."
+        "Readings round an obstacle as its threshold table decides them, before a scene that"
+            + " believes Simbad's original sensor: one range of 2.5 m for all bearings."
       },
       footer = {"", "Example: simbad dataset grid angle --out angle-against-uniform"})
   static final class Grid extends Maker {
@@ -82,26 +83,29 @@ final class DatasetCommand extends CommandGroup {
   @Command(
       name = "ladder",
       description = {
-        "A log of an HC-SR04 before a board at known distances: columns set, note, true_cm,"
-            + " reading_cm. docs/guide/diagnose.md says what is assumed."
+        "A log of an HC-SR04 before a board at known distances: columns true_cm, reading_cm; set"
+            + " and note where they are asked for. docs/guide/diagnose.md says what is assumed."
       },
       footer = {
         "",
-        "Example: simbad dataset ladder data/gap/logs/hcsr04-ladders/ladders.csv --set hankb"
+        "Example: simbad dataset ladder data/logs/hcsr04-ladders/ladders.csv --set hankb"
             + " --sound-speed 335.28 --out hankb"
       })
   static final class Ladder extends Maker {
     @Parameters(paramLabel = "LOG.csv", description = "The log.")
     private Path log = Path.of("");
 
-    @Option(names = "--set", paramLabel = "NAME", required = true, description = "Which rows.")
-    private String set = "";
+    @Option(
+        names = "--set",
+        paramLabel = "NAME",
+        description = "Only the rows of this set. Default: all rows.")
+    private @Nullable String set;
 
     @Option(
         names = "--skip",
         paramLabel = "NOTE",
-        description = "Leave out the rows with this note.")
-    private String skip = "";
+        description = "Leave out the rows with this note. Default: none is left out.")
+    private @Nullable String skip;
 
     @Option(
         names = "--sound-speed",
@@ -115,7 +119,11 @@ final class DatasetCommand extends CommandGroup {
       if (!(soundSpeedMPerS >= 100 && soundSpeedMPerS <= 2000)) {
         throw wrongUsage("--sound-speed: " + soundSpeedMPerS + " is not in [100, 2000] m/s");
       }
-      publish(LadderLog.read(log, set, skip, soundSpeedMPerS));
+      publish(
+          LadderLog.read(
+              log,
+              new LadderLog.Rows(Optional.ofNullable(set), Optional.ofNullable(skip)),
+              soundSpeedMPerS));
     }
   }
 
@@ -128,7 +136,7 @@ final class DatasetCommand extends CommandGroup {
       },
       footer = {
         "",
-        "Example: simbad dataset plotter data/gap/logs/mb1213-apple-grid/apple190_backdrop400.csv"
+        "Example: simbad dataset plotter data/logs/mb1213-apple-grid/apple190_backdrop400.csv"
             + " --ball 88,76 --distance 190 --backdrop 400 --out apple190"
       })
   static final class Plotter extends Maker {

@@ -30,18 +30,18 @@ import simbad.sonar.format.DataFormatException;
 @Command(
     name = "diagnose",
     description = {
-      "Say where simulated and real readings part, which unmodelled effect causes it, and how far the"
-          + " gap shrinks once that effect is in the simulator.",
-      "A data set is a folder with scene.json and readings.csv, and perhaps reference.csv; each gets a"
-          + " folder of its name in --out with diagnosis.json, model.json and report.html."
+      "Say where simulated and real readings part, which unmodelled effect causes it, and how far"
+          + " the gap shrinks once that effect is in the simulator.",
+      "A data set is a folder with scene.json and readings.csv, and perhaps reference.csv; each"
+          + " gets a folder of its name in --out with diagnosis.json, model.json and report.html."
     },
     footer = {
       "",
-      "Exit status 0 when every data set was diagnosed, whatever the verdicts; 2 when one could not be"
-          + " read: the others are diagnosed all the same.",
+      "Exit status 0 when every data set was diagnosed, whatever the verdicts; 2 when one could not"
+          + " be read: the others are diagnosed all the same.",
       "",
       "Example: simbad diagnose my-bench --out diagnoses",
-      "Example: simbad diagnose data/gap/* --out diagnoses --json"
+      "Example: simbad diagnose data/gap/*/ --out diagnoses --json"
     })
 final class DiagnoseCommand extends Subcommand {
   @Parameters(paramLabel = "DATASET", arity = "1..*", description = "Folders with a data set each.")

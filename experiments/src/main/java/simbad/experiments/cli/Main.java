@@ -79,6 +79,25 @@ public final class Main {
         .orElse(subcommands);
   }
 
+  /**
+   * Asked for help, picocli passes over words that it does not know: whoever mistyped a command
+   * would read the help of something else.
+   */
+  private static int execute(CommandLine.ParseResult parsed) {
+    CommandLine.ParseResult last = parsed;
+    while (last.hasSubcommand()) {
+      last = last.subcommand();
+    }
+    CommandLine command = last.commandSpec().commandLine();
+    List<String> unknown = last.unmatched();
+    if (command.getCommand() instanceof CommandGroup
+        && !unknown.isEmpty()
+        && !unknown.get(0).startsWith("-")) {
+      throw new CommandLine.UnmatchedArgumentException(command, unknown);
+    }
+    return new CommandLine.RunLast().execute(parsed);
+  }
+
   private static String name(Subcommand subcommand) {
     return subcommand.getClass().getAnnotation(CommandLine.Command.class).name();
   }
@@ -90,6 +109,7 @@ public final class Main {
     return simbad
         .setAbbreviatedOptionsAllowed(false)
         .setCaseInsensitiveEnumValuesAllowed(true)
+        .setExecutionStrategy(Main::execute)
         .setParameterExceptionHandler(
             (fault, arguments) -> Complaints.of(fault.getCommandLine()).about(fault))
         .setExecutionExceptionHandler(

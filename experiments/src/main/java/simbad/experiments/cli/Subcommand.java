@@ -72,6 +72,12 @@ abstract class Subcommand implements Callable<Integer> {
     return new CommandLine.ParameterException(spec.commandLine(), problem);
   }
 
+  /** Prints the help of this command. */
+  protected final void usage(PrintWriter to) {
+    spec.commandLine().usage(to);
+    to.println();
+  }
+
   /**
    * Refuses a file for a picture whose ending names no format.
    *

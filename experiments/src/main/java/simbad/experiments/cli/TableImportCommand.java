@@ -10,6 +10,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.table.TableImport;
+import simbad.sonar.format.OneLine;
 import simbad.sonar.format.Provenance;
 import simbad.sonar.format.TableDocument;
 
@@ -17,13 +18,14 @@ import simbad.sonar.format.TableDocument;
 @Command(
     name = "import",
     description = {
-      "Make a threshold table of somebody else's csv file: other column names, m, cm, mm or inches, any"
-          + " even spacing, rows in any order."
+      "Make a threshold table of somebody else's csv file: other column names, m, cm, mm or inches,"
+          + " any even spacing, rows in any order."
     },
     footer = {
       "",
       "Example: simbad table import bench.csv --out my-post.csv --provenance measured",
-      "Example: simbad table import plot.csv --bearing phi --threshold cm_max --unit cm --clockwise --out t.csv"
+      "Example: simbad table import plot.csv --bearing phi --threshold cm_max --unit cm --clockwise"
+          + " --out t.csv"
     })
 final class TableImportCommand extends Subcommand {
   @Parameters(paramLabel = "FILE.csv", description = "With a header row.")
@@ -72,6 +74,14 @@ final class TableImportCommand extends Subcommand {
     if (!(Math.abs(offsetDeg) <= 360)) {
       throw wrongUsage("--offset: " + offsetDeg + " is not in [-360, 360] degrees");
     }
+    if (object != null && !OneLine.isText(object)) {
+      throw wrongUsage(
+          "--object: '"
+              + object
+              + "' is not a text of at most "
+              + OneLine.LONGEST_TEXT
+              + " characters on one line");
+    }
     TableDocument document =
         new TableImport(
                 Optional.ofNullable(bearing),
@@ -91,7 +101,7 @@ final class TableImportCommand extends Subcommand {
     if (provenance != null) {
       header.put("provenance", provenance.word());
     }
-    header.putIfAbsent("source", "imported from " + source.getFileName());
+    header.putIfAbsent("source", "imported from " + OneLine.of(source.getFileName() + "").strip());
     return header;
   }
 }

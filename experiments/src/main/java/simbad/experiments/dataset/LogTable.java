@@ -7,10 +7,14 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.OneLine;
 import simbad.sonar.format.TextFile;
 
 /** Somebody's log as a csv file with a header. */
 final class LogTable {
+  /** In millimetres ten kilometres: what is more is a slip. */
+  private static final double GREATEST = 1e7;
+
   private final Path file;
   private final List<NamedCsvRecord> rows;
 
@@ -46,22 +50,43 @@ final class LogTable {
     return rows.get(row).findField(column).orElse("");
   }
 
+  /**
+   * A name for a data set's rows; empty where there is none.
+   *
+   * @throws DataFormatException if it is none that a data set may have
+   */
+  String label(int row, String column) throws DataFormatException {
+    String name = text(row, column);
+    if (!OneLine.isName(name)) {
+      throw inField(
+          row,
+          column,
+          "'"
+              + name
+              + "' is not a name of at most "
+              + OneLine.LONGEST_NAME
+              + " characters on one line");
+    }
+    return name;
+  }
+
   /** A number of at least 0. */
   double number(int row, String column) throws DataFormatException {
     String text = text(row, column);
     try {
       double value = Double.parseDouble(text);
-      if (value >= 0 && value < Double.POSITIVE_INFINITY) {
+      if (value >= 0 && value <= GREATEST) {
         return value;
       }
     } catch (NumberFormatException e) {
       // Said below.
     }
-    throw DataFormatException.inField(
-        file,
-        rows.get(row).getStartingLineNumber(),
-        column,
-        "'" + text + "' is not a number of at least 0");
+    throw inField(row, column, "'" + text + "' is not a number of at least 0, at most " + GREATEST);
+  }
+
+  private DataFormatException inField(int row, String column, String problem) {
+    return DataFormatException.inField(
+        file, rows.get(row).getStartingLineNumber(), column, problem);
   }
 
   DataFormatException fault(String problem) {

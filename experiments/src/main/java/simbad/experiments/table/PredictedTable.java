@@ -51,7 +51,7 @@ public final class PredictedTable {
     Map<String, String> header = new LinkedHashMap<>();
     List.of(
             Map.entry("object", section.header("object").orElse("cross-section without a name")),
-            Map.entry("sensor", sonar.name()),
+            Map.entry("sensor", sonar.name().strip()),
             Map.entry("provenance", "predicted"),
             Map.entry(
                 "source",

@@ -189,7 +189,8 @@ class BenchCommandTest {
     for (int i = 0; i < 100 && gpsims() > others; i++) {
       Thread.sleep(100);
     }
-    assertEquals(others, gpsims());
+    // Those of other tests may have ended meanwhile.
+    assertTrue(gpsims() <= others);
   }
 
   /** Two captures at once: most of the time is that in which programs begin. */
@@ -322,7 +323,8 @@ class BenchCommandTest {
         "2 | capture --auto --obstacle angle --out x --sensor ears | --sensor: 'ears' is none",
         "2 | capture --auto --obstacle angle --out x --mode ears | --mode: 'ears' is neither",
         "2 | capture --auto --obstacle angle --out ../docs | ../docs",
-        "1 | capture --port /dev/ttyNOWHERE --obstacle angle --out x | /dev/ttyNOWHERE: there is no",
+        "1 | capture --port /dev/ttyNOWHERE --obstacle angle --out x | /dev/ttyNOWHERE: there is"
+            + " no",
         "1 | ports /dev/ttyNOWHERE | /dev/ttyNOWHERE: there is no such port",
         "2 | resume nowhere | journal.txt: no such file",
         "2 | table nowhere --out x.csv | journal.txt: no such file",

@@ -54,6 +54,8 @@ class BrokenDataTest {
           "-0.0",
           "1e-320",
           "9".repeat(400),
+          "n".repeat(70_000),
+          "\u001b[2J",
           "\uFEFF",
           "\t",
           "[]",
@@ -93,6 +95,7 @@ class BrokenDataTest {
     if (shell.status() == 2) {
       assertEquals(1, shell.complaints().size(), shell.err());
       assertTrue(shell.err().startsWith("simbad diagnose: " + data), shell.err());
+      assertTrue(shell.err().length() < 1100, shell.err());
       assertEquals("", shell.out());
     } else {
       assertEquals(0, shell.status(), shell.err());

@@ -20,7 +20,12 @@ import simbad.gui.Simbad;
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
 class DemoWindowTest {
   @ParameterizedTest
-  @CsvSource({"view, BaseDemo", "demo angle, AngleDemo", "view imager, ImagerDemo"})
+  @CsvSource({
+    "view, BaseDemo",
+    "demo angle, AngleDemo",
+    "view AvoidersDemo, AvoidersDemo",
+    "view imager, ImagerDemo"
+  })
   void command_endsWithItsWindow(String command, String title) throws Exception {
     assertFalse(GraphicsEnvironment.isHeadless(), "this test needs a display");
     CompletableFuture<Shell> shell =

@@ -9,10 +9,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
 
 /**
- * What a test does not do in the short check of what a page shows, and why.
+ * What a test does not do in the short check of what a page or a help shows, and why.
  *
  * @param way in which it is treated instead
  * @param subject a line of a page, or a page's name for all of it
@@ -31,21 +33,21 @@ record GuideRule(Way way, String subject, String reason) {
     SHOWN
   }
 
-  private static final Path LIST = Path.of("src", "test", "resources", "guides", "not-run.txt");
   private static final Pattern LINE = Pattern.compile("(\\w+)\\s+(.*?)\\s+# (.*)");
 
-  /** The one list. */
-  static List<GuideRule> all() throws IOException {
-    return Files.readAllLines(LIST).stream()
+  /** The list of the pages, in guides, or of the help, in help. */
+  static List<GuideRule> all(String folder) throws IOException {
+    Path list = Path.of("src", "test", "resources", folder, "not-run.txt");
+    return Files.readAllLines(list).stream()
         .filter(line -> !line.isBlank() && !line.startsWith("#"))
-        .map(GuideRule::of)
+        .map(line -> of(list, line))
         .toList();
   }
 
-  private static GuideRule of(String line) {
+  private static GuideRule of(Path list, String line) {
     Matcher matcher = LINE.matcher(line);
     if (!matcher.matches()) {
-      throw new IllegalArgumentException(LIST + ": '" + line + "' is not WAY LINE # REASON");
+      throw new IllegalArgumentException(list + ": '" + line + "' is not WAY LINE # REASON");
     }
     return new GuideRule(
         Way.valueOf(matcher.group(1).toUpperCase(Locale.ROOT)), matcher.group(2), matcher.group(3));
@@ -57,9 +59,12 @@ record GuideRule(Way way, String subject, String reason) {
     String owner = test[0] + "." + test[1].split("\\.", 2)[0];
     String method = test[1].split("\\.", 2)[1];
     assertTrue(
-        Class.forName("simbad.experiments." + owner)
-            .getDeclaredMethod(method)
-            .isAnnotationPresent(Test.class),
+        Stream.of(Class.forName("simbad.experiments." + owner).getDeclaredMethods())
+            .filter(found -> found.getName().equals(method))
+            .anyMatch(
+                found ->
+                    found.isAnnotationPresent(Test.class)
+                        || found.isAnnotationPresent(ParameterizedTest.class)),
         reason);
   }
 }

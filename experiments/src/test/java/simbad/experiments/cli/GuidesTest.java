@@ -52,7 +52,7 @@ class GuidesTest {
     reader =
         new GuideReading(
             GuideShell.in(folder, PROJECT.resolve("data"), PROJECT.resolve("docs")),
-            GuideRule.all());
+            GuideRule.all("guides"));
     // A log of the reader's own.
     Files.copy(LOG, folder.resolve("AngleRobot.log"));
   }

@@ -21,6 +21,7 @@ import javax.vecmath.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine.Command;
@@ -143,7 +144,6 @@ class MainTest {
 
   @Test
   void wrongUsage_oneLineAndStatusTwo() {
-    checkComplaint(simbad(), 2, "simbad: no command given (see simbad --help)");
     checkComplaint(
         simbad("prob"),
         2,
@@ -159,9 +159,80 @@ class MainTest {
         2,
         "simbad probe: Invalid value for option '--depth': 'x' is not an int"
             + " (see simbad probe --help)");
-    checkComplaint(simbad("group"), 2, "simbad group: no command given (see simbad group --help)");
     checkComplaint(
         simbad("help", "nix"), 2, "simbad: Unknown subcommand 'nix'. (see simbad --help)");
+  }
+
+  /** Who types the bare name wants to know what there is; the status says that nothing was done. */
+  @ParameterizedTest
+  @CsvSource({"'', simbad, probe  A subcommand of the tests.", "group, simbad group, A group of"})
+  void groupAlone_showsItsHelpAndWhatIsMissing(String arguments, String name, String help) {
+    Outcome outcome = simbad(arguments.isEmpty() ? new String[0] : arguments.split(" ", -1));
+    List<String> said = outcome.err().lines().toList();
+    assertAll(
+        () -> assertEquals(2, outcome.status()),
+        () -> assertEquals("", outcome.out()),
+        () -> assertTrue(said.get(0).startsWith("Usage: " + name), outcome.err()),
+        () -> assertTrue(outcome.err().contains(help), outcome.err()),
+        () ->
+            assertEquals(
+                name + ": no command given (see " + name + " --help)", said.get(said.size() - 1)));
+  }
+
+  /** Not the help of something else. */
+  @ParameterizedTest
+  @ValueSource(strings = {"--help", "-h", "--version", "--help --nix"})
+  void helpOfNoCommand_isRefused(String asked) {
+    checkComplaint(
+        simbad(("prob " + asked).split(" ", -1)),
+        2,
+        "simbad: unknown command or argument 'prob'; did you mean probe? (see simbad --help)");
+    if (!asked.equals("--version")) {
+      checkComplaint(
+          simbad(("group gruop " + asked).split(" ", -1)),
+          2,
+          "simbad group: unknown command or argument 'gruop' (see simbad group --help)");
+    }
+  }
+
+  /** Whoever mistyped an option and asks for help gets the help. */
+  @Test
+  void helpBesideAnUnknownOption_isHelp() {
+    assertEquals(simbad("probe", "--help"), simbad("probe", "--nix", "--help"));
+    assertEquals(simbad("--help"), simbad("--nix", "--help"));
+  }
+
+  /** One place shortens what is echoed: no complaint fills the screen. */
+  @Test
+  void longValue_isNotEchoedWhole() {
+    String longest = "x".repeat(70_000);
+    for (String[] line :
+        List.of(
+            new String[] {longest},
+            new String[] {"--" + longest},
+            new String[] {"probe", longest},
+            new String[] {"probe", "--depth", longest},
+            new String[] {"probe", "--depth=" + longest},
+            new String[] {"help", longest})) {
+      Outcome outcome = simbad(line);
+      assertEquals(2, outcome.status());
+      assertTrue(outcome.err().length() < 500, outcome.err());
+      assertTrue(outcome.err().contains("xxx...xxx"), outcome.err());
+      assertTrue(outcome.err().strip().endsWith("--help)"), outcome.err());
+    }
+  }
+
+  @Test
+  void longFault_keepsItsEnds() {
+    Outcome outcome =
+        simbad(
+            probe -> {
+              throw new IOException("begin " + "x".repeat(70_000) + "\u001b[2J end");
+            },
+            "probe");
+    assertTrue(outcome.err().startsWith("simbad probe: begin xxx"), outcome.err());
+    assertTrue(outcome.err().strip().endsWith("xxx [2J end"), outcome.err());
+    assertTrue(outcome.err().length() < 1100, outcome.err());
   }
 
   static Stream<Arguments> faults() {
@@ -184,7 +255,8 @@ class MainTest {
         Arguments.of(
             new IllegalStateException("odd"),
             1,
-            "a fault in the program: java.lang.IllegalStateException: odd (SIMBAD_TRACE=1 shows where)"));
+            "a fault in the program: java.lang.IllegalStateException: odd (SIMBAD_TRACE=1 shows"
+                + " where)"));
   }
 
   @ParameterizedTest

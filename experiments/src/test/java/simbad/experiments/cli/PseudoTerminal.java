@@ -5,6 +5,8 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.PosixFilePermissions;
 
 /** A pseudo-terminal: one end is a port that any program can open, the other one is here. */
 final class PseudoTerminal implements AutoCloseable {
@@ -28,18 +30,21 @@ final class PseudoTerminal implements AutoCloseable {
     return new PseudoTerminal(bridge, Path.of(name.toString()));
   }
 
-  /** Once, however many tests ask for it at the same time. */
+  /** Once, however many tests ask for it at the same time, in this process or in another one. */
   private static synchronized void compile(Path program) throws IOException, InterruptedException {
     if (Files.exists(program)) {
       return;
     }
+    Path compiled = Files.createTempFile(program.getParent(), "pty", null);
     Process cc =
-        new ProcessBuilder("cc", "-o", program.toString(), "../bench/src/test/c/pty.c", "-lutil")
+        new ProcessBuilder("cc", "-o", compiled.toString(), "../bench/src/test/c/pty.c", "-lutil")
             .inheritIO()
             .start();
     if (cc.waitFor() != 0) {
       throw new IOException("pty.c cannot be compiled");
     }
+    Files.setPosixFilePermissions(compiled, PosixFilePermissions.fromString("rwxr-xr-x"));
+    Files.move(compiled, program, StandardCopyOption.ATOMIC_MOVE);
   }
 
   Path path() {

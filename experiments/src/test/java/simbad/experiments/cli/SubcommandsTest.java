@@ -3,8 +3,11 @@ package simbad.experiments.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
@@ -34,6 +37,20 @@ class SubcommandsTest {
     assertTrue(usage.description().length > 0, "description");
     assertTrue(String.join("\n", usage.footer()).contains("Example: simbad "), "footer's example");
     assertTrue(command.getCommandSpec().findOption("-h").usageHelp(), "-h");
+  }
+
+  /** Picocli complains on standard error of a help that it cannot format, and prints it raw. */
+  @Test
+  void help_isPrintedWithoutAWarning() {
+    PrintStream err = System.err;
+    ByteArrayOutputStream said = new ByteArrayOutputStream();
+    System.setErr(new PrintStream(said, true, StandardCharsets.UTF_8));
+    try {
+      withNested(Main.commandLine(Subcommands.all())).forEach(CommandLine::getUsageMessage);
+    } finally {
+      System.setErr(err);
+    }
+    assertEquals("", said.toString(StandardCharsets.UTF_8));
   }
 
   @Test

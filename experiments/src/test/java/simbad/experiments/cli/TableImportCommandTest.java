@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class TableImportCommandTest {
   @TempDir
@@ -58,6 +59,34 @@ class TableImportCommandTest {
     checkTable(
         imported(text, "--bearing", "phi", "--threshold", "far", "--offset", "90"),
         "0,4.0\n90,1.0\n180,2.0\n270,3.0\n");
+  }
+
+  /** A file of the user's own cannot have two lines in one: that is said, not a fault. */
+  @ParameterizedTest
+  @ValueSource(strings = {"a\nb", "a\r\nb", "a\u0000b", "a\u2028b", "\u001b[2J"})
+  void object_onTwoLines_isRefused(String object) throws IOException {
+    Shell shell = imported("angle,distance\n0,1\n120,1\n240,1\n", "--object", object);
+    assertEquals(2, shell.status());
+    assertEquals(1, shell.complaints().size(), shell.err());
+    assertTrue(shell.err().startsWith("simbad table import: --object: '"), shell.err());
+    assertTrue(shell.err().contains("' is not a text of at most 10000 characters"), shell.err());
+  }
+
+  /** It could be written, but not read. */
+  @Test
+  void object_thatIsTooLong_isRefused() throws IOException {
+    Shell shell = imported("angle,distance\n0,1\n120,1\n240,1\n", "--object", "x".repeat(10_001));
+    assertEquals(2, shell.status());
+    assertTrue(shell.err().length() < 500, shell.err());
+  }
+
+  @Test
+  void fileNameOnTwoLines_isOneInTheHeader() throws IOException {
+    Path file =
+        Files.writeString(folder.resolve("a\nb.csv"), "angle,distance\n0,1\n120,1\n240,1\n");
+    Shell shell = Shell.simbad("table", "import", file.toString());
+    assertEquals("", shell.err());
+    assertTrue(shell.out().startsWith("# source: imported from a b.csv\n"), shell.out());
   }
 
   @Test

@@ -7,8 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -63,7 +66,7 @@ class MadeDataSetTest {
         Files.writeString(
             folder.resolve("log.csv"),
             LADDER + "a,x,123.4,1,120\nb,x,5,1,5\na,,,1,5\na,y,10,1,9\n");
-    MadeDataSet made = LadderLog.read(log, "a", "y", 340);
+    MadeDataSet made = LadderLog.read(log, rows("a", "y"), 340);
     assertEquals(1, made.readings().size());
     ReadingRow row = made.readings().get(0);
     assertEquals(new Echo(1.2), row.reading());
@@ -97,6 +100,7 @@ class MadeDataSetTest {
         "set,note,true_cm\\na,b,1 | :1: reading_cm: column is missing",
         "set,note,true_cm,reading_cm\\na,b,1,far | :2: reading_cm: 'far' is not a number",
         "set,note,true_cm,reading_cm\\na,b,-1,2 | :2: true_cm: '-1' is not a number",
+        "set,note,true_cm,reading_cm\\na,b,1,1e300 | :2: reading_cm: '1e300' is not a number",
         "set,note,true_cm,reading_cm\\na,b,1,NaN | :2: reading_cm: 'NaN' is not a number",
         "set,note,true_cm,reading_cm\\nc,b,1,2 | has no row of set 'a'",
         "set,note,true_cm,reading_cm | has no rows",
@@ -105,7 +109,48 @@ class MadeDataSetTest {
   void badLog_isNamed(String text, String problem) throws Exception {
     Path log = Files.writeString(folder.resolve("log.csv"), text.replace("\\n", "\n"));
     DataFormatException fault =
-        assertThrows(DataFormatException.class, () -> LadderLog.read(log, "a", "", 340));
+        assertThrows(DataFormatException.class, () -> LadderLog.read(log, rows("a", "gone"), 340));
     assertTrue(fault.toString().contains(problem), fault.toString());
+  }
+
+  private static LadderLog.Rows rows(@Nullable String set, @Nullable String skip) {
+    return new LadderLog.Rows(Optional.ofNullable(set), Optional.ofNullable(skip));
+  }
+
+  /** Which rows are taken; a column is wanted only where an option is about it. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      nullValues = "-",
+      value = {
+        "set,note,true_cm,reading_cm | a | - | 1 2 3",
+        "set,note,true_cm,reading_cm | a | x | 2 3",
+        "set,note,true_cm,reading_cm | a | '' | 1 3",
+        "set,note,true_cm,reading_cm | - | - | 1 2 3 4",
+        "set,note,true_cm,reading_cm | - | x | 2 3",
+        "set,other,true_cm,reading_cm | a | - | 1 2 3",
+        "other,note,true_cm,reading_cm | - | y | 1 2 4",
+        "one,other,true_cm,reading_cm | - | - | 1 2 3 4"
+      })
+  void ladder_takesTheRowsThatAreAskedFor(
+      String head, @Nullable String set, @Nullable String skip, String taken) throws Exception {
+    Path log =
+        Files.writeString(
+            folder.resolve("log.csv"), head + "\na,x,10,100\na,,10,200\na,y,10,300\nb,x,10,400\n");
+    assertEquals(
+        taken,
+        LadderLog.read(log, rows(set, skip), 340).readings().stream()
+            .map(row -> Long.toString(Math.round(((Echo) row.reading()).rangeM())))
+            .collect(Collectors.joining(" ")));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"a,,set", ",x,note"})
+  void ladder_wantsTheColumnThatAnOptionIsAbout(
+      @Nullable String set, @Nullable String skip, String column) throws Exception {
+    Path log = Files.writeString(folder.resolve("log.csv"), "true_cm,reading_cm\n1,1\n");
+    DataFormatException fault =
+        assertThrows(DataFormatException.class, () -> LadderLog.read(log, rows(set, skip), 340));
+    assertTrue(fault.toString().contains(":1: " + column + ": column is missing"), fault + "");
   }
 }

@@ -78,6 +78,7 @@ public final class CsvTable {
 
   private void take(CsvRecord row) throws DataFormatException {
     if (row.isComment()) {
+      requireLine(row);
       comments.add(new Comment(row.getStartingLineNumber(), row.getField(0)));
     } else if (row.getFieldCount() == 1 && row.getField(0).isBlank()) {
       return;
@@ -87,6 +88,17 @@ public final class CsvTable {
       rows.add(row);
     } else {
       throw wrongFieldCount(row);
+    }
+  }
+
+  private void requireLine(CsvRecord comment) throws DataFormatException {
+    int length = comment.getField(0).length();
+    if (length > OneLine.LONGEST_TEXT) {
+      throw DataFormatException.inField(
+          file,
+          comment.getStartingLineNumber(),
+          "#",
+          length + " characters, expected at most " + OneLine.LONGEST_TEXT);
     }
   }
 
@@ -186,6 +198,29 @@ public final class CsvTable {
    */
   public String text(int row, String column) {
     return rows.get(row).getField(columns.indexOf(column)).strip();
+  }
+
+  /**
+   * Returns a field that is a name, without the blanks round it.
+   *
+   * @param row from 0
+   * @param column one that is there
+   * @throws DataFormatException if it has more than {@value OneLine#LONGEST_NAME} characters, or
+   *     stands on more than one line
+   */
+  public String label(int row, String column) throws DataFormatException {
+    String name = text(row, column);
+    if (!OneLine.isName(name)) {
+      throw fault(
+          row,
+          column,
+          "'"
+              + name
+              + "' is not a name of at most "
+              + OneLine.LONGEST_NAME
+              + " characters on one line");
+    }
+    return name;
   }
 
   /**

@@ -21,7 +21,8 @@ public final class DataFormatException extends Exception {
    * @param problem what is wrong and what was expected
    */
   public static DataFormatException inFile(Path file, String problem) {
-    return new DataFormatException(oneLine(file.toString()) + ": " + shown(problem));
+    return new DataFormatException(
+        OneLine.of(file.toString()) + ": " + OneLine.of(problem, LONGEST_PROBLEM));
   }
 
   /**
@@ -34,8 +35,8 @@ public final class DataFormatException extends Exception {
    */
   public static DataFormatException inField(Path file, long line, String field, String problem) {
     String where =
-        oneLine(file.toString()) + ":" + line + ": " + oneLine(cut(field, LONGEST_FIELD));
-    return new DataFormatException(where + ": " + shown(problem));
+        OneLine.of(file.toString()) + ":" + line + ": " + OneLine.of(field, LONGEST_FIELD);
+    return new DataFormatException(where + ": " + OneLine.of(problem, LONGEST_PROBLEM));
   }
 
   /**
@@ -45,23 +46,7 @@ public final class DataFormatException extends Exception {
    * @param problem what is wrong and what was expected
    */
   public static DataFormatException inArgument(String what, String problem) {
-    return new DataFormatException(oneLine(cut(what, LONGEST_FIELD)) + ": " + shown(problem));
-  }
-
-  private static String shown(String problem) {
-    return oneLine(cut(problem, LONGEST_PROBLEM));
-  }
-
-  /** The begin tells what is there, the end what is wrong with it. */
-  private static String cut(String text, int longest) {
-    int half = longest / 2;
-    return text.length() <= longest
-        ? text
-        : text.substring(0, half) + "..." + text.substring(text.length() - half);
-  }
-
-  /** What is quoted from a bad file may hold line breaks and a terminal's control characters. */
-  private static String oneLine(String text) {
-    return text.replaceAll("\\s*[\\p{Cc}\\u2028\\u2029]+\\s*", " ");
+    return new DataFormatException(
+        OneLine.of(what, LONGEST_FIELD) + ": " + OneLine.of(problem, LONGEST_PROBLEM));
   }
 }

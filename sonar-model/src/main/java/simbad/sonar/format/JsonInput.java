@@ -148,12 +148,26 @@ public final class JsonInput {
     return field(field).text();
   }
 
-  /** Returns a text. */
+  /** Returns a text of at most {@value OneLine#LONGEST_TEXT} characters. */
   public String text() throws DataFormatException {
     if (!node.isTextual()) {
       throw fault(node + " is no text");
     }
-    return node.textValue();
+    String text = node.textValue();
+    if (text.length() > OneLine.LONGEST_TEXT) {
+      throw fault(text.length() + " characters, expected at most " + OneLine.LONGEST_TEXT);
+    }
+    return text;
+  }
+
+  /** Returns a field that is a name: it is printed, drawn and written into other files' lines. */
+  String label(String field) throws DataFormatException {
+    String name = text(field);
+    if (!OneLine.isName(name)) {
+      throw field(field)
+          .isNot("a name of at most " + OneLine.LONGEST_NAME + " characters on one line");
+    }
+    return name;
   }
 
   boolean isText(String text) {

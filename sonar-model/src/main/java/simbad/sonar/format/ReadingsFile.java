@@ -66,8 +66,8 @@ public final class ReadingsFile {
               Math.toRadians(within(GREATEST_DEG, csv, row, "heading_deg")));
       rows.add(
           new ReadingRow(
-              csv.text(row, "run"),
-              csv.text(row, "sensor"),
+              csv.label(row, "run"),
+              csv.label(row, "sensor"),
               within(GREATEST_S, csv, row, "t_s"),
               pose,
               withRange ? reading(csv, row) : NoEcho.NO_ECHO));

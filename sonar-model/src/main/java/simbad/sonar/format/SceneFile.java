@@ -58,7 +58,7 @@ public final class SceneFile {
     Placement placement =
         new Placement(
             item.finite("x_m"), item.finite("z_m"), Math.toRadians(item.finite("turn_deg")));
-    return new Obstacle(item.text("name"), placement, outline(item), detection(item));
+    return new Obstacle(item.label("name"), placement, outline(item), detection(item));
   }
 
   private static Outline outline(JsonInput item) throws DataFormatException {

@@ -75,7 +75,7 @@ public final class SensorFile {
             "an angle in (0, 180] degrees");
     double minRangeM = sensor.notNegative("min_range_m");
     return new SonarSpec(
-        sensor.text("name"),
+        sensor.label("name"),
         Math.toRadians(halfAngleDeg),
         minRangeM,
         sensor.number(

@@ -16,7 +16,9 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.Objects;
+import java.util.Set;
 import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * Writes files that appear under their names only when all of them is on the disk: beside the
@@ -26,6 +28,9 @@ import java.util.UUID;
  * or not at all: no link that somebody left there is followed. Thread-safe.
  */
 public final class WholeFile {
+  /** What others left is looked for once in a folder. */
+  private static final Set<Path> SWEPT = ConcurrentHashMap.newKeySet();
+
   private WholeFile() {}
 
   /**
@@ -84,8 +89,11 @@ public final class WholeFile {
   private static <E extends Exception> void stage(Path file, Content<E> content, boolean over)
       throws IOException, E {
     Path target = file.toAbsolutePath();
-    String name = ".unfinished-" + ProcessHandle.current().pid() + "-" + UUID.randomUUID();
-    Path beside = target.resolveSibling(name);
+    Path folder = Objects.requireNonNull(target.getParent(), "a file lies in a folder");
+    if (SWEPT.add(folder)) {
+      Leftovers.sweep(folder);
+    }
+    Path beside = folder.resolve(Leftovers.name(".unfinished-" + UUID.randomUUID()));
     try {
       fill(beside, content);
       if (over) {

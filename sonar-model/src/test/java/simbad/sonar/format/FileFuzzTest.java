@@ -53,6 +53,7 @@ class FileFuzzTest {
     "\uFEFF",
     "\u00e4",
     "9".repeat(400),
+    "n".repeat(70_000),
     "0.",
     ".5",
     "e",

@@ -45,6 +45,21 @@ class ReadingsFileTest {
     assertEquals(Math.PI, rows.get(2).pose().heading().radians(), "-180 degrees is 180 degrees");
   }
 
+  @ParameterizedTest
+  @CsvSource({"run, 0", "sensor, 1"})
+  void label_thatIsTooLongOrOnTwoLines_isRefused(String column, int field) throws Exception {
+    String[] labels = {"r", "s"};
+    labels[field] = "n".repeat(200);
+    assertEquals(1, read(HEADER + String.join(",", labels) + ",0,0,0,0,1\n").size());
+    labels[field] = "n".repeat(201);
+    check(
+        HEADER + String.join(",", labels) + ",0,0,0,0,1\n",
+        ":2: " + column + ": ",
+        "is not a name of at most 200 characters on one line");
+    labels[field] = "\"a\nb\"";
+    check(HEADER + String.join(",", labels) + ",0,0,0,0,1\n", ":2: " + column + ": 'a b' is not");
+  }
+
   @Test
   void rows_areRead_howeverTheyAreWritten() throws Exception {
     List<ReadingRow> rows = read(Samples.READINGS);

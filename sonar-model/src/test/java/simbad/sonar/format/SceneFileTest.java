@@ -46,6 +46,15 @@ class SceneFileTest {
   }
 
   @Test
+  void obstacleName_thatIsTooLong_isRefused() throws Exception {
+    check(
+        Samples.scene().replace("\"post\"", '"' + "n".repeat(70_000) + '"'),
+        ":",
+        "obstacles.0.name: ",
+        "expected at most 10000");
+  }
+
+  @Test
   void scene_isRead_howeverItIsWritten() throws Exception {
     SensingSetup setup = SceneFile.read(Faults.file(directory, Samples.scene()));
     String crlf = "\uFEFF" + Samples.scene().replace("\n", "\r\n") + "\r\n\r\n";
@@ -85,10 +94,12 @@ class SceneFileTest {
         "[1, 1], [-1, 1], [0, -1] | [9, 9], [-9, 9], [0, -9] | 32: obstacles.1.outline_m "
             + "| overlaps obstacle post",
         "[1, 1], [-1, 1] | [1, 1], [-1] | 32: obstacles.1.outline_m.1 | [-1] is not a point [x, z]",
-        "[1, 1], [-1, 1] | [1, 1], [-1, 1, 2] | 32: obstacles.1.outline_m.1 | [-1,1,2] is not a point",
+        "[1, 1], [-1, 1] | [1, 1], [-1, 1, 2] | 32: obstacles.1.outline_m.1 | [-1,1,2] is not a"
+            + " point",
         "[1, 1], [-1, 1] | [1, 1], [-1, \"1\"] | 32: obstacles.1.outline_m.1.1 | \"1\" is not",
         "[1, 1], [-1, 1] | [1, 1], 7 | 32: obstacles.1.outline_m.1 | 7 is no list",
-        "\"table\" | \"mesh\" | 24: obstacles.0.detection | \"mesh\" is not \"table\" or \"uniform\"",
+        "\"table\" | \"mesh\" | 24: obstacles.0.detection | \"mesh\" is not \"table\" or"
+            + " \"uniform\"",
         "\"detection\": \"uniform\", | . | 27: obstacles.1.detection | is missing",
         "\"thresholds_m\": [1, 2, 3, 0] | \"a\": 1 | 18: obstacles.0.thresholds_m | is missing",
         "[1, 2, 3, 0] | [1, 2] | 25: obstacles.0.thresholds_m | 2 values, expected at least 3",
@@ -96,9 +107,11 @@ class SceneFileTest {
         "[1, 2, 3, 0] | [1, 2, -3] | 25: obstacles.0.thresholds_m.2 | -3 is not a distance in",
         "[1, 2, 3, 0] | [1, 2000] | 25: obstacles.0.thresholds_m | 2 values",
         "[1, 2, 3, 0] | [1, 2000, 1] | 25: obstacles.0.thresholds_m.1 | 2000 is not a distance",
-        "\"uniform_range_m\": 2 | \"uniform_range_m\": 1e9 | 34: obstacles.1.uniform_range_m | is not",
+        "\"uniform_range_m\": 2 | \"uniform_range_m\": 1e9 | 34: obstacles.1.uniform_range_m | is"
+            + " not",
         "\"uniform_range_m\": 2 | \"b\": 2 | 27: obstacles.1.uniform_range_m | is missing",
-        "\"miss_rate\": 0.02 | \"miss_rate\": 2 | 13: sensor.miss_rate | 2 is not a share in [0, 1]",
+        "\"miss_rate\": 0.02 | \"miss_rate\": 2 | 13: sensor.miss_rate | 2 is not a share in [0,"
+            + " 1]",
         "\"sensor\": { | \"sensor\": 5, \"s\": { | 4: sensor | is no object",
         "\"obstacles\": [ | \"obstacles\": 5, \"o\": [ | 17: obstacles | is no list",
         "\"obstacles\": [ | \"obstacles\": [7, | 17: obstacles.0 | is no object"

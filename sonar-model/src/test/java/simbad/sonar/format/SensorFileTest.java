@@ -4,10 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
+import java.util.regex.Matcher;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import simbad.sonar.scene.SonarSpec;
 
 class SensorFileTest {
@@ -16,7 +18,8 @@ class SensorFileTest {
   private Path with(String field, String value) throws Exception {
     String sensor = Samples.sensor();
     String spoiled =
-        sensor.replaceFirst("\"" + field + "\": [^,\n]*", "\"" + field + "\": " + value);
+        sensor.replaceFirst(
+            "\"" + field + "\": [^,\n]*", Matcher.quoteReplacement("\"" + field + "\": " + value));
     assertTrue(!spoiled.equals(sensor), field);
     return Faults.file(directory, spoiled);
   }
@@ -77,6 +80,28 @@ class SensorFileTest {
   void figure_outOfItsDomain_isRefused(String field, String value, int line, String part)
       throws Exception {
     Faults.check(SensorFile::read, with(field, value), ":" + line + ": " + field + ": ", part);
+  }
+
+  /** It is printed, drawn and written into other files' lines. */
+  @ParameterizedTest
+  @ValueSource(strings = {"a\\nb", "\\u001b[2J", "\\u2028"})
+  void nameOnTwoLines_isRefused(String name) throws Exception {
+    Faults.check(SensorFile::read, with("name", '"' + name + '"'), ":2: name: ", "on one line");
+  }
+
+  @Test
+  void longName_isRefused() throws Exception {
+    SensorFile.read(with("name", '"' + "n".repeat(200) + '"'));
+    Faults.check(
+        SensorFile::read,
+        with("name", '"' + "n".repeat(201) + '"'),
+        ":2: name: ",
+        "is not a name of at most 200 characters");
+    Faults.check(
+        SensorFile::read,
+        with("name", '"' + "n".repeat(5_000_000) + '"'),
+        ":2: name: ",
+        "5000000 characters");
   }
 
   @Test

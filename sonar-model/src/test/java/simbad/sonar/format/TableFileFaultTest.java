@@ -39,6 +39,12 @@ class TableFileFaultTest {
         "'" + bad + "' is not a distance in [0, 100.0] m");
   }
 
+  @Test
+  void headerLine_thatIsTooLong_isRefused() throws Exception {
+    String rows = HEADER + "0,1\n90,1\n180,3\n270,4\n";
+    check("# object: " + "n".repeat(5_000_000) + "\n" + rows, ":1: #: ", "5000009 characters");
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"NaN", "-90", "360", "1e9", "", "N", "90 deg", "90\u00b0"})
   void bearing_thatIsNone_isRefused(String bad) throws Exception {
