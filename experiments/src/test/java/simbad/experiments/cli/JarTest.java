@@ -9,13 +9,19 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
+import java.util.HexFormat;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 import simbad.demo.DemoManager;
@@ -129,6 +135,45 @@ class JarTest {
         List.of(java.program("java").toString(), "-jar", JAR.toAbsolutePath().toString()));
     command.addAll(List.of(arguments));
     return run(folder, command.toArray(String[]::new));
+  }
+
+  /** A run's numbers, and its pictures to the pixel: strokes, dashes, text, a map in colours. */
+  @Test
+  void everyJava_writesTheSameBytes() throws IOException, InterruptedException {
+    List<Map<String, String>> written = new ArrayList<>();
+    for (Java java : found()) {
+      Path out = folder.resolve("run " + java.name());
+      Shell shell = jar(java, "run", "angle", "--out", out.toString());
+      assertEquals(0, shell.status(), shell.err());
+      written.add(digests(out));
+    }
+    assertTrue(written.get(0).containsKey("angle/polar.png"));
+    for (Map<String, String> other : written) {
+      assertEquals(written.get(0), other);
+    }
+  }
+
+  /** All files by name but the log, which has times in it. */
+  private static Map<String, String> digests(Path folder) throws IOException {
+    Map<String, String> digests = new TreeMap<>();
+    try (Stream<Path> files = Files.walk(folder)) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        String name = folder.relativize(file).toString();
+        if (!name.equals("run.log")) {
+          digests.put(name, digest(file));
+        }
+      }
+    }
+    return digests;
+  }
+
+  private static String digest(Path file) throws IOException {
+    try {
+      byte[] bytes = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(file));
+      return HexFormat.of().formatHex(bytes);
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException(e);
+    }
   }
 
   private void checkDemo(Java java) throws IOException, InterruptedException {

@@ -7,6 +7,7 @@ import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
+import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -137,8 +138,13 @@ public record Browser(Path folder) {
     return ImageIO.read(png.toFile());
   }
 
-  /** The command that opens a page. */
+  /** The command that opens a page's file. */
   public List<String> command(Path page, int width, boolean dark) throws IOException {
+    return command(page.toUri(), width, dark);
+  }
+
+  /** The command that opens a page. */
+  public List<String> command(URI page, int width, boolean dark) throws IOException {
     return List.of(
         CHROMIUM.orElseThrow().toString(),
         "--headless",
@@ -155,7 +161,7 @@ public record Browser(Path folder) {
         "--user-data-dir=" + Files.createTempDirectory(folder, "profile"),
         "--window-size=" + width + ",800",
         "--blink-settings=preferredColorScheme=" + (dark ? 0 : 1),
-        page.toUri().toString());
+        page.toString());
   }
 
   /** Returns what Chromium prints on both streams. */

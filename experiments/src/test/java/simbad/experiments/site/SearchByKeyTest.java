@@ -32,7 +32,7 @@ class SearchByKeyTest {
   }
 
   private Typist typist() throws Exception {
-    Typist typist = Typist.before(folder.resolve("site/index.html"), folder);
+    Typist typist = Typist.before(folder.resolve("site/index.html").toUri(), folder);
     // Before the page there is an empty one, which is complete as well.
     typist.await("typeof reachable === 'function' && document.readyState === 'complete'");
     return typist;

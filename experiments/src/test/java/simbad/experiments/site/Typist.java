@@ -28,7 +28,7 @@ import simbad.experiments.diagnosis.Browser;
  * Somebody at the keyboard before a page in Chromium: keys go the way of real ones (DevTools
  * protocol, Input.dispatchKeyEvent), so that the browser's own doings with them happen as well.
  */
-final class Typist implements AutoCloseable {
+public final class Typist implements AutoCloseable {
   private static final ObjectMapper MAPPER = new ObjectMapper();
   private static final String LISTENING = "DevTools listening on ";
   private static final long PATIENCE_S = 60;
@@ -50,7 +50,7 @@ final class Typist implements AutoCloseable {
   }
 
   /** Opens a page in a browser whose files go to the folder. */
-  static Typist before(Path page, Path folder) throws Exception {
+  public static Typist before(URI page, Path folder) throws Exception {
     List<String> command = new ArrayList<>(new Browser(folder).command(page, 1280, false));
     command.add("--remote-debugging-port=0");
     Process chromium = new ProcessBuilder(command).redirectErrorStream(true).start();
@@ -121,6 +121,14 @@ final class Typist implements AutoCloseable {
     }
   }
 
+  /** Makes the page as large as that in pixels. */
+  public void resize(int width, int height) throws Exception {
+    ObjectNode size = MAPPER.createObjectNode().put("width", width).put("height", height);
+    ask(
+        "Emulation.setDeviceMetricsOverride",
+        size.put("deviceScaleFactor", 1).put("mobile", false));
+  }
+
   /** Presses and lets go a key: a character, Enter, Escape, ArrowUp or ArrowDown. */
   void press(String key) throws Exception {
     ObjectNode down = MAPPER.createObjectNode().put("type", "keyDown").put("key", key);
@@ -143,7 +151,7 @@ final class Typist implements AutoCloseable {
   }
 
   /** What an expression is on the page, as text. */
-  String look(String expression) throws Exception {
+  public String look(String expression) throws Exception {
     ObjectNode parameters = MAPPER.createObjectNode().put("expression", expression);
     return ask("Runtime.evaluate", parameters.put("returnByValue", true))
         .path("result")
@@ -152,7 +160,7 @@ final class Typist implements AutoCloseable {
   }
 
   /** Waits until an expression is true; what it never became is said. */
-  void await(String expression) throws Exception {
+  public void await(String expression) throws Exception {
     long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
     while (!look(expression).equals("true")) {
       assertTrue(System.nanoTime() < end, "in vain: " + expression);

@@ -1,0 +1,4 @@
+@NullMarked
+package simbad.experiments.web;
+
+import org.jspecify.annotations.NullMarked;
