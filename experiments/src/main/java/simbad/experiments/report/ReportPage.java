@@ -28,7 +28,7 @@ final class ReportPage {
       <head>
       <meta charset="utf-8">
       <meta name="viewport" content="width=device-width, initial-scale=1">
-      <title>Edges followed with a simulated sonar</title>
+      <title>%TITLE%</title>
       <style>
       :root { color-scheme: light dark; }
       body { font: 16px/1.5 system-ui, sans-serif; max-width: 72rem; margin: 2rem auto; padding: 0 1rem; }
@@ -42,6 +42,8 @@ final class ReportPage {
       code, li { overflow-wrap: anywhere; }
       .maps { display: grid; grid-template-columns: repeat(auto-fit, minmax(18rem, 1fr)); gap: 1rem; }
       .note { border-left: 4px solid #d55e00; padding-left: .8rem; }
+      .verdict { border-left: 4px solid #0072b2; padding-left: .8rem; font-size: 1.1rem; }
+      .verdict.missed { border-color: #d55e00; }
       """
           + Markup.PLOT_STYLE
           + """
@@ -49,7 +51,7 @@ final class ReportPage {
       </head>
       <body>
       <main>
-      <h1>Edges followed with a simulated sonar</h1>
+      <h1>%TITLE%</h1>
       """;
 
   private static final String LIMITS =
@@ -66,11 +68,13 @@ final class ReportPage {
 
   static void write(
       Path file,
+      PageTop top,
       RunOrigin origin,
       Map<String, String> hashes,
       Map<String, List<RunResult>> byObstacle)
       throws IOException {
-    StringBuilder page = new StringBuilder(HEAD);
+    StringBuilder page = new StringBuilder(HEAD.replace("%TITLE%", top.title()));
+    page.append(top.html());
     page.append(LIMITS);
     addErrors(page, byObstacle);
     byObstacle.values().forEach(results -> addObstacle(page, results));
@@ -80,18 +84,24 @@ final class ReportPage {
   }
 
   private static void addErrors(StringBuilder page, Map<String, List<RunResult>> byObstacle) {
-    page.append(
+    boolean isCompared = hasReduction(byObstacle);
+    String reduction =
+        isCompared ? "<th scope=\"col\">smaller than original by</th>\n" : "";
+    String head =
         """
         <h2>Errors against the tables</h2>
         <div class="scroll" tabindex="0"><table>
         <thead><tr><th scope="col">obstacle (table)</th><th scope="col">sensor</th>
         <th scope="col">mean |r&minus;T|, cm</th><th scope="col">RMS, cm</th><th scope="col">median, cm</th>
         <th scope="col">maximum, cm</th><th scope="col">lateral mean, cm</th><th scope="col">lateral 95&nbsp;%, cm</th>
-        <th scope="col">bearings not reached</th><th scope="col">smaller than original by</th>
+        <th scope="col">bearings not reached</th>%REDUCTION%
         <th scope="col">map agrees</th></tr></thead>
         <tbody>
-        """);
-    byObstacle.values().forEach(results -> results.forEach(result -> addRow(page, result)));
+        """;
+    page.append(head.replace("%REDUCTION%\n", reduction));
+    byObstacle
+        .values()
+        .forEach(results -> results.forEach(result -> addRow(page, result, isCompared)));
     page.append(
         """
         </tbody></table></div>
@@ -103,9 +113,16 @@ final class ReportPage {
         """);
   }
 
-  private static void addRow(StringBuilder page, RunResult result) {
+  /** Without an original sensor there is nothing to be smaller than. */
+  private static boolean hasReduction(Map<String, List<RunResult>> byObstacle) {
+    return byObstacle.values().stream()
+        .flatMap(List::stream)
+        .anyMatch(result -> result.reductionVsOriginal().isPresent());
+  }
+
+  private static void addRow(StringBuilder page, RunResult result, boolean isCompared) {
     ErrorRecord row = ErrorRecord.of(result);
-    String name = Markup.escaped(row.obstacle()) + " (" + row.provenance() + ")";
+    String name = Markup.escaped(TableName.of(result.type()));
     page.append("<tr><td>" + name + "</td><td>" + row.sensor() + "</td>");
     cell(page, number(row.meanAbsCm()));
     cell(page, number(row.rmsCm()));
@@ -114,7 +131,9 @@ final class ReportPage {
     cell(page, number(row.lateralMeanCm()));
     cell(page, number(row.lateralP95Cm()));
     cell(page, row.unreachedBearings() + " of " + row.bearings());
-    cell(page, percent(row.reductionVsOriginal(), 1));
+    if (isCompared) {
+      cell(page, percent(row.reductionVsOriginal(), 1));
+    }
     cell(page, percent(OptionalDouble.of(row.mapAgreement()), 2));
     page.append("</tr>\n");
   }
@@ -154,8 +173,7 @@ final class ReportPage {
     figure(
         page,
         name + "/errors",
-        "Radial error by bearing, logarithmic. The high points of the shadow sensor lie where the edge"
-            + " runs nearly along the bearing.");
+        errorCaption(results));
     page.append("<div class=\"maps\">\n");
     for (RunResult result : results) {
       figure(
@@ -169,6 +187,20 @@ final class ReportPage {
               + " nothing.");
     }
     page.append("</div>\n");
+  }
+
+  /** Says of the picture only what is on it. */
+  private static String errorCaption(List<RunResult> results) {
+    boolean isLog = RunPictures.errorPlot(results).isLogarithmic();
+    String scale = isLog ? ", logarithmic." : ".";
+    boolean hasShadow =
+        results.stream().anyMatch(result -> result.sensor().equals(SensorKind.SHADOW));
+    return "Radial error by bearing"
+        + scale
+        + (hasShadow
+            ? " The high points of the shadow sensor lie where the edge runs nearly along the"
+                + " bearing."
+            : "");
   }
 
   private static void addLost(StringBuilder page, RunResult result) {

@@ -69,7 +69,7 @@ class TableCommandTest {
   void show_saysProvenanceSourceAndRange() {
     Shell shell = Shell.simbad("table", "show", "angle");
     assertEquals(0, shell.status());
-    assertTrue(shell.out().startsWith("angle: measured"), shell.out());
+    assertTrue(shell.out().startsWith("angle (measured)\n"), shell.out());
     assertTrue(shell.out().contains("  source: Kranz 2014"), shell.out());
     assertTrue(
         shell.out().contains("72 bearings, every 5.000 degrees; 0.06 to 3.16 m"), shell.out());
