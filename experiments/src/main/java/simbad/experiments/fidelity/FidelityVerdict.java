@@ -1,5 +1,7 @@
 package simbad.experiments.fidelity;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
@@ -50,7 +52,7 @@ public record FidelityVerdict(List<LimitCheck> checks) {
     double agreement = result.map().agreement();
     return new LimitCheck(
         "agreement with the table over places and headings",
-        text("at least %.4g %%", 100 * least),
+        "at least " + plain(100 * least) + " %",
         text("%.2f %%", 100 * agreement),
         text("agrees at %.2f %% of the poses", 100 * agreement),
         agreement >= least);
@@ -99,7 +101,13 @@ public record FidelityVerdict(List<LimitCheck> checks) {
   }
 
   private static String atMost(double metres) {
-    return text("at most %.4g cm", CM * metres);
+    return "at most " + plain(CM * metres) + " cm";
+  }
+
+  /** Without zeros at its end: 3, not 3.000. */
+  private static String plain(double value) {
+    BigDecimal rounded = BigDecimal.valueOf(value).round(new MathContext(4));
+    return rounded.stripTrailingZeros().toPlainString();
   }
 
   private static String centimetres(double metres) {

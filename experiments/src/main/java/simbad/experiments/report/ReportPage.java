@@ -117,6 +117,7 @@ final class ReportPage {
   private static boolean hasReduction(Map<String, List<RunResult>> byObstacle) {
     return byObstacle.values().stream()
         .flatMap(List::stream)
+        .filter(result -> !result.sensor().equals(SensorKind.ORIGINAL))
         .anyMatch(result -> result.reductionVsOriginal().isPresent());
   }
 
@@ -191,16 +192,10 @@ final class ReportPage {
 
   /** Says of the picture only what is on it. */
   private static String errorCaption(List<RunResult> results) {
-    boolean isLog = RunPictures.errorPlot(results).isLogarithmic();
-    String scale = isLog ? ", logarithmic." : ".";
-    boolean hasShadow =
-        results.stream().anyMatch(result -> result.sensor().equals(SensorKind.SHADOW));
     return "Radial error by bearing"
-        + scale
-        + (hasShadow
-            ? " The high points of the shadow sensor lie where the edge runs nearly along the"
-                + " bearing."
-            : "");
+        + (RunPictures.errorPlot(results).isLogarithmic() ? ", logarithmic" : "")
+        + ". Where the edge runs nearly along a bearing, a small distance from the edge is a large"
+        + " radial error.";
   }
 
   private static void addLost(StringBuilder page, RunResult result) {
