@@ -159,4 +159,22 @@ class TableCommandTest {
     checkRefused(
         Shell.simbad("table", "reconstruct", "round", "--out", table.toString()), "no such file");
   }
+
+  /** A file that is called by its provenance would be "predicted (predicted)". */
+  @Test
+  void nameThatSaysItsProvenance_isNotFollowedByIt() throws IOException {
+    Path hexagon = Path.of("..", "data", "obstacles", "hexagon", "table.csv");
+    for (String name : List.of("predicted", "my-predicted", "Predicted", "unpredicted")) {
+      Path file = Files.copy(hexagon, folder.resolve(name + ".csv"));
+      boolean isSaid = !name.startsWith("un");
+      String named = isSaid ? name : name + " (predicted)";
+      Path picture = folder.resolve(name + ".svg");
+      Shell shell =
+          Shell.simbad("table", "compare", "angle", file.toString(), "--out", picture.toString());
+      assertEquals(0, shell.status(), shell.err());
+      assertTrue(shell.out().startsWith("angle (measured) and " + named + ", "), shell.out());
+      Shell shown = Shell.simbad("table", "show", file.toString());
+      assertTrue(shown.out().startsWith(named + "\n"), shown.out());
+    }
+  }
 }
