@@ -81,7 +81,7 @@ class TableCommandTest {
     Files.writeString(file, "bearing_deg,threshold_m\n0,1\n120,2.5\n240,0.5\n");
     Shell shell = Shell.simbad("table", "show", file.toString());
     assertEquals(0, shell.status());
-    assertTrue(shell.out().startsWith("mine: provenance not stated"), shell.out());
+    assertTrue(shell.out().startsWith("mine (provenance not stated)\n"), shell.out());
     assertTrue(
         shell.out().contains("3 bearings, every 120.0 degrees; 0.50 to 2.50 m"), shell.out());
   }
