@@ -52,9 +52,7 @@ final class TableCommand extends CommandGroup {
         TableDocument table = type.thresholds();
         out()
             .println(
-                TableName.of(type)
-                    + ": "
-                    + table.header("object").orElse("object not stated"));
+                TableName.of(type) + ": " + table.header("object").orElse("object not stated"));
       }
     }
   }

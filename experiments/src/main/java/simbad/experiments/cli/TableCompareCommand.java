@@ -71,11 +71,7 @@ final class TableCompareCommand extends Subcommand {
   }
 
   private void print(ObstacleType a, ObstacleType b, TableComparison c) {
-    line(
-        "%s and %s, %d bearings",
-        TableName.of(a),
-        TableName.of(b),
-        c.bearings().size());
+    line("%s and %s, %d bearings", TableName.of(a), TableName.of(b), c.bearings().size());
     printLikeness(c);
     line(
         "  second less first: mean %+.3f m, mean size %.3f m",

@@ -37,8 +37,8 @@ public record TuningPlot(Caption caption, String parameter, List<Line> curves, L
    *
    * @param name not blank
    * @param role fixes the colour
-   * @param pattern from 1 to {@link #PATTERNS}, tells curves of one colour apart by width and
-   *     dash; 0 is the role's own
+   * @param pattern from 1 to {@link #PATTERNS}, tells curves of one colour apart by width and dash;
+   *     0 is the role's own
    * @param points parameter and error in centimetres, along the parameter
    */
   public record Line(String name, SeriesRole role, int pattern, List<Point> points) {

@@ -85,8 +85,7 @@ final class ReportPage {
 
   private static void addErrors(StringBuilder page, Map<String, List<RunResult>> byObstacle) {
     boolean isCompared = hasReduction(byObstacle);
-    String reduction =
-        isCompared ? "<th scope=\"col\">smaller than original by</th>\n" : "";
+    String reduction = isCompared ? "<th scope=\"col\">smaller than original by</th>\n" : "";
     String head =
         """
         <h2>Errors against the tables</h2>
@@ -171,10 +170,7 @@ final class ReportPage {
         name + "/polar",
         "Where the robot drove, seen from above. A sensor that hears what the table says drives along"
             + " the table's edge.");
-    figure(
-        page,
-        name + "/errors",
-        errorCaption(results));
+    figure(page, name + "/errors", errorCaption(results));
     page.append("<div class=\"maps\">\n");
     for (RunResult result : results) {
       figure(

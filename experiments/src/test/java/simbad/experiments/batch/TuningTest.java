@@ -58,8 +58,7 @@ class TuningTest {
   /** The mean is over the curl too, and says so. */
   @Test
   void read_oneParameter_namesWhatTheMeansAreOver() throws Exception {
-    Path file =
-        Files.writeString(folder.resolve("results.csv"), ROWS + "shadow,done,2,0.3,4,70\n");
+    Path file = Files.writeString(folder.resolve("results.csv"), ROWS + "shadow,done,2,0.3,4,70\n");
     Tuning tuning = Tuning.read(file, "angle_deg", Optional.empty());
     assertEquals(List.of(0.0), tuning.curves("shadow"));
     assertEquals(
@@ -77,8 +76,7 @@ class TuningTest {
     Path file = Files.writeString(folder.resolve("results.csv"), ROWS);
     DataFormatException fault =
         assertThrows(
-            DataFormatException.class,
-            () -> Tuning.read(file, "angle_deg", Optional.of("speed")));
+            DataFormatException.class, () -> Tuning.read(file, "angle_deg", Optional.of("speed")));
     assertTrue(("" + fault.getMessage()).contains("controller.speed"), "" + fault);
   }
 

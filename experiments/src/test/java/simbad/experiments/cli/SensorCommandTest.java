@@ -92,7 +92,8 @@ class SensorCommandTest {
     Path file =
         Files.writeString(
             folder.resolve("bad.json"),
-            srf04.replaceAll("(?s)\"sensitivity_db\": .*]]?\\s*]", "\"sensitivity_db\": " + curve.strip()));
+            srf04.replaceAll(
+                "(?s)\"sensitivity_db\": .*]]?\\s*]", "\"sensitivity_db\": " + curve.strip()));
     checkRefused(file, complaint);
   }
 

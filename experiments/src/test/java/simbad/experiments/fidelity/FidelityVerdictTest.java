@@ -57,8 +57,7 @@ class FidelityVerdictTest {
         List.of("yes", "at least 98.5 %", "at most 3 cm", "at most 900 cm", "at most 0"),
         checks.stream().map(LimitCheck::limit).toList());
     assertEquals(
-        List.of(true, false, false, true, true),
-        checks.stream().map(LimitCheck::isHeld).toList());
+        List.of(true, false, false, true, true), checks.stream().map(LimitCheck::isHeld).toList());
     assertEquals("0 of 72", checks.get(4).reached());
   }
 
