@@ -7,18 +7,20 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import simbad.sonar.format.CsvTable;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TextFile;
 
 /**
- * What a batch says of two parameters of a controller: per sensor and setting, the mean error and
- * the mean time of a round over everything else that the batch varied. Immutable.
+ * What a batch says of one or two parameters of a controller: per sensor and setting, the mean
+ * error and the mean time of a round over everything else that the batch varied. Immutable.
  *
  * @param settings in the order of the rows in which they first stand
  * @param leftOut rows that failed or have no error, which no mean contains
+ * @param averaged the controller's other parameters that the batch varied, which the means are over
  */
-public record Tuning(List<Setting> settings, int leftOut) {
+public record Tuning(List<Setting> settings, int leftOut, List<String> averaged) {
   /** Errors that differ by less than this share leave only the time to choose by. */
   private static final double SAME = 0.01;
 
@@ -27,7 +29,7 @@ public record Tuning(List<Setting> settings, int leftOut) {
    *
    * @param sensor as results.csv names it
    * @param along value of the parameter that is drawn along the axis
-   * @param curve value of the parameter that has a curve for each value
+   * @param curve value of the parameter that has a curve for each value; 0 where there is none
    * @param errorCm mean of mean_abs_cm over the runs
    * @param timeS mean of the simulated time of a round
    * @param runs how many runs the means are of; at least 1
@@ -50,9 +52,10 @@ public record Tuning(List<Setting> settings, int leftOut) {
     }
   }
 
-  /** Copies the list. */
+  /** Copies the lists. */
   public Tuning {
     settings = List.copyOf(settings);
+    averaged = List.copyOf(averaged);
   }
 
   /**
@@ -60,44 +63,63 @@ public record Tuning(List<Setting> settings, int leftOut) {
    *
    * @param results a results.csv
    * @param along name of a controller's parameter
-   * @param curve name of another one
+   * @param curve name of another one; without it each sensor has one curve
    * @throws DataFormatException for a file without these columns, or without a single usable row
    */
-  public static Tuning read(Path results, String along, String curve)
+  public static Tuning read(Path results, String along, Optional<String> curve)
       throws IOException, DataFormatException {
     CsvTable table = CsvTable.parse(results, TextFile.read(results));
-    String x = ResultColumns.PARAMETER + along;
-    String c = ResultColumns.PARAMETER + curve;
-    table.requireColumns("sensor", ResultColumns.STATUS, x, c, "mean_abs_cm", "simulated_s");
+    List<String> parameters = new ArrayList<>(List.of(ResultColumns.PARAMETER + along));
+    curve.ifPresent(name -> parameters.add(ResultColumns.PARAMETER + name));
+    table.requireColumns("sensor", ResultColumns.STATUS, "mean_abs_cm", "simulated_s");
+    table.requireColumns(parameters.toArray(String[]::new));
     List<Setting> settings = new ArrayList<>();
     int leftOut = 0;
     for (int row = 0; row < table.size(); row++) {
-      if (isUsable(table, row, x, c)) {
-        add(settings, setting(table, row, x, c));
+      if (isUsable(table, row, parameters)) {
+        add(settings, setting(table, row, parameters));
       } else {
         leftOut++;
       }
     }
     if (settings.isEmpty()) {
-      throw DataFormatException.inFile(results, "no row has an error at a setting of both");
+      throw DataFormatException.inFile(
+          results, "no row has an error and a value of " + String.join(" and ", parameters));
     }
-    return new Tuning(settings, leftOut);
+    return new Tuning(settings, leftOut, averaged(table, parameters));
   }
 
-  private static boolean isUsable(CsvTable table, int row, String x, String c) {
+  private static boolean isUsable(CsvTable table, int row, List<String> parameters) {
     return table.text(row, ResultColumns.STATUS).equals(ResultColumns.DONE)
-        && List.of(x, c, "mean_abs_cm").stream().noneMatch(it -> table.text(row, it).isEmpty());
+        && !table.text(row, "mean_abs_cm").isEmpty()
+        && parameters.stream().noneMatch(name -> table.text(row, name).isEmpty());
   }
 
-  private static Setting setting(CsvTable table, int row, String x, String c)
+  private static Setting setting(CsvTable table, int row, List<String> parameters)
       throws DataFormatException {
     return new Setting(
         table.label(row, "sensor"),
-        table.number(row, x, Double::isFinite, "a number"),
-        table.number(row, c, Double::isFinite, "a number"),
+        table.number(row, parameters.get(0), Double::isFinite, "a number"),
+        parameters.size() > 1
+            ? table.number(row, parameters.get(1), Double::isFinite, "a number")
+            : 0,
         table.number(row, "mean_abs_cm", cm -> cm >= 0, "at least 0"),
         table.number(row, "simulated_s", s -> s >= 0, "at least 0"),
         1);
+  }
+
+  private static List<String> averaged(CsvTable table, List<String> parameters) {
+    return table.columns().stream()
+        .filter(name -> name.startsWith(ResultColumns.PARAMETER) && !parameters.contains(name))
+        .filter(
+            name ->
+                IntStream.range(0, table.size())
+                        .mapToObj(row -> table.text(row, name))
+                        .distinct()
+                        .count()
+                    > 1)
+        .map(name -> name.substring(ResultColumns.PARAMETER.length()))
+        .toList();
   }
 
   private static void add(List<Setting> settings, Setting run) {
@@ -115,9 +137,19 @@ public record Tuning(List<Setting> settings, int leftOut) {
     return settings.stream().map(Setting::sensor).distinct().toList();
   }
 
-  /** Returns the values that have a curve, ascending. */
-  public List<Double> curves() {
-    return settings.stream().map(Setting::curve).distinct().sorted().toList();
+  /**
+   * Returns the same of some of the sensors.
+   *
+   * @param sensors names, of which at least one must be among {@link #sensors()}
+   */
+  public Tuning only(List<String> sensors) {
+    List<Setting> kept = settings.stream().filter(it -> sensors.contains(it.sensor())).toList();
+    return new Tuning(kept, leftOut, averaged);
+  }
+
+  /** Returns the values for which a sensor has a curve, ascending. */
+  public List<Double> curves(String sensor) {
+    return of(sensor).stream().map(Setting::curve).distinct().sorted().toList();
   }
 
   /** Returns a sensor's settings on one curve, along the axis. */

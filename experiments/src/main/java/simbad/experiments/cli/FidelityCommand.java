@@ -52,7 +52,7 @@ final class FidelityCommand extends Subcommand {
   @Option(
       names = "--out",
       paramLabel = "DIR",
-      description = "Write traces, maps, errors and a page as simbad run does.")
+      description = "Write traces, maps, errors and a page as simbad run does, the verdict first.")
   private @Nullable Path out;
 
   @Override
@@ -64,7 +64,8 @@ final class FidelityCommand extends Subcommand {
     }
     if (out != null) {
       try (StagedDirectory staged = StagedDirectory.beside(out)) {
-        RunFiles.write(staged.path(), new RunOrigin(BuildVersion.text(), settings), results);
+        RunOrigin origin = new RunOrigin(BuildVersion.text(), settings);
+        RunFiles.write(staged.path(), origin, results, FidelityLimits.STANDARD);
         staged.publish();
       }
     }

@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import simbad.experiments.report.TableName;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.TraceErrors;
 import simbad.experiments.run.TraceMove;
@@ -48,7 +49,7 @@ final class RunSummary {
   }
 
   private static String name(RunResult result) {
-    return result.type().name() + " (" + result.type().thresholds().provenanceWord() + ")";
+    return TableName.of(result.type());
   }
 
   static String centimetres(OptionalDouble metres) {

@@ -10,6 +10,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import simbad.experiments.report.TableName;
 import simbad.experiments.report.TablePicture;
 import simbad.experiments.run.PositionLog;
 import simbad.experiments.run.TraceErrors;
@@ -51,11 +52,7 @@ final class TableCommand extends CommandGroup {
         TableDocument table = type.thresholds();
         out()
             .println(
-                type.name()
-                    + " ("
-                    + table.provenanceWord()
-                    + "): "
-                    + table.header("object").orElse("object not stated"));
+                TableName.of(type) + ": " + table.header("object").orElse("object not stated"));
       }
     }
   }
@@ -73,7 +70,7 @@ final class TableCommand extends CommandGroup {
     protected void run() throws Exception {
       ObstacleType type = ObstacleArgument.parse(obstacle);
       TableDocument document = type.thresholds();
-      out().println(type.name() + ": " + document.provenanceWord());
+      out().println(TableName.of(type));
       document.header().forEach((key, value) -> out().println("  " + key + ": " + value));
       ThresholdTable table = document.table();
       double least = Arrays.stream(table.valuesM()).min().orElse(0);

@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import simbad.experiments.report.TableName;
 import simbad.experiments.report.TablePicture;
 import simbad.experiments.table.TableComparison;
 import simbad.gap.diagnosis.Interval;
@@ -70,13 +71,7 @@ final class TableCompareCommand extends Subcommand {
   }
 
   private void print(ObstacleType a, ObstacleType b, TableComparison c) {
-    line(
-        "%s (%s) and %s (%s), %d bearings",
-        a.name(),
-        a.thresholds().provenanceWord(),
-        b.name(),
-        b.thresholds().provenanceWord(),
-        c.bearings().size());
+    line("%s and %s, %d bearings", TableName.of(a), TableName.of(b), c.bearings().size());
     printLikeness(c);
     line(
         "  second less first: mean %+.3f m, mean size %.3f m",

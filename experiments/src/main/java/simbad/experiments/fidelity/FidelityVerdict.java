@@ -1,6 +1,7 @@
 package simbad.experiments.fidelity;
 
-import java.util.ArrayList;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
@@ -9,14 +10,16 @@ import simbad.experiments.run.RunResult;
 /**
  * Whether a sensor model was faithful to one table.
  *
- * @param failings what it did not reach, in words; empty when it passes
+ * @param checks every limit and what was reached of it; it passes when each is held
  */
-public record FidelityVerdict(List<String> failings) {
+public record FidelityVerdict(List<LimitCheck> checks) {
   private static final double CM = 100;
+  private static final String NO_BEARING = "crosses no bearing";
+  private static final String NO_TRACE = "no trace to measure";
 
   /** Copies the list. */
   public FidelityVerdict {
-    failings = List.copyOf(failings);
+    checks = List.copyOf(checks);
   }
 
   /**
@@ -26,30 +29,89 @@ public record FidelityVerdict(List<String> failings) {
    * @param limits to reach
    */
   public static FidelityVerdict of(RunResult result, FidelityLimits limits) {
-    List<String> failings = new ArrayList<>();
-    if (!result.trace().isClosed()) {
-      failings.add("the robot did not get round");
-    }
+    return new FidelityVerdict(
+        List.of(
+            round(result),
+            agreement(result, limits.leastAgreement()),
+            radial(result.errors().meanM(), limits.greatestRadialMeanM()),
+            lateral(result, limits.greatestLateralMeanM()),
+            unreached(result, limits.mostUnreached())));
+  }
+
+  private static LimitCheck round(RunResult result) {
+    boolean isClosed = result.trace().isClosed();
+    return new LimitCheck(
+        "the robot gets round",
+        "yes",
+        isClosed ? "yes" : "no",
+        "the robot did not get round",
+        isClosed);
+  }
+
+  private static LimitCheck agreement(RunResult result, double least) {
     double agreement = result.map().agreement();
-    if (agreement < limits.leastAgreement()) {
-      failings.add(text("agrees at %.2f %% of the poses", 100 * agreement));
-    }
-    OptionalDouble radial = result.errors().meanM();
-    if (radial.isEmpty() || radial.getAsDouble() > limits.greatestRadialMeanM()) {
-      failings.add(
-          radial.isPresent()
-              ? text("radial error %.2f cm in the mean", CM * radial.getAsDouble())
-              : "crosses no bearing");
-    }
-    double lateral = result.errors().lateralMeanM();
-    if (!(result.hasLateralErrors() && lateral <= limits.greatestLateralMeanM())) {
-      failings.add(text("%.2f cm beside the edge in the mean", CM * lateral));
-    }
+    return new LimitCheck(
+        "agreement with the table over places and headings",
+        "at least " + plain(100 * least) + " %",
+        text("%.2f %%", 100 * agreement),
+        text("agrees at %.2f %% of the poses", 100 * agreement),
+        agreement >= least);
+  }
+
+  private static LimitCheck radial(OptionalDouble mean, double greatest) {
+    return new LimitCheck(
+        "mean of |r − T| over the bearings",
+        atMost(greatest),
+        mean.isPresent() ? centimetres(mean.getAsDouble()) : NO_BEARING,
+        radialWords(mean),
+        mean.isPresent() && mean.getAsDouble() <= greatest);
+  }
+
+  private static LimitCheck lateral(RunResult result, double greatest) {
+    boolean isThere = result.hasLateralErrors();
+    double mean = result.errors().lateralMeanM();
+    return new LimitCheck(
+        "mean distance of the trace from the edge",
+        atMost(greatest),
+        isThere ? centimetres(mean) : NO_TRACE,
+        lateralWords(result),
+        isThere && mean <= greatest);
+  }
+
+  private static LimitCheck unreached(RunResult result, int most) {
     int unreached = result.errors().unreachedBearings();
-    if (unreached > limits.mostUnreached()) {
-      failings.add(unreached + " bearings not reached");
-    }
-    return new FidelityVerdict(failings);
+    return new LimitCheck(
+        "bearings that the trace leaves out",
+        "at most " + most,
+        unreached + " of " + result.errors().radialM().size(),
+        unreached + " bearings not reached",
+        unreached <= most);
+  }
+
+  private static String radialWords(OptionalDouble mean) {
+    return mean.isPresent()
+        ? text("radial error %.2f cm in the mean", CM * mean.getAsDouble())
+        : NO_BEARING;
+  }
+
+  private static String lateralWords(RunResult result) {
+    return result.hasLateralErrors()
+        ? text("%.2f cm beside the edge in the mean", CM * result.errors().lateralMeanM())
+        : NO_TRACE;
+  }
+
+  private static String atMost(double metres) {
+    return "at most " + plain(CM * metres) + " cm";
+  }
+
+  /** Without zeros at its end: 3, not 3.000. */
+  private static String plain(double value) {
+    BigDecimal rounded = BigDecimal.valueOf(value).round(new MathContext(4));
+    return rounded.stripTrailingZeros().toPlainString();
+  }
+
+  private static String centimetres(double metres) {
+    return text("%.2f cm", CM * metres);
   }
 
   private static String text(String format, double value) {
@@ -62,7 +124,6 @@ public record FidelityVerdict(List<String> failings) {
    * @param result map, trace and errors of one model round one obstacle
    */
   public static String figures(RunResult result) {
-    OptionalDouble radial = result.errors().meanM();
     return String.join(
         "; ",
         String.format(
@@ -70,22 +131,23 @@ public record FidelityVerdict(List<String> failings) {
             "agrees at %.2f %% of %,d poses",
             100 * result.map().agreement(),
             result.map().poses()),
-        radial.isPresent()
-            ? text("radial error %.2f cm in the mean", CM * radial.getAsDouble())
-            : "crosses no bearing",
-        result.hasLateralErrors()
-            ? text("%.2f cm beside the edge in the mean", CM * result.errors().lateralMeanM())
-            : "no trace to measure",
+        radialWords(result.errors().meanM()),
+        lateralWords(result),
         result.errors().unreachedBearings() + " bearings not reached");
+  }
+
+  /** Returns in words every limit that was missed; empty when the model is faithful. */
+  public List<String> failings() {
+    return checks.stream().filter(check -> !check.isHeld()).map(LimitCheck::failing).toList();
   }
 
   /** Tells whether the model is faithful. */
   public boolean passes() {
-    return failings.isEmpty();
+    return failings().isEmpty();
   }
 
   /** Returns the verdict in one line. */
   public String sentence() {
-    return passes() ? "faithful" : "not faithful: " + String.join("; ", failings);
+    return passes() ? "faithful" : "not faithful: " + String.join("; ", failings());
   }
 }

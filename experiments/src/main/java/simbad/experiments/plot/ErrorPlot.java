@@ -35,6 +35,11 @@ public record ErrorPlot(Caption caption, List<ErrorSeries> series) {
     Checks.distinctNames(series, ErrorSeries::name);
   }
 
+  /** Tells whether the error's axis is logarithmic. */
+  public boolean isLogarithmic() {
+    return scale().isLog();
+  }
+
   /** Lays the picture out. */
   public Figure figure() {
     ErrorScale scale = scale();

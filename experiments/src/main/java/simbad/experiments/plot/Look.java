@@ -2,6 +2,7 @@ package simbad.experiments.plot;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.util.List;
 
 /**
  * Colour, width and dash of a role, and who is drawn over whom.
@@ -27,6 +28,20 @@ record Look(Color colour, BasicStroke stroke, int depth) {
 
   private static final float SLIM = 1.6f;
 
+  private static final List<float[]> DASHES =
+      List.of(
+          new float[0],
+          new float[] {7f, 4f},
+          new float[] {2f, 4f},
+          new float[] {7f, 3.5f, DOT, 3.5f},
+          new float[] {DOT, 3.5f},
+          new float[] {11f, 3f, 2f, 3f, 2f, 3f});
+
+  private static final float[] WIDTHS = {1.6f, 2.6f, 0.8f};
+
+  /** How many curves of one colour can be told apart. */
+  static final int PATTERNS = DASHES.size() * WIDTHS.length;
+
   static Look of(SeriesRole role) {
     return switch (role) {
       case BAND -> new Look(PALE, Ink.round(7f), -1);
@@ -45,6 +60,15 @@ record Look(Color colour, BasicStroke stroke, int depth) {
     float width = Math.min(stroke.getLineWidth(), SLIM);
     float[] dash = stroke.getDashArray();
     return new Look(colour, Ink.round(width, dash == null ? new float[0] : dash), depth);
+  }
+
+  /** The same colour in another width or dash; pattern 0 is the role's own. */
+  Look withPattern(int pattern) {
+    if (pattern == 0) {
+      return this;
+    }
+    float width = WIDTHS[(pattern - 1) / DASHES.size()];
+    return new Look(colour, Ink.round(width, DASHES.get((pattern - 1) % DASHES.size())), depth);
   }
 
   /** The stroke with which the legend stands for a series of this look. */

@@ -23,6 +23,9 @@ public record TuningPlot(Caption caption, String parameter, List<Line> curves, L
   private static final double ASPECT = 0.6;
   private static final int PARTS = 7;
 
+  /** On both sides, as a share of what the parameter spans: a mark at the end stays whole. */
+  private static final double MARGIN = 0.02;
+
   /** Of the line that the marks' size follows from. */
   private static final float MARK = 5;
 
@@ -33,14 +36,28 @@ public record TuningPlot(Caption caption, String parameter, List<Line> curves, L
    * Points with a name in the legend.
    *
    * @param name not blank
-   * @param role fixes the looks
+   * @param role fixes the colour
+   * @param pattern from 1 to {@link #PATTERNS}, tells curves of one colour apart by width and dash;
+   *     0 is the role's own
    * @param points parameter and error in centimetres, along the parameter
    */
-  public record Line(String name, SeriesRole role, List<Point> points) {
+  public record Line(String name, SeriesRole role, int pattern, List<Point> points) {
+    /** How many patterns there are. */
+    public static final int PATTERNS = Look.PATTERNS;
+
     /** Copies the list. */
     public Line {
       Checks.notBlank("name", name);
+      if (pattern < 0 || pattern > PATTERNS) {
+        throw new IllegalArgumentException(
+            "pattern = " + pattern + " is not in [0, " + PATTERNS + "]");
+      }
       points = List.copyOf(points);
+    }
+
+    /** One with its role's own looks. */
+    public Line(String name, SeriesRole role, List<Point> points) {
+      this(name, role, 0, points);
     }
   }
 
@@ -98,22 +115,38 @@ public record TuningPlot(Caption caption, String parameter, List<Line> curves, L
     return Stream.concat(curves.stream(), marks.stream()).flatMap(line -> line.points().stream());
   }
 
+  private double least() {
+    return all().mapToDouble(Point::parameter).min().orElse(0);
+  }
+
+  private double most() {
+    return all().mapToDouble(Point::parameter).max().orElse(1);
+  }
+
+  /** Room beside the outermost points; a single place has the room of its own size. */
+  private double margin() {
+    double span = most() - least();
+    return span > 0 ? MARGIN * span : Math.max(Math.abs(most()), MARGIN) / 2;
+  }
+
+  /** The data's own range: an axis from 0 would squeeze 1000 to 1010 into a line. */
   private double left() {
-    return Math.min(0, all().mapToDouble(Point::parameter).min().orElse(0));
+    double left = least() - margin();
+    return least() >= 0 ? Math.max(0, left) : left;
   }
 
   private double right() {
-    double most = all().mapToDouble(Point::parameter).max().orElse(1);
-    return most > left() ? most : left() + 1;
+    double right = most() + margin();
+    return most() <= 0 && least() < 0 ? Math.min(0, right) : right;
   }
 
   private static Curve curve(Line line, ErrorScale scale, boolean isMark) {
-    Look look = Look.of(line.role());
+    Look look = Look.of(line.role()).slim().withPattern(line.pattern());
     return new Curve(
         line.name(),
         line.points().stream().mapToDouble(Point::parameter).toArray(),
         line.points().stream().mapToDouble(point -> scale.clamped(point.errorCm())).toArray(),
-        isMark ? new Look(look.colour(), Ink.round(MARK), look.depth()) : look.slim(),
+        isMark ? new Look(look.colour(), Ink.round(MARK), look.depth()) : look,
         isMark ? SeriesStyle.POINTS : SeriesStyle.LINE);
   }
 

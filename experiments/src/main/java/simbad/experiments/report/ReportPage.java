@@ -27,7 +27,7 @@ final class ReportPage {
       <head>
       <meta charset="utf-8">
       <meta name="viewport" content="width=device-width, initial-scale=1">
-      <title>Edges followed with a simulated sonar</title>
+      <title>%TITLE%</title>
       <style>
       :root { color-scheme: light dark; }
       body { font: 16px/1.5 system-ui, sans-serif; max-width: 72rem; margin: 2rem auto; padding: 0 1rem; }
@@ -41,6 +41,8 @@ final class ReportPage {
       code, li { overflow-wrap: anywhere; }
       .maps { display: grid; grid-template-columns: repeat(auto-fit, minmax(18rem, 1fr)); gap: 1rem; }
       .note { border-left: 4px solid #d55e00; padding-left: .8rem; }
+      .verdict { border-left: 4px solid #0072b2; padding-left: .8rem; font-size: 1.1rem; }
+      .verdict.missed { border-color: #d55e00; }
       """
           + Markup.PLOT_STYLE
           + """
@@ -48,7 +50,7 @@ final class ReportPage {
       </head>
       <body>
       <main>
-      <h1>Edges followed with a simulated sonar</h1>
+      <h1>%TITLE%</h1>
       """;
 
   private static final String LIMITS =
@@ -65,11 +67,13 @@ final class ReportPage {
 
   static void write(
       Path file,
+      PageTop top,
       RunOrigin origin,
       Map<String, String> hashes,
       Map<String, List<RunResult>> byObstacle)
       throws IOException {
-    StringBuilder page = new StringBuilder(HEAD);
+    StringBuilder page = new StringBuilder(HEAD.replace("%TITLE%", top.title()));
+    page.append(top.html());
     page.append(LIMITS);
     addErrors(page, byObstacle);
     byObstacle.values().forEach(results -> addObstacle(page, results));
@@ -79,18 +83,23 @@ final class ReportPage {
   }
 
   private static void addErrors(StringBuilder page, Map<String, List<RunResult>> byObstacle) {
-    page.append(
+    boolean isCompared = hasReduction(byObstacle);
+    String reduction = isCompared ? "<th scope=\"col\">smaller than original by</th>\n" : "";
+    String head =
         """
         <h2>Errors against the tables</h2>
         <div class="scroll" tabindex="0"><table>
         <thead><tr><th scope="col">obstacle (table)</th><th scope="col">sensor</th>
         <th scope="col">mean |r&minus;T|, cm</th><th scope="col">RMS, cm</th><th scope="col">median, cm</th>
         <th scope="col">maximum, cm</th><th scope="col">lateral mean, cm</th><th scope="col">lateral 95&nbsp;%, cm</th>
-        <th scope="col">bearings not reached</th><th scope="col">smaller than original by</th>
+        <th scope="col">bearings not reached</th>%REDUCTION%
         <th scope="col">map agrees</th></tr></thead>
         <tbody>
-        """);
-    byObstacle.values().forEach(results -> results.forEach(result -> addRow(page, result)));
+        """;
+    page.append(head.replace("%REDUCTION%\n", reduction));
+    byObstacle
+        .values()
+        .forEach(results -> results.forEach(result -> addRow(page, result, isCompared)));
     page.append(
         """
         </tbody></table></div>
@@ -102,9 +111,17 @@ final class ReportPage {
         """);
   }
 
-  private static void addRow(StringBuilder page, RunResult result) {
+  /** Without an original sensor there is nothing to be smaller than. */
+  private static boolean hasReduction(Map<String, List<RunResult>> byObstacle) {
+    return byObstacle.values().stream()
+        .flatMap(List::stream)
+        .filter(result -> !result.sensor().equals(SensorKind.ORIGINAL))
+        .anyMatch(result -> result.reductionVsOriginal().isPresent());
+  }
+
+  private static void addRow(StringBuilder page, RunResult result, boolean isCompared) {
     ErrorRecord row = ErrorRecord.of(result);
-    String name = Markup.escaped(row.obstacle()) + " (" + row.provenance() + ")";
+    String name = Markup.escaped(TableName.of(result.type()));
     page.append("<tr><td>" + name + "</td><td>" + row.sensor() + "</td>");
     cell(page, number(row.meanAbsCm()));
     cell(page, number(row.rmsCm()));
@@ -113,7 +130,9 @@ final class ReportPage {
     cell(page, number(row.lateralMeanCm()));
     cell(page, number(row.lateralP95Cm()));
     cell(page, row.unreachedBearings() + " of " + row.bearings());
-    cell(page, percent(row.reductionVsOriginal(), 1));
+    if (isCompared) {
+      cell(page, percent(row.reductionVsOriginal(), 1));
+    }
     cell(page, percent(OptionalDouble.of(row.mapAgreement()), 2));
     page.append("</tr>\n");
   }
@@ -150,11 +169,7 @@ final class ReportPage {
         name + "/polar",
         "Where the robot drove, seen from above. A sensor that hears what the table says drives along"
             + " the table's edge.");
-    figure(
-        page,
-        name + "/errors",
-        "Radial error by bearing, logarithmic. The high points of the shadow sensor lie where the edge"
-            + " runs nearly along the bearing.");
+    figure(page, name + "/errors", errorCaption(results));
     page.append("<div class=\"maps\">\n");
     for (RunResult result : results) {
       figure(
@@ -168,6 +183,14 @@ final class ReportPage {
               + " nothing.");
     }
     page.append("</div>\n");
+  }
+
+  /** Says of the picture only what is on it. */
+  private static String errorCaption(List<RunResult> results) {
+    return "Radial error by bearing"
+        + (RunPictures.errorPlot(results).isLogarithmic() ? ", logarithmic" : "")
+        + ". Where the edge runs nearly along a bearing, a small distance from the edge is a large"
+        + " radial error.";
   }
 
   private static void addLost(StringBuilder page, RunResult result) {

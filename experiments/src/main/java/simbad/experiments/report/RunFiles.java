@@ -18,6 +18,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import simbad.experiments.fidelity.FidelityLimits;
 import simbad.experiments.plot.ShareGrid;
 import simbad.experiments.run.RunResult;
 import simbad.obstacles.ObstacleType;
@@ -49,6 +50,26 @@ public final class RunFiles {
    */
   public static void write(Path folder, RunOrigin origin, List<RunResult> results)
       throws IOException {
+    write(folder, origin, results, PageTop.RUN);
+  }
+
+  /**
+   * Writes everything, with the verdict of the fidelity test at the top of the page.
+   *
+   * @param folder exists and is empty
+   * @param origin what made the results
+   * @param results obstacle by obstacle
+   * @param limits by which they are judged
+   * @throws IOException if something cannot be written
+   */
+  public static void write(
+      Path folder, RunOrigin origin, List<RunResult> results, FidelityLimits limits)
+      throws IOException {
+    write(folder, origin, results, PageTop.verdict(results, limits));
+  }
+
+  private static void write(Path folder, RunOrigin origin, List<RunResult> results, PageTop top)
+      throws IOException {
     Map<String, List<RunResult>> byObstacle = new LinkedHashMap<>();
     results.forEach(
         result ->
@@ -69,7 +90,7 @@ public final class RunFiles {
     List<ErrorRecord> errors = results.stream().map(ErrorRecord::of).toList();
     writeErrorsJson(folder.resolve("errors.json"), origin, hashes, errors);
     writeErrorsCsv(folder.resolve("errors.csv"), errors);
-    ReportPage.write(folder.resolve("report.html"), origin, hashes, byObstacle);
+    ReportPage.write(folder.resolve("report.html"), top, origin, hashes, byObstacle);
   }
 
   private static String sha256(Path file) throws IOException {

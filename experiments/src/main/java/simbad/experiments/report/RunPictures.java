@@ -38,7 +38,7 @@ final class RunPictures {
   static void write(Path folder, List<RunResult> results) throws IOException {
     ObstacleType type = results.get(0).type();
     save(polar(type, results), folder, "polar");
-    save(errors(type, results), folder, "errors");
+    save(errorPlot(results).figure(), folder, "errors");
     for (RunResult result : results) {
       save(map(result), folder, "map-" + result.sensor().word());
     }
@@ -58,7 +58,7 @@ final class RunPictures {
             first.name() + ", " + provenance(first));
     PolarSeries under =
         new PolarSeries(
-            second.name() + " (" + second.thresholds().provenanceWord() + ")",
+            TableName.of(second),
             SeriesRole.OTHER,
             SeriesStyle.CLOSED_LINE,
             points(second.thresholds().table()));
@@ -100,16 +100,17 @@ final class RunPictures {
         .figure();
   }
 
-  private static Figure errors(ObstacleType type, List<RunResult> results) {
+  /** The radial errors of all sensors round one obstacle. */
+  static ErrorPlot errorPlot(List<RunResult> results) {
     List<ErrorSeries> series = new ArrayList<>();
     for (RunResult result : results) {
       series.add(
           new ErrorSeries(
               result.sensor().word() + " sensor", result.sensor().role(), bearingErrors(result)));
     }
+    ObstacleType type = results.get(0).type();
     return new ErrorPlot(
-            new Caption("Radial error of the traces: " + type.name(), provenance(type)), series)
-        .figure();
+        new Caption("Radial error of the traces: " + type.name(), provenance(type)), series);
   }
 
   private static List<BearingError> bearingErrors(RunResult result) {
@@ -143,7 +144,7 @@ final class RunPictures {
 
   private static PolarSeries tableSeries(ObstacleType type, String name) {
     return new PolarSeries(
-        name + " (" + type.thresholds().provenanceWord() + ")",
+        TableName.of(name, type.thresholds()),
         SeriesRole.TABLE,
         SeriesStyle.CLOSED_LINE,
         points(type.thresholds().table()));

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simbad.sonar.format.DataFormatException;
@@ -31,7 +32,7 @@ class TuningTest {
 
   private Tuning tuning(String rows) throws Exception {
     Path file = Files.writeString(folder.resolve("results.csv"), rows);
-    return Tuning.read(file, "angle_deg", "curl");
+    return Tuning.read(file, "angle_deg", Optional.of("curl"));
   }
 
   @Test
@@ -54,11 +55,28 @@ class TuningTest {
     assertEquals(8, tuning.judgedBy("shadow", choice).orElseThrow().errorCm());
   }
 
+  /** The mean is over the curl too, and says so. */
+  @Test
+  void read_oneParameter_namesWhatTheMeansAreOver() throws Exception {
+    Path file = Files.writeString(folder.resolve("results.csv"), ROWS + "shadow,done,2,0.3,4,70\n");
+    Tuning tuning = Tuning.read(file, "angle_deg", Optional.empty());
+    assertEquals(List.of(0.0), tuning.curves("shadow"));
+    assertEquals(
+        List.of(
+            new Tuning.Setting("shadow", 1, 0, 8, 55, 1),
+            new Tuning.Setting("shadow", 2, 0, 3, 80, 2)),
+        tuning.onCurve("shadow", 0));
+    assertEquals(List.of("curl"), tuning.averaged());
+    assertEquals(List.of(), tuning(ROWS).averaged());
+    assertEquals(List.of("original"), tuning.only(List.of("original")).sensors());
+  }
+
   @Test
   void read_columnThatIsNotThere_isNamed() throws Exception {
     Path file = Files.writeString(folder.resolve("results.csv"), ROWS);
     DataFormatException fault =
-        assertThrows(DataFormatException.class, () -> Tuning.read(file, "angle_deg", "speed"));
+        assertThrows(
+            DataFormatException.class, () -> Tuning.read(file, "angle_deg", Optional.of("speed")));
     assertTrue(("" + fault.getMessage()).contains("controller.speed"), "" + fault);
   }
 

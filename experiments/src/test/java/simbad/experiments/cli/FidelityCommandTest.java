@@ -1,9 +1,11 @@
 package simbad.experiments.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -17,7 +19,7 @@ class FidelityCommandTest {
   private Path folder;
 
   @Test
-  void shadowSensor_isFaithful_andLeavesItsTraces() {
+  void shadowSensor_isFaithful_andLeavesItsTraces() throws IOException {
     Path out = folder.resolve("out");
     Shell shell = Shell.simbad("fidelity", "round", "--speed", "0.1", "--out", out.toString());
     assertEquals(0, shell.status(), shell.err());
@@ -33,7 +35,39 @@ class FidelityCommandTest {
     assertTrue(Files.exists(out.resolve("round/map.csv")));
     assertTrue(Files.exists(out.resolve("round/trace.csv")));
     assertTrue(Files.exists(out.resolve("errors.json")));
-    assertTrue(Files.exists(out.resolve("report.html")));
+    String page = Files.readString(out.resolve("report.html"));
+    assertFirst(page, "Is the shadow sensor faithful?", "<strong>round, shadow</strong>: faithful");
+    assertTrue(page.contains("<td>at most 3 cm</td>"), page);
+    assertFalse(page.contains("missed"), page);
+    assertFalse(page.contains("smaller than original"), page);
+    assertTrue(page.contains("Radial error by bearing, logarithmic."), page);
+  }
+
+  /** Title and verdict stand before the first picture, the first note and the table of errors. */
+  private static void assertFirst(String page, String title, String verdict) {
+    String top = page.substring(page.indexOf("<main>"), page.indexOf("class=\"note\""));
+    assertTrue(top.contains("<h1>" + title + "</h1>"), top);
+    assertTrue(top.contains(verdict), top);
+    assertFalse(top.contains("<img"), top);
+  }
+
+  /** Nothing on the page is of a logarithmic plot or of a shadow sensor: there is neither. */
+  @Test
+  void originalSensorsPage_saysWhatItMissed_andOnlyWhatIsThere() throws IOException {
+    Path out = folder.resolve("out");
+    Shell shell =
+        Shell.simbad(
+            "fidelity", "round", "--sensor", "original", "--speed", "0.1", "--out", out.toString());
+    assertEquals(0, shell.status(), shell.err());
+    String page = Files.readString(out.resolve("report.html"));
+    String sentence = shell.out().lines().findFirst().orElseThrow().replaceFirst(".*l: ", "");
+    assertFirst(
+        page, "Is the original sensor faithful?", "<strong>round, original</strong>: " + sentence);
+    assertEquals(3, page.split("<strong>missed</strong>", -1).length - 1, page);
+    assertEquals(2, page.split("<td>held</td>", -1).length - 1, page);
+    assertFalse(page.contains("logarithmic"), page);
+    assertFalse(page.contains("shadow sensor"), page);
+    assertFalse(page.contains("smaller than original"), page);
   }
 
   @Test

@@ -205,7 +205,7 @@ class JarTest {
   private void checkTable(Java java) throws IOException, InterruptedException {
     Shell shell = jar(java, "table", "show", "angle");
     assertEquals(0, shell.status(), shell.err());
-    assertTrue(shell.out().startsWith("angle: measured"), shell.out());
+    assertTrue(shell.out().startsWith("angle (measured)\n"), shell.out());
   }
 
   private void checkOldProgram(Java java) throws IOException, InterruptedException {

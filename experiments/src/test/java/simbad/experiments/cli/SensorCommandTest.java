@@ -10,6 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import simbad.sonar.format.Sensitivity;
+import simbad.sonar.format.SensorFile;
 
 class SensorCommandTest {
   private static final Path SENSORS = Path.of("..", "data", "sensors");
@@ -50,6 +52,33 @@ class SensorCommandTest {
     assertTrue(Files.readString(picture).contains("<svg"));
   }
 
+  /** A piston's far field is 2 J1(x)/x with x = ka sin(angle): nothing that was drawn by hand. */
+  @Test
+  void srf04_isThePistonThatItsFileNames() throws Exception {
+    Sensitivity curve = SensorFile.findSensitivity(SENSORS.resolve("srf04.json")).orElseThrow();
+    double ka = 2.2117854 / Math.sin(Math.toRadians(27.5));
+    double before = -1;
+    for (Sensitivity.Point point : curve.points()) {
+      double x = ka * Math.sin(Math.toRadians(point.offAxisDeg()));
+      double db = x == 0 ? 0 : 20 * Math.log10(Math.abs(2 * besselJ1(x) / x));
+      assertEquals(db, point.levelDb(), 0.006, point.toString());
+      assertTrue(point.offAxisDeg() - before <= 1, "a corner at " + point);
+      before = point.offAxisDeg();
+    }
+    assertEquals(90, before);
+  }
+
+  /** Bessel's own integral, by the midpoint rule, which is exact for a periodic function. */
+  private static double besselJ1(double x) {
+    int parts = 1000;
+    double sum = 0;
+    for (int i = 0; i < parts; i++) {
+      double t = (i + 0.5) * Math.PI / parts;
+      sum += Math.cos(t - x * Math.sin(t));
+    }
+    return sum / parts;
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
@@ -63,7 +92,8 @@ class SensorCommandTest {
     Path file =
         Files.writeString(
             folder.resolve("bad.json"),
-            srf04.replaceAll("\"sensitivity_db\": .*", "\"sensitivity_db\": " + curve.strip()));
+            srf04.replaceAll(
+                "(?s)\"sensitivity_db\": .*]]?\\s*]", "\"sensitivity_db\": " + curve.strip()));
     checkRefused(file, complaint);
   }
 

@@ -69,7 +69,7 @@ class TableCommandTest {
   void show_saysProvenanceSourceAndRange() {
     Shell shell = Shell.simbad("table", "show", "angle");
     assertEquals(0, shell.status());
-    assertTrue(shell.out().startsWith("angle: measured"), shell.out());
+    assertTrue(shell.out().startsWith("angle (measured)\n"), shell.out());
     assertTrue(shell.out().contains("  source: Kranz 2014"), shell.out());
     assertTrue(
         shell.out().contains("72 bearings, every 5.000 degrees; 0.06 to 3.16 m"), shell.out());
@@ -81,7 +81,7 @@ class TableCommandTest {
     Files.writeString(file, "bearing_deg,threshold_m\n0,1\n120,2.5\n240,0.5\n");
     Shell shell = Shell.simbad("table", "show", file.toString());
     assertEquals(0, shell.status());
-    assertTrue(shell.out().startsWith("mine: provenance not stated"), shell.out());
+    assertTrue(shell.out().startsWith("mine (provenance not stated)\n"), shell.out());
     assertTrue(
         shell.out().contains("3 bearings, every 120.0 degrees; 0.50 to 2.50 m"), shell.out());
   }
@@ -158,5 +158,23 @@ class TableCommandTest {
     Path table = folder.resolve("nowhere/table.csv");
     checkRefused(
         Shell.simbad("table", "reconstruct", "round", "--out", table.toString()), "no such file");
+  }
+
+  /** A file that is called by its provenance would be "predicted (predicted)". */
+  @Test
+  void nameThatSaysItsProvenance_isNotFollowedByIt() throws IOException {
+    Path hexagon = Path.of("..", "data", "obstacles", "hexagon", "table.csv");
+    for (String name : List.of("predicted", "my-predicted", "Predicted", "unpredicted")) {
+      Path file = Files.copy(hexagon, folder.resolve(name + ".csv"));
+      boolean isSaid = !name.startsWith("un");
+      String named = isSaid ? name : name + " (predicted)";
+      Path picture = folder.resolve(name + ".svg");
+      Shell shell =
+          Shell.simbad("table", "compare", "angle", file.toString(), "--out", picture.toString());
+      assertEquals(0, shell.status(), shell.err());
+      assertTrue(shell.out().startsWith("angle (measured) and " + named + ", "), shell.out());
+      Shell shown = Shell.simbad("table", "show", file.toString());
+      assertTrue(shown.out().startsWith(named + "\n"), shown.out());
+    }
   }
 }

@@ -1,5 +1,6 @@
 package simbad.experiments.fidelity;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -44,6 +45,20 @@ class FidelityVerdictTest {
     assertTrue(FidelityVerdict.of(result, FidelityLimits.STANDARD).passes());
     FidelityVerdict strict = FidelityVerdict.of(result, new FidelityLimits(1, 0, 0, 0));
     assertTrue(strict.failings().size() >= 2, strict.sentence());
+  }
+
+  /** As the page shows them: each limit, what was asked for and what was reached. */
+  @Test
+  void checks_nameEveryLimit() {
+    List<LimitCheck> checks =
+        FidelityVerdict.of(run(SensorKind.ORIGINAL), new FidelityLimits(0.985, 0.03, 9, 0))
+            .checks();
+    assertEquals(
+        List.of("yes", "at least 98.5 %", "at most 3 cm", "at most 900 cm", "at most 0"),
+        checks.stream().map(LimitCheck::limit).toList());
+    assertEquals(
+        List.of(true, false, false, true, true), checks.stream().map(LimitCheck::isHeld).toList());
+    assertEquals("0 of 72", checks.get(4).reached());
   }
 
   @Test
