@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -49,8 +50,16 @@ class KillsTest {
 
   private static void awaitPort(SimbadProcess board) throws Exception {
     while (!Files.readString(board.out()).contains("serial port: ")) {
-      assertTrue(board.process().isAlive(), () -> "complaints in " + board.err());
+      assertTrue(board.process().isAlive(), () -> "said: " + said(board));
       Thread.sleep(5);
+    }
+  }
+
+  private static String said(SimbadProcess board) {
+    try {
+      return String.join(" | ", board.complaints());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 

@@ -33,12 +33,7 @@ public final class Leftovers {
    * @param stem what it begins with; tells people what it is
    */
   public static String name(String stem) {
-    return prefix(stem) + NUMBER.incrementAndGet();
-  }
-
-  /** Returns what such a name begins with; it ends in a number. */
-  static String prefix(String stem) {
-    return stem + "-" + Owner.current().mark() + "-";
+    return stem + "-" + Owner.current().mark() + "-" + NUMBER.incrementAndGet();
   }
 
   /**

@@ -1,8 +1,12 @@
 package simbad.sonar.format;
 
 import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileAttribute;
+import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.HashSet;
 import java.util.Set;
 
@@ -13,6 +17,10 @@ import java.util.Set;
 public final class TemporaryFolder implements AutoCloseable {
   /** Somebody may still be writing to it while it is deleted. */
   private static final int ATTEMPTS = 3;
+
+  private static final int MOST_GUESSED = 100;
+  private static final Set<PosixFilePermission> OWNER_ONLY =
+      PosixFilePermissions.fromString("rwx------");
 
   private static final Set<TemporaryFolder> OPEN = new HashSet<>();
   private static boolean ending;
@@ -46,10 +54,30 @@ public final class TemporaryFolder implements AutoCloseable {
       if (ending) {
         throw new IOException(parent + ": the program is ending, no folder is made");
       }
-      TemporaryFolder folder =
-          new TemporaryFolder(Files.createTempDirectory(parent, Leftovers.prefix(stem)));
+      TemporaryFolder folder = new TemporaryFolder(made(parent, stem));
       OPEN.add(folder);
       return folder;
+    }
+  }
+
+  /**
+   * For this account alone. Not by the system's own way, whose names are so long that a socket in
+   * it might have none.
+   */
+  private static Path made(Path parent, String stem) throws IOException {
+    FileAttribute<?>[] attributes =
+        parent.getFileSystem().supportedFileAttributeViews().contains("posix")
+            ? new FileAttribute<?>[] {PosixFilePermissions.asFileAttribute(OWNER_ONLY)}
+            : new FileAttribute<?>[] {};
+    for (int attempt = 1; ; attempt++) {
+      try {
+        return Files.createDirectory(parent.resolve(Leftovers.name(stem)), attributes);
+      } catch (FileAlreadyExistsException e) {
+        // Somebody guessed the name: the next one, but not for ever.
+        if (attempt == MOST_GUESSED) {
+          throw e;
+        }
+      }
     }
   }
 

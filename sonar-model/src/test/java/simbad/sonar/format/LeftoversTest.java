@@ -10,6 +10,7 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -140,8 +141,22 @@ class LeftoversTest {
       Files.createDirectories(path.resolve("a/b"));
       assertEquals(List.of(path.getFileName().toString()), names());
       assertTrue(path.getFileName().toString().startsWith("simbad-new-" + HERE.mark() + "-"));
+      assertEquals("rwx------", PosixFilePermissions.toString(Files.getPosixFilePermissions(path)));
     }
     assertEquals(List.of(), names());
+  }
+
+  /** Who can write to the system's folder of temporary files can foresee the name. */
+  @Test
+  void temporaryFolder_whoseNameIsTaken_getsAnother() throws Exception {
+    String last = Leftovers.name("taken");
+    int at = last.lastIndexOf('-') + 1;
+    long number = Long.parseLong(last.substring(at));
+    Path taken = Files.createDirectory(folder.resolve(last.substring(0, at) + (number + 1)));
+    try (TemporaryFolder temporary = TemporaryFolder.in(folder, "taken")) {
+      assertEquals(last.substring(0, at) + (number + 2), temporary.path().getFileName().toString());
+    }
+    assertTrue(Files.exists(taken));
   }
 
   @Test
