@@ -17,7 +17,7 @@ final class Complaints {
   static final String TRACE_OPTION = "--trace";
 
   /** A folder that is not published yet goes by the name that it was to have. */
-  private static final Pattern STAGED = Pattern.compile("\\.([^/]+)\\.unfinished-\\d+(?=/|:|$)");
+  private static final Pattern STAGED = Pattern.compile("\\.([^/]+)\\.unfinished-[0-9a-f-]+");
 
   private final String commandName;
   private final PrintWriter err;
