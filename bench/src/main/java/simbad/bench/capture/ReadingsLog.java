@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
@@ -40,6 +41,7 @@ public final class ReadingsLog implements Closeable {
    * @throws IOException if it cannot be written, or another process holds it
    */
   public static ReadingsLog open(Path file) throws IOException, DataFormatException {
+    boolean wasThere = Files.exists(file);
     FileChannel channel =
         Journal.held(
             file,
@@ -58,6 +60,9 @@ public final class ReadingsLog implements Closeable {
       return new ReadingsLog(file, channel, ReadingsFile.read(file));
     } catch (IOException | DataFormatException e) {
       channel.close();
+      if (!wasThere) {
+        Files.deleteIfExists(file);
+      }
       throw e;
     }
   }

@@ -34,7 +34,8 @@ class OutputTest {
 
   @Test
   void fileThatCannotBeWritten_isNamedAndLeavesNothing() throws IOException {
-    Path occupied = Files.createDirectories(folder.resolve("file/content")).getParent();
+    Path occupied = folder.resolve("file");
+    Files.createDirectories(occupied.resolve("content"));
     IOException fault = assertThrows(IOException.class, () -> Output.write(occupied, "mine"));
     assertTrue(String.valueOf(fault.getMessage()).startsWith(occupied + ": "), fault::toString);
     assertEquals(List.of("file"), names());

@@ -65,16 +65,8 @@ class FullDiskTest {
 
   private static List<String> files(Path folder) throws IOException {
     try (Stream<Path> entries = Files.walk(folder)) {
-      return entries
-          .filter(entry -> Files.isRegularFile(entry) && !isEmpty(entry))
-          .map(Path::toString)
-          .sorted()
-          .toList();
+      return entries.filter(Files::isRegularFile).map(Path::toString).sorted().toList();
     }
-  }
-
-  private static boolean isEmpty(Path file) {
-    return file.toFile().length() == 0;
   }
 
   private void runInside() throws Exception {
