@@ -183,7 +183,7 @@ class HelpExamplesTest {
   private void clear() throws IOException {
     try (Stream<Path> entries = Files.walk(folder)) {
       for (Path entry : entries.sorted(Comparator.reverseOrder()).toList()) {
-        boolean isOfTheProject = Files.isSymbolicLink(entry) && entry.getParent().equals(folder);
+        boolean isOfTheProject = Files.isSymbolicLink(entry) && folder.equals(entry.getParent());
         if (!isOfTheProject && !entry.equals(folder)) {
           Files.delete(entry);
         }

@@ -84,11 +84,11 @@ final class HelpInputs {
 
   /** What {@code simbad diagnose} leaves of thirty rows; diagnosed once, copied for each. */
   private void diagnosis(Path folder, String name) throws Exception {
-    Path diagnosed = prepared.resolve("diagnoses").resolve("my-bench");
+    Path diagnoses = prepared.resolve("diagnoses");
+    Path diagnosed = diagnoses.resolve("my-bench");
     if (!Files.exists(diagnosed)) {
       Path data = BenchData.write(prepared.resolve("my-bench"), BenchData.rows(30, 0.05));
-      Shell said =
-          Shell.simbad("diagnose", data.toString(), "--out", diagnosed.getParent().toString());
+      Shell said = Shell.simbad("diagnose", data.toString(), "--out", diagnoses.toString());
       assertEquals(0, said.status(), said.err());
     }
     Path copy = Files.createDirectories(folder.resolve("diagnoses").resolve(name));
