@@ -2,6 +2,7 @@ package simbad.gui;
 
 import java.awt.event.ActionListener;
 import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JOptionPane;
@@ -62,8 +63,9 @@ final class Menus {
     return menu;
   }
 
+  /** In one label: of a text with several lines, the dialog makes one of each line. */
   private void say(String title, String text) {
-    JOptionPane.showMessageDialog(frame, text, title, JOptionPane.PLAIN_MESSAGE);
+    JOptionPane.showMessageDialog(frame, new JLabel(text), title, JOptionPane.PLAIN_MESSAGE);
   }
 
   private static JMenu menu(String name, char mnemonic) {

@@ -100,6 +100,11 @@ final class Session {
     }
   }
 
+  /** Steps on and on, as the button does. */
+  void start() {
+    Commands.run(simulator::startSimulation);
+  }
+
   private void drawOnce() {
     Commands.run(world::renderOnce);
   }

@@ -182,6 +182,16 @@ public class Simbad extends JFrame implements ActionListener {
     }
   }
 
+  /** Runs the simulation that is shown, as the button does. Returns at once. */
+  public void startSimulation() {
+    SwingUtilities.invokeLater(
+        () -> {
+          if (session != null) {
+            session.start();
+          }
+        });
+  }
+
   /** Closes the window as its close button does. */
   void quit() {
     dispatchEvent(new WindowEvent(this, WindowEvent.WINDOW_CLOSING));

@@ -2,6 +2,8 @@ package simbad.scene3d;
 
 import java.awt.GraphicsConfiguration;
 import java.awt.GraphicsEnvironment;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.function.Consumer;
 import javax.media.j3d.BranchGroup;
 import javax.media.j3d.Canvas3D;
@@ -41,6 +43,7 @@ final class CanvasUniverse {
   private final Canvas3D canvas;
   private final RenderingErrorListener errors = this::fail;
   private volatile Consumer<String> failure = message -> {};
+  private volatile Lookout lookout = Lookout.TOP;
 
   private CanvasUniverse(GraphicsConfiguration configuration) {
     canvas = new SceneCanvas(configuration);
@@ -93,6 +96,7 @@ final class CanvasUniverse {
     view.setTransparencySortingPolicy(View.TRANSPARENCY_SORT_GEOMETRY);
     view.setSceneAntialiasingEnable(true);
     view.addCanvas3D(canvas);
+    canvas.addComponentListener(new FieldBySize());
     ViewPlatform platform = new ViewPlatform();
     eye.setCapability(TransformGroup.ALLOW_TRANSFORM_WRITE);
     eye.setCapability(TransformGroup.ALLOW_TRANSFORM_READ);
@@ -104,6 +108,28 @@ final class CanvasUniverse {
     branch.setCapability(BranchGroup.ALLOW_DETACH);
     branch.addChild(eye);
     locale.addBranchGraph(branch);
+  }
+
+  /** A window of another shape shows more or less of the height. */
+  private final class FieldBySize extends ComponentAdapter {
+    @Override
+    public void componentResized(ComponentEvent event) {
+      widen();
+    }
+  }
+
+  /** Makes the field of view what the place of the eye needs. */
+  void look(Lookout from) {
+    lookout = from;
+    widen();
+  }
+
+  private void widen() {
+    int width = canvas.getWidth();
+    int height = canvas.getHeight();
+    if (width > 0 && height > 0) {
+      view.setFieldOfView(lookout.fieldOfViewRad(width, height));
+    }
   }
 
   private void fail(RenderingError error) {

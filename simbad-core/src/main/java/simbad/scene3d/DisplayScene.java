@@ -78,6 +78,7 @@ public final class DisplayScene {
     turnsToo = lookout.turns();
     viewpoint.setAnchor(new Transform3D());
     lookout.place(viewpoint, sizes);
+    universe.look(lookout);
     followFigure();
   }
 

@@ -6,14 +6,14 @@ import javax.vecmath.Vector3d;
 /** The places from which the world can be watched. */
 public enum Lookout {
   /** High above the middle of the world, -z up. */
-  TOP(false, false) {
+  TOP(false, false, 1 / 2.4, 1 / 2.4) {
     @Override
     public void place(Viewpoint viewpoint, Sizes sizes) {
       above(viewpoint, 1.2 * sizes.worldM());
     }
   },
   /** From the east, half way down. */
-  EAST(false, false) {
+  EAST(false, false, Math.sqrt(2) / 3, 1 / 3.0) {
     @Override
     public void place(Viewpoint viewpoint, Sizes sizes) {
       viewpoint.look(
@@ -21,7 +21,7 @@ public enum Lookout {
     }
   },
   /** Behind an agent, looking where it goes. */
-  BEHIND(true, true) {
+  BEHIND(true, true, 0, 0) {
     @Override
     public void place(Viewpoint viewpoint, Sizes sizes) {
       viewpoint.look(
@@ -31,21 +31,21 @@ public enum Lookout {
     }
   },
   /** Far above an agent. */
-  ABOVE(true, false) {
+  ABOVE(true, false, 0, 0) {
     @Override
     public void place(Viewpoint viewpoint, Sizes sizes) {
       above(viewpoint, 0.8 * sizes.worldM());
     }
   },
   /** Above an agent, the nearer the lower it is. */
-  ABOVE_NEAR(true, false) {
+  ABOVE_NEAR(true, false, 0, 0) {
     @Override
     public void place(Viewpoint viewpoint, Sizes sizes) {
       above(viewpoint, Math.max(LEAST_NEAR_M, sizes.heightM() * sizes.worldM() * 0.5));
     }
   },
   /** Beside an agent, on its right as long as it heads along +x. */
-  SIDE(true, false) {
+  SIDE(true, false, 0, 0) {
     @Override
     public void place(Viewpoint viewpoint, Sizes sizes) {
       viewpoint.look(
@@ -74,12 +74,41 @@ public enum Lookout {
 
   private static final double LEAST_NEAR_M = 0.2;
 
+  /** Half of Java 3D's own field of view, across the window. */
+  private static final double USUAL = Math.tan(Math.toRadians(45 / 2.0));
+
+  /** For walls of a metre round the floor of a small world: they are nearer to the eye. */
+  private static final double MARGIN = 1.12;
+
   private final boolean follows;
   private final boolean turns;
+  private final double across;
+  private final double upwards;
 
-  Lookout(boolean follows, boolean turns) {
+  /**
+   * Creates a place.
+   *
+   * @param across tangent of the angle from the middle of the view to the side of the floor where
+   *     it appears widest, 0 where the floor need not be in the view
+   * @param upwards the same for its upper or lower end
+   */
+  Lookout(boolean follows, boolean turns, double across, double upwards) {
     this.follows = follows;
     this.turns = turns;
+    this.across = across;
+    this.upwards = upwards;
+  }
+
+  /**
+   * Returns the field of view across a window: 45 degrees, or as much more as shows the whole
+   * floor.
+   *
+   * @param width of the window, above 0
+   * @param height of the window in the same unit, above 0
+   */
+  public double fieldOfViewRad(double width, double height) {
+    double needed = MARGIN * Math.max(across, upwards * width / height);
+    return 2 * Math.atan(Math.max(USUAL, needed));
   }
 
   /** Returns true if the eye moves with an agent. */

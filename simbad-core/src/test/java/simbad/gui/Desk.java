@@ -26,10 +26,13 @@ import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.media.j3d.Canvas3D;
 import javax.swing.AbstractButton;
+import javax.swing.JDialog;
 import javax.swing.JInternalFrame;
+import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.SwingUtilities;
+import javax.swing.plaf.basic.BasicHTML;
 
 /** Somebody who sits before the main window, clicks and looks. */
 final class Desk implements AutoCloseable {
@@ -73,6 +76,24 @@ final class Desk implements AutoCloseable {
           return true;
         });
     settle();
+  }
+
+  /** Chooses a menu item that may open a dialog; on the event thread, which the dialog holds. */
+  void chooseUnawaited(String text) {
+    item(text).doClick(0);
+  }
+
+  /** The dialogs that are open. */
+  List<JDialog> dialogs() {
+    return Arrays.stream(window.getOwnedWindows())
+        .filter(JDialog.class::isInstance)
+        .map(JDialog.class::cast)
+        .filter(JDialog::isShowing)
+        .toList();
+  }
+
+  static boolean isHtml(JLabel label) {
+    return label.getClientProperty(BasicHTML.propertyKey) != null;
   }
 
   private JMenuItem item(String text) {
@@ -149,9 +170,13 @@ final class Desk implements AutoCloseable {
 
   /** Keeps a picture of the whole window for people to look at. */
   void photograph(String name) throws Exception {
+    photograph(name, window);
+  }
+
+  void photograph(String name, Component part) throws Exception {
     Files.createDirectories(PICTURES);
     try {
-      ImageIO.write(picture(window), "png", PICTURES.resolve(name + ".png").toFile());
+      ImageIO.write(picture(part), "png", PICTURES.resolve(name + ".png").toFile());
     } catch (IOException e) {
       throw new AssertionError(e);
     }

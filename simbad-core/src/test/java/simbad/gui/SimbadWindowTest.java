@@ -15,14 +15,18 @@ import java.util.Objects;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
+import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.JToggleButton;
+import javax.swing.SwingUtilities;
 import javax.vecmath.Vector3d;
 import javax.vecmath.Vector3f;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import simbad.sim.Agent;
 import simbad.sim.Box;
 import simbad.sim.EnvironmentDescription;
@@ -123,6 +127,22 @@ class SimbadWindowTest {
       assertTrue(Desk.difference(before, still(desk)) > 0.001, "the robots went 1 m");
       desk.click("reset");
       assertTrue(Desk.difference(before, still(desk)) < 0.0005, "they are back");
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"Mouse and keys", "About"})
+  void help_isDrawn_notSpeltOut(String item) throws Exception {
+    try (Desk desk = open()) {
+      SwingUtilities.invokeLater(() -> desk.chooseUnawaited(item));
+      Desk.await("a dialog", () -> !desk.dialogs().isEmpty());
+      JDialog dialog = desk.dialogs().get(0);
+      List<JLabel> labels = Desk.onEventThread(() -> Desk.parts(dialog, JLabel.class).toList());
+      // The parsed text, which the label draws in place of the letters.
+      assertEquals(1, labels.stream().filter(Desk::isHtml).count());
+      assertTrue(labels.stream().noneMatch(l -> l.getText() != null && !Desk.isHtml(l)));
+      desk.photograph("help " + item, dialog);
+      SwingUtilities.invokeAndWait(dialog::dispose);
     }
   }
 

@@ -2,6 +2,7 @@ package simbad.scene3d;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import javax.media.j3d.Transform3D;
 import javax.vecmath.Point3d;
@@ -11,6 +12,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** Where the eye gets; Transform3D needs no display. */
@@ -164,6 +166,33 @@ class ViewpointTest {
           case SIDE -> new Point3d(0, 1, 3);
         };
     check(expected.x, expected.y, expected.z, eye());
+  }
+
+  /** In windows of any shape, with walls of a metre round it. */
+  @ParameterizedTest
+  @CsvSource({"TOP, 8", "TOP, 20", "TOP, 25", "EAST, 8", "EAST, 20", "EAST, 25"})
+  void lookout_hasTheWholeFloorInView(Lookout lookout, double sideM) {
+    lookout.place(viewpoint, new Lookout.Sizes(sideM, 0.5, 0.3));
+    Transform3D eyeFromWorld = new Transform3D();
+    viewpoint.get(eyeFromWorld);
+    eyeFromWorld.invert();
+    for (double shape : new double[] {0.5, 0.8, 1, 1.3, 1.6, 2.2}) {
+      double across = Math.tan(lookout.fieldOfViewRad(600 * shape, 600) / 2);
+      for (int i = 0; i < 8; i++) {
+        double half = sideM / 2;
+        Point3d corner = new Point3d((i & 1) == 0 ? half : -half, i >> 2, (i & 2) - 1);
+        corner.z *= half;
+        eyeFromWorld.transform(corner);
+        assertTrue(Math.abs(corner.x / corner.z) < across, shape + ": " + corner);
+        assertTrue(Math.abs(corner.y / corner.z) < across / shape, shape + ": " + corner);
+      }
+    }
+  }
+
+  /** An agent is seen as large as in the original. */
+  @Test
+  void lookoutAtAnAgent_hasTheUsualField() {
+    assertEquals(Math.PI / 4, Lookout.BEHIND.fieldOfViewRad(900, 600), EPSILON);
   }
 
   @Test

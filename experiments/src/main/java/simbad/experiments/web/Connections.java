@@ -14,12 +14,13 @@ import org.eclipse.jetty.util.thread.ScheduledExecutorScheduler;
 import org.eclipse.jetty.util.thread.Scheduler;
 
 /**
- * The open connections of a server: a few, each for one request and a short time. Requests that
- * never end, or whose answers are never read, cannot keep others out: a newcomer takes the place of
- * the eldest, and there is a thread for each.
+ * The open connections of a server: a number of them at most, each for one request and a short
+ * time. Requests that never end, or whose answers are never read, cannot keep others out: a
+ * newcomer takes the place of the eldest, and there is a thread for each.
  */
 final class Connections implements Connection.Listener {
-  private static final int MOST = 32;
+  // More than anybody opens in the moment that an answer takes: the newcomers push out who waits.
+  private static final int MOST = 128;
   // What accepts, selects and waits in reserve.
   private static final int THREADS_OF_THE_SERVER = 8;
 
