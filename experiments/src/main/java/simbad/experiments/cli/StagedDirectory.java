@@ -55,14 +55,20 @@ final class StagedDirectory implements AutoCloseable {
     Leftovers.sweep(parent);
     Path staging = parent.resolve(Leftovers.name("." + name + ".unfinished"));
     StagedDirectory staged = new StagedDirectory(absolute, staging);
+    boolean made = false;
     try {
       staged.make();
+      made = true;
       return staged;
     } catch (AccessDeniedException e) {
       throw new AccessDeniedException(target.toString());
     } catch (NoSuchFileException e) {
       // Folders of the system's own, such as those of its processes, are no place for files.
       throw new FileSystemException(target.toString(), null, "no directory can be made there");
+    } finally {
+      if (!made) {
+        staged.close();
+      }
     }
   }
 
