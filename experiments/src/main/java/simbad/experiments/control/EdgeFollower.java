@@ -90,7 +90,7 @@ public final class EdgeFollower implements Controller {
       steering = new SmoothSteering(tuning, odometry.headingRad());
       whereabouts.restart();
     } else if (marching == 0 && whereabouts.isCaught(odometry)) {
-      steering = new TriangleMarch(tuning, heard);
+      steering = new TriangleMarch(tuning.inBends(), heard);
       marching = MARCH_STEPS;
     }
     steering.steer(heard, odometry, command);
@@ -155,7 +155,7 @@ public final class EdgeFollower implements Controller {
       }
       steps = 0;
       double widthM = Math.max(mostXM - leastXM, mostZM - leastZM);
-      return widthM < CAUGHT_STEPS * tuning.stepM();
+      return widthM < CAUGHT_STEPS * tuning.bendSpeedMPerS() * tuning.stepS();
     }
   }
 }

@@ -10,10 +10,17 @@ import simbad.sonar.frame.Angles;
  * faster the longer that side lasts: it curls round corners. After most of a half turn the curl
  * ends, for one that only grows tighter could close on itself without meeting the edge again: where
  * something is heard the robot drives straight on, else it circles the last place that heard.
+ *
+ * <p>A fast robot slows down in bends: while it turns by more than a step can, and where a side
+ * lasts longer than a straight edge makes it. Else what it drives would grow with its speed, and a
+ * notch of the edge that is smaller than its curves would be cut off.
  */
 final class SmoothSteering implements Steering {
   private static final double GREATEST_CURL_RAD = Math.toRadians(135);
   private static final double STEEPEST_RAD = Math.toRadians(60);
+
+  /** On a straight edge a side lasts about so many steps, at any speed. */
+  private static final int STRAIGHT_STEPS = 5;
 
   /** Radius of the circle round the last place that heard, in radii of the tightest turn. */
   private static final double CIRCLE = 1.5;
@@ -32,7 +39,7 @@ final class SmoothSteering implements Steering {
   SmoothSteering(Tuning tuning, double edgeRad) {
     this.tuning = tuning;
     this.edgeRad = edgeRad;
-    circleM = CIRCLE * tuning.speedMPerS() / tuning.greatestTurnRateRadPerS();
+    circleM = CIRCLE * tuning.bendSpeedMPerS() / tuning.greatestTurnRateRadPerS();
   }
 
   @Override
@@ -49,7 +56,9 @@ final class SmoothSteering implements Steering {
             ? curled(side) - odometry.headingRad()
             : lost(heard, odometry);
     double most = tuning.mostRadPerStep();
-    command.set(tuning.speedMPerS(), Math.max(-most, Math.min(most, turnRad)) / tuning.stepS());
+    boolean inBend = Math.abs(turnRad) > most || steps > STRAIGHT_STEPS;
+    double speedMPerS = inBend ? tuning.bendSpeedMPerS() : tuning.speedMPerS();
+    command.set(speedMPerS, Math.max(-most, Math.min(most, turnRad)) / tuning.stepS());
   }
 
   /**
@@ -67,7 +76,7 @@ final class SmoothSteering implements Steering {
   }
 
   private double curled(double side) {
-    double growth = tuning.curlRadPerStepM() * steps * tuning.stepM();
+    double growth = tuning.curlRadPerStep() * steps;
     double turnRad = Math.min(growth, tuning.mostRadPerStep());
     steps++;
     turnedRad += turnRad;

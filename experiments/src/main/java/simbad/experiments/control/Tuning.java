@@ -18,6 +18,9 @@ public record Tuning(
     double curlRadPerStepM) {
   private static final double ANY = Double.POSITIVE_INFINITY;
 
+  /** Faster than this nobody takes a bend of the tables, whose features are a few centimetres. */
+  private static final double BEND_SPEED_M_PER_S = 0.02;
+
   /** Checks the parameters. */
   public Tuning {
     requireBetween("speedMPerS", speedMPerS, ANY);
@@ -39,6 +42,26 @@ public record Tuning(
     // line.
     double stepM = speedMPerS * stepS;
     return new Tuning(speedMPerS, stepS, 2 * Math.PI, Math.toRadians(30), 0.01 / stepM);
+  }
+
+  /** Of the robot where it turns: a picture that grew with the speed would cut off corners. */
+  double bendSpeedMPerS() {
+    return Math.min(speedMPerS, BEND_SPEED_M_PER_S);
+  }
+
+  /** The same for a robot that goes no faster than it takes bends. */
+  Tuning inBends() {
+    double slower = bendSpeedMPerS() / speedMPerS;
+    return new Tuning(
+        bendSpeedMPerS(),
+        stepS,
+        greatestTurnRateRadPerS,
+        crossingAngleRad,
+        curlRadPerStepM / slower);
+  }
+
+  double curlRadPerStep() {
+    return curlRadPerStepM * stepM();
   }
 
   double stepM() {

@@ -11,15 +11,22 @@ import simbad.sonar.shape.ThresholdTable;
  * How far a trace is from a table.
  *
  * <p>Radial: per bearing of the table, the mean of |r - T| over all crossings of that bearing since
- * the edge was found. Lateral: the distance of each place since then from the shadow's edge.
+ * the edge was found. Lateral: the distance of each place since then from the shadow's edge. Neither
+ * sees a lobe that was cut off, whose bearings were crossed elsewhere: how much of the edge was kept
+ * does.
  *
  * @param radialM per bearing of the table, metres; empty where the trace never crossed it
  * @param lateralMeanM mean, metres; 0 if the edge was never found
  * @param lateralP95M 95 % quantile, metres
  * @param lateralMaxM greatest, metres
+ * @param edge how much of it the trace kept
  */
 public record TraceErrors(
-    List<OptionalDouble> radialM, double lateralMeanM, double lateralP95M, double lateralMaxM) {
+    List<OptionalDouble> radialM,
+    double lateralMeanM,
+    double lateralP95M,
+    double lateralMaxM,
+    EdgeKept edge) {
 
   private static final double SHARE_OF_P95 = 0.95;
 
@@ -44,7 +51,8 @@ public record TraceErrors(
         Arrays.asList(Crossings.means(sum, crossings)),
         Arrays.stream(lateral).average().orElse(0),
         lateral.length == 0 ? 0 : lateral[(int) (SHARE_OF_P95 * (lateral.length - 1))],
-        lateral.length == 0 ? 0 : lateral[lateral.length - 1]);
+        lateral.length == 0 ? 0 : lateral[lateral.length - 1],
+        EdgeKept.of(trace, table));
   }
 
   private static double[] lateral(Trace trace, ThresholdTable table) {

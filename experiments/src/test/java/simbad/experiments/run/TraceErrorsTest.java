@@ -180,7 +180,8 @@ class TraceErrorsTest {
                 OptionalDouble.of(2)),
             0,
             0,
-            0);
+            0,
+            EdgeKept.of(new Trace(STEP_S), ThresholdTable.of(0, 0, 0)));
     assertEquals(3, errors.meanM().orElseThrow());
     assertEquals(Math.sqrt(12.5), errors.rmsM().orElseThrow(), 1e-12);
     assertEquals(2.5, errors.medianM().orElseThrow());
