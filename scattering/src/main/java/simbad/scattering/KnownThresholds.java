@@ -1,5 +1,7 @@
 package simbad.scattering;
 
+import simbad.sonar.level.Air;
+
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;

@@ -1,5 +1,7 @@
 package simbad.scattering;
 
+import simbad.sonar.level.Air;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;

@@ -1,5 +1,7 @@
 package simbad.scattering;
 
+import simbad.sonar.level.Air;
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;

@@ -1,5 +1,7 @@
 package simbad.scattering;
 
+import simbad.sonar.level.Air;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;

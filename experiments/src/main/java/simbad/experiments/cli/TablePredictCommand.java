@@ -9,7 +9,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.table.PredictedTable;
 import simbad.obstacles.Catalogue;
-import simbad.scattering.Air;
+import simbad.sonar.level.Air;
 import simbad.scattering.Calibration;
 import simbad.scattering.KnownThresholds;
 import simbad.sonar.format.DataFormatException;

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import simbad.scattering.Air;
+import simbad.sonar.level.Air;
 import simbad.scattering.Backscatter;
 import simbad.scattering.Calibration;
 import simbad.scattering.RangeLimits;

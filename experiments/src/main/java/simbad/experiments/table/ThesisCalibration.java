@@ -3,7 +3,7 @@ package simbad.experiments.table;
 import java.util.List;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.CrossSections;
-import simbad.scattering.Air;
+import simbad.sonar.level.Air;
 import simbad.scattering.Calibration;
 import simbad.scattering.KnownThresholds;
 import simbad.scattering.RangeLimits;
