@@ -3,7 +3,7 @@
 
 Writes scenes, rows and values into the folder in which it stands:
 
-    python3 compute.py        (NumPy and SciPy; made with NumPy 2 and SciPy 1)
+    python3 compute.py        (needs SciPy; versions stand in README.md)
 
 The formula, with r the distance to the obstacle's centre, d that to the nearest point of its
 outline, phi the off-axis angle of that point (of two equally near points the one nearer the axis),

@@ -1,10 +1,9 @@
 package simbad.scattering;
 
-import simbad.sonar.level.Air;
-
 import java.util.Arrays;
 import java.util.List;
 import simbad.sonar.frame.Angles;
+import simbad.sonar.level.Air;
 import simbad.sonar.shape.Outline;
 
 /**

@@ -1,8 +1,7 @@
 package simbad.scattering;
 
-import simbad.sonar.level.Air;
-
 import java.util.List;
+import simbad.sonar.level.Air;
 
 /**
  * A ranger as fitted to known thresholds, with how far off the fit is.

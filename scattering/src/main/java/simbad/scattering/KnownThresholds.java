@@ -1,10 +1,9 @@
 package simbad.scattering;
 
-import simbad.sonar.level.Air;
-
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import simbad.sonar.level.Air;
 import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.ThresholdTable;
 

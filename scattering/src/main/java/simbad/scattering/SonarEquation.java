@@ -1,8 +1,7 @@
 package simbad.scattering;
 
-import simbad.sonar.level.Air;
-
 import java.util.Arrays;
+import simbad.sonar.level.Air;
 
 /**
  * From an echo's strength to the distance at which it is first missed.

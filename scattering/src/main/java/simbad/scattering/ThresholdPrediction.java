@@ -1,8 +1,7 @@
 package simbad.scattering;
 
-import simbad.sonar.level.Air;
-
 import java.util.Arrays;
+import simbad.sonar.level.Air;
 import simbad.sonar.shape.ThresholdBand;
 import simbad.sonar.shape.ThresholdTable;
 

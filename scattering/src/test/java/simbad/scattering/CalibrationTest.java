@@ -1,7 +1,5 @@
 package simbad.scattering;
 
-import simbad.sonar.level.Air;
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -10,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import simbad.sonar.level.Air;
 import simbad.sonar.shape.ThresholdTable;
 
 class CalibrationTest {

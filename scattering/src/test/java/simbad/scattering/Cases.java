@@ -1,7 +1,5 @@
 package simbad.scattering;
 
-import simbad.sonar.level.Air;
-
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -12,6 +10,7 @@ import java.util.stream.IntStream;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.OutlineFile;
 import simbad.sonar.frame.Point;
+import simbad.sonar.level.Air;
 import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.ThresholdTable;
 
