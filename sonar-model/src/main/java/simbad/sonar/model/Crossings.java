@@ -18,6 +18,9 @@ final class Crossings {
   /** Of energies; so near to the threshold an echo lies on it, rounded. */
   private static final double ROUNDING = 1e-9;
 
+  /** In standard deviations: what lacks so many crosses once in 10^19 pings. */
+  private static final double NEVER = 9;
+
   private final LevelLaw law;
   private final double missRate;
   private int size;
@@ -148,8 +151,10 @@ final class Crossings {
 
   /** The chance that an echo is heard: (1 - missRate) Phi(excess / sd). */
   static double chance(double excessDb, double sdDb, double missRate) {
-    double crosses =
-        sdDb > 0 ? NormalDistribution.cumulative(excessDb / sdDb) : excessDb >= -ROUNDING ? 1 : 0;
-    return (1 - missRate) * crosses;
+    if (!(sdDb > 0)) {
+      return excessDb >= -ROUNDING ? 1 - missRate : 0;
+    }
+    double deviations = excessDb / sdDb;
+    return deviations < -NEVER ? 0 : (1 - missRate) * NormalDistribution.cumulative(deviations);
   }
 }

@@ -12,8 +12,8 @@ import simbad.sonar.shape.NearestPoints;
  */
 final class LevelPlace {
   /**
-   * Echoes so far below what may be heard are left out: one adds at most 0.04 dB to a sum that is
-   * heard.
+   * Obstacles whose echoes are nowhere so strong, whatever the bearing and the heading, are left
+   * out: one adds at most 0.04 dB to a sum that is heard.
    */
   private static final double FAINT_DB = 20;
 
@@ -34,6 +34,7 @@ final class LevelPlace {
   private double[] centreM = {};
   private double[] energy = {};
   private boolean[] loud = {};
+  private int[] kept = {};
   private int size;
   private boolean placed;
   private double atXM;
@@ -118,52 +119,79 @@ final class LevelPlace {
     centreM = Arrays.copyOf(centreM, room);
     energy = Arrays.copyOf(energy, room);
     loud = new boolean[room];
+    kept = new int[room];
     nearest = Arrays.copyOf(nearest, room);
     for (int i = size; i < room; i++) {
       nearest[i] = new NearestPoints();
     }
   }
 
-  /** Keeps what is loud enough, alone or together with what may overlap it. */
+  /**
+   * Keeps what may have a part in a sum that is loud enough. Every such sum has a part that is at
+   * least its mean: only near these sums are formed.
+   */
   private void dropFaint() {
     for (int i = 0; i < size; i++) {
-      loud[i] = energy[i] >= leastEnergy || sum(i) >= leastEnergy;
+      loud[i] = energy[i] >= leastEnergy || (isNearLeader(i) && sum(i) >= leastEnergy);
     }
-    int kept = 0;
+    int count = 0;
     for (int i = 0; i < size; i++) {
-      if (loud[i]) {
-        target[kept] = target[i];
-        centreM[kept] = centreM[i];
-        energy[kept] = energy[i];
-        kept++;
+      if (loud[i] || overlapsLoud(i)) {
+        kept[count++] = i;
       }
     }
-    size = kept;
+    for (int i = 0; i < count; i++) {
+      target[i] = target[kept[i]];
+      centreM[i] = centreM[kept[i]];
+      energy[i] = energy[kept[i]];
+    }
+    size = count;
+  }
+
+  private boolean isNearLeader(int index) {
+    for (int i = 0; i < size; i++) {
+      if (size * energy[i] >= leastEnergy && mayOverlap(i, index)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean overlapsLoud(int index) {
+    for (int i = 0; i < size; i++) {
+      if (loud[i] && mayOverlap(i, index)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private double sum(int index) {
-    double reach = law.pulseLengthM() + target[index].reachM();
     double sum = 0;
     for (int i = 0; i < size; i++) {
-      boolean mayOverlap = Math.abs(centreM[i] - centreM[index]) <= reach + target[i].reachM();
-      sum += mayOverlap ? energy[i] : 0;
+      sum += mayOverlap(i, index) ? energy[i] : 0;
     }
     return sum;
+  }
+
+  private boolean mayOverlap(int one, int other) {
+    return Math.abs(centreM[one] - centreM[other])
+        <= law.pulseLengthM() + target[one].reachM() + target[other].reachM();
   }
 
   /** Finds the nearest points, and drops what is out of the sensor's range. */
   private void locate(double xM, double zM) {
     double greatestBeam = law.beam().greatestEnergy();
-    int kept = 0;
+    int count = 0;
     for (int i = 0; i < size; i++) {
-      NearestPoints points = nearest[kept];
+      NearestPoints points = nearest[count];
       target[i].findNearest(xM, zM, points);
       if (points.distanceM() >= model.sensor().minRangeM()
           && points.distanceM() <= model.sensor().maxRangeM()) {
-        energy[kept] = energy[i] / greatestBeam;
-        kept++;
+        energy[count] = energy[i] / greatestBeam;
+        count++;
       }
     }
-    size = kept;
+    size = count;
   }
 }

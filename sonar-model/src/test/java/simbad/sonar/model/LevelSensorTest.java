@@ -13,16 +13,19 @@ import java.util.Random;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simbad.sonar.fixture.Levels;
 import simbad.sonar.fixture.Scenes;
 import simbad.sonar.fixture.Sonars;
+import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensorLaw;
 import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.scene.UniformDetection;
 import simbad.sonar.sensing.Readings;
 import simbad.sonar.sensing.Sensor;
 import simbad.sonar.sensing.TransducerPoses;
@@ -88,6 +91,44 @@ class LevelSensorTest {
       }
     }
     assertTrue(echoes > 400 && echoes < 4700, echoes + " echoes of 4,800");
+  }
+
+  /**
+   * Eight posts round the sensor, each 8.5 dB below the threshold, are heard together: 9.03 dB.
+   * Each overlaps its neighbours in distance only, so that no bound may drop one for being faint
+   * alone.
+   */
+  @ParameterizedTest
+  @CsvSource({"8.5, 0, true", "9.5, 0, false", "8.5, 0.0099, true", "8.5, 0.0101, false"})
+  void certain_faintEchoesTogether_areHeard(double faintDb, double stepM, boolean heard) {
+    SonarSpec sensor =
+        sensor(
+            Sonars.exact(27.5, 0, 6),
+            "\"beam\": {\"two_way_db\": [[0, 0]]}, \"temperature_c\": 20,"
+                + " \"walk_m\": [[0, 0]], \"pulse_length_s\": 0.000408");
+    double pulseM = sensor.levelLaw().pulseLengthM();
+    assertEquals(0.07, pulseM, 1e-4);
+    List<Obstacle> posts = new ArrayList<>();
+    for (int i = 0; i < 8; i++) {
+      double r = 1 + i * stepM;
+      double threshold = sensor.levelLaw().firstLossM(sensor.levelLaw().strengthDb(r) - faintDb, 6);
+      posts.add(post(r, i * Math.PI / 4, threshold));
+    }
+    TransducerPoses poses = new TransducerPoses(1);
+    poses.setDirection(0, 1, 0, 0);
+    Readings readings = new Readings(1);
+    DetectionRule.LEVEL.bind(sensor, new Scene(posts), new Random(1)).ping(poses, 0, readings);
+    assertEquals(heard, readings.isEcho(0));
+    ReadingDistribution expected =
+        new LevelModel(sensor, new Scene(posts)).distribution(Pose.of(0, 0, 0));
+    assertEquals(heard, expected.noEchoProbability() < 0.5);
+  }
+
+  private static Obstacle post(double r, double bearing, double thresholdM) {
+    return Scenes.box(
+        new Placement(r * Math.sin(bearing), r * Math.cos(bearing), 0),
+        new UniformDetection(thresholdM),
+        1e-5);
   }
 
   /** Shares and means of 20,000 draws at places where several may be read. */
