@@ -35,18 +35,24 @@ public enum Belt {
   SHADOWS {
     @Override
     void place(EnvironmentDescription environment, int index, Point at) {
-      List<ObstacleType> types = Catalogue.types();
-      Vector3d position = new Vector3d(at.xM(), 0, at.zM());
-      environment.add(new SonarObstacle(position, TURN_RAD, types.get(index % types.size())));
+      placeExtrusion(environment, index, at);
     }
 
     @Override
     RangeSensorBelt fit(CirclingRobot robot, int sonars) {
-      SonarBelt belt =
-          new SonarBelt(
-              sonars, Catalogue.srf04(), DetectionRule.SHADOW, new SplittableRandom(SEED));
-      robot.carry(belt);
-      return belt;
+      return carried(robot, sonars, DetectionRule.SHADOW);
+    }
+  },
+  /** The same where their echoes are strong enough for the SRF04. */
+  LEVEL {
+    @Override
+    void place(EnvironmentDescription environment, int index, Point at) {
+      placeExtrusion(environment, index, at);
+    }
+
+    @Override
+    RangeSensorBelt fit(CirclingRobot robot, int sonars) {
+      return carried(robot, sonars, DetectionRule.LEVEL);
     }
   };
 
@@ -54,6 +60,18 @@ public enum Belt {
   static final double TURN_RAD = Math.PI / 4;
 
   private static final long SEED = 1;
+
+  private static void placeExtrusion(EnvironmentDescription environment, int index, Point at) {
+    List<ObstacleType> types = Catalogue.types();
+    Vector3d position = new Vector3d(at.xM(), 0, at.zM());
+    environment.add(new SonarObstacle(position, TURN_RAD, types.get(index % types.size())));
+  }
+
+  private static RangeSensorBelt carried(CirclingRobot robot, int sonars, DetectionRule rule) {
+    SonarBelt belt = new SonarBelt(sonars, Catalogue.srf04(), rule, new SplittableRandom(SEED));
+    robot.carry(belt);
+    return belt;
+  }
 
   /** Adds an obstacle to a world. */
   abstract void place(EnvironmentDescription environment, int index, Point at);

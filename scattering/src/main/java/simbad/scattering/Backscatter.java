@@ -3,6 +3,7 @@ package simbad.scattering;
 import java.util.Arrays;
 import java.util.List;
 import simbad.sonar.frame.Angles;
+import simbad.sonar.level.Air;
 import simbad.sonar.shape.Outline;
 
 /**

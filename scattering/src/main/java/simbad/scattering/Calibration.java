@@ -1,6 +1,7 @@
 package simbad.scattering;
 
 import java.util.List;
+import simbad.sonar.level.Air;
 
 /**
  * A ranger as fitted to known thresholds, with how far off the fit is.

@@ -3,6 +3,7 @@ package simbad.scattering;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import simbad.sonar.level.Air;
 import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.ThresholdTable;
 

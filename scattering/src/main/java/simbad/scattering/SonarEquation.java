@@ -1,6 +1,7 @@
 package simbad.scattering;
 
 import java.util.Arrays;
+import simbad.sonar.level.Air;
 
 /**
  * From an echo's strength to the distance at which it is first missed.

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
+import simbad.sonar.level.Air;
 import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.ThresholdTable;
 

@@ -1,6 +1,7 @@
 package simbad.scattering;
 
 import java.util.Arrays;
+import simbad.sonar.level.Air;
 import simbad.sonar.shape.ThresholdBand;
 import simbad.sonar.shape.ThresholdTable;
 

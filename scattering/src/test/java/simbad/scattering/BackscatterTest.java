@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.frame.Point;
+import simbad.sonar.level.Air;
 import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.ThresholdTable;
 

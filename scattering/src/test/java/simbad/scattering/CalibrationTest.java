@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import simbad.sonar.level.Air;
 import simbad.sonar.shape.ThresholdTable;
 
 class CalibrationTest {

@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.OutlineFile;
 import simbad.sonar.frame.Point;
+import simbad.sonar.level.Air;
 import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.ThresholdTable;
 

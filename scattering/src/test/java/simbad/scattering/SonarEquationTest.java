@@ -8,6 +8,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import org.junit.jupiter.api.Test;
+import simbad.sonar.level.Air;
 
 class SonarEquationTest {
   private static final Receiver PLAIN = new Receiver(10, 0, 0.001);

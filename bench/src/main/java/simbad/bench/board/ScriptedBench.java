@@ -69,7 +69,8 @@ public final class ScriptedBench implements BoardWorld {
         spec.rangeNoiseM(),
         spec.missRate(),
         spec.edgeWidthM(),
-        spec.updatePeriodS());
+        spec.updatePeriodS(),
+        spec.law());
   }
 
   private Sensor bind(int at) {

@@ -1,7 +1,6 @@
 package simbad.experiments.batch;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -10,6 +9,7 @@ import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.TableDocument;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Point;
+import simbad.sonar.scene.Detection;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
@@ -60,12 +60,10 @@ record BatchScene(
   }
 
   private static ThresholdTable table(Obstacle obstacle) {
-    if (obstacle.detection() instanceof TableDetection detection) {
-      return detection.table();
-    }
-    double[] thresholds = new double[BEARINGS];
-    Arrays.fill(thresholds, obstacle.detection().greatestM());
-    return ThresholdTable.of(thresholds);
+    Detection detection = obstacle.detection();
+    return detection
+        .findTable()
+        .orElseGet(() -> ThresholdTable.uniform(BEARINGS, detection.greatestM()));
   }
 
   /** How a row names it. */

@@ -73,7 +73,7 @@ final class BoardCommand extends Subcommand {
   @Option(
       names = "--sensor",
       paramLabel = "SENSOR",
-      description = "When the sensor hears: shadow, original, overlap, noisy. Default: shadow.")
+      description = "When the sensor hears: " + RuleArgument.NAMES + ". Default: shadow.")
   private String sensor = "shadow";
 
   @Option(

@@ -6,13 +6,13 @@ import simbad.sonar.model.DetectionRule;
 
 /** When the simulated board's sensor hears, as named on the command line. */
 final class RuleArgument {
-  static final String NAMES = "shadow, original, overlap, noisy";
+  static final String NAMES = "shadow, original, overlap, noisy, level, level-noisy";
 
   private RuleArgument() {}
 
   static Optional<DetectionRule> parse(String word) {
     for (DetectionRule rule : DetectionRule.values()) {
-      if (rule.name().toLowerCase(Locale.ROOT).equals(word)) {
+      if (rule.name().toLowerCase(Locale.ROOT).replace('_', '-').equals(word)) {
         return Optional.of(rule);
       }
     }

@@ -56,7 +56,8 @@ final class RunCommand extends Subcommand {
       paramLabel = "SENSOR",
       split = ",",
       description =
-          "original (cone, 2.5 m), ray (Simbad's thin rays), shadow, overlap, noisy,"
+          "original (cone, 2.5 m), ray (Simbad's thin rays), shadow, overlap, noisy, level,"
+              + " level-noisy (echoes with strength),"
               + " diagnosed:DIR (a diagnosis' folder with model.json and scene.json)."
               + " Default: original,shadow.")
   private List<String> sensors = List.of("original", "shadow");

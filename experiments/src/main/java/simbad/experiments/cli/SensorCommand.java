@@ -1,6 +1,7 @@
 package simbad.experiments.cli;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import picocli.CommandLine.Command;
@@ -10,6 +11,7 @@ import simbad.experiments.plot.BeamPlot;
 import simbad.experiments.plot.Caption;
 import simbad.sonar.format.Sensitivity;
 import simbad.sonar.format.SensorFile;
+import simbad.sonar.level.LevelLaw;
 import simbad.sonar.scene.SonarSpec;
 
 /** {@code simbad sensor}: sensors as files. */
@@ -41,6 +43,15 @@ final class SensorCommand extends CommandGroup {
       line(
           "a ping every %.4g s, %.4g m/s assumed",
           spec.updatePeriodS(), spec.assumedSoundSpeedMPerS());
+      LevelLaw law = spec.levelLaw();
+      line(
+          "level: %.4g dB at %.4g degrees off the axis, absorption %.3g dB/m, scatter %.3g dB",
+          law.beam().twoWayDb(spec.coneHalfAngleRad()) - law.beam().axisDb(),
+          Math.toDegrees(spec.coneHalfAngleRad()),
+          law.absorptionDbPerM(),
+          law.excessSdDb());
+      List<String> missing = spec.law().level().missing();
+      line("level fields by default: %s", missing.isEmpty() ? "none" : String.join(", ", missing));
     }
 
     private void line(String format, Object... values) {

@@ -9,12 +9,12 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.table.PredictedTable;
 import simbad.obstacles.Catalogue;
-import simbad.scattering.Air;
 import simbad.scattering.Calibration;
 import simbad.scattering.KnownThresholds;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.OutlineDocument;
 import simbad.sonar.format.SensorFile;
+import simbad.sonar.level.Air;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.shape.Outline;
 

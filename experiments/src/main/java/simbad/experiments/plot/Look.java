@@ -23,6 +23,9 @@ record Look(Color colour, BasicStroke stroke, int depth) {
   private static final Color VERMILLION = new Color(0xD55E00);
   private static final Color REDDISH_PURPLE = new Color(0xCC79A7);
 
+  /** Tol's muted scheme: the eighth colour of Okabe and Ito, a yellow, is too pale on white. */
+  private static final Color WINE = new Color(0x882255);
+
   /** Short enough that a dash pattern makes it a row of round dots. */
   private static final float DOT = 0.01f;
 
@@ -45,12 +48,13 @@ record Look(Color colour, BasicStroke stroke, int depth) {
   static Look of(SeriesRole role) {
     return switch (role) {
       case BAND -> new Look(PALE, Ink.round(7f), -1);
-      case TABLE -> new Look(BLACK, Ink.round(0.9f), 6);
+      case TABLE -> new Look(BLACK, Ink.round(0.9f), 7);
       case ORIGINAL -> new Look(VERMILLION, Ink.round(1.5f, 6f, 4f), 2);
       case SHADOW -> new Look(SKY_BLUE, Ink.round(3f), 0);
       case OVERLAP -> new Look(BLUISH_GREEN, Ink.round(1.6f, 7f, 3f, DOT, 3f), 3);
       case RAY -> new Look(REDDISH_PURPLE, Ink.round(1.8f, DOT, 3.4f), 4);
       case NOISY -> new Look(BLUE, Ink.round(1.4f, 2.5f, 3f), 5);
+      case LEVEL -> new Look(WINE, Ink.round(2.2f, 9f, 4f), 6);
       case OTHER -> new Look(ORANGE, Ink.round(2f), 1);
     };
   }

@@ -19,6 +19,8 @@ public enum SeriesRole {
   RAY,
   /** The noisy sensor. */
   NOISY,
+  /** The sensor whose echoes have strength. */
+  LEVEL,
   /** Anything else. */
   OTHER
 }

@@ -56,6 +56,22 @@ public final class SensorKind {
           "nominal model: misses, soft threshold, range noise",
           belt(DetectionRule.NOISY));
 
+  /** The level model without its scatter. */
+  public static final SensorKind LEVEL =
+      new SensorKind(
+          "level",
+          SeriesRole.LEVEL,
+          "level model: the echo reaches the receiver's threshold",
+          belt(DetectionRule.LEVEL));
+
+  /** The level model with its scatter. */
+  public static final SensorKind LEVEL_NOISY =
+      new SensorKind(
+          "level-noisy",
+          SeriesRole.OTHER,
+          "level model: misses, excess and range scatter",
+          belt(DetectionRule.LEVEL_NOISY));
+
   private final String word;
   private final SeriesRole role;
   private final String meaning;
@@ -95,7 +111,7 @@ public final class SensorKind {
 
   /** Returns the sensors that need no further word, in the order in which help lists them. */
   public static List<SensorKind> plain() {
-    return List.of(ORIGINAL, RAY, SHADOW, OVERLAP, NOISY);
+    return List.of(ORIGINAL, RAY, SHADOW, OVERLAP, NOISY, LEVEL, LEVEL_NOISY);
   }
 
   /**

@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import simbad.scattering.Air;
 import simbad.scattering.Backscatter;
 import simbad.scattering.Calibration;
 import simbad.scattering.RangeLimits;
 import simbad.scattering.ThresholdPrediction;
 import simbad.sonar.format.OutlineDocument;
 import simbad.sonar.format.TableDocument;
+import simbad.sonar.level.Air;
 import simbad.sonar.scene.SonarSpec;
 
 /** A table that is predicted from a cross-section, with the band in which it is uncertain. */

@@ -3,11 +3,11 @@ package simbad.experiments.table;
 import java.util.List;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.CrossSections;
-import simbad.scattering.Air;
 import simbad.scattering.Calibration;
 import simbad.scattering.KnownThresholds;
 import simbad.scattering.RangeLimits;
 import simbad.scattering.ThesisThresholds;
+import simbad.sonar.level.Air;
 import simbad.sonar.scene.SonarSpec;
 
 /** The prediction's calibration, fitted anew to what Kranz (2014) says of his obstacles. */

@@ -60,7 +60,7 @@ class BatchSpecTest {
           'seeds': {'from': 1, 'count': 2, 'step': 2}|seeds.step: is no field here, expected one of from, count
           'speeds_m_per_s': [0]|speeds_m_per_s.0: 0 is not a speed in (0, 1.0] m/s
           'speeds_m_per_s': [0.1, 0.1]|speeds_m_per_s.1: 0.1 stands twice
-          'sensors': ['sonar']|sensors.0: "sonar" is not one of original, ray, shadow, overlap, noisy, diagnosed:DIR
+          'sensors': ['sonar']|sensors.0: "sonar" is not one of original, ray, shadow, overlap, noisy, level, level-noisy, diagnosed:DIR
           'sensors': ['diagnosed:']|sensors.0: "diagnosed:" is not the name of a file or folder
           'controllers': [{'parameters': {}}]|controllers.0.name: is missing
           'controllers': [{'name': 'x'}]|controllers.0.name: "x" is not the name of a controller: edge-follower, moody

@@ -121,7 +121,7 @@ class BoardCommandTest {
         "--distance -1 | --distance: -1.0 is out of range",
         "--temperature -60 | --temperature: -60.0 is not in",
         "--clockwise NaN | --clockwise: NaN is not a number of degrees",
-        "--sensor ears | --sensor: 'ears' is none of shadow, original, overlap, noisy",
+        "--sensor ears | --sensor: 'ears' is none of shadow, original, overlap, noisy, level, level-noisy",
         "--pace -1 | --pace: -1.0 is out of range",
         "--for NaN | --for: NaN is out of range"
       })

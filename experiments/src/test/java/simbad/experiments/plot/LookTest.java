@@ -21,6 +21,7 @@ class LookTest {
     "OVERLAP, 009E73",
     "RAY, CC79A7",
     "NOISY, 0072B2",
+    "LEVEL, 882255",
     "OTHER, E69F00"
   })
   void colours_areFixed(SeriesRole role, String rgb) {

@@ -172,6 +172,8 @@ class ExperimentTest {
       assertFalse(kind.meaning().isEmpty());
     }
     assertEquals(Optional.empty(), SensorKind.find("SHADOW"));
-    assertEquals("original, ray, shadow, overlap, noisy, diagnosed:DIR", SensorKind.words());
+    assertEquals(
+        "original, ray, shadow, overlap, noisy, level, level-noisy, diagnosed:DIR",
+        SensorKind.words());
   }
 }

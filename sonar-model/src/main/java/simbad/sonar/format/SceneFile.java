@@ -6,10 +6,13 @@ import java.util.List;
 import java.util.Optional;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Point;
+import simbad.sonar.level.StrengthTable;
 import simbad.sonar.scene.Detection;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.scene.StrengthDetection;
 import simbad.sonar.scene.TableDetection;
 import simbad.sonar.scene.UniformDetection;
 import simbad.sonar.shape.Crossing;
@@ -17,11 +20,28 @@ import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.Overlap;
 import simbad.sonar.shape.ThresholdTable;
 
-/** Scene files: what a simulator believes, {@code format} "sonar-gap/1". */
+/**
+ * Scene files: what a simulator believes, {@code format} "sonar-gap/1" or "sonar-gap/2". Of the
+ * second format this reads the sensor's law ({@code sensor.model}, {@code sensor.level}) and target
+ * strengths; fields of it that would change what a sensor reads and are not known yet are refused.
+ */
 public final class SceneFile {
   static final String FORMAT = "sonar-gap/1";
 
-  private SceneFile() {}
+  static final String FORMAT_2 = "sonar-gap/2";
+
+  /** Fields of format 2 without which a scene would be read as another one. */
+  private static final List<String> NOT_YET_OF_SCENE = List.of("sensors");
+
+  private static final List<String> NOT_YET_OF_OBSTACLE = List.of("bottom_m", "top_m");
+
+  private final boolean second;
+  private final SonarSpec sensor;
+
+  private SceneFile(boolean second, SonarSpec sensor) {
+    this.second = second;
+    this.sensor = sensor;
+  }
 
   /**
    * Reads a scene.
@@ -31,17 +51,32 @@ public final class SceneFile {
    */
   public static SensingSetup read(Path file) throws DataFormatException {
     JsonInput root = JsonInput.read(file);
-    if (!root.text("format").equals(FORMAT)) {
-      throw root.field("format").isNot("\"" + FORMAT + "\"");
+    boolean second = root.text("format").equals(FORMAT_2);
+    if (!second && !root.text("format").equals(FORMAT)) {
+      throw root.field("format").isNot("\"" + FORMAT + "\" or \"" + FORMAT_2 + "\"");
     }
+    JsonInput sensor = root.field("sensor");
+    SonarSpec spec = second ? SensorFile.specWithLaw(sensor) : SensorFile.spec(sensor);
+    return new SceneFile(second, spec).setup(root);
+  }
+
+  private SensingSetup setup(JsonInput root) throws DataFormatException {
+    refuse(root, NOT_YET_OF_SCENE);
     List<Obstacle> obstacles = new ArrayList<>();
     for (JsonInput item : root.items("obstacles")) {
       Obstacle obstacle = obstacle(item);
       checkOverlap(item, obstacle, obstacles);
       obstacles.add(obstacle);
     }
-    return new SensingSetup(
-        SensorFile.spec(root.field("sensor")), new Scene(obstacles), root.positive("no_echo_m"));
+    return new SensingSetup(sensor, new Scene(obstacles), root.positive("no_echo_m"));
+  }
+
+  private void refuse(JsonInput object, List<String> fields) throws DataFormatException {
+    for (String field : fields) {
+      if (second && object.has(field)) {
+        throw object.field(field).fault("of \"" + FORMAT_2 + "\" is not supported yet");
+      }
+    }
   }
 
   private static void checkOverlap(JsonInput item, Obstacle obstacle, List<Obstacle> before)
@@ -54,7 +89,8 @@ public final class SceneFile {
     }
   }
 
-  private static Obstacle obstacle(JsonInput item) throws DataFormatException {
+  private Obstacle obstacle(JsonInput item) throws DataFormatException {
+    refuse(item, NOT_YET_OF_OBSTACLE);
     Placement placement =
         new Placement(
             item.finite("x_m"), item.finite("z_m"), Math.toRadians(item.finite("turn_deg")));
@@ -92,12 +128,31 @@ public final class SceneFile {
         value -> Math.abs(value) <= JsonInput.GREATEST, "a finite number, up to 1e6");
   }
 
-  private static Detection detection(JsonInput item) throws DataFormatException {
-    return switch (item.text("detection")) {
-      case "table" -> new TableDetection(table(item));
-      case "uniform" -> new UniformDetection(threshold(item.field("uniform_range_m")));
-      default -> throw item.field("detection").isNot("\"table\" or \"uniform\"");
-    };
+  private Detection detection(JsonInput item) throws DataFormatException {
+    String word = item.text("detection");
+    if (word.equals("table")) {
+      return new TableDetection(table(item));
+    }
+    if (word.equals("uniform")) {
+      return new UniformDetection(threshold(item.field("uniform_range_m")));
+    }
+    if (second && word.equals("strength")) {
+      return StrengthDetection.of(strength(item), sensor.levelLaw(), sensor.maxRangeM());
+    }
+    throw item.field("detection")
+        .isNot(second ? "\"table\", \"uniform\" or \"strength\"" : "\"table\" or \"uniform\"");
+  }
+
+  private static StrengthTable strength(JsonInput item) throws DataFormatException {
+    List<JsonInput> values = item.items("strength_db");
+    double[] strengthDb = new double[values.size()];
+    for (int i = 0; i < strengthDb.length; i++) {
+      strengthDb[i] = values.get(i).number(StrengthTable::isStrength, "a level in [-300, 300] dB");
+    }
+    if (strengthDb.length == 0) {
+      throw item.field("strength_db").fault("is empty, expected at least 1 value");
+    }
+    return StrengthTable.of(strengthDb);
   }
 
   private static ThresholdTable table(JsonInput item) throws DataFormatException {

@@ -7,9 +7,12 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.UncheckedIOException;
 import simbad.sonar.frame.Point;
+import simbad.sonar.level.LevelFigures;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SensorLaw;
 import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.scene.StrengthDetection;
 import simbad.sonar.scene.TableDetection;
 import simbad.sonar.scene.UniformDetection;
 
@@ -21,15 +24,21 @@ public final class SceneWriter {
 
   /**
    * Returns a scene as the text of a file; read again it is the same but for the last digits of its
-   * angles, which stand there in degrees.
+   * angles, which stand there in degrees. A scene that says which law it believes, or states target
+   * strengths, is of format "sonar-gap/2"; any other of "sonar-gap/1", which knows no level law.
    *
    * @param setup the scene with its sensor
    */
   public static String text(SensingSetup setup) {
     ObjectNode root = MAPPER.createObjectNode();
-    root.put("format", SceneFile.FORMAT);
+    boolean second = isSecond(setup);
+    root.put("format", second ? SceneFile.FORMAT_2 : SceneFile.FORMAT);
     root.put("no_echo_m", setup.noEchoM());
-    addSensor(root.putObject("sensor"), setup.sensor());
+    ObjectNode sensor = root.putObject("sensor");
+    addSensor(sensor, setup.sensor());
+    if (second) {
+      addLaw(sensor, setup.sensor().law());
+    }
     ArrayNode obstacles = root.putArray("obstacles");
     setup.scene().obstacles().forEach(obstacle -> addObstacle(obstacles.addObject(), obstacle));
     DefaultPrettyPrinter printer =
@@ -38,6 +47,19 @@ public final class SceneWriter {
       return MAPPER.writer(printer).writeValueAsString(root) + "\n";
     } catch (com.fasterxml.jackson.core.JsonProcessingException e) {
       throw new UncheckedIOException(e);
+    }
+  }
+
+  private static boolean isSecond(SensingSetup setup) {
+    return setup.sensor().law().model().isPresent()
+        || setup.scene().obstacles().stream()
+            .anyMatch(obstacle -> obstacle.detection() instanceof StrengthDetection);
+  }
+
+  private static void addLaw(ObjectNode node, SensorLaw law) {
+    law.model().ifPresent(model -> node.put(SensorFile.MODEL, model.word()));
+    if (!law.level().equals(LevelFigures.NONE)) {
+      LevelFields.write(node.putObject(SensorFile.LEVEL), law.level());
     }
   }
 
@@ -73,6 +95,12 @@ public final class SceneWriter {
     } else if (obstacle.detection() instanceof UniformDetection detection) {
       node.put("detection", "uniform");
       node.put("uniform_range_m", detection.rangeM());
+    } else if (obstacle.detection() instanceof StrengthDetection detection) {
+      node.put("detection", "strength");
+      ArrayNode strengths = node.putArray("strength_db");
+      for (double strength : detection.strength().valuesDb()) {
+        strengths.add(strength);
+      }
     }
   }
 

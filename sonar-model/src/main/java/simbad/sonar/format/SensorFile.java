@@ -4,13 +4,22 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import simbad.sonar.level.LevelFigures;
+import simbad.sonar.scene.SensorLaw;
 import simbad.sonar.scene.SonarSpec;
 
-/** Sensors as JSON files, with the fields of {@code sensor} in a scene file. */
+/**
+ * Sensors as JSON files, with the fields of {@code sensor} in a scene file, {@code level} among
+ * them.
+ */
 public final class SensorFile {
   private static final double LARGEST_HALF_ANGLE_DEG = 180;
 
   private static final String SENSITIVITY = "sensitivity_db";
+
+  static final String MODEL = "model";
+
+  static final String LEVEL = "level";
 
   private SensorFile() {}
 
@@ -21,7 +30,7 @@ public final class SensorFile {
    * @throws DataFormatException naming file, line and field of the first fault
    */
   public static SonarSpec read(Path file) throws DataFormatException {
-    return spec(JsonInput.read(file));
+    return specWithLevel(JsonInput.read(file));
   }
 
   /**
@@ -32,7 +41,7 @@ public final class SensorFile {
    * @throws DataFormatException naming name, line and field of the first fault
    */
   public static SonarSpec parse(Path name, String text) throws DataFormatException {
-    return spec(JsonInput.parse(name, text));
+    return specWithLevel(JsonInput.parse(name, text));
   }
 
   /**
@@ -89,5 +98,32 @@ public final class SensorFile {
         sensor.number("miss_rate", rate -> rate >= 0 && rate <= 1, "a share in [0, 1]"),
         sensor.notNegative("edge_width_m"),
         sensor.positive("update_period_s"));
+  }
+
+  /** A file of a sensor alone believes no law: what uses it says by which one it hears. */
+  private static SonarSpec specWithLevel(JsonInput sensor) throws DataFormatException {
+    return spec(sensor).withLaw(new SensorLaw(Optional.empty(), level(sensor)));
+  }
+
+  /** The sensor of a scene of the second format. */
+  static SonarSpec specWithLaw(JsonInput sensor) throws DataFormatException {
+    Optional<SensorLaw.Model> model = Optional.empty();
+    if (sensor.has(MODEL)) {
+      model = Optional.of(model(sensor.field(MODEL)));
+    }
+    return spec(sensor).withLaw(new SensorLaw(model, level(sensor)));
+  }
+
+  private static LevelFigures level(JsonInput sensor) throws DataFormatException {
+    return sensor.has(LEVEL) ? LevelFields.read(sensor.field(LEVEL)) : LevelFigures.NONE;
+  }
+
+  private static SensorLaw.Model model(JsonInput word) throws DataFormatException {
+    for (SensorLaw.Model model : SensorLaw.Model.values()) {
+      if (word.isText(model.word())) {
+        return model;
+      }
+    }
+    throw word.isNot("\"threshold\" or \"level\"");
   }
 }

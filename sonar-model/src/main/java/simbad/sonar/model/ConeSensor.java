@@ -12,7 +12,7 @@ import simbad.sonar.shape.Cone;
 /** A noise-free sensor: each transducer reads the nearest obstacle that answers. */
 abstract class ConeSensor implements Sensor {
   final Cone cone;
-  private final Earshot earshot;
+  private final Earshot<PlacedObstacle> earshot;
   private final TransducerPose pose = new TransducerPose();
   private Audible[] audible = {};
   private int audibleCount;
@@ -30,7 +30,7 @@ abstract class ConeSensor implements Sensor {
   ConeSensor(SonarSpec sensor, Scene scene, ToDoubleFunction<PlacedObstacle> earshotM) {
     cone = new Cone(sensor.coneHalfAngleRad());
     PlacedObstacle[] obstacles = PlacedObstacle.all(scene);
-    earshot = new Earshot(obstacles, Arrays.stream(obstacles).mapToDouble(earshotM).toArray());
+    earshot = new Earshot<>(obstacles, Arrays.stream(obstacles).mapToDouble(earshotM).toArray());
   }
 
   /** Whether an obstacle may answer at a place at all, wherever the sensor looks. */

@@ -44,6 +44,24 @@ public enum DetectionRule implements SensorModel {
     public Sensor bind(SonarSpec sensor, Scene scene, RandomGenerator random) {
       return new NoisySensor(new NominalModel(sensor, scene), random);
     }
+  },
+  /**
+   * The {@link LevelModel} without its scatter: an echo where its energy reaches the receiver's
+   * threshold, which is where its chance, misses apart, is at least 1/2; reads the distance plus
+   * the walk.
+   */
+  LEVEL {
+    @Override
+    public Sensor bind(SonarSpec sensor, Scene scene, RandomGenerator random) {
+      return LevelSensor.certain(new LevelModel(sensor, scene));
+    }
+  },
+  /** The {@link LevelModel} with its scatter, misses, range noise and resolution. */
+  LEVEL_NOISY {
+    @Override
+    public Sensor bind(SonarSpec sensor, Scene scene, RandomGenerator random) {
+      return LevelSensor.noisy(new LevelModel(sensor, scene), random);
+    }
   };
 
   /** How far the original sensor hears, in metres: Kranz (2014), section 4.2.2. */

@@ -8,27 +8,27 @@ import java.util.function.IntConsumer;
  * somewhat farther around and kept until the place has moved out of that, so that the tree is asked
  * only now and then. A mutable buffer; not safe for use by several threads.
  */
-final class Earshot {
+final class Earshot<T extends PlacedObstacle> {
   /**
    * How far the place may move before the tree is asked again, as a share of the greatest earshot.
    */
   private static final double SLACK = 0.125;
 
-  private final PlacedObstacle[] obstacles;
+  private final T[] obstacles;
   private final EarshotTree tree;
   private final double slackM;
   private final IntConsumer gathering = this::add;
-  private PlacedObstacle[] near;
+  private T[] near;
   private int size;
   private boolean gathered;
   private double fromXM;
   private double fromZM;
 
-  Earshot(PlacedObstacle[] obstacles, double[] earshotM) {
+  Earshot(T[] obstacles, double[] earshotM) {
     this.obstacles = obstacles;
     tree = new EarshotTree(obstacles, earshotM);
     slackM = SLACK * tree.greatestM();
-    near = new PlacedObstacle[Math.min(8, obstacles.length)];
+    near = Arrays.copyOf(obstacles, Math.min(8, obstacles.length));
   }
 
   private void add(int obstacle) {
@@ -57,7 +57,7 @@ final class Earshot {
   }
 
   /** Returns one of them; in no order. */
-  PlacedObstacle get(int index) {
+  T get(int index) {
     return near[index];
   }
 }

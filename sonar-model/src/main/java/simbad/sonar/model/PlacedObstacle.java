@@ -4,14 +4,14 @@ import java.util.Optional;
 import simbad.sonar.scene.Detection;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
-import simbad.sonar.scene.TableDetection;
 import simbad.sonar.shape.Cone;
 import simbad.sonar.shape.DetectionShadow;
+import simbad.sonar.shape.NearestPoints;
 import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.ThresholdTable;
 
 /** An obstacle with its outline laid out in the world, so that a ping computes nothing twice. */
-final class PlacedObstacle {
+class PlacedObstacle {
   /** A uniform threshold's circle as a polygon: 0.1 mm inside it at 3 m. */
   private static final int CIRCLE_CORNERS = 360;
 
@@ -30,14 +30,19 @@ final class PlacedObstacle {
   /** Returns the shadow's edge in the world, laid out anew; none where there is no shadow. */
   Optional<Outline> shadowEdge() {
     ThresholdTable table =
-        obstacle.detection() instanceof TableDetection detection
-            ? detection.table()
-            : ThresholdTable.uniform(CIRCLE_CORNERS, obstacle.detection().greatestM());
+        obstacle
+            .detection()
+            .findTable()
+            .orElseGet(() -> ThresholdTable.uniform(CIRCLE_CORNERS, detection().greatestM()));
     return new DetectionShadow(table).edge().map(edge -> edge.placed(obstacle.worldFromObstacle()));
   }
 
   static PlacedObstacle[] all(Scene scene) {
     return scene.obstacles().stream().map(PlacedObstacle::new).toArray(PlacedObstacle[]::new);
+  }
+
+  Obstacle obstacle() {
+    return obstacle;
   }
 
   Detection detection() {
@@ -71,6 +76,11 @@ final class PlacedObstacle {
 
   double outlineDistanceM(double xM, double zM) {
     return worldOutline.distanceM(xM, zM);
+  }
+
+  /** The nearest points of the outline, wherever the sensor looks. */
+  void findNearest(double xM, double zM, NearestPoints found) {
+    worldOutline.findNearest(xM, zM, found);
   }
 
   /** The nearest point of the outline in the cone; infinity when there is none. */

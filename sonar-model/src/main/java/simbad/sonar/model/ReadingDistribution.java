@@ -221,11 +221,20 @@ public final class ReadingDistribution {
   }
 
   private double stepOf(double rangeM) {
+    return stepOf(rangeM, resolutionM);
+  }
+
+  private double roundedDown(double rangeM) {
+    return roundedDown(rangeM, resolutionM);
+  }
+
+  private static double stepOf(double rangeM, double resolutionM) {
     // A range that was written with few decimals lies a rounding error beside its step.
     return Math.floor(rangeM / resolutionM + 1e-9);
   }
 
-  private double roundedDown(double rangeM) {
-    return resolutionM > 0 ? stepOf(rangeM) * resolutionM : rangeM;
+  /** Rounds a range down to a sensor's resolution; 0 for none. */
+  static double roundedDown(double rangeM, double resolutionM) {
+    return resolutionM > 0 ? stepOf(rangeM, resolutionM) * resolutionM : rangeM;
   }
 }

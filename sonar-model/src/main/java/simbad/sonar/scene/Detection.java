@@ -1,7 +1,10 @@
 package simbad.sonar.scene;
 
+import java.util.Optional;
+import simbad.sonar.shape.ThresholdTable;
+
 /** At which distance from an obstacle's centre a sensor loses it, by the sensor's bearing. */
-public sealed interface Detection permits TableDetection, UniformDetection {
+public sealed interface Detection permits TableDetection, UniformDetection, StrengthDetection {
   /**
    * Returns the threshold.
    *
@@ -12,4 +15,7 @@ public sealed interface Detection permits TableDetection, UniformDetection {
 
   /** Returns the greatest threshold over all bearings in metres. */
   double greatestM();
+
+  /** Returns the table of thresholds; none where they are alike all round. */
+  Optional<ThresholdTable> findTable();
 }

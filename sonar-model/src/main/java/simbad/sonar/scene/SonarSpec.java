@@ -1,5 +1,7 @@
 package simbad.sonar.scene;
 
+import simbad.sonar.level.LevelLaw;
+
 /**
  * The figures of a sonar, as the simulator believes them.
  *
@@ -15,6 +17,7 @@ package simbad.sonar.scene;
  * @param edgeWidthM softness of the threshold: the distance over which the chance of an echo falls
  *     from 1/2 to 1/(1+e); 0 for a step
  * @param updatePeriodS time from ping to ping; positive
+ * @param law by which it is believed to hear
  */
 public record SonarSpec(
     String name,
@@ -27,7 +30,8 @@ public record SonarSpec(
     double rangeNoiseM,
     double missRate,
     double edgeWidthM,
-    double updatePeriodS) {
+    double updatePeriodS,
+    SensorLaw law) {
 
   /** Checks every figure; the message names the field, the value and what is permitted. */
   public SonarSpec {
@@ -51,6 +55,59 @@ public record SonarSpec(
     requirePositive("updatePeriodS", updatePeriodS);
   }
 
+  /** Creates the figures of a sensor that says nothing of its law. */
+  public SonarSpec(
+      String name,
+      double coneHalfAngleRad,
+      double minRangeM,
+      double maxRangeM,
+      double mountHeightM,
+      double assumedSoundSpeedMPerS,
+      double resolutionM,
+      double rangeNoiseM,
+      double missRate,
+      double edgeWidthM,
+      double updatePeriodS) {
+    this(
+        name,
+        coneHalfAngleRad,
+        minRangeM,
+        maxRangeM,
+        mountHeightM,
+        assumedSoundSpeedMPerS,
+        resolutionM,
+        rangeNoiseM,
+        missRate,
+        edgeWidthM,
+        updatePeriodS,
+        SensorLaw.UNSTATED);
+  }
+
+  /**
+   * Returns the level law by which it hears; what is not stated follows from its cone, its noise
+   * and the defaults of its kind.
+   */
+  public LevelLaw levelLaw() {
+    return law.level().law(coneHalfAngleRad, rangeNoiseM);
+  }
+
+  /** Returns the same sensor with another law. */
+  public SonarSpec withLaw(SensorLaw newLaw) {
+    return new SonarSpec(
+        name,
+        coneHalfAngleRad,
+        minRangeM,
+        maxRangeM,
+        mountHeightM,
+        assumedSoundSpeedMPerS,
+        resolutionM,
+        rangeNoiseM,
+        missRate,
+        edgeWidthM,
+        updatePeriodS,
+        newLaw);
+  }
+
   /** Returns the same sensor with another cone half angle, radians in (0, pi]. */
   public SonarSpec withCone(double halfAngleRad) {
     return new SonarSpec(
@@ -64,7 +121,8 @@ public record SonarSpec(
         rangeNoiseM,
         missRate,
         edgeWidthM,
-        updatePeriodS);
+        updatePeriodS,
+        law);
   }
 
   /**
@@ -86,7 +144,8 @@ public record SonarSpec(
         noiseM,
         misses,
         edgeM,
-        updatePeriodS);
+        updatePeriodS,
+        law);
   }
 
   private static void requireNotNegative(String field, double value) {

@@ -1,5 +1,6 @@
 package simbad.sonar.scene;
 
+import java.util.Optional;
 import simbad.sonar.shape.ThresholdTable;
 
 /**
@@ -16,5 +17,10 @@ public record TableDetection(ThresholdTable table) implements Detection {
   @Override
   public double greatestM() {
     return table.greatestM();
+  }
+
+  @Override
+  public Optional<ThresholdTable> findTable() {
+    return Optional.of(table);
   }
 }

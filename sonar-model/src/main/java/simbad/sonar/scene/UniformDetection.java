@@ -1,5 +1,6 @@
 package simbad.sonar.scene;
 
+import java.util.Optional;
 import simbad.sonar.shape.ThresholdTable;
 
 /**
@@ -24,5 +25,10 @@ public record UniformDetection(double rangeM) implements Detection {
   @Override
   public double greatestM() {
     return rangeM;
+  }
+
+  @Override
+  public Optional<ThresholdTable> findTable() {
+    return Optional.empty();
   }
 }

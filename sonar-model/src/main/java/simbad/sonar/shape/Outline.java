@@ -126,18 +126,40 @@ public final class Outline {
     return Math.sqrt(best);
   }
 
+  /**
+   * Finds the nearest point of the outline, or two that are equally near.
+   *
+   * @param fromXM metres
+   * @param fromZM metres
+   * @param found is filled anew
+   */
+  public void findNearest(double fromXM, double fromZM, NearestPoints found) {
+    found.clear();
+    for (int i = 0, j = size() - 1; i < size(); j = i++) {
+      double share = footShare(j, i, fromXM, fromZM);
+      double x = xM[j] + share * (xM[i] - xM[j]);
+      double z = zM[j] + share * (zM[i] - zM[j]);
+      double dx = x - fromXM;
+      double dz = z - fromZM;
+      found.offer(x, z, Math.sqrt(dx * dx + dz * dz));
+    }
+  }
+
   /** Square of the distance from an edge. */
   private double edgeDistance2(int from, int to, double px, double pz) {
+    double t = footShare(from, to, px, pz);
+    double beyondX = px - xM[from] - t * (xM[to] - xM[from]);
+    double beyondZ = pz - zM[from] - t * (zM[to] - zM[from]);
+    return beyondX * beyondX + beyondZ * beyondZ;
+  }
+
+  /** Where along an edge its nearest point lies, in [0, 1]. */
+  private double footShare(int from, int to, double px, double pz) {
     double ex = xM[to] - xM[from];
     double ez = zM[to] - zM[from];
-    double ax = px - xM[from];
-    double az = pz - zM[from];
+    double along = (px - xM[from]) * ex + (pz - zM[from]) * ez;
     double length2 = ex * ex + ez * ez;
-    double along = ax * ex + az * ez;
-    double t = along <= 0 ? 0 : along >= length2 ? 1 : along / length2;
-    double beyondX = ax - t * ex;
-    double beyondZ = az - t * ez;
-    return beyondX * beyondX + beyondZ * beyondZ;
+    return along <= 0 ? 0 : along >= length2 ? 1 : along / length2;
   }
 
   /**

@@ -72,7 +72,7 @@ class SceneFileTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "sonar-gap/1 | sonar-gap/2 | 2: format | \"sonar-gap/2\" is not \"sonar-gap/1\"",
+        "sonar-gap/1 | sonar-gap/3 | 2: format | \"sonar-gap/3\" is not \"sonar-gap/1\" or \"sonar-gap/2\"",
         "\"format\": \"sonar-gap/1\", | . | 1: format | is missing",
         "\"no_echo_m\": 6.5, | . | 1: no_echo_m | is missing",
         "\"no_echo_m\": 6.5 | \"no_echo_m\": 0 | 3: no_echo_m | 0 is not a number above 0",

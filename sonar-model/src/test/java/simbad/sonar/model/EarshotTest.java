@@ -81,14 +81,14 @@ class EarshotTest {
     PlacedObstacle[] obstacles = PlacedObstacle.all(Scenes.of(row));
     double[] earshotM = new double[obstacles.length];
     Arrays.fill(earshotM, 2);
-    Earshot earshot = new Earshot(obstacles, earshotM);
+    Earshot<PlacedObstacle> earshot = new Earshot<>(obstacles, earshotM);
     earshot.moveTo(2000.5, 0);
     assertTrue(earshot.size() >= 4 && earshot.size() <= 6, () -> "size " + earshot.size());
   }
 
   /** One obstacle at a time needs no tree; the nearest of such readings is that of all. */
   @ParameterizedTest
-  @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "NOISY")
+  @EnumSource(names = {"SHADOW", "OVERLAP", "ORIGINAL"})
   void ping_movingBeltInACrowd_readsTheNearestOfEachAlone(DetectionRule rule) {
     Random random = new Random(7);
     List<Obstacle> obstacles = crowd(random, 60);

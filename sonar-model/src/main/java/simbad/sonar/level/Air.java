@@ -1,4 +1,4 @@
-package simbad.scattering;
+package simbad.sonar.level;
 
 /**
  * Still air at one atmosphere.
