@@ -5,13 +5,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import simbad.experiments.report.TableName;
+import simbad.experiments.run.EdgeLoss;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.TraceErrors;
 import simbad.experiments.run.TraceMove;
 
 /** The figures of a run for the console. */
 final class RunSummary {
-  private static final String ROW = " %-9s %9s %9s %9s %9s %10s %11s%n";
+  private static final String ROW = " %-9s %9s %9s %9s %9s %9s %10s %11s%n";
   private static final String TITLE = "obstacle (table)";
 
   private RunSummary() {}
@@ -23,7 +24,16 @@ final class RunSummary {
             results.stream().mapToInt(result -> name(result).length()).max().orElse(0));
     String row = "%-" + width + "s" + ROW;
     out.printf(
-        row, TITLE, "sensor", "mean cm", "RMS cm", "max cm", "beside cm", "unreached", "reduction");
+        row,
+        TITLE,
+        "sensor",
+        "mean cm",
+        "RMS cm",
+        "max cm",
+        "beside cm",
+        "edge kept",
+        "unreached",
+        "reduction");
     for (RunResult result : results) {
       TraceErrors errors = result.errors();
       out.printf(
@@ -37,14 +47,16 @@ final class RunSummary {
               result.hasLateralErrors()
                   ? OptionalDouble.of(errors.lateralMeanM())
                   : OptionalDouble.empty()),
+          percent(errors.edge().share()),
           errors.unreachedBearings() + "/" + errors.radialM().size(),
-          result.reductionVsOriginal().isPresent()
-              ? text("%.1f %%", 100 * result.reductionVsOriginal().getAsDouble())
-              : "-");
+          percent(result.reductionVsOriginal()));
     }
     out.println(
         "mean, RMS, max: radial error |r - T| over the bearings; beside: mean distance from");
-    out.println("the shadow's edge; reduction: of the mean against the original sensor.");
+    out.println(
+        "the shadow's edge; edge kept: share of it with a place of the trace within 5 cm;");
+    out.println("reduction: of the mean against the original sensor.");
+    EdgeLoss.of(results).forEach(loss -> out.println(loss.sentence()));
     TraceMove.of(results).forEach(move -> out.println(move.sentence()));
   }
 
@@ -54,6 +66,10 @@ final class RunSummary {
 
   static String centimetres(OptionalDouble metres) {
     return metres.isPresent() ? text("%.2f", 100 * metres.getAsDouble()) : "-";
+  }
+
+  private static String percent(OptionalDouble share) {
+    return share.isPresent() ? text("%.1f %%", 100 * share.getAsDouble()) : "-";
   }
 
   private static String text(String format, double value) {

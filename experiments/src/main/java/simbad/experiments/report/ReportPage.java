@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import simbad.experiments.markup.Markup;
 import simbad.experiments.run.DetectionMap;
+import simbad.experiments.run.EdgeLoss;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.SensorKind;
 import simbad.experiments.run.TraceMove;
@@ -92,6 +93,7 @@ final class ReportPage {
         <thead><tr><th scope="col">obstacle (table)</th><th scope="col">sensor</th>
         <th scope="col">mean |r&minus;T|, cm</th><th scope="col">RMS, cm</th><th scope="col">median, cm</th>
         <th scope="col">maximum, cm</th><th scope="col">lateral mean, cm</th><th scope="col">lateral 95&nbsp;%, cm</th>
+        <th scope="col">edge kept</th><th scope="col">edge to trace, maximum, cm</th>
         <th scope="col">bearings not reached</th>%REDUCTION%
         <th scope="col">map agrees</th></tr></thead>
         <tbody>
@@ -106,9 +108,14 @@ final class ReportPage {
         <p>Radial error: for each bearing of the table the mean of |r &minus; T| over all crossings of that
         bearing; then mean, root mean square, median and maximum over the bearings. It is harsh where the
         edge runs nearly along the bearing. Lateral error: distance of the trace from the shadow's edge.
+        Edge kept: the share of the edge's length that has a place of the trace within 5 cm. A lobe that
+        was cut off shows there, and in the greatest distance from the edge to the trace.
         The map's agreement is the share of places and headings at which the belt hears the obstacle
         exactly where the table says.</p>
         """);
+    byObstacle.values().stream()
+        .flatMap(results -> EdgeLoss.of(results).stream())
+        .forEach(loss -> page.append("<p>" + Markup.escaped(loss.sentence()) + "</p>\n"));
   }
 
   /** Without an original sensor there is nothing to be smaller than. */
@@ -129,6 +136,8 @@ final class ReportPage {
     cell(page, number(row.maxAbsCm()));
     cell(page, number(row.lateralMeanCm()));
     cell(page, number(row.lateralP95Cm()));
+    cell(page, percent(row.edgeKept(), 1));
+    cell(page, number(row.edgeToTraceMaxCm()));
     cell(page, row.unreachedBearings() + " of " + row.bearings());
     if (isCompared) {
       cell(page, percent(row.reductionVsOriginal(), 1));
