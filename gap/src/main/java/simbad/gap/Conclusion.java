@@ -71,8 +71,8 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
     int rows = gain.before().observedM().length;
     return String.format(
         Locale.ROOT,
-        "there are too few readings: %d in one stretch of time; an effect is tested on readings"
-            + " that it was not fitted on, which takes %d of one run, or a second run",
+        "there are too few readings: %d, where %d are needed, half of them to fit an effect and"
+            + " half to test it",
         rows,
         2 * Blocks.LEAST_ROWS);
   }

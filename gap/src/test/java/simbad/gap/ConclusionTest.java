@@ -83,7 +83,7 @@ class ConclusionTest {
   void oneBlock_isUndecidedWhateverFits() {
     Conclusion few =
         Conclusion.of(weighed(OFFSET, 0.01, 0.01), 0.9, List.of(place(1e-9)), blocks(49));
-    isUndecided("takes 50 of one run, or a second run", few);
+    isUndecided("too few readings: 1, where 50 are needed", few);
   }
 
   @Test

@@ -112,7 +112,7 @@ class DiagnoserTest {
         new Diagnoser(1, Set.of()).diagnose(new DataSet("one", all.setup(), one, List.of()));
     assertEquals(Verdict.UNDECIDED, diagnosis.verdict());
     assertEquals(List.of(), diagnosis.explanation());
-    assertTrue(diagnosis.reason().startsWith("there are too few readings: 1 "), diagnosis.reason());
+    assertTrue(diagnosis.reason().startsWith("there are too few readings: 1,"), diagnosis.reason());
     assertTrue(Double.isInfinite(diagnosis.gap().shrinkCi95().low()), "nothing is known of it");
   }
 

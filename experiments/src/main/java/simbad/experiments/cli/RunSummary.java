@@ -51,13 +51,16 @@ final class RunSummary {
           errors.unreachedBearings() + "/" + errors.radialM().size(),
           percent(result.reductionVsOriginal()));
     }
-    out.println(
-        "mean, RMS, max: radial error |r - T| over the bearings; beside: mean distance from");
-    out.println(
-        "the shadow's edge; edge kept: share of it with a place of the trace within 5 cm;");
-    out.println("reduction: of the mean against the original sensor.");
+    printLegend(out);
     EdgeLoss.of(results).forEach(loss -> out.println(loss.sentence()));
     TraceMove.of(results).forEach(move -> out.println(move.sentence()));
+  }
+
+  private static void printLegend(PrintWriter out) {
+    out.println(
+        "mean, RMS, max: radial error |r - T| over the bearings; beside: mean distance from");
+    out.println("the shadow's edge; edge kept: share of it with a place of the trace within 5 cm;");
+    out.println("reduction: of the mean against the original sensor.");
   }
 
   private static String name(RunResult result) {

@@ -38,6 +38,8 @@ public final class EdgeFollower implements Controller {
   private Steering steering;
   private int silent;
   private double awayRad;
+  private double heardXM;
+  private double heardZM;
   private double nearestM;
   private int marching;
 
@@ -49,7 +51,7 @@ public final class EdgeFollower implements Controller {
   public EdgeFollower(Tuning tuning) {
     this.tuning = tuning;
     odometry = new Odometry(tuning.stepS());
-    steering = new SmoothSteering(tuning, 0);
+    steering = new SmoothSteering(tuning, 0, 0, 0);
   }
 
   @Override
@@ -65,12 +67,16 @@ public final class EdgeFollower implements Controller {
   }
 
   private Stage stage(boolean heard) {
+    if (heard) {
+      heardXM = odometry.xM();
+      heardZM = odometry.zM();
+    }
     if (stage == Stage.SEARCH && heard) {
       stage = Stage.LEAVE;
     } else if (stage == Stage.LEAVE && silent >= LOST_AFTER) {
       // The robot came straight from the obstacle: the edge lies across its way.
       stage = Stage.FOLLOW;
-      steering = new SmoothSteering(tuning, odometry.headingRad() + Math.PI / 2);
+      steering = new SmoothSteering(tuning, odometry.headingRad() + Math.PI / 2, heardXM, heardZM);
     }
     return stage;
   }
@@ -87,7 +93,7 @@ public final class EdgeFollower implements Controller {
 
   private void follow(boolean heard, Command command) {
     if (marching > 0 && --marching == 0) {
-      steering = new SmoothSteering(tuning, odometry.headingRad());
+      steering = new SmoothSteering(tuning, odometry.headingRad(), odometry.xM(), odometry.zM());
       whereabouts.restart();
     } else if (marching == 0 && whereabouts.isCaught(odometry)) {
       steering = new TriangleMarch(tuning.inBends(), heard);

@@ -36,9 +36,19 @@ final class SmoothSteering implements Steering {
   private double homeXM;
   private double homeZM;
 
-  SmoothSteering(Tuning tuning, double edgeRad) {
+  /**
+   * Begins beside an edge.
+   *
+   * @param tuning of the robot
+   * @param edgeRad direction of the edge, in the sense in which it is followed
+   * @param homeXM of a place at which the obstacle was just heard, by the robot's own reckoning
+   * @param homeZM likewise
+   */
+  SmoothSteering(Tuning tuning, double edgeRad, double homeXM, double homeZM) {
     this.tuning = tuning;
     this.edgeRad = edgeRad;
+    this.homeXM = homeXM;
+    this.homeZM = homeZM;
     circleM = CIRCLE * tuning.bendSpeedMPerS() / tuning.greatestTurnRateRadPerS();
   }
 

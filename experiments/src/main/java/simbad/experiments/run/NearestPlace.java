@@ -13,8 +13,7 @@ final class NearestPlace {
     for (int i = nearest + 1; i < trace.size(); i++) {
       longest =
           Math.max(
-              longest,
-              Math.hypot(trace.xM(i) - trace.xM(i - 1), trace.zM(i) - trace.zM(i - 1)));
+              longest, Math.hypot(trace.xM(i) - trace.xM(i - 1), trace.zM(i) - trace.zM(i - 1)));
     }
     longestStepM = longest;
   }

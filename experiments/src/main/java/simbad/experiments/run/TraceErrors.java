@@ -11,9 +11,9 @@ import simbad.sonar.shape.ThresholdTable;
  * How far a trace is from a table.
  *
  * <p>Radial: per bearing of the table, the mean of |r - T| over all crossings of that bearing since
- * the edge was found. Lateral: the distance of each place since then from the shadow's edge. Neither
- * sees a lobe that was cut off, whose bearings were crossed elsewhere: how much of the edge was kept
- * does.
+ * the edge was found. Lateral: the distance of each place since then from the shadow's edge.
+ * Neither sees a lobe that was cut off, whose bearings were crossed elsewhere: how much of the edge
+ * was kept does.
  *
  * @param radialM per bearing of the table, metres; empty where the trace never crossed it
  * @param lateralMeanM mean, metres; 0 if the edge was never found

@@ -172,7 +172,7 @@ class DiagnoseCommandTest {
   @Test
   void tooFewRows_areUndecided_andEveryOutputSaysWhy() throws IOException {
     Path few = BenchData.write(folder.resolve("few"), BenchData.rows(20, 0.5));
-    String why = "there are too few readings: 20 in one stretch of time";
+    String why = "there are too few readings: 20, where 50 are needed";
     Shell shell = diagnose(few);
     assertEquals(0, shell.status(), shell.err());
     assertTrue(shell.out().startsWith("few: undecided; " + why), shell.out());

@@ -63,6 +63,9 @@ class RunCommandTest {
           "median_abs_cm",
           "lateral_mean_cm",
           "lateral_p95_cm",
+          "edge_kept",
+          "edge_to_trace_mean_cm",
+          "edge_to_trace_max_cm",
           "unreached_bearings",
           "reduction_vs_original",
           "steps",
@@ -133,11 +136,28 @@ class RunCommandTest {
     assertEquals("shadow", shadow.get("sensor").asText());
     assertEquals(0, shadow.get("unreached_bearings").asInt());
     assertTrue(shadow.get("lateral_mean_cm").asDouble() < 1.5, shadow.toString());
+    assertEquals(1, shadow.get("edge_kept").asDouble());
+    assertTrue(original.get("edge_kept").asDouble() < 0.1, "it follows no table: " + original);
     double expected =
         1 - shadow.get("mean_abs_cm").asDouble() / original.get("mean_abs_cm").asDouble();
     assertEquals(expected, shadow.get("reduction_vs_original").asDouble(), 1e-4);
     assertEquals(shadow.get("steps").asInt() * 0.05, shadow.get("simulated_s").asDouble(), 0.011);
     assertEquals(1, shadow.get("map_agreement").asDouble(), 0.02);
+  }
+
+  /** 1.5 cm a step is too fast for the angle's lobes, and every output says so. */
+  @Test
+  void edgeThatIsNotKept_isSaidPlainly() throws IOException {
+    Path out = folder.resolve("fast");
+    Shell shell =
+        Shell.simbad(
+            "run", "angle", "--sensor", "shadow", "--speed", "0.3", "--out", out.toString());
+    checkDone(shell);
+    JsonNode row = errors("fast").get("results").get(0);
+    assertTrue(row.get("edge_kept").asDouble() < 0.95, row.toString());
+    String lost = "angle, shadow: the robot did not keep the edge; it came within 5 cm of ";
+    assertTrue(shell.out().contains(lost), shell.out());
+    assertTrue(Files.readString(out.resolve("report.html")).contains("<p>" + lost));
   }
 
   private void checkPage() throws IOException {

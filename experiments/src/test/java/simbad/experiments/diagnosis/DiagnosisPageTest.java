@@ -13,6 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.GapFigures;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Effect;
@@ -123,7 +124,7 @@ class DiagnosisPageTest {
     assertTrue(
         page.contains(
             "No named effect accounts for the gap. Nearest come gain and absorption: with them in"
-                + " the simulator the gap shrinks from 178.8 cm to 60.25 cm, by 66 %. But that model"
+                + " the simulator the gap shrinks from 178.80 cm to 60.25 cm, by 66 %. But that model"
                 + " expects only 51.50 cm from scatter."),
         page);
     assertFalse(page.contains("at work, but"), page);

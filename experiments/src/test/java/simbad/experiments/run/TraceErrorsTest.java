@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.DoubleUnaryOperator;
@@ -75,6 +76,41 @@ class TraceErrorsTest {
     assertEquals(0.01, errors.lateralMeanM(), 2e-5);
     assertEquals(0.01, errors.lateralP95M(), 2e-5);
     assertEquals(0.01, errors.lateralMaxM(), 2e-5);
+  }
+
+  /**
+   * A lobe of 3 m at bearing 180 among thresholds of 1 m, cut off along the circle: every bearing
+   * is crossed, and the trace lies beside the edge nearly everywhere. Only the other way round does
+   * it show: the lobe's sides are 2 m long each and its end is 2 m away.
+   */
+  @Test
+  void lobeThatIsCutOff_isSeenFromTheEdge() {
+    double[] table = new double[72];
+    Arrays.fill(table, 1);
+    table[36] = 3;
+    TraceErrors errors = TraceErrors.of(round(bearing -> 1), ThresholdTable.of(table));
+    assertEquals(0, errors.unreachedBearings());
+    assertTrue(errors.lateralMeanM() < 0.01, "beside the edge: " + errors.lateralMeanM());
+    EdgeKept edge = errors.edge();
+    double sides = 2 * Math.sqrt(1 + 9 - 6 * Math.cos(Math.toRadians(5)));
+    double circle = 70 * 2 * Math.sin(Math.toRadians(2.5));
+    assertEquals(circle / (circle + sides), edge.share().orElseThrow(), 0.02);
+    assertEquals(2, edge.maxM().orElseThrow(), 0.01);
+    assertTrue(edge.isLost());
+    Arc arc = edge.skipped().get(0);
+    assertEquals(1, edge.skipped().size());
+    assertEquals(175, Math.toDegrees(arc.fromRad()), 0.6);
+    assertEquals(185, Math.toDegrees(arc.toRad()), 0.6);
+    assertEquals(sides, arc.lengthM(), 0.15);
+  }
+
+  @Test
+  void edgeThatIsKept_isKeptWhole() {
+    TraceErrors errors = TraceErrors.of(round(bearing -> 1.01), ThresholdTable.uniform(720, 1));
+    assertEquals(1, errors.edge().share().orElseThrow());
+    assertEquals(0.01, errors.edge().maxM().orElseThrow(), 1e-4);
+    assertEquals(List.of(), errors.edge().skipped());
+    assertFalse(errors.edge().isLost());
   }
 
   /** Inside counts as outside does: errors are absolute. */

@@ -44,9 +44,9 @@ public final class Blocks {
     return count;
   }
 
-  /** Tells whether values can be fitted on one part and tested on another. */
+  /** Tells whether values can be fitted on one part and tested on another, both of enough rows. */
   public boolean canBeHeldOut() {
-    return count > 1;
+    return count > 1 && block.length >= 2 * LEAST_ROWS;
   }
 
   /** Returns the block of a ping. */

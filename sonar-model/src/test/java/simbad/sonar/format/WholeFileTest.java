@@ -49,7 +49,8 @@ class WholeFileTest {
     }
     seen.remove("file");
     assertEquals(2, seen.size());
-    String own = "[.]unfinished-" + ProcessHandle.current().pid() + "-[0-9a-f-]{36}";
+    // By lot, then by whose it is, so that it can be swept once its process is gone.
+    String own = "[.]unfinished-[0-9a-f-]{36}-" + ProcessHandle.current().pid() + "-[0-9a-f-]+";
     assertTrue(seen.stream().allMatch(name -> name.matches(own)), seen.toString());
     assertEquals(List.of("file"), names());
   }
