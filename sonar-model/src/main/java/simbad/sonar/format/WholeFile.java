@@ -66,8 +66,9 @@ public final class WholeFile {
    *
    * @param file its directory must exist
    * @param content writes the whole content
-   * @param <E> what else may go wrong; the target is then as it was, too
+   * @param <E> what may go wrong besides the writing
    * @throws IOException naming the file, if it cannot be written; the target is then as it was
+   * @throws E as the content does; the target is then as it was, too
    */
   public static <E extends Exception> void write(Path file, Content<E> content)
       throws IOException, E {
