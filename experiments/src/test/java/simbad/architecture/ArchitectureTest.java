@@ -61,6 +61,7 @@ class ArchitectureTest {
   private static final String BLIND = "simbad.blindworld..";
   private static final String SCATTERING = "simbad.scattering..";
   private static final String CLI = "simbad.experiments.cli..";
+  private static final String WEB = "simbad.experiments.web..";
   private static final String SCENE = "simbad.scene3d..";
   private static final String[] WORLD = {
     KERNEL, SCENE, "simbad.sim..", "simbad.gui..", "simbad.demo.."
@@ -87,6 +88,7 @@ class ArchitectureTest {
         "simbad.blindworld, 40",
         "simbad.scattering, 10",
         "simbad.experiments.control, 8",
+        "simbad.experiments.web, 5",
         "simbad, 160"
       })
   void import_foundTheClasses(String packageAndLeast) {
@@ -163,6 +165,21 @@ class ArchitectureTest {
         .should()
         .dependOnClassesThat()
         .resideInAPackage(BLIND)
+        .check(CLASSES);
+  }
+
+  /** So that another server, or none, is a change of one package. */
+  @Test
+  void webLibrary_staysInItsPackage() {
+    noClasses()
+        .that()
+        .resideOutsideOfPackage(WEB)
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage(
+            "io.javalin..", "org.eclipse.jetty..", "jakarta..", "kotlin..", "com.sun.net..")
+        .check(CLASSES);
+    apart(WEB, "simbad.experiments.(bench|cli|report|run|diagnosis)..", "simbad.bench..")
         .check(CLASSES);
   }
 
