@@ -212,7 +212,7 @@ class HelpExamplesTest {
     Path port = prepared.resolve("tty");
     TurntableBench bench =
         new TurntableBench(DetectionRule.SHADOW, Catalogue.srf04(), new Random(1), standing(), 20);
-    try (Board board = Board.start(KIT, new BoardSetup(port, 1), bench)) {
+    try (Board board = Board.start(KIT, new BoardSetup(port, 0), bench)) {
       List<String> words =
           words(example).stream().map(word -> word.replace(PORT, port.toString())).toList();
       SimbadProcess simbad = start(example.contains(" measure ") ? "\n\n" : "15\nq\n", words);
