@@ -61,11 +61,11 @@ class ShownObstacleTest {
   }
 
   /**
-   * Returns the colour of the floor at a place, metres. From 1.2 world sides above, 45 degrees see
-   * 2 * 1.2 * tan(22.5 degrees) sides across.
+   * Returns the colour of the floor at a place, metres. A square window sees 1.12 world sides
+   * across: all of the floor, and a margin.
    */
   private static Color color(Canvas canvas, double x, double z) throws AWTException {
-    double pixelsPerMetre = canvas.getWidth() / (2.4 * WORLD_M * Math.tan(Math.toRadians(22.5)));
+    double pixelsPerMetre = canvas.getWidth() / (1.12 * WORLD_M);
     Point corner = canvas.getLocationOnScreen();
     return new Robot()
         .getPixelColor(
