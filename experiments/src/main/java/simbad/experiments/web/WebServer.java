@@ -55,9 +55,7 @@ public final class WebServer implements AutoCloseable {
             config -> {
               listen(config, address);
               config.routes.before(context -> admit(context, guard, policy));
-              answers.forEach(
-                  (path, content) ->
-                      config.routes.get(path, context -> answer(context, content.get())));
+              answers.forEach((path, content) -> serve(config, path, content));
             });
     try {
       app.start();
@@ -110,6 +108,11 @@ public final class WebServer implements AutoCloseable {
       context.header(Header.ALLOW, "GET, HEAD");
       throw new MethodNotAllowedResponse("only GET");
     }
+  }
+
+  private static void serve(JavalinConfig config, String path, Supplier<Content> content) {
+    config.routes.get(path, context -> answer(context, content.get()));
+    config.routes.head(path, context -> answer(context, content.get()));
   }
 
   private static void answer(Context context, Content content) {

@@ -4,10 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.GraphicsEnvironment;
 import java.awt.event.WindowEvent;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import javax.swing.JButton;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
@@ -21,21 +26,40 @@ import simbad.gui.Simbad;
 class DemoWindowTest {
   @ParameterizedTest
   @CsvSource({
-    "view, BaseDemo",
-    "demo angle, AngleDemo",
-    "view AvoidersDemo, AvoidersDemo",
-    "view imager, ImagerDemo"
+    "view, AngleDemo, pause",
+    "demo angle, AngleDemo, run",
+    "view imager, ImagerDemo, pause"
   })
-  void command_endsWithItsWindow(String command, String title) throws Exception {
+  void command_endsWithItsWindow(String command, String title, String next) throws Exception {
     assertFalse(GraphicsEnvironment.isHeadless(), "this test needs a display");
     CompletableFuture<Shell> shell =
         CompletableFuture.supplyAsync(() -> Shell.simbad(command.split(" ", -1)));
     Simbad window = opened(shell);
     assertTrue(window.getTitle().contains(title), window.getTitle());
+    while (!enabled(window).contains(next)) {
+      Thread.sleep(50);
+    }
     assertFalse(shell.isDone());
     SwingUtilities.invokeAndWait(
         () -> window.dispatchEvent(new WindowEvent(window, WindowEvent.WINDOW_CLOSING)));
     assertEquals(new Shell(0, "", ""), shell.get());
+  }
+
+  /** What can be pressed: "run" while the simulation waits, "pause" while it runs. */
+  private static List<String> enabled(Simbad window) throws Exception {
+    List<String> texts = new ArrayList<>();
+    SwingUtilities.invokeAndWait(() -> collect(window.getDesktopPane(), texts));
+    return texts;
+  }
+
+  private static void collect(Container container, List<String> texts) {
+    for (Component part : container.getComponents()) {
+      if (part instanceof JButton button && button.isEnabled() && button.getText() != null) {
+        texts.add(button.getText());
+      } else if (part instanceof Container inner) {
+        collect(inner, texts);
+      }
+    }
   }
 
   /** Waits until the command has made the window its own: closing it before would end the tests. */

@@ -193,6 +193,17 @@ class WebServerTest {
   }
 
   @Test
+  void head_isWhatGetWouldBe_withoutTheBody() throws Exception {
+    HttpResponse<String> head = ask("HEAD", server.url());
+    HttpResponse<String> get = ask("GET", server.url());
+    assertEquals("", head.body());
+    for (String field : List.of("Content-Type", "Content-Length", "Content-Security-Policy")) {
+      assertEquals(get.headers().firstValue(field), head.headers().firstValue(field), field);
+    }
+    assertEquals(404, ask("HEAD", server.url() + "none").statusCode());
+  }
+
+  @Test
   void fault_isNotExplained() throws Exception {
     HttpResponse<String> answer = ask("GET", server.url() + "broken");
     assertEquals(500, answer.statusCode());
