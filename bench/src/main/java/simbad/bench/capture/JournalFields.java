@@ -3,6 +3,7 @@ package simbad.bench.capture;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.regex.Pattern;
 
 /**
  * The fields of one line, read with their ranges: who can sum up a line anew can write anything
@@ -11,6 +12,8 @@ import java.util.function.Function;
  * @param fields in their order
  */
 record JournalFields(List<String> fields) {
+  private static final Pattern WHOLE = Pattern.compile("\\d{1,9}");
+
   String text(int index, String name) throws JournalFieldException {
     if (index >= fields.size()) {
       throw new JournalFieldException(name, "is missing");
@@ -45,7 +48,7 @@ record JournalFields(List<String> fields) {
   int whole(int index, String name, int least, int greatest) throws JournalFieldException {
     String text = text(index, name);
     String expected = "a whole number in [" + least + ", " + greatest + "]";
-    if (!text.matches("\\d{1,9}")) {
+    if (!WHOLE.matcher(text).matches()) {
       throw notWithin(name, text, expected);
     }
     int value = Integer.parseInt(text);
