@@ -121,7 +121,7 @@ public record BeamPlot(
   private List<double[]> bothSides() {
     List<double[]> points = new ArrayList<>();
     for (int i = offAxisDeg.size() - 1; i >= 0; i--) {
-      points.add(new double[] {-offAxisDeg.get(i), sensitivityDb.get(i)});
+      points.add(new double[] {0 - offAxisDeg.get(i), sensitivityDb.get(i)});
     }
     for (int i = 0; i < offAxisDeg.size(); i++) {
       points.add(new double[] {offAxisDeg.get(i), sensitivityDb.get(i)});

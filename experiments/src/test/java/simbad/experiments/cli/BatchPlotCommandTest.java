@@ -9,7 +9,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -58,8 +57,10 @@ class BatchPlotCommandTest {
             """,
             ""),
         plot());
-    String svg = Files.readString(folder.resolve("plot.svg")).toLowerCase(Locale.ROOT);
-    List.of("#d55e00", "#009e73", "#56b4e9").forEach(colour -> assertTrue(svg.contains(colour)));
+    String svg = Files.readString(folder.resolve("plot.svg"));
+    for (String colour : List.of("213,94,0", "0,158,115", "86,180,233")) {
+      assertTrue(svg.contains("stroke:rgb(" + colour + ")"), colour);
+    }
   }
 
   @Test

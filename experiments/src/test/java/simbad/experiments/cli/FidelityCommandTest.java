@@ -38,7 +38,7 @@ class FidelityCommandTest {
     String page = Files.readString(out.resolve("report.html"));
     assertFirst(page, "Is the shadow sensor faithful?", "<strong>round, shadow</strong>: faithful");
     assertTrue(page.contains("<td>at most 3 cm</td>"), page);
-    assertFalse(page.contains("missed"), page);
+    assertFalse(page.contains("<strong>missed"), page);
     assertFalse(page.contains("smaller than original"), page);
     assertTrue(page.contains("Radial error by bearing, logarithmic."), page);
   }
