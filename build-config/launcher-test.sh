@@ -473,7 +473,7 @@ END
 simbad_at_a_terminal() {
   local line
   : >"$work/calls.log"
-  printf -v line '%q ' env PATH="$work/tools:$work/bin" SIMBAD_JVM_DIRECTORY="$work/jvm" HOME="$work" FAKE_UID=0 FAKE_COMMIT=1 \
+  printf -v line '%q ' env SIMBAD_TESTING= SIMBAD_INSTALL= PATH="$work/tools:$work/bin" SIMBAD_JVM_DIRECTORY="$work/jvm" HOME="$work" FAKE_UID=0 FAKE_COMMIT=1 \
     FAKE_WORK="$work" FAKE_MAVEN="${FAKE_MAVEN:-}" bash "$project/simbad" "$@"
   output=$(script -qec "$line" /dev/null </dev/null)
   status=$?
@@ -500,9 +500,9 @@ tests_like_ci() {
   for tool in Xvfb xauth shellcheck chromium cppcheck git-secrets gpsim g++ make; do fake "$work/tools" "$tool" </dev/null; done
   touch "$work/jvm/jdk-17/lib/libawt_xawt.so"
   simbad test -- -pl sonar-model
-  check "test: verify, with what follows --" calls 'mvn -B -ntp verify .*-pl sonar-model'
+  check "test: verify, with what follows --" calls 'mvn -B -ntp verify -T 2 .*-pl sonar-model'
   simbad test --full
-  check "test --full: the long campaigns" calls 'mvn -B -ntp verify .*-Dsimbad.full=true'
+  check "test --full: the long campaigns" calls 'mvn -B -ntp verify -T 2 .*-Dsimbad.full=true'
   simbad test --ful
   check "test: an unknown option is wrong usage" status_is 2
   FAKE_STATUS=1 simbad test

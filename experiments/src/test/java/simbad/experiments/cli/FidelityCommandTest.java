@@ -60,7 +60,8 @@ class FidelityCommandTest {
             "fidelity", "round", "--sensor", "original", "--speed", "0.1", "--out", out.toString());
     assertEquals(0, shell.status(), shell.err());
     String page = Files.readString(out.resolve("report.html"));
-    String sentence = shell.out().lines().findFirst().orElseThrow().replaceFirst(".*l: ", "");
+    String sentence =
+        shell.out().lines().findFirst().orElseThrow().replaceFirst("^round, original: ", "");
     assertFirst(
         page, "Is the original sensor faithful?", "<strong>round, original</strong>: " + sentence);
     assertEquals(3, page.split("<strong>missed</strong>", -1).length - 1, page);

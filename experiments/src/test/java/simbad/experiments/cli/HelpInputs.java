@@ -62,6 +62,9 @@ final class HelpInputs {
       String first = word.replaceFirst("^diagnosed:", "").split(",", 2)[0];
       if (FILES.containsKey(first)) {
         Files.writeString(folder.resolve(first), FILES.get(first));
+      } else if (first.equals("my-batch") && words.contains("batch-plot")) {
+        Path results = Files.createDirectories(folder.resolve(first)).resolve("results.csv");
+        Files.writeString(results, FILES.get("tuning/results.csv"));
       } else if (first.equals("tuning")) {
         Path results = Files.createDirectories(folder.resolve(first)).resolve("results.csv");
         Files.writeString(results, FILES.get("tuning/results.csv"));

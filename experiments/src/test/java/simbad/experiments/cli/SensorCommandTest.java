@@ -93,7 +93,7 @@ class SensorCommandTest {
         Files.writeString(
             folder.resolve("bad.json"),
             srf04.replaceAll(
-                "(?s)\"sensitivity_db\": .*]]?\\s*]", "\"sensitivity_db\": " + curve.strip()));
+                "(?s)\"sensitivity_db\": .*?]\\s*]", "\"sensitivity_db\": " + curve.strip()));
     checkRefused(file, complaint);
   }
 
