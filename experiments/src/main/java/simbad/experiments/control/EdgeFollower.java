@@ -9,7 +9,8 @@ import simbad.sonar.sensing.Readings;
  * <p>Nothing heard since the start: drive ahead. Something heard: drive away from what is heard
  * until it is lost; there is the edge. From then on only whether anything is heard matters, so that
  * the same controller serves every sensor model: smooth steering along the edge, and a march on a
- * lattice where the smooth steering goes round on one spot.
+ * lattice where the smooth steering goes round on one spot, or where one place says now this, now
+ * that.
  */
 public final class EdgeFollower implements Controller {
   private enum Stage {
@@ -29,11 +30,10 @@ public final class EdgeFollower implements Controller {
   /** A robot that stays in a square of so many steps for a whole watch goes round on one spot. */
   private static final double CAUGHT_STEPS = 30;
 
-  private static final int MARCH_STEPS = 4000;
-
   private final Tuning tuning;
   private final Odometry odometry;
   private final Whereabouts whereabouts = new Whereabouts();
+  private final Flicker flicker = new Flicker();
   private Stage stage = Stage.SEARCH;
   private Steering steering;
   private int silent;
@@ -41,7 +41,7 @@ public final class EdgeFollower implements Controller {
   private double heardXM;
   private double heardZM;
   private double nearestM;
-  private int marching;
+  private boolean marches;
 
   /**
    * Creates a controller at rest that has heard nothing.
@@ -92,12 +92,20 @@ public final class EdgeFollower implements Controller {
   }
 
   private void follow(boolean heard, Command command) {
-    if (marching > 0 && --marching == 0) {
+    if (!marches && flicker.asks(heard)) {
+      command.set(0, 0);
+      return;
+    }
+    if (steering.isOver()) {
       steering = new SmoothSteering(tuning, odometry.headingRad(), odometry.xM(), odometry.zM());
+      marches = false;
       whereabouts.restart();
-    } else if (marching == 0 && whereabouts.isCaught(odometry)) {
-      steering = new TriangleMarch(tuning.inBends(), heard);
-      marching = MARCH_STEPS;
+    } else if (!marches && flicker.isProven()) {
+      steering = TriangleMarch.patient(tuning, heard);
+      marches = true;
+    } else if (!marches && whereabouts.isCaught(odometry)) {
+      steering = TriangleMarch.fine(tuning.inBends(), heard);
+      marches = true;
     }
     steering.steer(heard, odometry, command);
   }

@@ -10,4 +10,9 @@ interface Steering {
    * @param command receives the velocities
    */
   void steer(boolean heard, Odometry odometry, Command command);
+
+  /** Tells whether another steering should take over from here. */
+  default boolean isOver() {
+    return false;
+  }
 }
