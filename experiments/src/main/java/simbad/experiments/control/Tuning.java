@@ -18,8 +18,8 @@ public record Tuning(
     double curlRadPerStepM) {
   private static final double ANY = Double.POSITIVE_INFINITY;
 
-  /** Faster than this nobody takes a bend of the tables, whose features are a few centimetres. */
-  private static final double BEND_SPEED_M_PER_S = 0.02;
+  /** A robot takes no bend faster, for what the tables show is a few centimetres small. */
+  public static final double BEND_SPEED_M_PER_S = 0.02;
 
   /** Checks the parameters. */
   public Tuning {

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import simbad.experiments.control.Tuning;
 import simbad.experiments.markup.Markup;
 import simbad.experiments.run.DetectionMap;
 import simbad.experiments.run.EdgeLoss;
@@ -270,7 +271,9 @@ final class ReportPage {
             + SensorKind.SONARS
             + " sonars at its centre, all round; "
             + origin.settings().speedMPerS()
-            + " m/s, steps of 0.05 s");
+            + " m/s, in bends at most "
+            + Tuning.BEND_SPEED_M_PER_S
+            + " m/s, steps of 0.05 s; slower is nearer");
     item(
         page,
         "sonar "
