@@ -26,6 +26,9 @@ final class LevelPlace {
   /** The least energy of a sum that may be heard. */
   private final double leastEnergy;
 
+  /** No further apart are the centres of any two parts of a sum. */
+  private final double roundM;
+
   /** What is left of an echo's energy at most, by the distance in cells. */
   private final double[] greatestLeft;
 
@@ -33,7 +36,7 @@ final class LevelPlace {
   private NearestPoints[] nearest = {};
   private double[] centreM = {};
   private double[] energy = {};
-  private boolean[] loud = {};
+  private int[] leader = {};
   private int[] kept = {};
   private int size;
   private boolean placed;
@@ -50,6 +53,9 @@ final class LevelPlace {
     this.model = model;
     law = model.law();
     leastEnergy = Decibels.energy(leastDb) * (1 - 1e-6);
+    double widestM =
+        Arrays.stream(model.targets()).mapToDouble(PlacedObstacle::reachM).max().orElse(0);
+    roundM = law.pulseLengthM() + 2 * widestM;
     double maxRangeM = model.sensor().maxRangeM();
     double[] reachM =
         Arrays.stream(model.targets())
@@ -118,7 +124,7 @@ final class LevelPlace {
     target = more;
     centreM = Arrays.copyOf(centreM, room);
     energy = Arrays.copyOf(energy, room);
-    loud = new boolean[room];
+    leader = new int[room];
     kept = new int[room];
     nearest = Arrays.copyOf(nearest, room);
     for (int i = size; i < room; i++) {
@@ -128,15 +134,19 @@ final class LevelPlace {
 
   /**
    * Keeps what may have a part in a sum that is loud enough. Every such sum has a part that is at
-   * least its mean: only near these sums are formed.
+   * least its mean, and all its parts lie round that one: only there sums are formed.
    */
   private void dropFaint() {
+    double leastPart = leastEnergy / size;
+    int leaders = 0;
     for (int i = 0; i < size; i++) {
-      loud[i] = energy[i] >= leastEnergy || (isNearLeader(i) && sum(i) >= leastEnergy);
+      if (energy[i] >= leastPart && (energy[i] >= leastEnergy || sumRound(i) >= leastEnergy)) {
+        leader[leaders++] = i;
+      }
     }
     int count = 0;
     for (int i = 0; i < size; i++) {
-      if (loud[i] || overlapsLoud(i)) {
+      if (isNearAny(centreM[i], leaders)) {
         kept[count++] = i;
       }
     }
@@ -148,35 +158,21 @@ final class LevelPlace {
     size = count;
   }
 
-  private boolean isNearLeader(int index) {
-    for (int i = 0; i < size; i++) {
-      if (size * energy[i] >= leastEnergy && mayOverlap(i, index)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  private boolean overlapsLoud(int index) {
-    for (int i = 0; i < size; i++) {
-      if (loud[i] && mayOverlap(i, index)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  private double sum(int index) {
+  private double sumRound(int index) {
     double sum = 0;
     for (int i = 0; i < size; i++) {
-      sum += mayOverlap(i, index) ? energy[i] : 0;
+      sum += Math.abs(centreM[i] - centreM[index]) <= roundM ? energy[i] : 0;
     }
     return sum;
   }
 
-  private boolean mayOverlap(int one, int other) {
-    return Math.abs(centreM[one] - centreM[other])
-        <= law.pulseLengthM() + target[one].reachM() + target[other].reachM();
+  private boolean isNearAny(double atM, int leaders) {
+    for (int i = 0; i < leaders; i++) {
+      if (Math.abs(centreM[leader[i]] - atM) <= roundM) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Finds the nearest points, and drops what is out of the sensor's range. */
