@@ -58,14 +58,7 @@ final class LogTable {
   String label(int row, String column) throws DataFormatException {
     String name = text(row, column);
     if (!OneLine.isName(name)) {
-      throw inField(
-          row,
-          column,
-          "'"
-              + name
-              + "' is not a name of at most "
-              + OneLine.LONGEST_NAME
-              + " characters on one line");
+      throw inField(row, column, "'" + name + "' is not " + OneLine.NAME);
     }
     return name;
   }

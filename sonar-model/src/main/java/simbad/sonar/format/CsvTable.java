@@ -211,14 +211,7 @@ public final class CsvTable {
   public String label(int row, String column) throws DataFormatException {
     String name = text(row, column);
     if (!OneLine.isName(name)) {
-      throw fault(
-          row,
-          column,
-          "'"
-              + name
-              + "' is not a name of at most "
-              + OneLine.LONGEST_NAME
-              + " characters on one line");
+      throw fault(row, column, "'" + name + "' is not " + OneLine.NAME);
     }
     return name;
   }

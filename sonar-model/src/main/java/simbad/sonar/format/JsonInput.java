@@ -164,8 +164,7 @@ public final class JsonInput {
   String label(String field) throws DataFormatException {
     String name = text(field);
     if (!OneLine.isName(name)) {
-      throw field(field)
-          .isNot("a name of at most " + OneLine.LONGEST_NAME + " characters on one line");
+      throw field(field).isNot(OneLine.NAME);
     }
     return name;
   }

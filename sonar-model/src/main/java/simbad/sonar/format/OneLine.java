@@ -10,6 +10,9 @@ public final class OneLine {
   /** Characters of a name. */
   public static final int LONGEST_NAME = 200;
 
+  /** What is expected where a name stands. */
+  public static final String NAME = "a name of at most " + LONGEST_NAME + " characters on one line";
+
   /** Characters of what a file says about itself in one line. */
   public static final int LONGEST_TEXT = 10_000;
 
