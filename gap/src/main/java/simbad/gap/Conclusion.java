@@ -46,7 +46,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
    */
   static Conclusion of(Weighed weighed, double unknown, List<Place> where, Blocks blocks) {
     if (!blocks.canBeHeldOut()) {
-      return undecided(tooFew(weighed.gain()));
+      return undecided(noHalves(weighed.gain()));
     }
     Hypothesis best = weighed.probabilities().best().hypothesis();
     List<AtBound> atBound = atBound(best);
@@ -67,8 +67,12 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
     return new Conclusion(Verdict.UNDECIDED, reason, List.of());
   }
 
-  private static String tooFew(Gain gain) {
+  private static String noHalves(Gain gain) {
     int rows = gain.before().observedM().length;
+    if (rows >= 2 * Blocks.LEAST_ROWS) {
+      return "all readings are of one moment; an effect is tested on another stretch of time than it"
+          + " was fitted on";
+    }
     return String.format(
         Locale.ROOT,
         "there are too few readings: %d, where %d are needed, half of them to fit an effect and"

@@ -11,6 +11,7 @@ import java.util.OptionalDouble;
 import simbad.experiments.control.ControllerParameter;
 import simbad.experiments.report.RunFiles;
 import simbad.experiments.run.Circuit;
+import simbad.experiments.run.EdgeKept;
 import simbad.experiments.run.Trace;
 import simbad.experiments.run.TraceErrors;
 
@@ -45,6 +46,9 @@ final class ResultColumns {
           "lateral_mean_cm",
           "lateral_p95_cm",
           "lateral_max_cm",
+          "edge_kept",
+          "edge_to_trace_mean_cm",
+          "edge_to_trace_max_cm",
           "bearings",
           "unreached_bearings");
 
@@ -91,9 +95,16 @@ final class ResultColumns {
       fields.put("lateral_p95_cm", centimetres(OptionalDouble.of(errors.lateralP95M())));
       fields.put("lateral_max_cm", centimetres(OptionalDouble.of(errors.lateralMaxM())));
     }
+    addEdge(fields, errors.edge());
     fields.put("bearings", Integer.toString(errors.radialM().size()));
     fields.put("unreached_bearings", Integer.toString(errors.unreachedBearings()));
     return line(fields);
+  }
+
+  private static void addEdge(Map<String, String> fields, EdgeKept edge) {
+    edge.share().ifPresent(share -> fields.put("edge_kept", RunFiles.fixed(share, DECIMALS)));
+    fields.put("edge_to_trace_mean_cm", centimetres(edge.meanM()));
+    fields.put("edge_to_trace_max_cm", centimetres(edge.maxM()));
   }
 
   /** The row of a run that failed. */

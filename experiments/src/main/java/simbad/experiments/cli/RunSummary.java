@@ -12,7 +12,7 @@ import simbad.experiments.run.TraceMove;
 
 /** The figures of a run for the console. */
 final class RunSummary {
-  private static final String ROW = " %-9s %9s %9s %9s %9s %9s %10s %11s%n";
+  private static final String ROW = " %-9s %9s %9s %9s %9s %9s %9s %10s %11s%n";
   private static final String TITLE = "obstacle (table)";
 
   private RunSummary() {}
@@ -32,6 +32,7 @@ final class RunSummary {
         "max cm",
         "beside cm",
         "edge kept",
+        "from edge",
         "unreached",
         "reduction");
     for (RunResult result : results) {
@@ -48,6 +49,7 @@ final class RunSummary {
                   ? OptionalDouble.of(errors.lateralMeanM())
                   : OptionalDouble.empty()),
           percent(errors.edge().share()),
+          centimetres(errors.edge().maxM()),
           errors.unreachedBearings() + "/" + errors.radialM().size(),
           percent(result.reductionVsOriginal()));
     }
@@ -60,6 +62,7 @@ final class RunSummary {
     out.println(
         "mean, RMS, max: radial error |r - T| over the bearings; beside: mean distance from");
     out.println("the shadow's edge; edge kept: share of it with a place of the trace within 5 cm;");
+    out.println("from edge: greatest distance in cm from the edge to the trace;");
     out.println("reduction: of the mean against the original sensor.");
   }
 

@@ -5,6 +5,7 @@ import java.math.MathContext;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import simbad.experiments.run.EdgeKept;
 import simbad.experiments.run.RunResult;
 
 /**
@@ -35,7 +36,8 @@ public record FidelityVerdict(List<LimitCheck> checks) {
             agreement(result, limits.leastAgreement()),
             radial(result.errors().meanM(), limits.greatestRadialMeanM()),
             lateral(result, limits.greatestLateralMeanM()),
-            unreached(result, limits.mostUnreached())));
+            unreached(result, limits.mostUnreached()),
+            kept(result.errors().edge())));
   }
 
   private static LimitCheck round(RunResult result) {
@@ -86,6 +88,17 @@ public record FidelityVerdict(List<LimitCheck> checks) {
         unreached + " of " + result.errors().radialM().size(),
         unreached + " bearings not reached",
         unreached <= most);
+  }
+
+  /** Bearings are crossed beside a lobe that is cut off as well; its edge is not. */
+  private static LimitCheck kept(EdgeKept edge) {
+    double share = edge.share().orElse(1);
+    return new LimitCheck(
+        text("edge that has the trace within %.0f cm", CM * EdgeKept.NEAR_M),
+        "at least " + plain(100 * EdgeKept.LEAST_SHARE) + " %",
+        edge.share().isPresent() ? text("%.1f %%", 100 * share) : "there is no edge",
+        text("keeps %.1f %% of the edge", 100 * share),
+        !edge.isLost());
   }
 
   private static String radialWords(OptionalDouble mean) {

@@ -68,6 +68,17 @@ class BatchJobTest {
         found);
   }
 
+  /** The original sensor crosses every bearing far from an edge that it never keeps. */
+  @Test
+  void edge_isKeptByTheShadowAlone() throws Exception {
+    BatchJob job = Specs.job(folder, "\"sensors\": [\"shadow\", \"original\"]");
+    assertTrue(number(job, 0, "edge_kept") > 0.95);
+    assertTrue(number(job, 0, "edge_to_trace_max_cm") < 5);
+    assertEquals(0, number(job, 1, "edge_kept"));
+    assertTrue(number(job, 1, "edge_to_trace_mean_cm") > 5);
+    assertTrue(number(job, 1, "edge_to_trace_mean_cm") < number(job, 1, "edge_to_trace_max_cm"));
+  }
+
   @Test
   void noise_isTheSeeds() throws Exception {
     BatchJob job = Specs.job(folder, "\"sensors\": [\"noisy\"], \"seeds\": [1, 2]");

@@ -212,7 +212,7 @@ class BatchCommandTest {
     Files.writeString(results, text.replace("\n5,", "\n6,"));
     checkRefused(batch(spec, "out"), 2, "results.csv:7: run: found '6', expected the row of run 5");
     Files.writeString(results, text.replaceFirst("\n3,,", "\n3,"));
-    checkRefused(batch(spec, "out"), 2, "results.csv:5: run: found '3', expected 28 fields");
+    checkRefused(batch(spec, "out"), 2, "results.csv:5: run: found '3', expected 31 fields");
     Files.writeString(results, text + "24,,\n");
     checkRefused(batch(spec, "out"), 2, "results.csv:26: run: found '24', expected no more rows");
     Files.writeString(results, "a,b\n");

@@ -64,7 +64,7 @@ class FidelityCommandTest {
         shell.out().lines().findFirst().orElseThrow().replaceFirst("^round, original: ", "");
     assertFirst(
         page, "Is the original sensor faithful?", "<strong>round, original</strong>: " + sentence);
-    assertEquals(3, page.split("<strong>missed</strong>", -1).length - 1, page);
+    assertEquals(4, page.split("<strong>missed</strong>", -1).length - 1, page);
     assertEquals(2, page.split("<td>held</td>", -1).length - 1, page);
     assertFalse(page.contains("logarithmic"), page);
     assertFalse(page.contains("shadow sensor"), page);

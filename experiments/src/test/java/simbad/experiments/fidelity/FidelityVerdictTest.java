@@ -54,11 +54,19 @@ class FidelityVerdictTest {
         FidelityVerdict.of(run(SensorKind.ORIGINAL), new FidelityLimits(0.985, 0.03, 9, 0))
             .checks();
     assertEquals(
-        List.of("yes", "at least 98.5 %", "at most 3 cm", "at most 900 cm", "at most 0"),
+        List.of(
+            "yes",
+            "at least 98.5 %",
+            "at most 3 cm",
+            "at most 900 cm",
+            "at most 0",
+            "at least 95 %"),
         checks.stream().map(LimitCheck::limit).toList());
     assertEquals(
-        List.of(true, false, false, true, true), checks.stream().map(LimitCheck::isHeld).toList());
+        List.of(true, false, false, true, true, false),
+        checks.stream().map(LimitCheck::isHeld).toList());
     assertEquals("0 of 72", checks.get(4).reached());
+    assertEquals("0.0 %", checks.get(5).reached());
   }
 
   @Test
