@@ -10,6 +10,7 @@ import simbad.gap.diagnosis.Place;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.explain.Blocks;
 import simbad.gap.explain.Gain;
+import simbad.gap.explain.Probabilities;
 import simbad.gap.explain.Weighed;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Effect;
@@ -43,12 +44,14 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
    * @param unknown probability of something that has no name
    * @param where the places of the gap
    * @param blocks of the log
+   * @param tieNats evidence that still leaves two effects alike
    */
-  static Conclusion of(Weighed weighed, double unknown, List<Place> where, Blocks blocks) {
+  static Conclusion of(
+      Weighed weighed, double unknown, List<Place> where, Blocks blocks, double tieNats) {
     if (!blocks.canBeHeldOut()) {
       return undecided(noHalves(weighed.gain()));
     }
-    Hypothesis best = weighed.probabilities().best().hypothesis();
+    Hypothesis best = weighed.taken().hypothesis();
     List<AtBound> atBound = atBound(best);
     if (!atBound.isEmpty()) {
       return new Conclusion(Verdict.UNEXPLAINED, bounds(atBound), atBound);
@@ -57,10 +60,44 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
       return new Conclusion(Verdict.UNEXPLAINED, "", List.of());
     }
     if (!best.forms().isEmpty()) {
-      return new Conclusion(Verdict.EXPLAINED, "", List.of());
+      return leavesMuch(weighed)
+          ? new Conclusion(Verdict.UNEXPLAINED, left(weighed.gain()), List.of())
+          : named(weighed.probabilities(), best, tieNats);
     }
     String doubt = doubt(weighed, where);
     return doubt.isEmpty() ? new Conclusion(Verdict.NONE, "", List.of()) : undecided(doubt);
+  }
+
+  /** A table is read off the bearings that a half of the log has, and leaves those of the other. */
+  private static boolean leavesMuch(Weighed weighed) {
+    return !weighed.taken().hypothesis().hasTable()
+        && weighed.gain().afterM() > MANY_TIMES * weighed.gain().floorM();
+  }
+
+  private static String left(Gain gain) {
+    return String.format(
+        Locale.ROOT,
+        "a gap of %.2f cm is left where the diagnosed model expects %.2f cm from scatter",
+        100 * gain.afterM(),
+        100 * gain.floorM());
+  }
+
+  /** Of what is sure, where of all of it that cannot be said. */
+  static Conclusion partly(Conclusion whole) {
+    return new Conclusion(Verdict.PARTLY, whole.reason, List.of());
+  }
+
+  /** One that two others could stand for is no name for what happened. */
+  private static Conclusion named(Probabilities probabilities, Hypothesis best, double tieNats) {
+    for (Effect effect : best.effects()) {
+      List<Effect> rivals = probabilities.inPlaceOf(effect, tieNats);
+      if (rivals.size() > 1) {
+        String reason =
+            "these data cannot tell " + effect.word() + " from " + words(rivals).replace(" +", ",");
+        return new Conclusion(Verdict.UNDECIDED, reason, List.of());
+      }
+    }
+    return new Conclusion(Verdict.EXPLAINED, "", List.of());
   }
 
   private static Conclusion undecided(String reason) {

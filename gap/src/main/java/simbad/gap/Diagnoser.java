@@ -17,7 +17,9 @@ import simbad.gap.diagnosis.GapFigures;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.NextExperiment;
 import simbad.gap.diagnosis.Place;
+import simbad.gap.diagnosis.Verdict;
 import simbad.gap.explain.Blocks;
+import simbad.gap.explain.Budget;
 import simbad.gap.explain.Calibration;
 import simbad.gap.explain.Gain;
 import simbad.gap.explain.Probabilities;
@@ -73,7 +75,7 @@ public final class Diagnoser {
     PingLog log = new PingLog(data.readings());
     Calibration calibration =
         data.reference().isEmpty()
-            ? Calibration.none()
+            ? Calibration.ofLog(data.setup(), log)
             : Calibration.of(data.setup(), new PingLog(data.reference()));
     Inquiry inquiry = inquire(data, log, calibration);
     for (int round = 0; round < ROUNDS; round++) {
@@ -112,7 +114,7 @@ public final class Diagnoser {
     }
 
     Hypothesis best() {
-      return weighed.probabilities().best().hypothesis();
+      return weighed.taken().hypothesis();
     }
 
     /** The set-up with what of this belongs to it. */
@@ -145,37 +147,64 @@ public final class Diagnoser {
   private Diagnosis conclude(Inquiry inquiry) {
     Evidence evidence = inquiry.evidence;
     Calibration calibration = inquiry.calibration;
-    List<Scored> sets = inquiry.sets;
-    Probabilities probabilities = inquiry.weighed.probabilities();
-    Gain gain = inquiry.weighed.gain();
-    Hypothesis best = inquiry.best();
     Blocks blocks = new Blocks(evidence.log());
-    double unknown = Unknown.probability(evidence, calibration, gain, best);
-    List<Place> where = Places.find(evidence, gain.before(), gain.after(), blocks);
-    Conclusion conclusion = Conclusion.of(inquiry.weighed, unknown, where, blocks);
+    Weighed whole = inquiry.weighed;
+    double unknown =
+        Unknown.probability(evidence, calibration, whole.gain(), whole.taken().hypothesis());
+    double tieNats = TIE_NATS * calibration.clumping();
+    Conclusion first =
+        Conclusion.of(whole, unknown, places(evidence, whole, blocks), blocks, tieNats);
+    Optional<Weighed> sure =
+        first.verdict() == Verdict.UNEXPLAINED || isTied(first, whole)
+            ? whole.confirmed(evidence, inquiry.sets, inquiry.worthNats)
+            : Optional.empty();
+    return sure.map(part -> diagnosis(inquiry, part, unknown, Conclusion.partly(first)))
+        .orElseGet(() -> diagnosis(inquiry, whole, unknown, first));
+  }
+
+  /** Undecided between names, not for want of readings. */
+  private static boolean isTied(Conclusion conclusion, Weighed weighed) {
+    return conclusion.verdict() == Verdict.UNDECIDED
+        && !weighed.taken().hypothesis().forms().isEmpty();
+  }
+
+  private static List<Place> places(Evidence evidence, Weighed weighed, Blocks blocks) {
+    return Places.find(evidence, weighed.gain().before(), weighed.gain().after(), blocks);
+  }
+
+  private Diagnosis diagnosis(
+      Inquiry inquiry, Weighed weighed, double unknown, Conclusion conclusion) {
+    Evidence evidence = inquiry.evidence;
+    double clumping = inquiry.calibration.clumping();
+    Blocks blocks = new Blocks(evidence.log());
+    List<Scored> sets = inquiry.sets;
+    Hypothesis best = weighed.taken().hypothesis();
     return new Diagnosis(
         conclusion.verdict(),
         conclusion.reason(),
         best.effects(),
-        new Findings(evidence, sets, probabilities, unknown, calibration.clumping()).all(),
+        new Findings(
+                evidence, sets, weighed, unknown, clumping, conclusion.verdict() == Verdict.PARTLY)
+            .all(),
         unknown,
-        1 - probabilities.ofNone(),
+        1 - weighed.probabilities().ofNone(),
         conclusion.atBound(),
-        figures(gain, blocks),
-        where,
-        Undetectables.of(evidence, best, Probabilities.COST_NATS * calibration.clumping()),
-        nextExperiment(evidence, sets, probabilities, calibration.clumping()),
+        figures(weighed.gain(), blocks),
+        Budget.of(evidence, blocks, best, weighed.gain(), seed),
+        places(evidence, weighed, blocks),
+        Undetectables.of(evidence, best, Probabilities.COST_NATS * clumping),
+        nextExperiment(evidence, sets, weighed, clumping),
         best,
-        calibration.setup(),
+        inquiry.calibration.setup(),
         attempts(sets));
   }
 
   /** For the first tie: what would tell the two apart. */
   private static Optional<NextExperiment> nextExperiment(
-      Evidence evidence, List<Scored> sets, Probabilities probabilities, double clumping) {
-    Hypothesis best = probabilities.best().hypothesis();
+      Evidence evidence, List<Scored> sets, Weighed weighed, double clumping) {
+    Hypothesis best = weighed.taken().hypothesis();
     for (Effect effect : best.effects()) {
-      for (Effect other : probabilities.inPlaceOf(effect, TIE_NATS * clumping)) {
+      for (Effect other : weighed.inPlaceOf(effect, TIE_NATS * clumping)) {
         List<Effect> rival = new ArrayList<>(best.without(effect).effects());
         rival.add(other);
         Optional<Hypothesis> found =
@@ -222,14 +251,18 @@ public final class Diagnoser {
   private record Findings(
       Evidence evidence,
       List<Scored> sets,
-      Probabilities probabilities,
+      Weighed weighed,
       double unknown,
-      double clumping) {
+      double clumping,
+      boolean isPartly) {
 
     List<EffectFinding> all() {
       Map<Effect, Double> probability = new EnumMap<>(Effect.class);
-      probabilities.ofEffects().forEach((effect, p) -> probability.put(effect, stated(p)));
-      Hypothesis best = probabilities.best().hypothesis();
+      weighed.probabilities().ofEffects().forEach((e, p) -> probability.put(e, stated(p)));
+      Hypothesis best = weighed.taken().hypothesis();
+      if (isPartly) {
+        best.effects().forEach(effect -> probability.put(effect, NAMED_RIGHTLY));
+      }
       double[] deviations = new Uncertainty(evidence, clumping).deviations(best);
       List<EffectFinding> findings = new ArrayList<>();
       for (Effect effect : Effect.values()) {
@@ -267,7 +300,7 @@ public final class Diagnoser {
           probability,
           Optional.of(form.name()),
           fitted(form, best.valuesOf(at), own),
-          probabilities.inPlaceOf(effect, TIE_NATS * clumping));
+          isPartly ? List.of() : weighed.inPlaceOf(effect, TIE_NATS * clumping));
     }
 
     /** Of an effect that is not in the explanation: its values when it is fitted alone. */
@@ -278,9 +311,11 @@ public final class Diagnoser {
               .filter(set -> set.effects().equals(List.of(effect)))
               .findFirst();
       List<Effect> tied =
-          probabilities.best().hypothesis().effects().stream()
-              .filter(in -> probabilities.inPlaceOf(in, TIE_NATS * clumping).contains(effect))
-              .toList();
+          isPartly
+              ? List.of()
+              : weighed.taken().hypothesis().effects().stream()
+                  .filter(in -> weighed.inPlaceOf(in, TIE_NATS * clumping).contains(effect))
+                  .toList();
       return new EffectFinding(
           effect,
           probability,

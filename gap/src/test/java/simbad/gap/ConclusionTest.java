@@ -23,6 +23,7 @@ import simbad.sonar.effect.PingLog;
 /** What holds of a verdict whatever the probabilities say. */
 class ConclusionTest {
   private static final Blocks BLOCKS = blocks(150);
+  private static final double TIE_NATS = 3;
   private static final Hypothesis OFFSET = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.05);
 
   private static Blocks blocks(int rows) {
@@ -34,6 +35,7 @@ class ConclusionTest {
     GapMeter.Gaps gaps = new GapMeter.Gaps(new double[] {gapM}, new double[] {floorM});
     return new Weighed(
         new Probabilities(List.of(only), 10, 1, EnumSet.noneOf(Effect.class)),
+        only,
         new Gain(gaps, gaps),
         List.of(enlarging));
   }
@@ -43,7 +45,7 @@ class ConclusionTest {
   }
 
   private static Conclusion of(Weighed weighed, double unknown, Place... where) {
-    return Conclusion.of(weighed, unknown, List.of(where), BLOCKS);
+    return Conclusion.of(weighed, unknown, List.of(where), BLOCKS, TIE_NATS);
   }
 
   private static void isUndecided(String why, Conclusion conclusion) {
@@ -82,7 +84,7 @@ class ConclusionTest {
   @Test
   void oneBlock_isUndecidedWhateverFits() {
     Conclusion few =
-        Conclusion.of(weighed(OFFSET, 0.01, 0.01), 0.9, List.of(place(1e-9)), blocks(49));
+        Conclusion.of(weighed(OFFSET, 0.01, 0.01), 0.9, List.of(place(1e-9)), blocks(49), TIE_NATS);
     isUndecided("too few readings: 1, where 50 are needed", few);
   }
 
@@ -91,6 +93,18 @@ class ConclusionTest {
     assertEquals(Verdict.EXPLAINED, of(weighed(OFFSET, 0.01, 0.01), 0.5).verdict());
     assertEquals(Verdict.UNEXPLAINED, of(weighed(OFFSET, 0.01, 0.01), 0.51).verdict());
     assertEquals(Verdict.UNEXPLAINED, of(weighed(Hypothesis.NONE, 0.01, 0.01), 0.51).verdict());
+  }
+
+  /** Twice what the model that is diagnosed expects of itself is a rest. */
+  @Test
+  void muchThatIsLeft_isNotExplained() {
+    assertEquals(Verdict.EXPLAINED, of(weighed(OFFSET, 0.0199, 0.01), 0.1).verdict());
+    Conclusion left = of(weighed(OFFSET, 0.021, 0.01), 0.1);
+    assertEquals(Verdict.UNEXPLAINED, left.verdict());
+    assertEquals(
+        "a gap of 2.10 cm is left where the diagnosed model expects 1.00 cm from scatter",
+        left.reason());
+    assertEquals(Verdict.PARTLY, Conclusion.partly(left).verdict());
   }
 
   @Test

@@ -43,7 +43,7 @@ final class DiagnosisPage {
       Diagnosis diagnosis, DataSet data, List<RowFinding> rows, Provenance provenance) {
     DiagnosisPage page = new DiagnosisPage(diagnosis, data, rows);
     page.begin();
-    FirstScreen.add(page.page, diagnosis, data.name());
+    FirstScreen.add(page.page, diagnosis, data);
     page.where();
     page.residuals();
     page.effects();

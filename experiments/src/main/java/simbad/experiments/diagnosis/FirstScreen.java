@@ -2,10 +2,14 @@ package simbad.experiments.diagnosis;
 
 import java.util.List;
 import simbad.experiments.markup.Markup;
+import simbad.gap.diagnosis.BudgetEntry;
+import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.GapFigures;
 import simbad.gap.diagnosis.Place;
+import simbad.gap.diagnosis.Remedies;
+import simbad.sonar.scene.SonarSpec;
 
 /** What a reader knows who reads no further: verdict, probabilities, shrinkage, the worst place. */
 final class FirstScreen {
@@ -14,16 +18,18 @@ final class FirstScreen {
   private static final double WORTH_A_BAR = 0.02;
 
   private final Diagnosis diagnosis;
+  private final SonarSpec sensor;
   private final StringBuilder page;
 
-  private FirstScreen(Diagnosis diagnosis, StringBuilder page) {
+  private FirstScreen(Diagnosis diagnosis, SonarSpec sensor, StringBuilder page) {
     this.diagnosis = diagnosis;
+    this.sensor = sensor;
     this.page = page;
   }
 
-  static void add(StringBuilder page, Diagnosis diagnosis, String dataset) {
-    FirstScreen screen = new FirstScreen(diagnosis, page);
-    page.append("<h1>Simulation and reality: " + Markup.escaped(dataset) + "</h1>\n");
+  static void add(StringBuilder page, Diagnosis diagnosis, DataSet data) {
+    FirstScreen screen = new FirstScreen(diagnosis, data.setup().sensor(), page);
+    page.append("<h1>Simulation and reality: " + Markup.escaped(data.name()) + "</h1>\n");
     page.append("<p class=\"verdict\">" + VerdictWords.sentence(diagnosis) + "</p>\n");
     page.append(VerdictWords.second(diagnosis));
     page.append("<div class=\"panels\">\n");
@@ -51,6 +57,8 @@ final class FirstScreen {
               + finding.effect().word()
               + ": "
               + VerdictWords.meaning(finding.effect())
+              + ". <strong>What to do:</strong> "
+              + Markup.escaped(Remedies.of(finding, sensor))
               + ".</p>\n");
     }
     page.append("</section>\n");
@@ -72,7 +80,65 @@ final class FirstScreen {
     size("floor", gap.floorCm(), scale, "floor", "");
     page.append("</div>\n");
     page.append("<p class=\"soft\">" + shrinks(gap) + "</p>\n");
+    budget();
     page.append("</section>\n");
+  }
+
+  /** One bar, as long as the gap before: each effect's share, the rest, the floor. */
+  private void budget() {
+    double all = diagnosis.budget().stream().mapToDouble(entry -> Math.max(0, entry.cm())).sum();
+    if (!(all > 0)) {
+      return;
+    }
+    page.append("<h3>What the gap before is made of, in cm</h3>\n<div class=\"budget\">\n");
+    int effect = 0;
+    for (BudgetEntry entry : diagnosis.budget()) {
+      String style = budgetStyle(entry, effect++);
+      page.append(
+          "<span class=\"fill "
+              + style
+              + "\" style=\"flex-grow:"
+              + Svg.number(Math.max(0, entry.cm()) / all)
+              + "\" title=\""
+              + words(entry)
+              + "\"></span>\n");
+    }
+    page.append("</div>\n<p class=\"soft\">");
+    effect = 0;
+    for (BudgetEntry entry : diagnosis.budget()) {
+      page.append(
+          "<span class=\"key "
+              + budgetStyle(entry, effect++)
+              + "\"></span>&nbsp;"
+              + words(entry)
+              + "; ");
+    }
+    page.append("with 95&nbsp;% intervals. The parts add up to the gap before.</p>\n");
+  }
+
+  private static String budgetStyle(BudgetEntry entry, int effect) {
+    return switch (entry.what()) {
+      case BudgetEntry.REST -> "unknown";
+      case BudgetEntry.FLOOR -> "floor";
+      default -> "effect" + Math.min(2, effect);
+    };
+  }
+
+  private static String words(BudgetEntry entry) {
+    String name =
+        switch (entry.what()) {
+          case BudgetEntry.REST -> "not explained";
+          case BudgetEntry.FLOOR -> "scatter (floor)";
+          default -> entry.what();
+        };
+    return name
+        + " "
+        + Html.fixed(entry.cm(), 2)
+        + " ("
+        + Html.fixed(entry.ci95().low(), 2)
+        + " to "
+        + Html.fixed(entry.ci95().high(), 2)
+        + ")";
   }
 
   private String shrinks(GapFigures gap) {

@@ -46,6 +46,9 @@ public final class Style {
       .bars .value { text-align: right; }
       .fill.after { background: var(--after); } .fill.before { background: var(--before); }
       .fill.floor { background: var(--floor); } .fill.unknown { background: var(--unknown); }
+      .budget { display: flex; height: 1.4rem; border-radius: 3px; overflow: hidden; margin: .2rem 0; }
+      .budget .fill { flex-basis: 0; min-width: 0; }
+      .effect0 { background: #0072b2; } .effect1 { background: #e69f00; } .effect2 { background: #009e73; }
       .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1rem; }
       figure { margin: 0; min-width: 0; background: var(--panel); border-radius: 8px; padding: .7rem; }
       figcaption { font-size: .9rem; color: var(--soft); }
@@ -65,6 +68,7 @@ public final class Style {
       svg .h3 { fill: var(--h3); } svg .h4 { fill: var(--h4); } svg .h5 { fill: var(--h5); }
       svg .h6 { fill: var(--h6); } svg .h7 { fill: var(--h7); } svg .h8 { fill: var(--h8); }
       .key { display: inline-block; width: .8rem; height: .8rem; border-radius: 2px; vertical-align: -1px; }
+      .key.unknown { background: var(--unknown); } .key.floor { background: var(--floor); }
       .key.before { background: var(--before); } .key.after { background: var(--after); }
       .scroll { overflow-x: auto; }
       table { border-collapse: collapse; font-size: .92rem; font-variant-numeric: tabular-nums; }

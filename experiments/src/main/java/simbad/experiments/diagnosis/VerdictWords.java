@@ -35,6 +35,18 @@ final class VerdictWords {
               + ". The diagnosed model itself expects a gap of "
               + Html.centimetres(diagnosis.gap().floorCm())
               + " from scatter.";
+      case PARTLY ->
+          "<strong>"
+              + Html.list(diagnosis.explanation())
+              + (diagnosis.explanation().size() == 1 ? " is" : " are")
+              + " at work, and something else is too</strong>: "
+              + shrinkage(diagnosis)
+              + ". The diagnosed model itself expects a gap of "
+              + Html.centimetres(diagnosis.gap().floorCm())
+              + " from scatter"
+              + (diagnosis.reason().isEmpty()
+                  ? "."
+                  : ". Beside it, " + Markup.escaped(diagnosis.reason()) + ".");
       case UNEXPLAINED -> unexplained(diagnosis);
       case UNDECIDED ->
           "<strong>These data cannot tell:</strong> " + Markup.escaped(diagnosis.reason()) + ".";
@@ -166,6 +178,10 @@ final class VerdictWords {
       case NEAR_CLAMP -> "short ranges are reported as one least value";
       case PREVIOUS_PING -> "an echo of the ping before is taken for one of this";
       case ORIENTATION_SHADOW -> "the threshold depends on the bearing";
+      case NO_ECHO_CODE -> "a number stands for no echo";
+      case WRAP -> "readings start again from 0 beyond some value";
+      case PLACEMENT_ERROR -> "each placement is a little elsewhere than believed";
+      case WAVE_HOP -> "readings are off by whole periods of the carrier";
     };
   }
 }

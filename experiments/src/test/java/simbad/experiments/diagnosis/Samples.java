@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import simbad.experiments.dataset.MadeDataSet;
 import simbad.experiments.dataset.TableGrid;
+import simbad.gap.diagnosis.BudgetEntry;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
@@ -67,6 +68,10 @@ final class Samples {
         0.999,
         List.of(),
         new GapFigures(1500, 178.8, 60.25, 51.5, 0.663, new Interval(0.61, 0.7)),
+        List.of(
+            new BudgetEntry("gain", 118.55, new Interval(100, 130)),
+            new BudgetEntry(BudgetEntry.REST, 8.75, new Interval(5, 12)),
+            new BudgetEntry(BudgetEntry.FLOOR, 51.5, new Interval(50, 53))),
         places(),
         List.of(
             new Undetectable(Effect.DEAD_ZONE, "end_m", OptionalDouble.of(0.06)),
@@ -93,6 +98,7 @@ final class Samples {
         0.01,
         List.of(),
         new GapFigures(data.readings().size(), 2, 2, 1.95, 0, new Interval(-0.02, 0.02)),
+        List.of(),
         List.of(),
         List.of(),
         Optional.empty(),

@@ -19,6 +19,7 @@ import simbad.sonar.effect.Effect;
  *     it is
  * @param atBound parameters of the explanation that stand at an end of what was searched
  * @param gap its size before and after
+ * @param budget how the gap before is made up; adds up to it
  * @param where the places of the gap, largest share first
  * @param undetectable effects that these data could not have shown
  * @param nextExperiment what to measure next; empty where nothing is tied
@@ -36,6 +37,7 @@ public record Diagnosis(
     double namedProbability,
     List<AtBound> atBound,
     GapFigures gap,
+    List<BudgetEntry> budget,
     List<Place> where,
     List<Undetectable> undetectable,
     Optional<NextExperiment> nextExperiment,
@@ -47,6 +49,7 @@ public record Diagnosis(
     explanation = List.copyOf(explanation);
     effects = List.copyOf(effects);
     atBound = List.copyOf(atBound);
+    budget = List.copyOf(budget);
     where = List.copyOf(where);
     undetectable = List.copyOf(undetectable);
     tried = List.copyOf(tried);
@@ -54,13 +57,14 @@ public record Diagnosis(
 
   /**
    * Returns how probable it is that a verdict is the right one. None, explained and unexplained add
-   * up to 1; undecided says nothing of the world, so its probability is 0.
+   * up to 1. Partly is unexplained as well, and has its probability; undecided says nothing of the
+   * world, so its probability is 0.
    */
   public double probability(Verdict of) {
     return switch (of) {
       case NONE -> (1 - unknownProbability) * (1 - namedProbability);
       case EXPLAINED -> (1 - unknownProbability) * namedProbability;
-      case UNEXPLAINED -> unknownProbability;
+      case PARTLY, UNEXPLAINED -> unknownProbability;
       case UNDECIDED -> 0;
     };
   }

@@ -81,7 +81,15 @@ public final class DiagnosisJson {
     ArrayNode atBound = root.putArray("at_bound");
     diagnosis.atBound().forEach(one -> atBound(atBound.addObject(), one));
     gap(root.putObject("gap"), diagnosis.gap());
-    diagnosis.effects().forEach(finding -> effect(root.withArray("effects").addObject(), finding));
+    ArrayNode budget = root.putArray("budget");
+    diagnosis.budget().forEach(entry -> budget(budget.addObject(), entry));
+    for (EffectFinding finding : diagnosis.effects()) {
+      ObjectNode node = root.withArray("effects").addObject();
+      effect(node, finding);
+      if (diagnosis.explanation().contains(finding.effect())) {
+        node.put("remedy", Remedies.of(finding, data.setup().sensor()));
+      }
+    }
     ArrayNode where = root.putArray("where");
     diagnosis.where().forEach(place -> place(where.addObject(), place));
     ArrayNode undetectable = root.putArray("undetectable");
@@ -108,6 +116,12 @@ public final class DiagnosisJson {
     put(node, "floor_cm", gap.floorCm());
     put(node, "shrink", gap.shrink());
     interval(node.putArray("shrink_ci95"), gap.shrinkCi95());
+  }
+
+  private static void budget(ObjectNode node, BudgetEntry entry) {
+    node.put("what", entry.what());
+    put(node, "cm", entry.cm());
+    interval(node.putArray("ci95"), entry.ci95());
   }
 
   private static void effect(ObjectNode node, EffectFinding finding) {

@@ -6,6 +6,8 @@ public enum Verdict {
   NONE("none"),
   /** The effects named account for the gap. */
   EXPLAINED("explained"),
+  /** The effects named are at work, and something else is too. */
+  PARTLY("partly"),
   /** A gap is left, or all of it, that no named effect accounts for. */
   UNEXPLAINED("unexplained"),
   /** These data cannot tell. */

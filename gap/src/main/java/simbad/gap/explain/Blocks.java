@@ -1,16 +1,21 @@
 package simbad.gap.explain;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import simbad.gap.fit.Fold;
 import simbad.sonar.effect.PingLog;
 
 /**
- * A log cut into blocks of time that belong together: neighbouring pings share what is not
- * modelled, so what was fitted on one is no test on the other.
+ * A log cut into blocks that belong together: neighbouring pings share what is not modelled, so
+ * what was fitted on one is no test on the other. Neighbours in time; where things were put in
+ * place and read there repeatedly, neighbours in place, whatever the order in which that was done.
  */
 public final class Blocks {
   private static final int PER_RUN = 12;
+
+  /** Blocks of a log that was taken place by place, at most. */
+  private static final int OF_PLACES = 24;
 
   /** Rows of a block at least, where a run has enough of them for two. */
   public static final int LEAST_ROWS = 25;
@@ -18,8 +23,29 @@ public final class Blocks {
   private final int[] block;
   private final int count;
 
-  /** Cuts each run into up to 12 pieces of equal time, all sensors together. */
+  /**
+   * Cuts a log taken place by place into up to 24 pieces of as many placements, any other one run
+   * by run into up to 12 pieces of equal time, all sensors together.
+   */
   public Blocks(PingLog log) {
+    this(log, new Placements(log));
+  }
+
+  private Blocks(PingLog log, Placements placements) {
+    block = placements.areRepeated() ? ofPlaces(log, placements) : ofTimes(log);
+    count = Arrays.stream(block).max().orElse(-1) + 1;
+  }
+
+  private static int[] ofPlaces(PingLog log, Placements placements) {
+    int pieces = Math.min(OF_PLACES, placements.count());
+    int[] block = new int[log.size()];
+    for (int i = 0; i < block.length; i++) {
+      block[i] = (int) ((long) placements.of(i) * pieces / placements.count());
+    }
+    return block;
+  }
+
+  private static int[] ofTimes(PingLog log) {
     int size = log.size();
     double[] end = new double[log.runs().size()];
     int[] rows = new int[end.length];
@@ -27,7 +53,7 @@ public final class Blocks {
       end[log.run(i)] = Math.max(end[log.run(i)], log.timeS(i) - log.runStartS(i));
       rows[log.run(i)]++;
     }
-    block = new int[size];
+    int[] block = new int[size];
     Map<Long, Integer> numbers = new HashMap<>();
     for (int i = 0; i < size; i++) {
       int run = log.run(i);
@@ -36,7 +62,7 @@ public final class Blocks {
       int piece = (int) Math.min(pieces - 1, Math.floor(share * pieces));
       block[i] = numbers.computeIfAbsent((long) run * PER_RUN + piece, key -> numbers.size());
     }
-    count = numbers.size();
+    return block;
   }
 
   /** Returns the number of blocks. */

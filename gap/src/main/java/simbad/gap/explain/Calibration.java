@@ -30,6 +30,13 @@ public final class Calibration {
   private final double clumping;
   private final double rangeClumping;
 
+  private Calibration(double clumping) {
+    reference = Optional.empty();
+    setup = Hypothesis.NONE;
+    this.clumping = clumping;
+    rangeClumping = clumping;
+  }
+
   private Calibration(Optional<Evidence> reference, Hypothesis setup) {
     this.reference = reference;
     this.setup = setup;
@@ -41,6 +48,15 @@ public final class Calibration {
   /** Returns the calibration of a set-up without a reference: it is as it is believed to be. */
   public static Calibration none() {
     return new Calibration(Optional.empty(), Hypothesis.NONE);
+  }
+
+  /**
+   * Returns the calibration of a set-up without a reference, of which a log says how far readings
+   * of one placement hang together.
+   */
+  public static Calibration ofLog(SensingSetup setup, PingLog log) {
+    return new Calibration(
+        PlacementScatter.clumping(new Evidence(setup, List.of(), log), new Placements(log)));
   }
 
   /** Calibrates. */

@@ -22,6 +22,7 @@ public final class Probabilities {
   private static final double NATS_PER_VALUE = 0.5;
 
   private final List<Scored> sets;
+  private final Set<Effect> unseen;
   private final double[] weight;
 
   /**
@@ -34,6 +35,7 @@ public final class Probabilities {
    */
   public Probabilities(List<Scored> sets, double costNats, double clumping, Set<Effect> unseen) {
     this.sets = List.copyOf(sets);
+    this.unseen = Set.copyOf(unseen);
     weight = new double[sets.size()];
     double most = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < weight.length; i++) {
@@ -97,23 +99,30 @@ public final class Probabilities {
     return sums;
   }
 
+  /** Returns what could stand in the place of an effect of the most probable set. */
+  public List<Effect> inPlaceOf(Effect effect, double nats) {
+    return inPlaceOf(effect, best(), nats);
+  }
+
   /**
-   * Returns, for an effect of the best set, the effects that could stand in its place with less
-   * than some evidence against it.
+   * Returns, for an effect of a set, the effects that could stand in its place with less than some
+   * evidence against it. What would have to gain more than others is no rival of one that has not.
    *
-   * @param effect of the best set
+   * @param effect of the set
+   * @param set one of those that were fitted
    * @param nats how much evidence still leaves the two alike
    */
-  public List<Effect> inPlaceOf(Effect effect, double nats) {
-    Set<Effect> rest = new TreeSet<>(best().hypothesis().effects());
+  public List<Effect> inPlaceOf(Effect effect, Scored set, double nats) {
+    Set<Effect> rest = new TreeSet<>(set.hypothesis().effects());
     rest.remove(effect);
     int size = rest.size() + 1;
     return sets.stream()
-        .filter(set -> set.hypothesis().forms().size() == size)
-        .filter(set -> set.hypothesis().effects().containsAll(rest))
-        .filter(set -> set.heldOut() > best().heldOut() - nats)
-        .flatMap(set -> set.hypothesis().effects().stream())
+        .filter(other -> other.hypothesis().forms().size() == size)
+        .filter(other -> other.hypothesis().effects().containsAll(rest))
+        .filter(other -> other.heldOut() > set.heldOut() - nats)
+        .flatMap(other -> other.hypothesis().effects().stream())
         .filter(other -> other != effect && !rest.contains(other))
+        .filter(other -> unseen.contains(effect) || !unseen.contains(other))
         .distinct()
         .toList();
   }

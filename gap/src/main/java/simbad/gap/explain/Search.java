@@ -63,7 +63,7 @@ public final class Search {
     this.worthNats = worthNats;
     blocks = new Blocks(evidence.log());
     forms =
-        Forms.all(evidence.setup(), evidence.log().sensors()).stream()
+        Gates.open(evidence, Forms.all(evidence.setup(), evidence.log().sensors())).stream()
             .filter(form -> !excluded.contains(form.effect()))
             .toList();
   }
@@ -74,8 +74,22 @@ public final class Search {
     keep(nominal);
     singles = best(new Screen(evidence, nominal).all(forms).values());
     singles.forEach(this::keep);
+    plain();
     best = built(nominal, singles);
     return scored();
+  }
+
+  /** The law of the ranges, and what else is plain beside it. */
+  private void plain() {
+    Fit law = new PlainFamily(evidence, forms).law();
+    keep(law);
+    if (law.hypothesis().forms().size() > 1) {
+      grown(
+          law,
+          forms.stream()
+              .filter(form -> PlainFamily.BESIDE_THE_LAW.contains(form.effect()))
+              .toList());
+    }
   }
 
   /** Returns whether the set that was built leaves something over. */

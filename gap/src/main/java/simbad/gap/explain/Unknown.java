@@ -46,7 +46,7 @@ public final class Unknown {
   private static final double TWO_FOR_LITTLE = 2.5;
 
   /** What hangs on no place takes up a little of anything. */
-  private static final Set<Effect> SOAK =
+  static final Set<Effect> SOAK =
       Set.of(
           Effect.DROPOUT,
           Effect.RANGE_NOISE,
@@ -139,7 +139,8 @@ public final class Unknown {
     Point own = obstacle.worldFromObstacle().obstacleFromWorld(new Point(post.xM(), post.zM()));
     Outline outline = obstacle.outline();
     double beyondItsCore = Math.hypot(own.xM(), own.zM()) - outline.distanceM(0, 0);
-    return Math.min(beyondItsCore, outline.distanceM(own.xM(), own.zM())) < BESIDE_M;
+    double apart = Math.min(beyondItsCore, outline.distanceM(own.xM(), own.zM()));
+    return apart < BESIDE_M + post.radiusM();
   }
 
   private static double mean(double[] values) {

@@ -3,6 +3,7 @@ package simbad.gap.explain;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import simbad.gap.fit.Evidence;
 import simbad.sonar.effect.Effect;
@@ -13,10 +14,20 @@ import simbad.sonar.effect.Effect;
  * place.
  *
  * @param probabilities of the sets that are left
- * @param gain of the most probable one
+ * @param taken the set that is concluded upon: the most probable one, or what of it is sure
+ * @param gain of that set
  * @param enlarging sets that would have been taken, but for the gap that they enlarge
  */
-public record Weighed(Probabilities probabilities, Gain gain, List<Scored> enlarging) {
+public record Weighed(
+    Probabilities probabilities, Scored taken, Gain gain, List<Scored> enlarging) {
+  /** What takes up a little of anything, beside those that soak up where things were placed. */
+  private static final Set<Effect> SOAK_UP = EnumSet.copyOf(PlainFamily.SOAK_UP_PLACEMENTS);
+
+  static {
+    SOAK_UP.addAll(Unknown.SOAK);
+    SOAK_UP.addAll(List.of(Effect.FLOOR_ECHO, Effect.STALE_READING, Effect.PLACEMENT_ERROR));
+  }
+
   /** Copies the list. */
   public Weighed {
     enlarging = List.copyOf(enlarging);
@@ -36,7 +47,11 @@ public record Weighed(Probabilities probabilities, Gain gain, List<Scored> enlar
     Blocks blocks = new Blocks(evidence.log());
     double most = (1 + Probabilities.UNSEEN) * worthNats;
     Set<Effect> unseen = EnumSet.noneOf(Effect.class);
+    if (new Placements(evidence.log()).areRepeated()) {
+      unseen.addAll(PlainFamily.SOAK_UP_PLACEMENTS);
+    }
     List<Scored> left = new ArrayList<>(sets);
+    left.removeIf(set -> isOutdone(set, sets, worthNats));
     List<Scored> enlarging = new ArrayList<>();
     while (true) {
       Probabilities probabilities = new Probabilities(left, worthNats, clumping, unseen);
@@ -46,10 +61,43 @@ public record Weighed(Probabilities probabilities, Gain gain, List<Scored> enlar
       }
       Gain gain = Gain.of(evidence, blocks, best.hypothesis());
       if (gain.afterM() <= gain.beforeM()) {
-        return new Weighed(probabilities, gain, enlarging);
+        return new Weighed(probabilities, best, gain, enlarging);
       }
       left.remove(best);
       enlarging.add(best);
     }
+  }
+
+  /** At an end of the search, while a set that is not says nearly as much. */
+  private static boolean isOutdone(Scored one, List<Scored> sets, double worthNats) {
+    return one.hypothesis().isAtBound()
+        && sets.stream()
+            .filter(set -> !set.hypothesis().forms().isEmpty())
+            .filter(set -> !set.hypothesis().isAtBound())
+            .anyMatch(set -> set.heldOut() > one.heldOut() - worthNats);
+  }
+
+  /** Returns what could stand in the place of an effect of the set that is concluded upon. */
+  public List<Effect> inPlaceOf(Effect effect, double nats) {
+    return probabilities.inPlaceOf(effect, taken, nats);
+  }
+
+  /**
+   * Returns what is sure beside a rest that no effect explains, with its own gain; empty if nothing
+   * is, or if it makes the gap larger.
+   *
+   * @param evidence the log
+   * @param sets that were fitted
+   * @param worthNats what a further effect must gain to be as probable as its absence
+   */
+  public Optional<Weighed> confirmed(Evidence evidence, List<Scored> sets, double worthNats) {
+    return new Confirmed(sets, SOAK_UP, worthNats)
+        .best()
+        .map(sure -> new Weighed(probabilities, sure, gainOf(evidence, sure), enlarging))
+        .filter(sure -> sure.gain.afterM() < sure.gain.beforeM());
+  }
+
+  private static Gain gainOf(Evidence evidence, Scored set) {
+    return Gain.of(evidence, new Blocks(evidence.log()), set.hypothesis());
   }
 }

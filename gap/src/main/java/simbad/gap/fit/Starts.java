@@ -40,6 +40,9 @@ final class Starts {
               ? product(form, distances(tries.get(0)))
               : product(form, distances(tries.get(0)), tries.get(1));
       case ORIENTATION_SHADOW -> shadows(form);
+      case NO_ECHO_CODE ->
+          product(form, codes(form.parameters().get(0)), tries.get(1), tries.get(2));
+      case WRAP -> product(form, moduli(tries.get(0)));
       default -> all(form, tries);
     };
   }
@@ -67,6 +70,24 @@ final class Starts {
       all = longer;
     }
     return all;
+  }
+
+  /** Numbers that strange readings have again and again, to the millimetre. */
+  private List<Double> codes(Parameter code) {
+    return modes(strange().filter(range -> code.permits(range)), 1e-3);
+  }
+
+  /** What readings that are too near are too near by. */
+  private List<Double> moduli(List<Double> tries) {
+    List<Double> moduli = new ArrayList<>(tries);
+    moduli.addAll(
+        modes(
+            clues
+                .echoesInCone()
+                .filter(i -> clues.log.rangeM(i) < clues.nearestM(i) - 0.05)
+                .mapToDouble(i -> clues.nearestM(i) - clues.log.rangeM(i)),
+            0.01));
+    return moduli;
   }
 
   /** A form that is about no single obstacle has no number: each obstacle's waves may be all's. */

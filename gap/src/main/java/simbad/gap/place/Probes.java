@@ -25,7 +25,9 @@ import simbad.sonar.scene.SonarSpec;
  *   <li>Poses: 50 ms and one ping, an obstacle 1 cm or 2 degrees off, 2 % of the path, a degree in
  *       ten seconds.
  *   <li>Gates: sensors are specified to be blind up to 0.3 m; a time-out matters where it takes a
- *       quarter of what the scene or the sensor reaches.
+ *       quarter of what the scene or the sensor reaches, or readings start again.
+ *   <li>Readings: a number for half of the silent pings; a fifth a wave late; placements 1 cm off,
+ *       as a tape is read in passing.
  * </ul>
  */
 final class Probes {
@@ -80,6 +82,10 @@ final class Probes {
       case DEAD_ZONE -> Probe.alone(form(effect, "sharp"), 0, blind);
       case NEAR_CLAMP -> Probe.alone(form(effect, "clamp"), 0, blind);
       case PREVIOUS_PING -> Probe.tried(form(effect, "shift"), 0, 0.05);
+      case NO_ECHO_CODE -> Probe.tried(form(effect, "far"), 1, 0.5);
+      case WRAP -> Probe.alone(form(effect, "modulus"), 0, 0.75 * sensor.maxRangeM());
+      case PLACEMENT_ERROR -> Probe.alone(form(effect, "range"), 0, 0.01);
+      case WAVE_HOP -> Probe.tried(form(effect, "later"), 0, 0.2);
       case ABSORPTION -> Probe.alone(first(effect), 0, 0.05);
       case BEAM_PATTERN ->
           Probe.alone(first(effect), 0, 4 * Math.toDegrees(sensor.coneHalfAngleRad()));

@@ -68,6 +68,10 @@ final class Samples {
         0.96,
         List.of(new AtBound(Effect.RANGE_OFFSET, "offset_m", 1, new Interval(-1, 1))),
         new GapFigures(2, 3.2, 1.6, 1.5, 0.5, new Interval(Double.NEGATIVE_INFINITY, 0.6)),
+        List.of(
+            new BudgetEntry("range-offset", 1.6, new Interval(1.2, 1.9)),
+            new BudgetEntry(BudgetEntry.REST, 0.1, new Interval(0, 0.3)),
+            new BudgetEntry(BudgetEntry.FLOOR, 1.5, new Interval(1.4, 1.6))),
         List.of(new Place(List.of(bearing, run), 30, 0.4, 9, 1, GapKind.MISSED_ECHO, 1e-9)),
         List.of(
             new Undetectable(Effect.DEAD_ZONE, "least_m", OptionalDouble.empty()),

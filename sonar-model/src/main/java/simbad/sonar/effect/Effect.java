@@ -56,7 +56,15 @@ public enum Effect {
   /** An echo of the ping before is taken for one of this ping. */
   PREVIOUS_PING("previous-ping"),
   /** The threshold depends on the bearing, while the simulator believes it uniform. */
-  ORIENTATION_SHADOW("orientation-shadow");
+  ORIENTATION_SHADOW("orientation-shadow"),
+  /** A number stands for "no echo". */
+  NO_ECHO_CODE("no-echo-code"),
+  /** Readings start again from 0 beyond some value. */
+  WRAP("wrap"),
+  /** Each placement is a little elsewhere than believed, by its own amount. */
+  PLACEMENT_ERROR("placement-error"),
+  /** Readings are off by whole periods of the carrier. */
+  WAVE_HOP("wave-hop");
 
   private final String word;
 

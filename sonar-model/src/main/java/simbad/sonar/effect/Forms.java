@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
 
 /**
  * The catalogue of the forms that an effect can take before a given set-up: the one place where
@@ -22,6 +23,10 @@ public final class Forms {
   public static final int SHADOW_WAVES = 3;
 
   private static final Parameter SHARE = Parameter.of("share", 0, 0, 1, 0.05, 0.2, 0.5).asClosed();
+
+  /** "Now and then" is less than two times in five. */
+  private static final Parameter NOW_AND_THEN = Parameter.of("share", 0, 0, 0.4, 0.03, 0.1, 0.3);
+
   private static final Parameter SMALL_SHARE = Parameter.of("share", 0, 0, 0.7, 0.03, 0.1, 0.3);
 
   /**
@@ -32,6 +37,15 @@ public final class Forms {
 
   /** What scatters by more than so much of an offset is noise beside it. */
   private static final double MOST_OFFSET_SCATTER = 0.15;
+
+  /** Nobody takes a number for "no echo" that an echo may well have. */
+  private static final double CODE_FROM = 0.95;
+
+  /** "A little elsewhere": what a tape or a ruler may be off by. */
+  private static final double MOST_MISPLACED_M = 0.05;
+
+  /** Numbers for "no echo" end where a log is one of another unit. */
+  private static final double MOST_CODE_M = 100;
 
   /** What comes from nearly the same range each time has to do with something. */
   private static final double LEAST_BAND_M = 0.3;
@@ -74,6 +88,7 @@ public final class Forms {
     forms.floor();
     forms.objects();
     forms.gates();
+    forms.codes();
     forms.forms.addAll(MemoryForms.all(setup.sensor()));
     forms.forms.addAll(PlaceForms.all(setup, sensors));
     forms.forms.sort(Comparator.comparing(Form::effect));
@@ -171,21 +186,21 @@ public final class Forms {
         Effect.CROSSTALK,
         "any",
         v -> new Crosstalk(v[0], v[1], v[1] + v[2], false),
-        SMALL_SHARE,
+        NOW_AND_THEN,
         low,
         band);
     add(
         Effect.CROSSTALK,
         "silent",
         v -> new Crosstalk(v[0], v[1], v[1] + v[2], true),
-        SMALL_SHARE,
+        NOW_AND_THEN,
         low,
         band);
     add(
         Effect.CROSSTALK,
         "earlier",
         v -> new EarlyCrosstalk(v[0], v[1], v[1] + v[2]),
-        SMALL_SHARE,
+        NOW_AND_THEN,
         low,
         band);
     walking("walking", Parameter.of("step_m", LEAST_STEP_M, LEAST_STEP_M, 1, 0.1));
@@ -198,7 +213,7 @@ public final class Forms {
         Effect.CROSSTALK,
         name,
         v -> new WalkingCrosstalk(v[0], v[1], v[2], v[3], v[4], v[5]),
-        SMALL_SHARE,
+        NOW_AND_THEN,
         Parameter.of("low_m", 0, 0, 0.5, 0),
         Parameter.of("band_m", most, 0.5, 3 * most, most),
         step,
@@ -390,5 +405,38 @@ public final class Forms {
         "clamp",
         v -> new NearClamp(v[0]),
         Parameter.of("least_m", 0, 0, most, 0.1, 0.2, 0.35, 0.6));
+  }
+
+  private void codes() {
+    SonarSpec sensor = setup.sensor();
+    double most = sensor.maxRangeM();
+    code("near", Parameter.of("code_m", most, 0, Math.max(1e-3, sensor.minRangeM() / 2), 0));
+    code("far", Parameter.of("code_m", 0, CODE_FROM * most, Math.max(MOST_CODE_M, most), most));
+    add(
+        Effect.WRAP,
+        "modulus",
+        v -> new Wrap(v[0]),
+        Parameter.of("modulus_m", Double.POSITIVE_INFINITY, 0.1, most, 0.256, 1.28, 2.55, 2.56));
+    add(
+        Effect.PLACEMENT_ERROR,
+        "range",
+        v -> new RangeNoise(v[0], 0),
+        Parameter.of("deviation_m", 0, 0, MOST_MISPLACED_M, 0.002, 0.01, 0.03));
+    add(
+        Effect.WAVE_HOP,
+        "later",
+        v -> new WaveHop(v[0], v[1]),
+        Parameter.of("share", 0, 0, 1, 0.1, 0.4).asClosed(),
+        Parameter.of("step_m", 0, 0.002, 0.009, 0.0043, 0.0086));
+  }
+
+  private void code(String name, Parameter code) {
+    add(
+        Effect.NO_ECHO_CODE,
+        name,
+        v -> new NoEchoCode(v[0], v[1], v[2]),
+        code.asClosed(),
+        Parameter.of("share", 0, 0, 1, 0.9).asClosed(),
+        Parameter.of("lost_share", 0, 0, 0.95, 0, 0.1, 0.4));
   }
 }

@@ -1,0 +1,110 @@
+package simbad.gap;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import simbad.gap.diagnosis.DataSet;
+import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.EffectFinding;
+import simbad.gap.diagnosis.Verdict;
+import simbad.gap.fixture.Ladders;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.sensing.ReadingRow;
+
+/**
+ * Faults that people report of their ranges, on a board at ten distances with a tape that is 2 mm
+ * off at each: named, and the tape's errors not taken for a wall, a turn or a shift.
+ */
+class LadderTest {
+  private static Diagnosis diagnose(List<ReadingRow> rows) {
+    return new Diagnoser(1, Set.of())
+        .diagnose(new DataSet("ladder", Ladders.BOARD, rows, List.of()));
+  }
+
+  private static Diagnosis explained(Ladders.Fault fault, Effect... by) {
+    Diagnosis diagnosis = diagnose(Ladders.read(fault, 1));
+    assertEquals(Verdict.EXPLAINED, diagnosis.verdict(), diagnosis.reason());
+    assertEquals(Set.of(by), Set.copyOf(diagnosis.explanation()));
+    return diagnosis;
+  }
+
+  private static double value(Diagnosis diagnosis, Effect effect, String parameter) {
+    EffectFinding finding =
+        diagnosis.effects().stream().filter(f -> f.effect() == effect).findFirst().orElseThrow();
+    return finding.parameters().stream()
+        .filter(p -> p.name().equals(parameter))
+        .findFirst()
+        .orElseThrow()
+        .value();
+  }
+
+  @Test
+  void clean_isNone() {
+    assertEquals(Verdict.NONE, diagnose(Ladders.read((range, lot) -> range, 1)).verdict());
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.2, 1 / 2.54, 0.5, 0.64, 0.97, 2, 2.54, 5})
+  void factor_isSoundSpeed(double factor) {
+    Diagnosis diagnosis = explained((range, lot) -> factor * range, Effect.SOUND_SPEED);
+    double speed = value(diagnosis, Effect.SOUND_SPEED, "sound_speed_m_s");
+    assertEquals(343 / factor, speed, 0.005 * 343 / factor);
+  }
+
+  /** The commonest fault of all: a scale and a datum. */
+  @Test
+  void scaleAndOffset_areBothNamed() {
+    Diagnosis diagnosis =
+        explained((range, lot) -> 0.985 * range - 0.009, Effect.SOUND_SPEED, Effect.RANGE_OFFSET);
+    assertEquals(343 / 0.985, value(diagnosis, Effect.SOUND_SPEED, "sound_speed_m_s"), 2);
+    assertEquals(-0.009, value(diagnosis, Effect.RANGE_OFFSET, "offset_m"), 0.003);
+  }
+
+  @Test
+  void numberForNoEcho_isACode() {
+    Diagnosis zero = explained((range, lot) -> lot < 0.15 ? 0 : range, Effect.NO_ECHO_CODE);
+    assertEquals(0, value(zero, Effect.NO_ECHO_CODE, "code_m"), 1e-3);
+    Diagnosis most = explained((range, lot) -> lot < 0.15 ? 4 : range, Effect.NO_ECHO_CODE);
+    assertEquals(4, value(most, Effect.NO_ECHO_CODE, "code_m"), 1e-3);
+  }
+
+  @Test
+  void overflow_isAWrap() {
+    Diagnosis diagnosis = explained((range, lot) -> range % 1.28, Effect.WRAP);
+    assertEquals(1.28, value(diagnosis, Effect.WRAP, "modulus_m"), 0.01);
+  }
+
+  @Test
+  void aMetreMoreNowAndThen_isMultipath() {
+    Diagnosis diagnosis =
+        explained((range, lot) -> lot < 0.1 ? range + 1 : range, Effect.MULTIPATH);
+    assertEquals(1, value(diagnosis, Effect.MULTIPATH, "extra_m"), 0.01);
+  }
+
+  /** When each reading was taken tells nothing of what neither remembers nor drifts. */
+  @Test
+  void orderOfTime_changesNoName() {
+    List<ReadingRow> rows = Ladders.read((range, lot) -> 0.985 * range - 0.009, 1);
+    Diagnosis diagnosis = diagnose(Ladders.dealtAnew(rows, 9));
+    assertEquals(Verdict.EXPLAINED, diagnosis.verdict());
+    assertEquals(
+        Set.of(Effect.SOUND_SPEED, Effect.RANGE_OFFSET), Set.copyOf(diagnosis.explanation()));
+  }
+
+  /** Something without a name beside it: the factor stays named, and the rest is said. */
+  @Test
+  void factorBesideARest_isPartly() {
+    Diagnosis diagnosis =
+        diagnose(
+            Ladders.read(
+                (range, lot) -> 0.8 * range + (range > 1.2 ? 0.25 * Math.sin(9 * range) : 0), 1));
+    assertEquals(Verdict.PARTLY, diagnosis.verdict(), diagnosis.reason());
+    assertTrue(diagnosis.explanation().contains(Effect.SOUND_SPEED));
+    assertTrue(diagnosis.gap().afterCm() < diagnosis.gap().beforeCm());
+  }
+}

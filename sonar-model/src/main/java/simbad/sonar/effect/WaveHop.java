@@ -1,0 +1,29 @@
+package simbad.sonar.effect;
+
+/**
+ * A reading is off by a whole period of the carrier: the echo crossed the threshold one wave later.
+ *
+ * @param share of the readings that are, in [0, 1]; 0 is neutral
+ * @param stepM half a wavelength, metres: 4.3 mm at 40 kHz
+ */
+public record WaveHop(double share, double stepM) implements MixtureChange {
+  @Override
+  public boolean beforeRange() {
+    return false;
+  }
+
+  @Override
+  public void apply(Moment moment, Mixture mixture) {
+    if (share == 0) {
+      return;
+    }
+    int parts = mixture.size();
+    for (int part = 0; part < parts; part++) {
+      if (mixture.halfWidthM(part) == 0) {
+        mixture.add(
+            mixture.meanM(part) + stepM, mixture.deviationM(part), share * mixture.share(part));
+        mixture.scaleShare(part, 1 - share);
+      }
+    }
+  }
+}
