@@ -1,7 +1,9 @@
 package simbad.gap.explain;
 
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.stream.IntStream;
 import simbad.gap.fit.Fold;
 import simbad.sonar.effect.PingLog;
 
@@ -18,7 +20,10 @@ public final class Blocks {
   private final int[] block;
   private final int count;
 
-  /** Cuts each run into up to 12 pieces of equal time, all sensors together. */
+  /**
+   * Cuts each run into up to 12 pieces of equal time, all sensors together. Where rows have no
+   * time, what stands at one place stays together and the places are dealt to the pieces.
+   */
   public Blocks(PingLog log) {
     int size = log.size();
     double[] end = new double[log.runs().size()];
@@ -27,16 +32,41 @@ public final class Blocks {
       end[log.run(i)] = Math.max(end[log.run(i)], log.timeS(i) - log.runStartS(i));
       rows[log.run(i)]++;
     }
+    Map<Place, Integer> places = timeless(log);
     block = new int[size];
     Map<Long, Integer> numbers = new HashMap<>();
     for (int i = 0; i < size; i++) {
       int run = log.run(i);
       int pieces = Math.max(1, Math.min(PER_RUN, rows[run] / LEAST_ROWS));
       double share = end[run] > 0 ? (log.timeS(i) - log.runStartS(i)) / end[run] : 0;
-      int piece = (int) Math.min(pieces - 1, Math.floor(share * pieces));
+      int inTime = (int) Math.min(pieces - 1, Math.floor(share * pieces));
+      int place = places.getOrDefault(Place.of(log, i), 0);
+      int piece = log.isTimed(i) ? inTime : place % pieces;
       block[i] = numbers.computeIfAbsent((long) run * PER_RUN + piece, key -> numbers.size());
     }
     count = numbers.size();
+  }
+
+  /** Where a sensor was. */
+  private record Place(double xM, double zM, double headingRad) {
+    static Place of(PingLog log, int ping) {
+      return new Place(log.xM(ping), log.zM(ping), log.headingRad(ping));
+    }
+  }
+
+  /** Numbers the places in an order that is not that of the rows. */
+  private static Map<Place, Integer> timeless(PingLog log) {
+    Map<Place, Integer> numbers = new HashMap<>();
+    IntStream.range(0, log.size())
+        .filter(ping -> !log.isTimed(ping))
+        .mapToObj(ping -> Place.of(log, ping))
+        .distinct()
+        .sorted(
+            Comparator.comparingDouble(Place::xM)
+                .thenComparingDouble(Place::zM)
+                .thenComparingDouble(Place::headingRad))
+        .forEach(place -> numbers.put(place, numbers.size()));
+    return numbers;
   }
 
   /** Returns the number of blocks. */
