@@ -101,7 +101,7 @@ public final class LogSettings {
         (option, all) -> {
           for (String value : all) {
             words.add("--" + option);
-            if (!value.isEmpty() || !option.equals(SKIP_BAD)) {
+            if (!option.equals(SKIP_BAD)) {
               words.add(value);
             }
           }

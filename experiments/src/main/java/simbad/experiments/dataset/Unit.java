@@ -21,7 +21,9 @@ record Unit(List<String> words, Kind kind, double times, double over) {
     /** In seconds; of a range, the time of flight there and back. */
     TIME,
     /** In degrees. */
-    ANGLE
+    ANGLE,
+    /** In degrees Celsius. */
+    TEMPERATURE
   }
 
   static final Unit M = of(Kind.LENGTH, 1, 1, "m", "metre", "metres", "meter", "meters");
@@ -30,6 +32,8 @@ record Unit(List<String> words, Kind kind, double times, double over) {
   static final Unit S = of(Kind.TIME, 1, 1, "s", "sec", "seconds");
   static final Unit MS = of(Kind.TIME, 1, 1e3, "ms", "msec", "millis", "milliseconds");
   static final Unit DEG = of(Kind.ANGLE, 1, 1, "deg", "degree", "degrees", "\u00b0");
+
+  static final Unit CELSIUS = of(Kind.TEMPERATURE, 1, 1, "c", "degc", "\u00b0c", "celsius");
 
   private static final List<Unit> ALL =
       List.of(
@@ -44,6 +48,7 @@ record Unit(List<String> words, Kind kind, double times, double over) {
           of(Kind.TIME, 1, 1e9, "ns"),
           of(Kind.TIME, 60, 1, "min"),
           DEG,
+          CELSIUS,
           of(Kind.ANGLE, 180 / Math.PI, 1, "rad", "radians"),
           of(Kind.ANGLE, 0.9, 1, "gon", "grad"),
           of(Kind.ANGLE, 360, 1, "turn", "turns"));

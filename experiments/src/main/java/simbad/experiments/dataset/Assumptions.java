@@ -1,0 +1,18 @@
+package simbad.experiments.dataset;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/** What a log does not say and was decided, as sentences; each once. */
+final class Assumptions {
+  private final Set<String> sentences = new LinkedHashSet<>();
+
+  void add(String sentence) {
+    sentences.add(sentence);
+  }
+
+  List<String> sentences() {
+    return List.copyOf(sentences);
+  }
+}
