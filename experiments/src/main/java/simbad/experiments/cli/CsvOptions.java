@@ -72,7 +72,10 @@ final class CsvOptions {
         description = "From ping to ping, such as 60ms, where the log has no times.")
     private @Nullable String period;
 
-    @Option(names = "--run", paramLabel = COLUMN, description = "Names of recordings.")
+    @Option(
+        names = "--run",
+        paramLabel = "COLUMNS",
+        description = "What tells recordings apart. Default: the files.")
     private @Nullable String run;
 
     @Option(names = "--sensor", paramLabel = COLUMN, description = "Names of sensors.")

@@ -17,6 +17,7 @@ import simbad.sonar.format.DataFormatException;
 @Command(
     name = "csv",
     sortOptions = false,
+    abbreviateSynopsis = true,
     description = {
       "Make a data set of a log of your own: a table of ranges with what is known of where sensor"
           + " and target were. What is not said is guessed from the columns' names, asked for at a"

@@ -73,6 +73,15 @@ final class LogColumns {
     return new ArrayList<>(columns);
   }
 
+  /** Finds what {@link #list} returns; none where the words are no columns. */
+  static List<Integer> findAll(LogTable log, String words) {
+    try {
+      return list(log, words);
+    } catch (DataFormatException e) {
+      return List.of();
+    }
+  }
+
   private static List<Integer> stretch(LogTable log, String word) throws DataFormatException {
     for (int dash = word.indexOf('-'); dash > 0; dash = word.indexOf('-', dash + 1)) {
       OptionalInt from = find(log, word.substring(0, dash).strip());

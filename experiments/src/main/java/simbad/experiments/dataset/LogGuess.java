@@ -2,6 +2,7 @@ package simbad.experiments.dataset;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.regex.Pattern;
@@ -25,16 +26,27 @@ final class LogGuess {
   private final LogTable log;
   private final Questions questions;
   private final Assumptions assumptions;
+  private LogSettings answered;
 
   LogGuess(LogTable log, Questions questions, Assumptions assumptions) {
     this.log = log;
     this.questions = questions;
     this.assumptions = assumptions;
+    answered = new LogSettings(Map.of());
+  }
+
+  /**
+   * Returns what was said with what was answered: guesses will be the same another time, and
+   * assumptions again.
+   */
+  LogSettings answered() {
+    return answered;
   }
 
   /** Returns the settings with all that is needed. */
   LogSettings complete(LogSettings said) throws DataFormatException {
     LogSettings settings = said;
+    answered = said;
     if (!settings.has("range")) {
       settings = settings.with("range", range());
     }
@@ -58,7 +70,7 @@ final class LogGuess {
       assumptions.add("The ranges stand in column " + shown(column) + " (--range).");
       return word(column);
     }
-    return questions.ask("range", "which column holds the sensor's readings", log.shown());
+    return ask("range", "which column holds the sensor's readings", log.shown());
   }
 
   private String unit(int column) throws DataFormatException {
@@ -67,7 +79,7 @@ final class LogGuess {
     Optional<Unit> unit = found.filter(is -> is.kind() != Unit.Kind.ANGLE);
     return unit.isPresent()
         ? unit.get().word()
-        : questions.ask("range-unit", "cm, mm, m, in, us or another", "column " + examples(column));
+        : ask("range-unit", "cm, mm, m, in, us or another", "column " + examples(column));
   }
 
   private String distance(List<Integer> ranges) throws DataFormatException {
@@ -78,7 +90,7 @@ final class LogGuess {
       assumptions.add("The true distances stand in column " + shown(column) + " (--distance).");
       return word(column);
     }
-    return questions.ask(
+    return ask(
         "distance",
         "which column holds the true distance (or --x and --z for places, or a fixed one: 30cm)",
         log.shown());
@@ -93,8 +105,14 @@ final class LogGuess {
       assumptions.add("The target is a board of 1.2 m, squarely before the sensor (--target).");
       return "board:1.2m";
     }
-    return questions.ask(
+    return ask(
         "target", "what the sensor looked at, such as board:1.2m, round:30mm, angle", "none");
+  }
+
+  private String ask(String option, String question, String seen) throws DataFormatException {
+    String answer = questions.ask(option, question, seen);
+    answered = answered.with(option, answer);
+    return answer;
   }
 
   private interface Test {

@@ -39,7 +39,7 @@ public final class LogImport {
    * A data set with what is to be said of it.
    *
    * @param data the data set
-   * @param settings as they were given, guessed and asked for: with them it is the same again
+   * @param settings as they were given and asked for: with them it is the same again
    * @param summary what was read, in one line
    * @param notes what looks odd, a line each
    */
@@ -68,14 +68,17 @@ public final class LogImport {
       logs.add(LogTable.read(file, format));
     }
     Assumptions assumptions = new Assumptions();
-    LogSettings settings = new LogGuess(logs.get(0), questions, assumptions).complete(said);
+    LogGuess guess = new LogGuess(logs.get(0), questions, assumptions);
+    LogSettings settings = guess.complete(said);
     if (settings.has("scene")) {
       requireAlone(settings);
       SensingSetup scene = SceneFile.read(Path.of(settings.find("scene").orElse("")));
-      return new LogImport(settings, logs, assumptions, scene.sensor()).made(Optional.of(scene));
+      return new LogImport(settings, logs, assumptions, scene.sensor())
+          .made(Optional.of(scene), guess.answered());
     }
     SonarSpec sonar = LogSonar.of(settings, assumptions);
-    return new LogImport(settings, logs, assumptions, sonar).made(Optional.empty());
+    return new LogImport(settings, logs, assumptions, sonar)
+        .made(Optional.empty(), guess.answered());
   }
 
   private static void requireAlone(LogSettings settings) throws DataFormatException {
@@ -88,7 +91,7 @@ public final class LogImport {
     }
   }
 
-  private Made made(Optional<SensingSetup> scene) throws DataFormatException {
+  private Made made(Optional<SensingSetup> scene, LogSettings again) throws DataFormatException {
     List<Target> targets = new ArrayList<>();
     for (String target : settings.all("target")) {
       targets.add(Target.of(target));
@@ -116,7 +119,7 @@ public final class LogImport {
         scene.isPresent() ? scene.get() : setup(targets, mounts);
     LogSummary summary = new LogSummary(logs, taken, rows, believed, settings);
     MadeDataSet data = new MadeDataSet(finished(believed), rows, taken.further());
-    return new Made(data, settings, summary.line(), summary.notes());
+    return new Made(data, again, summary.line(), summary.notes());
   }
 
   private static String why(LogRows taken) {

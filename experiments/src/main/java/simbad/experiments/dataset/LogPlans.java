@@ -136,7 +136,9 @@ final class LogPlans {
         String.valueOf(log.file().getFileName()).replaceFirst("(\\.[A-Za-z]{1,4}){1,2}$", "");
     return new LogRows.Labels(
         OneLine.of(stem, OneLine.LONGEST_NAME - 20),
-        figures.findColumn("run"),
+        settings.has("run")
+            ? LogColumns.list(log, settings.find("run").orElse(""))
+            : List.of(),
         figures.findColumn("sensor"),
         figures.findColumn("placement"),
         figures.temperature("temperature"),
@@ -151,7 +153,7 @@ final class LogPlans {
     ranges.forEach(range -> used.add(range.column()));
     for (String option : OPTIONS) {
       for (String word : settings.all(option)) {
-        LogColumns.find(log, word).ifPresent(used::add);
+        used.addAll(LogColumns.findAll(log, word));
       }
     }
     Map<String, Integer> further = new LinkedHashMap<>();

@@ -46,7 +46,13 @@ final class LogPoses {
       assumptions.add("The sensor looks at the target from wherever it stands (--heading).");
     }
     return new PoseRule(
-        place, heading, figures.angle("pan"), targetX(), targetZ(), figures.angle("target-turn"));
+        place,
+        heading,
+        figures.angle("pan"),
+        targetX(),
+        targetZ(),
+        figures.angle("target-turn"),
+        target.place());
   }
 
   private PoseRule.Place place(int range) throws DataFormatException {

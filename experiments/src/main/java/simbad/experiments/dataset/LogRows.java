@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.OneLine;
 import simbad.sonar.sensing.Circumstances;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -50,7 +51,7 @@ final class LogRows {
    * What is known of a row beside its reading.
    *
    * @param runName where no column has it
-   * @param run column of the runs' names
+   * @param run columns that tell the runs apart; none for one run
    * @param sensor column of the sensors' names
    * @param placement column of the placements' words
    * @param temperature of the air, degrees Celsius
@@ -59,7 +60,7 @@ final class LogRows {
    */
   record Labels(
       String runName,
-      OptionalInt run,
+      List<Integer> run,
       OptionalInt sensor,
       OptionalInt placement,
       Optional<Figure> temperature,
@@ -68,7 +69,7 @@ final class LogRows {
     static Labels of(String run) {
       return new Labels(
           run,
-          OptionalInt.empty(),
+          List.of(),
           OptionalInt.empty(),
           OptionalInt.empty(),
           Optional.empty(),
@@ -78,13 +79,21 @@ final class LogRows {
 
     Labels withRun(int column) {
       return new Labels(
-          runName, OptionalInt.of(column), sensor, placement, temperature, gap, pause);
+          runName, List.of(column), sensor, placement, temperature, gap, pause);
     }
 
     private String run(LogTable log, int row) throws DataFormatException {
-      return run.isPresent()
-          ? log.label(row, run.getAsInt())
-          : log.section(row) == 0 ? runName : runName + "-" + (log.section(row) + 1);
+      if (run.isEmpty()) {
+        return log.section(row) == 0 ? runName : runName + "-" + (log.section(row) + 1);
+      }
+      StringBuilder name = new StringBuilder(log.label(row, run.get(0)));
+      for (int column : run.subList(1, run.size())) {
+        name.append(" ").append(log.label(row, column));
+      }
+      if (!OneLine.isName(name.toString())) {
+        throw log.fault(row, run.get(0), "the run's name is not " + OneLine.NAME);
+      }
+      return name.toString();
     }
 
     private Circumstances circumstances(LogTable log, int row) throws DataFormatException {

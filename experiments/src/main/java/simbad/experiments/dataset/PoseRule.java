@@ -3,6 +3,7 @@ package simbad.experiments.dataset;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.sensing.MovedObstacle;
 
@@ -17,6 +18,7 @@ import simbad.sonar.sensing.MovedObstacle;
  * @param targetX of the first obstacle, metres
  * @param targetZ likewise
  * @param targetTurn degrees counter-clockwise
+ * @param believed how the scene has the first obstacle
  */
 record PoseRule(
     Place place,
@@ -24,7 +26,8 @@ record PoseRule(
     Optional<Figure> panned,
     Optional<Figure> targetX,
     Optional<Figure> targetZ,
-    Optional<Figure> targetTurn) {
+    Optional<Figure> targetTurn,
+    Placement believed) {
   private static final double QUARTER_DEG = 90;
 
   /** How the sensor's place is known. */
@@ -64,7 +67,8 @@ record PoseRule(
         Optional.empty(),
         Optional.empty(),
         Optional.empty(),
-        Optional.empty());
+        Optional.empty(),
+        Placement.IDENTITY);
   }
 
   /** Where a sensor is and what lies before it. */
@@ -92,16 +96,24 @@ record PoseRule(
       return Optional.empty();
     }
     double headingDeg = looks.get().orElse(spot.get().facingDeg()) + pan.get().orElse(0);
-    boolean moved = spot.get().targetZM().isPresent();
+    OptionalDouble awayM = spot.get().targetZM();
     return Optional.of(
         new Poses(
             Pose.of(spot.get().xM(), spot.get().zM(), Math.toRadians(headingDeg)),
-            new MovedObstacle(
-                x.get(),
-                moved ? spot.get().targetZM() : z.get(),
-                turn.get().isPresent()
-                    ? OptionalDouble.of(Math.toRadians(turn.get().getAsDouble()))
-                    : turn.get())));
+            moved(x.get(), awayM.isPresent() ? awayM : z.get(), turn.get())));
+  }
+
+  /** What is not said of a target that is moved is as in the scene. */
+  private MovedObstacle moved(OptionalDouble x, OptionalDouble z, OptionalDouble turnDeg) {
+    return x.isEmpty() && z.isEmpty() && turnDeg.isEmpty()
+        ? MovedObstacle.UNMOVED
+        : new MovedObstacle(
+            OptionalDouble.of(x.orElse(believed.xM())),
+            OptionalDouble.of(z.orElse(believed.zM())),
+            OptionalDouble.of(
+                turnDeg.isPresent()
+                    ? Math.toRadians(turnDeg.getAsDouble())
+                    : believed.turnRad()));
   }
 
   /** Empty where the cell is; an empty number where there is no figure. */

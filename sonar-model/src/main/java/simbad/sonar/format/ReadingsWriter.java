@@ -16,7 +16,6 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
-import simbad.sonar.sensing.Circumstances;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -38,18 +37,20 @@ public final class ReadingsWriter implements Closeable {
   private final int decimalsS;
   private final List<CircumstanceColumns.Column> more;
 
-  private ReadingsWriter(Writer target, boolean withRange, List<ReadingRow> rows) {
+  private ReadingsWriter(
+      Writer target, boolean withRange, List<ReadingRow> rows, boolean isFine) {
     csv = CsvWriter.builder().lineDelimiter(LineDelimiter.LF).build(target);
     this.withRange = withRange;
     withTime = rows.stream().allMatch(ReadingRow::isTimed);
-    decimalsS = rows.stream().allMatch(ReadingsWriter::isOnTheMs) ? DECIMALS_S : MOST_DECIMALS_S;
+    boolean rounded = !isFine || rows.stream().allMatch(ReadingsWriter::isOnTheMs);
+    decimalsS = rounded ? DECIMALS_S : MOST_DECIMALS_S;
     more = CircumstanceColumns.of(rows);
   }
 
   private static boolean isOnTheMs(ReadingRow row) {
     // What is left over by rounding a number of seconds, or a date's.
     double ms = row.timeS() * 1e3;
-    return row.circumstances().equals(Circumstances.NONE) || Math.abs(ms - Math.rint(ms)) < 1e-3;
+    return Math.abs(ms - Math.rint(ms)) < 1e-3;
   }
 
   private void head(Collection<String> further) {
@@ -72,7 +73,7 @@ public final class ReadingsWriter implements Closeable {
    */
   public static ReadingsWriter to(WritableByteChannel channel) {
     Writer target = Channels.newWriter(channel, StandardCharsets.UTF_8);
-    ReadingsWriter writer = new ReadingsWriter(target, true, List.of());
+    ReadingsWriter writer = new ReadingsWriter(target, true, List.of(), false);
     writer.head(List.of());
     return writer;
   }
@@ -98,17 +99,18 @@ public final class ReadingsWriter implements Closeable {
    *     those of the second
    */
   public static String text(List<ReadingRow> rows) {
-    return text(rows, true, Map.of());
+    return text(rows, true, Map.of(), false);
   }
 
   /**
-   * Returns rows with their readings and with columns that nothing reads.
+   * Returns rows with their readings, of times as many decimals as they have, and with columns
+   * that nothing reads.
    *
    * @param rows in the order of the text
    * @param further cells of each further column, one for each row
    */
   public static String text(List<ReadingRow> rows, Map<String, List<String>> further) {
-    return text(rows, true, further);
+    return text(rows, true, further, true);
   }
 
   /**
@@ -117,13 +119,16 @@ public final class ReadingsWriter implements Closeable {
    * @param rows in the order of the text
    */
   public static String posesText(List<ReadingRow> rows) {
-    return text(rows, false, Map.of());
+    return text(rows, false, Map.of(), false);
   }
 
   private static String text(
-      List<ReadingRow> rows, boolean withRange, Map<String, List<String>> further) {
+      List<ReadingRow> rows,
+      boolean withRange,
+      Map<String, List<String>> further,
+      boolean isFine) {
     StringWriter text = new StringWriter();
-    try (ReadingsWriter writer = new ReadingsWriter(text, withRange, rows)) {
+    try (ReadingsWriter writer = new ReadingsWriter(text, withRange, rows, isFine)) {
       writer.head(further.keySet());
       for (int i = 0; i < rows.size(); i++) {
         List<String> fields = writer.fields(rows.get(i));
