@@ -310,9 +310,7 @@ final class CsvOptions {
         description = "How comments begin, beside #, %%, //.")
     private @Nullable String comment;
 
-    @Option(
-        names = "--skip-bad",
-        description = "Leave out rows that cannot be read, and say so.")
+    @Option(names = "--skip-bad", description = "Leave out rows that cannot be read, and say so.")
     private boolean skipBad;
   }
 

@@ -48,8 +48,7 @@ interface Clock {
     }
     LocalDateTime start = date(first, 0, column);
     return (log, row, taken) ->
-        OptionalDouble.of(
-            ChronoUnit.MICROS.between(start, date(log, row, column)) / 1e6);
+        OptionalDouble.of(ChronoUnit.MICROS.between(start, date(log, row, column)) / 1e6);
   }
 
   private static LocalDateTime date(LogTable log, int row, int column) throws DataFormatException {
@@ -69,7 +68,9 @@ interface Clock {
       throw log.fault(
           row,
           column,
-          "'" + log.text(row, column) + "' is neither a number nor a time such as"
+          "'"
+              + log.text(row, column)
+              + "' is neither a number nor a time such as"
               + " 2021-03-04 12:00:01.5 or 12:00:01.5");
     }
   }

@@ -62,17 +62,28 @@ record Figure(
     if (number.isEmpty()
         || own.kind() != unit.kind()
         || !(number.get().value() >= least && Math.abs(number.get().value()) <= GREATEST_OF_ANY)
-        || (unit.kind() != Unit.Kind.TIME && number.get().value() > GREATEST)) {
+        || number.get().value() > most()) {
       throw log.fault(row, at, "'" + log.text(row, at) + "' is not a number" + bounds());
     }
     return OptionalDouble.of(sign * own.si(number.get().value() - origin) + constant);
   }
 
+  /** As readings may have it. */
+  static final double HOTTEST_C = 1000;
+
   /** A clock in nanoseconds counts far. */
   private static final double GREATEST_OF_ANY = 1e21;
 
+  private double most() {
+    return switch (unit.kind()) {
+      case TIME -> GREATEST_OF_ANY;
+      case TEMPERATURE -> HOTTEST_C;
+      default -> GREATEST;
+    };
+  }
+
   private String bounds() {
-    return (least >= 0 ? " of at least 0," : "") + " at most " + GREATEST;
+    return (least >= 0 ? " of at least 0," : "") + " at most " + most();
   }
 
   static void requireWhole(LogTable log, int row, int column) throws DataFormatException {

@@ -11,7 +11,6 @@ import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
 
-
 /**
  * A ladder of distances: a sensor squarely before a board, columns {@code true_cm, reading_cm} and
  * perhaps {@code set, note}; rows without a true distance are left out.

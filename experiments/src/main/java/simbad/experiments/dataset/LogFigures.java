@@ -51,13 +51,21 @@ final class LogFigures {
     Optional<Unit> unit = own.isPresent() ? own : ranges;
     if (unit.filter(is -> is.kind() == Unit.Kind.LENGTH).isEmpty()) {
       throw LogSettings.fault(
-          option, "is missing: cm, mm, m or in; saw column " + log.names().get(column) + ": "
+          option,
+          "is missing: cm, mm, m or in; saw column "
+              + log.names().get(column)
+              + ": "
               + log.text(0, column));
     }
     if (own.isEmpty()) {
       assumptions.add(
-          "Column '" + log.names().get(column) + "' is in " + unit.get().word()
-              + ", as the ranges are (--" + option + ").");
+          "Column '"
+              + log.names().get(column)
+              + "' is in "
+              + unit.get().word()
+              + ", as the ranges are (--"
+              + option
+              + ").");
     }
     return unit.get();
   }
@@ -86,8 +94,7 @@ final class LogFigures {
       assumptions.add(
           "Column '" + log.names().get(column.getAsInt()) + "' is in degrees (--angle-unit).");
     }
-    return Optional.of(
-        Figure.column(column.getAsInt(), unit, -Figure.GREATEST).turned(way, 0));
+    return Optional.of(Figure.column(column.getAsInt(), unit, -Figure.GREATEST).turned(way, 0));
   }
 
   /** Finds a duration; numbers are milliseconds. */
@@ -109,7 +116,17 @@ final class LogFigures {
     return Optional.of(
         column.isPresent()
             ? Figure.column(column.getAsInt(), unit, least)
-            : constant(option, unit));
+            : atLeast(option, constant(option, unit), least));
+  }
+
+  private static Figure atLeast(String option, Figure figure, double least)
+      throws DataFormatException {
+    boolean hot = figure.unit().kind() == Unit.Kind.TEMPERATURE;
+    if (!(figure.constant() >= least && (!hot || figure.constant() <= Figure.HOTTEST_C))) {
+      throw LogSettings.fault(
+          option, figure.constant() + " is not in [" + least + ", " + Figure.HOTTEST_C + "]");
+    }
+    return figure;
   }
 
   /** Finds the column of an option that can be nothing else. */

@@ -99,8 +99,7 @@ final class LogGuess {
   private String target(LogSettings settings) throws DataFormatException {
     boolean ladder =
         settings.has("distance")
-            && Stream.of("x", "bearing", "pan", "target-turn", "heading")
-                .noneMatch(settings::has);
+            && Stream.of("x", "bearing", "pan", "target-turn", "heading").noneMatch(settings::has);
     if (ladder) {
       assumptions.add("The target is a board of 1.2 m, squarely before the sensor (--target).");
       return "board:1.2m";

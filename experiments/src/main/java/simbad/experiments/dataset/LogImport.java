@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import simbad.obstacles.Catalogue;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.SceneFile;
 import simbad.sonar.frame.Placement;
@@ -43,8 +44,7 @@ public final class LogImport {
    * @param summary what was read, in one line
    * @param notes what looks odd, a line each
    */
-  public record Made(
-      MadeDataSet data, LogSettings settings, String summary, List<String> notes) {
+  public record Made(MadeDataSet data, LogSettings settings, String summary, List<String> notes) {
     /** Copies the list. */
     public Made {
       notes = List.copyOf(notes);
@@ -69,10 +69,15 @@ public final class LogImport {
     }
     Assumptions assumptions = new Assumptions();
     LogGuess guess = new LogGuess(logs.get(0), questions, assumptions);
-    LogSettings settings = guess.complete(said);
+    LogSettings settings = sonarNamed(guess.complete(said), logs.get(0));
     if (settings.has("scene")) {
       requireAlone(settings);
-      SensingSetup scene = SceneFile.read(Path.of(settings.find("scene").orElse("")));
+      String word = settings.find("scene").orElse("");
+      Optional<Path> file = LogSettings.findFile(word);
+      if (file.isEmpty()) {
+        throw LogSettings.fault("scene", "'" + word + "' is no file");
+      }
+      SensingSetup scene = SceneFile.read(file.get());
       return new LogImport(settings, logs, assumptions, scene.sensor())
           .made(Optional.of(scene), guess.answered());
     }
@@ -81,10 +86,30 @@ public final class LogImport {
         .made(Optional.empty(), guess.answered());
   }
 
+  /** Whoever says "--sensor hcsr04" means the kind, if no column is called so. */
+  private static LogSettings sonarNamed(LogSettings settings, LogTable log)
+      throws DataFormatException {
+    String word = settings.find("sensor").orElse("");
+    boolean kind =
+        !settings.has("sonar")
+            && LogColumns.find(log, word).isEmpty()
+            && Catalogue.findSonar(word).isPresent();
+    return kind ? settings.renamed("sensor", "sonar") : settings;
+  }
+
   private static void requireAlone(LogSettings settings) throws DataFormatException {
     for (String option :
-        List.of("target", "detection", "sonar", "max-range", "min-range", "resolution", "cone",
-            "height", "sound-speed", "mount")) {
+        List.of(
+            "target",
+            "detection",
+            "sonar",
+            "max-range",
+            "min-range",
+            "resolution",
+            "cone",
+            "height",
+            "sound-speed",
+            "mount")) {
       if (settings.has(option)) {
         throw LogSettings.fault(option, "stands beside --scene, which says it");
       }
@@ -101,9 +126,7 @@ public final class LogImport {
       targets.add(new Target("", Placement.IDENTITY, Shapes.board(1), Optional.empty()));
     }
     Map<String, Placement> mounts =
-        scene.isPresent()
-            ? scene.get().details().robotFromSensor()
-            : LogPlans.mounts(settings);
+        scene.isPresent() ? scene.get().details().robotFromSensor() : LogPlans.mounts(settings);
     LogRows taken = new LogRows();
     LogPlans plans = new LogPlans(settings, sonar, targets.get(0), mounts, assumptions);
     for (LogTable log : logs) {
@@ -115,8 +138,7 @@ public final class LogImport {
       throw logs.get(0).fault("has no row that is taken" + why(taken));
     }
     List<ReadingRow> rows = rows(taken);
-    SensingSetup believed =
-        scene.isPresent() ? scene.get() : setup(targets, mounts);
+    SensingSetup believed = scene.isPresent() ? scene.get() : setup(targets, mounts);
     LogSummary summary = new LogSummary(logs, taken, rows, believed, settings);
     MadeDataSet data = new MadeDataSet(finished(believed), rows, taken.further());
     return new Made(data, again, summary.line(), summary.notes());
@@ -133,12 +155,14 @@ public final class LogImport {
     List<ReadingRow> rows = taken.rows();
     if (!taken.bad().isEmpty()) {
       assumptions.add(
-          taken.bad().size() + " rows that cannot be read are left out, the first: "
+          "Left out for what cannot be read: rows, "
+              + taken.bad().size()
+              + ", the first: "
               + taken.bad().get(0));
     }
     if (taken.poseless() > 0) {
       assumptions.add(
-          taken.poseless() + " rows that do not say where something was are left out.");
+          "Left out for saying nothing of where something was: rows, " + taken.poseless() + ".");
     }
     Optional<ReadingRow> repeated = Placements.findRepeatedTime(rows);
     boolean far = rows.stream().anyMatch(row -> Math.abs(row.timeS()) > GREATEST_S);

@@ -1,6 +1,5 @@
 package simbad.experiments.dataset;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -72,8 +71,7 @@ final class LogPlans {
     for (LogRows.Range range : apart ? ranges : ranges.subList(0, 1)) {
       PoseRule rulePoses = poses.rule(range.column(), !mounts.isEmpty());
       List<LogRows.Range> together = apart ? List.of(range) : ranges;
-      plans.add(
-          new LogRows.Plan(taken, together, rule, rulePoses, clock, labels, further));
+      plans.add(new LogRows.Plan(taken, together, rule, rulePoses, clock, labels, further));
     }
     return plans;
   }
@@ -83,7 +81,8 @@ final class LogPlans {
     boolean mounted =
         columns.stream().anyMatch(column -> mounts.containsKey(log.names().get(column)));
     boolean sensors =
-        settings.word("wide", mounted ? "sensors" : "repeats", "sensors", "repeats")
+        settings
+            .word("wide", mounted ? "sensors" : "repeats", "sensors", "repeats")
             .equals("sensors");
     if (columns.size() > 1 && !settings.has("wide")) {
       assumptions.add(
@@ -136,9 +135,7 @@ final class LogPlans {
         String.valueOf(log.file().getFileName()).replaceFirst("(\\.[A-Za-z]{1,4}){1,2}$", "");
     return new LogRows.Labels(
         OneLine.of(stem, OneLine.LONGEST_NAME - 20),
-        settings.has("run")
-            ? LogColumns.list(log, settings.find("run").orElse(""))
-            : List.of(),
+        settings.has("run") ? LogColumns.list(log, settings.find("run").orElse("")) : List.of(),
         figures.findColumn("sensor"),
         figures.findColumn("placement"),
         figures.temperature("temperature"),
@@ -185,10 +182,8 @@ final class LogPlans {
         throw LogSettings.fault(
             "mount", "'" + mount + "' is not SENSOR=X,Z,TURN, such as left=5cm,-8cm,90deg");
       }
-      mounts.put(
-          mount.substring(0, equals), Target.place("mount", mount.substring(equals + 1)));
+      mounts.put(mount.substring(0, equals), Target.place("mount", mount.substring(equals + 1)));
     }
     return mounts;
   }
-
 }

@@ -176,8 +176,6 @@ final class LogPoses {
       return 0;
     }
     Double known = ZEROS.get(zero.get());
-    return known != null
-        ? known
-        : LogSettings.measure("angle-zero", zero.get(), Unit.Kind.ANGLE);
+    return known != null ? known : LogSettings.measure("angle-zero", zero.get(), Unit.Kind.ANGLE);
   }
 }

@@ -78,8 +78,7 @@ final class LogRows {
     }
 
     Labels withRun(int column) {
-      return new Labels(
-          runName, List.of(column), sensor, placement, temperature, gap, pause);
+      return new Labels(runName, List.of(column), sensor, placement, temperature, gap, pause);
     }
 
     private String run(LogTable log, int row) throws DataFormatException {
@@ -148,8 +147,7 @@ final class LogRows {
       poseless++;
       return;
     }
-    Circumstances now =
-        plan.labels().circumstances(log, row).withObstacle(poses.get().obstacle());
+    Circumstances now = plan.labels().circumstances(log, row).withObstacle(poses.get().obstacle());
     List<ReadingRow> made = new ArrayList<>();
     for (Range range : plan.ranges()) {
       OptionalDouble time = plan.clock().timeS(log, row, rows.size() + made.size());

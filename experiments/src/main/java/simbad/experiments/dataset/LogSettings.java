@@ -1,5 +1,8 @@
 package simbad.experiments.dataset;
 
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -24,6 +27,14 @@ public final class LogSettings {
     Map<String, List<String>> more = new LinkedHashMap<>(values);
     more.put(option, List.of(value));
     return new LogSettings(more);
+  }
+
+  /** Returns the same under another option's name. */
+  LogSettings renamed(String option, String name) {
+    Map<String, List<String>> other = new LinkedHashMap<>(values);
+    List<String> value = other.remove(option);
+    other.put(name, value == null ? List.of() : value);
+    return new LogSettings(other);
   }
 
   boolean has(String option) {
@@ -68,15 +79,19 @@ public final class LogSettings {
     if (number.isEmpty() || unit.isEmpty()) {
       throw fault(
           option,
-          "'" + text + "' is no number with its unit, such as 30" + Unit.words(kind).split(",", 2)[0]
-              + " (" + Unit.words(kind) + ")");
+          "'"
+              + text
+              + "' is no number with its unit, such as 30"
+              + Unit.words(kind).split(",", 2)[0]
+              + " ("
+              + Unit.words(kind)
+              + ")");
     }
     return unit.get().si(number.get().value());
   }
 
   /** Finds an option that is a number in a range. */
-  Optional<Double> findNumber(String option, double least, double most)
-      throws DataFormatException {
+  Optional<Double> findNumber(String option, double least, double most) throws DataFormatException {
     Optional<String> text = find(option);
     if (text.isEmpty()) {
       return Optional.empty();
@@ -88,6 +103,16 @@ public final class LogSettings {
       throw fault(option, "'" + text.get() + "' is not in [" + least + ", " + most + "]");
     }
     return Optional.of(number.get().value());
+  }
+
+  /** Finds the file that a word can be. */
+  static Optional<Path> findFile(String word) {
+    try {
+      Path file = Path.of(word);
+      return !word.isBlank() && Files.isRegularFile(file) ? Optional.of(file) : Optional.empty();
+    } catch (InvalidPathException e) {
+      return Optional.empty();
+    }
   }
 
   static DataFormatException fault(String option, String problem) {

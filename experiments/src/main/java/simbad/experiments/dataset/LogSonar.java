@@ -1,6 +1,5 @@
 package simbad.experiments.dataset;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import simbad.obstacles.Catalogue;
@@ -98,8 +97,9 @@ final class LogSonar {
     if (known.isPresent()) {
       return known.get();
     }
-    if (Files.exists(Path.of(word)) || word.endsWith(".json")) {
-      return SensorFile.read(Path.of(word));
+    Optional<Path> file = LogSettings.findFile(word);
+    if (file.isPresent()) {
+      return SensorFile.read(file.get());
     }
     throw LogSettings.fault(
         "sonar",

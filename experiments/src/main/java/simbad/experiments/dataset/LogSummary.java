@@ -76,23 +76,34 @@ final class LogSummary {
     long beyond = echoes(range -> range > most);
     if (beyond > 0) {
       notes.add(
-          beyond + " ranges are beyond the sonar's " + most + " m, the largest "
-              + metres(ranges.getMax()) + " m: is --range-unit "
-              + settings.find("range-unit").orElse("") + " right, or a number a code (--no-echo)?");
+          counted(beyond, "range")
+              + " beyond the sonar's "
+              + most
+              + " m, the largest "
+              + metres(ranges.getMax())
+              + " m: is --range-unit "
+              + settings.find("range-unit").orElse("")
+              + " right, or a number a code (--no-echo)?");
     }
     long zero = echoes(range -> range == 0);
     if (zero > 0) {
-      notes.add(zero + " ranges are 0: --no-echo 0, if that says that no echo came");
+      notes.add(counted(zero, "range") + " of 0: --no-echo 0, if that says that no echo came");
     }
     if (!taken.bad().isEmpty()) {
       notes.add(
-          taken.bad().size() + " rows were left out that cannot be read, the first: "
+          counted(taken.bad().size(), "row")
+              + " left out that cannot be read, the first: "
               + taken.bad().get(0));
     }
     if (taken.poseless() > 0) {
-      notes.add(taken.poseless() + " rows were left out that do not say where something was");
+      notes.add(
+          counted(taken.poseless(), "row") + " left out that say nothing of where something was");
     }
     return notes;
+  }
+
+  private static String counted(long count, String what) {
+    return count + " " + what + (count == 1 ? "" : "s");
   }
 
   private interface Test {

@@ -189,7 +189,8 @@ final class LogTable {
   String shown() {
     String shown =
         IntStream.range(0, Math.min(MOST_SHOWN, names.size()))
-            .mapToObj(column -> (column + 1) + " " + names.get(column) + " (" + examples(column) + ")")
+            .mapToObj(
+                column -> (column + 1) + " " + names.get(column) + " (" + examples(column) + ")")
             .collect(Collectors.joining(", "));
     return names.size() > MOST_SHOWN
         ? shown + " and " + (names.size() - MOST_SHOWN) + " more"

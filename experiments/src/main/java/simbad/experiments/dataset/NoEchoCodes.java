@@ -19,8 +19,25 @@ record NoEchoCodes(List<DoublePredicate> numbers, List<String> words) {
 
   private static final List<String> USUAL =
       List.of(
-          "", "nan", "inf", "+inf", "infinity", "-", "--", "none", "null", "na", "n/a", "no echo",
-          "noecho", "timeout", "time-out", "out of range", "out-of-range", "outofrange", "oor");
+          "",
+          "nan",
+          "inf",
+          "+inf",
+          "infinity",
+          "-",
+          "--",
+          "none",
+          "null",
+          "na",
+          "n/a",
+          "no echo",
+          "noecho",
+          "timeout",
+          "time-out",
+          "out of range",
+          "out-of-range",
+          "outofrange",
+          "oor");
 
   /** Copies both. */
   NoEchoCodes {

@@ -47,8 +47,7 @@ final class Placements {
     Set<Ping> seen = new HashSet<>();
     return rows.stream()
         .filter(ReadingRow::isTimed)
-        .filter(
-            row -> !seen.add(new Ping(row.run(), row.sensor(), Math.round(row.timeS() * 1e6))))
+        .filter(row -> !seen.add(new Ping(row.run(), row.sensor(), Math.round(row.timeS() * 1e6))))
         .findFirst();
   }
 

@@ -12,7 +12,6 @@ import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
 
-
 /**
  * A sensor on a pen plotter before a ball: columns {@code x, y} in millimetres on the plotter,
  * {@code ultra} in whole centimetres, 765 for no target.
@@ -86,7 +85,17 @@ public final class PlotterLog {
   private static SensingSetup believed(Setup setup, double zM) {
     SonarSpec sensor =
         new SonarSpec(
-            "MB1213", Math.toRadians(20), 0, 7.65, 0.2, SOUND_M_PER_S, 0.01, 0.005, 0.005, 0.05, PERIOD_S);
+            "MB1213",
+            Math.toRadians(20),
+            0,
+            7.65,
+            0.2,
+            SOUND_M_PER_S,
+            0.01,
+            0.005,
+            0.005,
+            0.05,
+            PERIOD_S);
     List<Obstacle> obstacles = new ArrayList<>();
     obstacles.add(Shapes.ball("apple", BALL_RADIUS_M, HEARD_M));
     setup

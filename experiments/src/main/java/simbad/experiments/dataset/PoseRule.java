@@ -111,9 +111,7 @@ record PoseRule(
             OptionalDouble.of(x.orElse(believed.xM())),
             OptionalDouble.of(z.orElse(believed.zM())),
             OptionalDouble.of(
-                turnDeg.isPresent()
-                    ? Math.toRadians(turnDeg.getAsDouble())
-                    : believed.turnRad()));
+                turnDeg.isPresent() ? Math.toRadians(turnDeg.getAsDouble()) : believed.turnRad()));
   }
 
   /** Empty where the cell is; an empty number where there is no figure. */

@@ -41,8 +41,7 @@ record RowRule(int column, Optional<String> value, double least, double most, bo
       throws DataFormatException {
     int equals = rule.indexOf('=');
     if (equals < 1) {
-      throw LogSettings.fault(
-          option, "'" + rule + "' is not COLUMN=VALUE or COLUMN=LEAST..MOST");
+      throw LogSettings.fault(option, "'" + rule + "' is not COLUMN=VALUE or COLUMN=LEAST..MOST");
     }
     int column = LogColumns.require(log, rule.substring(0, equals));
     String value = rule.substring(equals + 1);

@@ -50,14 +50,12 @@ final class Shapes {
 
   /** A board whose face to +z lies at z, heard from everywhere. */
   static Obstacle board(String name, double zM, double widthM, double heardM) {
-    return new Obstacle(
-        name, new Placement(0, zM, 0), board(widthM), new UniformDetection(heardM));
+    return new Obstacle(name, new Placement(0, zM, 0), board(widthM), new UniformDetection(heardM));
   }
 
   /** A ball at the origin, heard from everywhere. */
   static Obstacle ball(String name, double radiusM, double heardM) {
-    return new Obstacle(
-        name, Placement.IDENTITY, round(radiusM), new UniformDetection(heardM));
+    return new Obstacle(name, Placement.IDENTITY, round(radiusM), new UniformDetection(heardM));
   }
 
   /**

@@ -1,6 +1,5 @@
 package simbad.experiments.dataset;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -21,8 +20,8 @@ import simbad.sonar.shape.ThresholdTable;
 
 /**
  * What a sensor looked at, as a person says it: {@code board:1.2m}, {@code board:1.2m x 0.4m},
- * {@code round:30mm}, {@code square:25mm}, a type of the catalogue, an outline's file; with {@code
- * @X,Z,TURN} behind it where it does not stand at the origin.
+ * {@code round:30mm}, {@code square:25mm}, a type of the catalogue, an outline's file; with
+ * {@code @X,Z,TURN} behind it where it does not stand at the origin.
  *
  * @param name of the obstacle
  * @param place where it stands
@@ -43,19 +42,20 @@ record Target(String name, Placement place, Outline outline, Optional<Double> he
     String shape = (at < 0 ? text : text.substring(0, at)).strip();
     int colon = shape.indexOf(':');
     String word = (colon < 0 ? shape : shape.substring(0, colon)).toLowerCase(Locale.ROOT);
-    if (colon > 0 && List.of("board", "wall", "plate", "round", "cylinder", "pole", "ball",
-        "square", "box").contains(word)) {
+    if (colon > 0
+        && List.of("board", "wall", "plate", "round", "cylinder", "pole", "ball", "square", "box")
+            .contains(word)) {
       return sized(word, place, shape.substring(colon + 1));
     }
     Optional<ObstacleType> known = Catalogue.findAny(word.equals("cylinder") ? "round" : shape);
     if (known.isPresent()) {
       return new Target(shape, place, known.get().outline(), Optional.empty());
     }
-    Path file = Path.of(shape);
-    if (Files.exists(file) || shape.endsWith(".csv")) {
-      Path outline = Files.isDirectory(file) ? file.resolve("outline.csv") : file;
-      return new Target(
-          stem(outline), place, Outline.joined(OutlineFile.read(outline).parts()), Optional.empty());
+    Optional<Path> alone = LogSettings.findFile(shape);
+    Optional<Path> file = alone.isPresent() ? alone : LogSettings.findFile(shape + "/outline.csv");
+    if (file.isPresent()) {
+      Outline outline = Outline.joined(OutlineFile.read(file.get()).parts());
+      return new Target(stem(Path.of(shape)), place, outline, Optional.empty());
     }
     throw LogSettings.fault(
         OPTION, "'" + text + "' is none of " + FORMS + String.join(", ", names()));
@@ -79,8 +79,7 @@ record Target(String name, Placement place, Outline outline, Optional<Double> he
       throws DataFormatException {
     String[] parts = sizes.split("x", 2);
     double sizeM = size(parts[0]);
-    Optional<Double> height =
-        parts.length > 1 ? Optional.of(size(parts[1])) : Optional.empty();
+    Optional<Double> height = parts.length > 1 ? Optional.of(size(parts[1])) : Optional.empty();
     Outline outline =
         switch (word) {
           case "board", "wall", "plate" -> Shapes.board(sizeM);
@@ -152,8 +151,7 @@ record Target(String name, Placement place, Outline outline, Optional<Double> he
           LogSettings.measure(option, text.substring("uniform:".length()), Unit.Kind.LENGTH);
       if (!ThresholdTable.isThreshold(rangeM)) {
         throw LogSettings.fault(
-            option,
-            "'" + text + "' is not in [0, " + ThresholdTable.GREATEST_THRESHOLD_M + "] m");
+            option, "'" + text + "' is not in [0, " + ThresholdTable.GREATEST_THRESHOLD_M + "] m");
       }
       return new UniformDetection(rangeM);
     }
@@ -161,8 +159,9 @@ record Target(String name, Placement place, Outline outline, Optional<Double> he
     if (known.isPresent()) {
       return new TableDetection(known.get().thresholds().table());
     }
-    if (Files.exists(Path.of(text)) || text.endsWith(".csv")) {
-      return new TableDetection(TableFile.read(Path.of(text)).table());
+    Optional<Path> file = LogSettings.findFile(text);
+    if (file.isPresent()) {
+      return new TableDetection(TableFile.read(file.get()).table());
     }
     throw LogSettings.fault(
         option,

@@ -68,7 +68,8 @@ record Unit(List<String> words, Kind kind, double times, double over) {
     String[] words = column.strip().split("[^\\p{L}\\d\u00b0\"]+");
     return words.length < 2 && !column.endsWith("s")
         ? Optional.empty()
-        : find(words.length == 0 ? "" : words[words.length - 1]).filter(unit -> isSaid(unit, words));
+        : find(words.length == 0 ? "" : words[words.length - 1])
+            .filter(unit -> isSaid(unit, words));
   }
 
   /** A name such as s or min alone is a name. */

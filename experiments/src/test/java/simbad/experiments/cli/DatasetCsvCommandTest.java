@@ -4,13 +4,18 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.BufferedReader;
 import java.io.ByteArrayOutputStream;
+import java.io.PrintWriter;
+import java.io.StringReader;
+import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
@@ -18,6 +23,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simbad.experiments.dataset.LogImport;
+import simbad.experiments.dataset.LogSettings;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.sonar.frame.Point;
@@ -142,7 +149,11 @@ class DatasetCsvCommandTest {
     String scene = file("scene.json");
     String readings = file("readings.csv");
     String again =
-        said.out().lines().filter(line -> line.startsWith("again: ./simbad ")).findFirst().orElseThrow();
+        said.out()
+            .lines()
+            .filter(line -> line.startsWith("again: ./simbad "))
+            .findFirst()
+            .orElseThrow();
     List<String> words = new ArrayList<>(List.of(GuideShell.words(again.substring(16))));
     words.set(words.size() - 1, folder.resolve("again").toString());
     assertEquals(0, Shell.simbad(words.toArray(String[]::new)).status());
@@ -170,7 +181,8 @@ class DatasetCsvCommandTest {
         "true_cm,reading_cm\\n10,9.8\\ngarbage\\n20,19.7\\n30,\\n | --skip-bad"
       })
   void ladder_isTheSame_howeverItIsWritten(String text, String options) throws Exception {
-    DataSet data = read(text.replace("\\n", "\n").replace("\\t", "\t").replace("\\r", "\r"), options);
+    DataSet data =
+        read(text.replace("\\n", "\n").replace("\\t", "\t").replace("\\r", "\r"), options);
     assertEquals("0.098 0.197 -", ranges(data));
     assertEquals("0,0.1,90 0,0.2,90 0,0.3,90", poses(data));
   }
@@ -217,7 +229,9 @@ class DatasetCsvCommandTest {
   @Test
   void repeatsInALine_areOnePlacement() throws Exception {
     DataSet data =
-        read("d_cm,m1,m2,m3,note\n10,9,10,11,a\n20,19,20,,b\n", "--range m1-m3 --range-unit cm --distance d_cm");
+        read(
+            "d_cm,m1,m2,m3,note\n10,9,10,11,a\n20,19,20,,b\n",
+            "--range m1-m3 --range-unit cm --distance d_cm");
     assertEquals("0.09 0.1 0.11 0.19 0.2 -", ranges(data));
     assertEquals(
         "p1 p1 p1 p2 p2 p2",
@@ -232,7 +246,9 @@ class DatasetCsvCommandTest {
   @Test
   void distancesInTheHeader_areALadder() throws Exception {
     DataSet data =
-        read("10cm,0.2 m\n9.8,19.7\n9.9,\n", "--range 1-2 --range-unit cm --distance header --header yes");
+        read(
+            "10cm,0.2 m\n9.8,19.7\n9.9,\n",
+            "--range 1-2 --range-unit cm --distance header --header yes");
     assertEquals("0.098 0.099 0.197 -", ranges(data));
     assertEquals("0,0.1,90 0,0.1,90 0,0.2,90 0,0.2,90", poses(data));
   }
@@ -364,7 +380,8 @@ class DatasetCsvCommandTest {
   })
   void time_isReadAsItStands(String first, String second, double secondS) throws Exception {
     DataSet data =
-        read("t,d,r\n" + first + ",10,9\n" + second + ",20,19\n",
+        read(
+            "t,d,r\n" + first + ",10,9\n" + second + ",20,19\n",
             "--time t --time-unit s --distance d --range r --range-unit cm");
     assertEquals(secondS, data.readings().get(1).timeS(), 1e-6);
   }
@@ -372,12 +389,15 @@ class DatasetCsvCommandTest {
   @Test
   void timeThatRepeats_isLeftOut() throws Exception {
     DataSet data =
-        read("t_s,d,r\n1,10,9\n1,10,9\n2,20,19\n", "--time t_s --distance d --range r --range-unit cm");
+        read(
+            "t_s,d,r\n1,10,9\n1,10,9\n2,20,19\n",
+            "--time t_s --distance d --range r --range-unit cm");
     assertFalse(data.readings().get(0).isTimed());
     assertTrue(data.setup().details().assumptions().toString().contains("1.0 s stands twice"));
     DataSet paced = read(LADDER, "--period 50ms");
     assertEquals(0.1, paced.readings().get(2).timeS(), 1e-9);
     assertEquals(0.05, paced.setup().sensor().updatePeriodS());
+    assertEquals("SRF04", read(LADDER, "--sensor srf-04").setup().sensor().name());
   }
 
   @Test
@@ -427,7 +447,8 @@ class DatasetCsvCommandTest {
     StringBuilder log = new StringBuilder("true_cm,reading_cm\n");
     for (int i = 0; i < 100; i++) {
       double distance = 10 + 10 * (i / 10);
-      log.append(distance + "," + Math.round(10 * (0.95 * distance - 1 + 0.1 * (i % 3))) / 10.0 + "\n");
+      log.append(
+          distance + "," + Math.round(10 * (0.95 * distance - 1 + 0.1 * (i % 3))) / 10.0 + "\n");
     }
     read(log.toString(), "");
     Shell said =
@@ -483,7 +504,7 @@ class DatasetCsvCommandTest {
         "true_cm,reading_cm\\n1,2\\n | --x 1 --distance true_cm --bearing 1deg --target 'board:1m@1,2,3,4'"
             + " | --target: '1,2,3,4' is not X,Z,TURN",
         "true_cm,reading_cm\\n1,2\\n | --target board:1m --target board:2m | overlaps board; @X,Z,TURN",
-        "true_cm,reading_cm\\n1,2\\n | --scene none.json | none.json: no such file",
+        "true_cm,reading_cm\\n1,2\\n | --scene none.json | --scene: 'none.json' is no file",
         "true_cm,reading_cm\\n1,2\\n | --scene none.json --cone 3deg | --cone: stands beside --scene",
         "true_cm,reading_cm\\n1,2\\n | --no-echo >=far | --no-echo: '>=far' is no number",
         "x,r_cm\\n1,2\\n | --x x --range r_cm --target board:1m | --z: is missing: a place is --x with --z"
@@ -496,12 +517,31 @@ class DatasetCsvCommandTest {
     assertFalse(Files.exists(folder.resolve("set" + made)));
   }
 
+  /** What cannot be guessed is asked for, in the order in which it is needed. */
+  @Test
+  void person_isAsked() throws Exception {
+    Files.writeString(folder.resolve("log.csv"), "a,b,c\n10,9.8,1\n20,19.7,1\n");
+    StringWriter said = new StringWriter();
+    LogImport.Made answered =
+        LogImport.of(
+            List.of(folder.resolve("log.csv")),
+            new LogSettings(Map.of("heading", List.of("90deg"))),
+            new TerminalQuestions(
+                new BufferedReader(new StringReader("b\n\ncm\na\nround:3cm\n")),
+                new PrintWriter(said)));
+    assertEquals(2, answered.data().readings().size());
+    assertEquals(
+        "--heading 90deg --range b --range-unit cm --distance a --target round:3cm",
+        String.join(" ", answered.settings().words()));
+    assertTrue(said.toString().contains("--range, which column holds the sensor's readings? "));
+  }
+
   @Test
   void oddities_areNoted() throws Exception {
     Shell said = type("true_cm,reading\n10,9.8\n20,1270\n30,0\n", "--range-unit cm");
     assertEquals(0, said.status(), said.err());
-    assertTrue(said.err().contains("note: 1 ranges are beyond the sonar's 4.0 m"), said.err());
-    assertTrue(said.err().contains("note: 1 ranges are 0: --no-echo 0"), said.err());
+    assertTrue(said.err().contains("note: 1 range beyond the sonar's 4.0 m"), said.err());
+    assertTrue(said.err().contains("note: 1 range of 0: --no-echo 0"), said.err());
   }
 
   @Test

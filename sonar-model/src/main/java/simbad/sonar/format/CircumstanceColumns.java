@@ -34,9 +34,7 @@ final class CircumstanceColumns {
         new MovedObstacle(
             within(ReadingsFile.GREATEST_M, csv, row, OBSTACLE_X),
             within(ReadingsFile.GREATEST_M, csv, row, OBSTACLE_Z),
-            scaled(
-                within(ReadingsFile.GREATEST_DEG, csv, row, OBSTACLE_TURN),
-                Math.toRadians(1))),
+            scaled(within(ReadingsFile.GREATEST_DEG, csv, row, OBSTACLE_TURN), Math.toRadians(1))),
         scaled(duration(csv, row, GAP), 1 / MS),
         scaled(duration(csv, row, PAUSE), 1 / MS));
   }
@@ -46,9 +44,7 @@ final class CircumstanceColumns {
   }
 
   private static Optional<String> placement(CsvTable csv, int row) throws DataFormatException {
-    return isEmpty(csv, row, PLACEMENT)
-        ? Optional.empty()
-        : Optional.of(csv.label(row, PLACEMENT));
+    return isEmpty(csv, row, PLACEMENT) ? Optional.empty() : Optional.of(csv.label(row, PLACEMENT));
   }
 
   private static OptionalDouble temperature(CsvTable csv, int row) throws DataFormatException {

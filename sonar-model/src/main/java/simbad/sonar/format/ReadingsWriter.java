@@ -37,8 +37,7 @@ public final class ReadingsWriter implements Closeable {
   private final int decimalsS;
   private final List<CircumstanceColumns.Column> more;
 
-  private ReadingsWriter(
-      Writer target, boolean withRange, List<ReadingRow> rows, boolean isFine) {
+  private ReadingsWriter(Writer target, boolean withRange, List<ReadingRow> rows, boolean isFine) {
     csv = CsvWriter.builder().lineDelimiter(LineDelimiter.LF).build(target);
     this.withRange = withRange;
     withTime = rows.stream().allMatch(ReadingRow::isTimed);
@@ -103,8 +102,8 @@ public final class ReadingsWriter implements Closeable {
   }
 
   /**
-   * Returns rows with their readings, of times as many decimals as they have, and with columns
-   * that nothing reads.
+   * Returns rows with their readings, of times as many decimals as they have, and with columns that
+   * nothing reads.
    *
    * @param rows in the order of the text
    * @param further cells of each further column, one for each row
@@ -123,10 +122,7 @@ public final class ReadingsWriter implements Closeable {
   }
 
   private static String text(
-      List<ReadingRow> rows,
-      boolean withRange,
-      Map<String, List<String>> further,
-      boolean isFine) {
+      List<ReadingRow> rows, boolean withRange, Map<String, List<String>> further, boolean isFine) {
     StringWriter text = new StringWriter();
     try (ReadingsWriter writer = new ReadingsWriter(text, withRange, rows, isFine)) {
       writer.head(further.keySet());

@@ -72,23 +72,47 @@ public final class SensorPoses {
         moved(sensor, then, scenes), row.circumstances().withObstacle(MovedObstacle.UNMOVED));
   }
 
+  /**
+   * Returns rows as a file beside the scene has them: of a sensor that has a mount the robot's
+   * pose.
+   *
+   * @param setup the scene with the mounts
+   * @param rows with the sensors' own poses, before an obstacle that is not moved
+   */
+  public static List<ReadingRow> undone(SensingSetup setup, List<ReadingRow> rows) {
+    Map<String, Placement> mounts = setup.details().robotFromSensor();
+    return rows.stream()
+        .map(
+            row ->
+                mounts.containsKey(row.sensor())
+                    ? row.at(
+                        robot(row.pose(), mounts.getOrDefault(row.sensor(), Placement.IDENTITY)),
+                        row.circumstances())
+                    : row)
+        .toList();
+  }
+
+  private static Pose robot(Pose sensor, Placement robotFromSensor) {
+    double heading = sensor.heading().radians() - robotFromSensor.turnRad();
+    Point way =
+        new Placement(0, 0, heading)
+            .worldFromObstacle(new Point(robotFromSensor.xM(), robotFromSensor.zM()));
+    return Pose.of(sensor.position().xM() - way.xM(), sensor.position().zM() - way.zM(), heading);
+  }
+
   /** Returns the pose of what is mounted on a robot. */
   static Pose mounted(Pose robot, Placement robotFromSensor) {
     Placement worldFromRobot =
-        new Placement(
-            robot.position().xM(), robot.position().zM(), robot.heading().radians());
+        new Placement(robot.position().xM(), robot.position().zM(), robot.heading().radians());
     Point place =
         worldFromRobot.worldFromObstacle(new Point(robotFromSensor.xM(), robotFromSensor.zM()));
-    return Pose.of(
-        place.xM(), place.zM(), robot.heading().radians() + robotFromSensor.turnRad());
+    return Pose.of(place.xM(), place.zM(), robot.heading().radians() + robotFromSensor.turnRad());
   }
 
   /** Returns the pose that is to an obstacle here what another one is to it there. */
   private static Pose moved(Pose sensor, Placement there, Placement here) {
     Point place = here.worldFromObstacle(there.obstacleFromWorld(sensor.position()));
     return Pose.of(
-        place.xM(),
-        place.zM(),
-        sensor.heading().radians() + here.turnRad() - there.turnRad());
+        place.xM(), place.zM(), sensor.heading().radians() + here.turnRad() - there.turnRad());
   }
 }

@@ -14,8 +14,7 @@ public record VerticalExtent(double bottomM, double topM) {
   /** Checks the order. */
   public VerticalExtent {
     if (!(bottomM < topM)) {
-      throw new IllegalArgumentException(
-          "topM = " + topM + " is not above bottomM = " + bottomM);
+      throw new IllegalArgumentException("topM = " + topM + " is not above bottomM = " + bottomM);
     }
   }
 }

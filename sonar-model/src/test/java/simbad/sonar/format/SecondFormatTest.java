@@ -127,8 +127,7 @@ class SecondFormatTest {
     Path file = Faults.file(directory, SceneWriter.text(setup));
     assertEquals(DataFormat.SECOND, SceneFile.format(file));
     assertEquals(setup, SceneFile.read(file));
-    assertEquals(
-        DataFormat.FIRST, SceneFile.format(Files.writeString(file, Samples.scene())));
+    assertEquals(DataFormat.FIRST, SceneFile.format(Files.writeString(file, Samples.scene())));
   }
 
   @ParameterizedTest
@@ -155,7 +154,8 @@ class SecondFormatTest {
 
   @Test
   void unknownCompensation_saysNothing() throws Exception {
-    String text = SceneWriter.text(scene()).replace("compensated\" : true", "compensated\" : \"unknown\"");
+    String text =
+        SceneWriter.text(scene()).replace("compensated\" : true", "compensated\" : \"unknown\"");
     assertEquals(
         Optional.empty(),
         SceneFile.read(Faults.file(directory, text)).details().temperatureCompensated());

@@ -60,7 +60,8 @@ class SensorPosesTest {
         new MovedObstacle(OptionalDouble.of(x), OptionalDouble.of(z), OptionalDouble.of(turn));
     ReadingRow seen = only(setup(Map.of(), scenes), row("s", sensor, moved));
     Point place = seen.pose().position();
-    assertEquals(then.centreDistanceM(1.5, 2.5), scenes.centreDistanceM(place.xM(), place.zM()), 1e-9);
+    assertEquals(
+        then.centreDistanceM(1.5, 2.5), scenes.centreDistanceM(place.xM(), place.zM()), 1e-9);
     double bearing = scenes.bearingRad(place.xM(), place.zM()) - then.bearingRad(1.5, 2.5);
     assertEquals(0, Math.sin(bearing / 2), 1e-9);
     double offAxis =
@@ -75,9 +76,7 @@ class SensorPosesTest {
   void turnedTarget_turnsTheBearing() {
     MovedObstacle turned =
         new MovedObstacle(
-            OptionalDouble.empty(),
-            OptionalDouble.empty(),
-            OptionalDouble.of(Math.toRadians(-30)));
+            OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.of(Math.toRadians(-30)));
     ReadingRow seen =
         only(setup(Map.of(), Placement.IDENTITY), row("s", Pose.of(0, 1, Math.PI / 2), turned));
     Point place = seen.pose().position();
@@ -95,6 +94,9 @@ class SensorPosesTest {
     assertEquals(0.95, seen.pose().position().xM(), 1e-12);
     assertEquals(1.9, seen.pose().position().zM(), 1e-12);
     assertEquals(Math.PI, Math.abs(seen.pose().heading().radians()), 1e-12);
+    Pose robot = SensorPoses.undone(setup(mounts, Placement.IDENTITY), List.of(seen)).get(0).pose();
+    assertEquals(0, robot.position().distanceM(new Point(1, 2)), 1e-12);
+    assertEquals(Math.PI / 2, robot.heading().radians(), 1e-12);
   }
 
   @Test
