@@ -8,6 +8,11 @@ import java.util.Set;
 final class Assumptions {
   private final Set<String> sentences = new LinkedHashSet<>();
 
+  /** Returns a number of things, such as 1 row, 2 rows. */
+  static String counted(long count, String what) {
+    return count + " " + what + (count == 1 ? "" : "s");
+  }
+
   void add(String sentence) {
     sentences.add(sentence);
   }

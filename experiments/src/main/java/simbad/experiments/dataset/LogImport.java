@@ -155,14 +155,14 @@ public final class LogImport {
     List<ReadingRow> rows = taken.rows();
     if (!taken.bad().isEmpty()) {
       assumptions.add(
-          "Left out for what cannot be read: rows, "
-              + taken.bad().size()
-              + ", the first: "
+          Assumptions.counted(taken.bad().size(), "row")
+              + " left out that cannot be read, the first: "
               + taken.bad().get(0));
     }
     if (taken.poseless() > 0) {
       assumptions.add(
-          "Left out for saying nothing of where something was: rows, " + taken.poseless() + ".");
+          Assumptions.counted(taken.poseless(), "row")
+              + " left out: nothing is said of where something was.");
     }
     Optional<ReadingRow> repeated = Placements.findRepeatedTime(rows);
     boolean far = rows.stream().anyMatch(row -> Math.abs(row.timeS()) > GREATEST_S);

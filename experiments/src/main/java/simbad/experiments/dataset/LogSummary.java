@@ -76,7 +76,7 @@ final class LogSummary {
     long beyond = echoes(range -> range > most);
     if (beyond > 0) {
       notes.add(
-          counted(beyond, "range")
+          Assumptions.counted(beyond, "range")
               + " beyond the sonar's "
               + most
               + " m, the largest "
@@ -87,23 +87,22 @@ final class LogSummary {
     }
     long zero = echoes(range -> range == 0);
     if (zero > 0) {
-      notes.add(counted(zero, "range") + " of 0: --no-echo 0, if that says that no echo came");
+      notes.add(
+          Assumptions.counted(zero, "range")
+              + " of 0: --no-echo 0, if that says that no echo came");
     }
     if (!taken.bad().isEmpty()) {
       notes.add(
-          counted(taken.bad().size(), "row")
+          Assumptions.counted(taken.bad().size(), "row")
               + " left out that cannot be read, the first: "
               + taken.bad().get(0));
     }
     if (taken.poseless() > 0) {
       notes.add(
-          counted(taken.poseless(), "row") + " left out that say nothing of where something was");
+          Assumptions.counted(taken.poseless(), "row")
+              + " left out that say nothing of where something was");
     }
     return notes;
-  }
-
-  private static String counted(long count, String what) {
-    return count + " " + what + (count == 1 ? "" : "s");
   }
 
   private interface Test {
