@@ -19,6 +19,7 @@ final class LogGuess {
       Pattern.compile("(?i).*(read|range|measur|ultra|sonar|echo|sensor|misur|lettura|mess).*");
   private static final Pattern TRUE =
       Pattern.compile("(?i).*(true|truth|actual|real|tape|ruler|nominal|soll|vera|expected).*");
+  private static final int SAMPLE = 100;
   private static final String[] POSES = {
     "distance", "x", "z", "y", "bearing", "target-x", "target-z", "target-y"
   };
@@ -63,7 +64,8 @@ final class LogGuess {
   }
 
   private String range() throws DataFormatException {
-    Optional<Integer> named = only(column -> isNamed(RANGE, column) && !isNamed(TRUE, column));
+    Optional<Integer> named =
+        only(column -> isNamed(RANGE, column) && !isNamed(TRUE, column) && hasNumbers(column));
     boolean two = log.names().size() == 2;
     if (named.isPresent() || two || log.names().size() == 1) {
       int column = named.orElse(two ? (isNamed(TRUE, 1) ? 0 : 1) : 0);
@@ -126,6 +128,11 @@ final class LogGuess {
 
   private boolean isNamed(Pattern pattern, int column) {
     return pattern.matcher(log.names().get(column)).matches();
+  }
+
+  private boolean hasNumbers(int column) {
+    return IntStream.range(0, Math.min(SAMPLE, log.size()))
+        .anyMatch(row -> log.findNumber(row, column).isPresent());
   }
 
   private String shown(int column) {

@@ -1,5 +1,6 @@
 package simbad.experiments.dataset;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -53,6 +54,9 @@ record Unit(List<String> words, Kind kind, double times, double over) {
           of(Kind.ANGLE, 0.9, 1, "gon", "grad"),
           of(Kind.ANGLE, 360, 1, "turn", "turns"));
 
+  private static final List<String> NO_UNIT_IN_NAMES = List.of("min", "turn", "turns");
+  private static final int LONGEST_ABBREVIATION = 4;
+
   private static Unit of(Kind kind, double times, double over, String... words) {
     return new Unit(List.of(words), kind, times, over);
   }
@@ -65,16 +69,13 @@ record Unit(List<String> words, Kind kind, double times, double over) {
 
   /** Finds the unit that a column's name ends with, as in reading_cm, d [mm], time (us). */
   static Optional<Unit> inName(String column) {
-    String[] words = column.strip().split("[^\\p{L}\\d\u00b0\"]+");
-    return words.length < 2 && !column.endsWith("s")
-        ? Optional.empty()
-        : find(words.length == 0 ? "" : words[words.length - 1])
-            .filter(unit -> isSaid(unit, words));
-  }
-
-  /** A name such as s or min alone is a name. */
-  private static boolean isSaid(Unit unit, String[] words) {
-    return words.length > 1 || unit.words().indexOf(words[0].toLowerCase(Locale.ROOT)) > 1;
+    List<String> words = Arrays.asList(column.strip().split("[^\\p{L}\\d\u00b0\"]+"));
+    String last = words.isEmpty() ? "" : words.get(words.size() - 1);
+    // A name such as s alone is a name; range_min and target_turn end with no unit.
+    boolean isUnit = words.size() > 1 || last.length() > LONGEST_ABBREVIATION;
+    return isUnit && !NO_UNIT_IN_NAMES.contains(last.toLowerCase(Locale.ROOT))
+        ? find(last)
+        : Optional.empty();
   }
 
   /** Returns the words of a kind's units, for messages. */

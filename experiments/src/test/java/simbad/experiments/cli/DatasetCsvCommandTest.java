@@ -517,6 +517,36 @@ class DatasetCsvCommandTest {
     assertFalse(Files.exists(folder.resolve("set" + made)));
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "reading_cm, 0.05",
+    "'reading [mm]', 0.005",
+    "'reading in', 0.127",
+    "reading (us), 0.001",
+    "reading metres, 5",
+    "reading-m, 5"
+  })
+  void unit_isTakenFromTheName(String name, double rangeM) throws Exception {
+    DataSet data =
+        read("true_cm," + name + "\n10,5\n", "--sonar maxbotix-lv-ez1 --sound-speed 400");
+    assertEquals(new Echo(rangeM), data.readings().get(0).reading());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"reading_min", "reading", "read", "reading turn"})
+  void name_thatEndsWithNoUnit_asksForIt(String name) throws Exception {
+    Shell said = type("true_cm," + name + "\n10,5\n", "");
+    assertTrue(said.err().contains("--range-unit: is missing"), said.err());
+  }
+
+  /** A column of names is none of ranges, whatever it is called. */
+  @Test
+  void sensorsNames_areNoRanges() throws Exception {
+    String log = "sensor,true_cm,reading_cm\nleft,10,9.8\nright,20,19.7\n";
+    assertEquals("0.098 0.197", ranges(read(log, "")));
+    assertEquals("right", read(log, "--sensor sensor").readings().get(1).sensor());
+  }
+
   /** What cannot be guessed is asked for, in the order in which it is needed. */
   @Test
   void person_isAsked() throws Exception {
