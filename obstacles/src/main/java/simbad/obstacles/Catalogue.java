@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
@@ -138,7 +139,32 @@ public final class Catalogue {
 
   /** Returns the Devantech SRF04. */
   public static SonarSpec srf04() {
-    String name = "sensors/srf04.json";
+    return sonar("srf04");
+  }
+
+  /** Returns the names of the sensors that come with the project. */
+  public static List<String> sonars() {
+    return List.of("hc-sr04", "srf04", "maxbotix-lv-ez1");
+  }
+
+  /**
+   * Finds a sensor by its name, however it is spelt: hc-sr04, HCSR04.
+   *
+   * @param name as on the command line
+   */
+  public static Optional<SonarSpec> findSonar(String name) {
+    return sonars().stream()
+        .filter(known -> plain(known).equals(plain(name)))
+        .findFirst()
+        .map(Catalogue::sonar);
+  }
+
+  private static String plain(String name) {
+    return name.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "");
+  }
+
+  private static SonarSpec sonar(String known) {
+    String name = "sensors/" + known + ".json";
     try {
       return SensorFile.parse(Path.of(name), text(name));
     } catch (DataFormatException e) {

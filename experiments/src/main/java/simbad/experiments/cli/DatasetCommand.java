@@ -13,7 +13,9 @@ import simbad.experiments.dataset.LadderLog;
 import simbad.experiments.dataset.MadeDataSet;
 import simbad.experiments.dataset.PlotterLog;
 import simbad.experiments.dataset.TableGrid;
+import simbad.gap.diagnosis.DataSetFolder;
 import simbad.obstacles.Catalogue;
+import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.SensorFile;
 import simbad.sonar.scene.SonarSpec;
 
@@ -22,11 +24,16 @@ import simbad.sonar.scene.SonarSpec;
     name = "dataset",
     description = "Make data sets for simbad diagnose: of a threshold table, of others' logs.",
     subcommands = {
+      DatasetCsvCommand.class,
       DatasetCommand.Grid.class,
       DatasetCommand.Ladder.class,
       DatasetCommand.Plotter.class
     },
-    footer = {"", "Example: simbad dataset grid angle --out angle-against-uniform"})
+    footer = {
+      "",
+      "Example: simbad dataset csv my-log.csv --range reading_cm --distance true_cm --out my-data",
+      "Example: simbad dataset grid angle --out angle-against-uniform"
+    })
 final class DatasetCommand extends CommandGroup {
 
   /** A command that makes one data set. */
@@ -38,10 +45,17 @@ final class DatasetCommand extends CommandGroup {
         description = "The data set's folder, which does not exist yet.")
     private Path out = Path.of("");
 
+    /** Where it goes. */
+    final Path folder() {
+      return out;
+    }
+
     /** Publishes the data set whole. */
-    void publish(MadeDataSet made) throws IOException {
+    final void publish(MadeDataSet made) throws IOException, DataFormatException {
       try (StagedDirectory staged = StagedDirectory.beside(out)) {
         made.write(staged.path());
+        // What is written can be diagnosed, or is not left behind.
+        new DataSetFolder(staged.path()).read();
         staged.publish();
       }
       out().println(made.readings().size() + " readings, written to " + out);

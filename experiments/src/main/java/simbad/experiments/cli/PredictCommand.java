@@ -5,6 +5,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -18,6 +19,7 @@ import simbad.sonar.format.ReadingsFile;
 import simbad.sonar.format.SceneFile;
 import simbad.sonar.format.TextFile;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SensorPoses;
 import simbad.sonar.sensing.ReadingRow;
 
 /** {@code simbad predict}: the distribution of readings on rows never seen. */
@@ -69,10 +71,15 @@ final class PredictCommand extends Subcommand {
     if (Files.exists(out) && (Files.isDirectory(out) || Files.size(out) > 0)) {
       throw new FileAlreadyExistsException(out.toString());
     }
-    SensingSetup setup = SceneFile.read(diagnosis.resolve(DataSetFolder.SCENE));
+    Path scene = diagnosis.resolve(DataSetFolder.SCENE);
+    SensingSetup setup = SceneFile.read(scene);
     List<? extends Change> changes = chosen == Model.NOMINAL ? List.of() : changes(setup);
-    List<ReadingRow> poses = ReadingsFile.readPoses(rows);
-    write(Predictions.text(setup, changes, poses));
+    List<ReadingRow> poses = ReadingsFile.readPoses(rows, SceneFile.format(scene));
+    Optional<String> problem = SensorPoses.problem(setup, poses);
+    if (problem.isPresent()) {
+      throw DataFormatException.inFile(rows, problem.get());
+    }
+    write(Predictions.text(setup, changes, SensorPoses.of(setup, poses)));
   }
 
   private void write(String text) throws IOException {

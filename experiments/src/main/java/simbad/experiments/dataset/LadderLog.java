@@ -3,14 +3,13 @@ package simbad.experiments.dataset;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import simbad.sonar.format.DataFormatException;
-import simbad.sonar.frame.Pose;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
-import simbad.sonar.sensing.Echo;
-import simbad.sonar.sensing.ReadingRow;
 
 /**
  * A ladder of distances: a sensor squarely before a board, columns {@code true_cm, reading_cm} and
@@ -24,11 +23,10 @@ import simbad.sonar.sensing.ReadingRow;
 public final class LadderLog {
   private static final String SET = "set";
   private static final String NOTE = "note";
-  private static final double CM = 100;
+  private static final String TRUE = "true_cm";
   private static final double BOARD_M = 1.2;
   private static final double HEARD_M = 10;
   private static final double PERIOD_S = 0.06;
-  private static final double LOOKS_DOWN_THE_Z_AXIS = Math.PI / 2;
 
   private LadderLog() {}
 
@@ -39,17 +37,15 @@ public final class LadderLog {
    * @param skip but those with this note; empty for all, of a log that may have no such column
    */
   public record Rows(Optional<String> set, Optional<String> skip) {
-    private LogTable read(Path file) throws DataFormatException {
-      List<String> columns = new ArrayList<>(List.of("true_cm", "reading_cm"));
-      set.ifPresent(any -> columns.add(SET));
-      skip.ifPresent(any -> columns.add(NOTE));
-      return LogTable.read(file, columns.toArray(String[]::new));
-    }
-
-    private boolean has(LogTable log, int row) {
-      return set.filter(wanted -> !log.text(row, SET).equals(wanted)).isEmpty()
-          && skip.filter(log.text(row, NOTE)::equals).isEmpty()
-          && !log.text(row, "true_cm").isEmpty();
+    private List<RowRule> rules(LogTable log) throws DataFormatException {
+      List<RowRule> rules = new ArrayList<>();
+      if (set.isPresent()) {
+        rules.add(RowRule.word(LogColumns.require(log, SET), set.get(), true));
+      }
+      if (skip.isPresent()) {
+        rules.add(RowRule.word(LogColumns.require(log, NOTE), skip.get(), false));
+      }
+      return rules;
     }
 
     @Override
@@ -68,23 +64,27 @@ public final class LadderLog {
    */
   public static MadeDataSet read(Path file, Rows which, double soundSpeedMPerS)
       throws DataFormatException {
-    LogTable log = which.read(file);
-    List<ReadingRow> rows = new ArrayList<>();
-    for (int row = 0; row < log.size(); row++) {
-      if (which.has(log, row)) {
-        rows.add(
-            new ReadingRow(
-                log.label(row, NOTE),
-                "HC-SR04",
-                rows.size() * PERIOD_S,
-                Pose.of(0, log.number(row, "true_cm") / CM, LOOKS_DOWN_THE_Z_AXIS),
-                new Echo(log.number(row, "reading_cm") / CM)));
-      }
-    }
-    if (rows.isEmpty()) {
+    LogTable log = LogTable.read(file, LogFormat.PLAIN);
+    Figure distance = Figure.column(LogColumns.require(log, TRUE), Unit.CM, 0);
+    int reading = LogColumns.require(log, "reading_cm");
+    OptionalInt note = LogColumns.find(log, NOTE);
+    LogRows rows = new LogRows();
+    LogRows.Labels labels = LogRows.Labels.of("");
+    rows.take(
+        log,
+        new LogRows.Plan(
+            which.rules(log),
+            List.of(new LogRows.Range(reading, "HC-SR04")),
+            new RangeRule(Unit.CM, soundSpeedMPerS, NoEchoCodes.NONE),
+            PoseRule.ladder(distance, Figure.constant(0, Unit.M), 0),
+            Clock.ofTaken(PERIOD_S),
+            note.isPresent() ? labels.withRun(note.getAsInt()) : labels,
+            Map.of()),
+        false);
+    if (rows.rows().isEmpty()) {
       throw log.fault("has no " + which + " with a true distance");
     }
-    return new MadeDataSet(setup(soundSpeedMPerS), rows);
+    return new MadeDataSet(setup(soundSpeedMPerS), rows.rows());
   }
 
   private static SensingSetup setup(double soundSpeedMPerS) {

@@ -2,7 +2,10 @@ package simbad.experiments.dataset;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.sonar.format.ReadingsWriter;
 import simbad.sonar.format.SceneWriter;
@@ -15,11 +18,19 @@ import simbad.sonar.sensing.ReadingRow;
  *
  * @param setup what the simulator believes
  * @param readings what was read
+ * @param further columns that nothing reads, by their names; a cell for each reading
  */
-public record MadeDataSet(SensingSetup setup, List<ReadingRow> readings) {
-  /** Copies the list. */
+public record MadeDataSet(
+    SensingSetup setup, List<ReadingRow> readings, Map<String, List<String>> further) {
+  /** Copies the collections in their order. */
   public MadeDataSet {
     readings = List.copyOf(readings);
+    further = Collections.unmodifiableMap(new LinkedHashMap<>(further));
+  }
+
+  /** Creates one of readings alone. */
+  public MadeDataSet(SensingSetup setup, List<ReadingRow> readings) {
+    this(setup, readings, Map.of());
   }
 
   /**
@@ -30,7 +41,7 @@ public record MadeDataSet(SensingSetup setup, List<ReadingRow> readings) {
    */
   public void write(Path folder) throws IOException {
     save(folder.resolve(DataSetFolder.SCENE), SceneWriter.text(setup));
-    save(folder.resolve(DataSetFolder.READINGS), ReadingsWriter.text(readings));
+    save(folder.resolve(DataSetFolder.READINGS), ReadingsWriter.text(readings, further));
   }
 
   private static void save(Path file, String text) throws IOException {

@@ -3,16 +3,14 @@ package simbad.experiments.dataset;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import simbad.sonar.format.DataFormatException;
-import simbad.sonar.frame.Pose;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
-import simbad.sonar.sensing.Echo;
-import simbad.sonar.sensing.NoEcho;
-import simbad.sonar.sensing.ReadingRow;
 
 /**
  * A sensor on a pen plotter before a ball: columns {@code x, y} in millimetres on the plotter,
@@ -29,14 +27,13 @@ public final class PlotterLog {
   /** The MB1213's number for no target, centimetres. */
   public static final double NO_TARGET_CM = 765;
 
-  private static final double CM = 100;
   private static final double MM = 1000;
+  private static final double SOUND_M_PER_S = 343;
   private static final double PERIOD_S = 0.1;
   private static final double BAND_MM = 12;
   private static final double BALL_RADIUS_M = 0.0375;
   private static final double BACKDROP_M = 1;
   private static final double HEARD_M = 7.65;
-  private static final double LOOKS_DOWN_THE_Z_AXIS = Math.PI / 2;
 
   private PlotterLog() {}
 
@@ -59,32 +56,46 @@ public final class PlotterLog {
    * @throws DataFormatException naming file, line and field of the first fault
    */
   public static MadeDataSet read(Path file, Setup setup) throws DataFormatException {
-    LogTable log = LogTable.read(file, "x", "y", "ultra");
-    double zM = BALL_RADIUS_M + setup.distanceMm() / MM;
-    List<ReadingRow> rows = new ArrayList<>();
-    for (int row = 0; row < log.size(); row++) {
-      if (Math.abs(log.number(row, "y") - setup.ballYMm()) <= BAND_MM) {
-        double xM = (log.number(row, "x") - setup.ballXMm()) / MM;
-        double ultra = log.number(row, "ultra");
-        rows.add(
-            new ReadingRow(
-                "scan",
-                "MB1213",
-                row * PERIOD_S,
-                Pose.of(xM, zM, LOOKS_DOWN_THE_Z_AXIS),
-                ultra >= NO_TARGET_CM ? NoEcho.NO_ECHO : new Echo(ultra / CM)));
-      }
-    }
-    if (rows.isEmpty()) {
+    LogTable log = LogTable.read(file, LogFormat.PLAIN);
+    int x = LogColumns.require(log, "x");
+    int y = LogColumns.require(log, "y");
+    int ultra = LogColumns.require(log, "ultra");
+    double awayM = setup.distanceMm() / MM;
+    LogRows rows = new LogRows();
+    rows.take(
+        log,
+        new LogRows.Plan(
+            List.of(RowRule.within(y, setup.ballYMm() - BAND_MM, setup.ballYMm() + BAND_MM)),
+            List.of(new LogRows.Range(ultra, "MB1213")),
+            new RangeRule(Unit.CM, SOUND_M_PER_S, NoEchoCodes.of(Optional.of(">=" + NO_TARGET_CM))),
+            PoseRule.ladder(
+                Figure.constant(awayM, Unit.M),
+                Figure.column(x, Unit.MM, 0).from(setup.ballXMm()),
+                BALL_RADIUS_M),
+            Clock.ofRows(PERIOD_S),
+            LogRows.Labels.of("scan"),
+            Map.of()),
+        false);
+    if (rows.rows().isEmpty()) {
       throw log.fault("has no row within " + BAND_MM + " mm of y = " + setup.ballYMm());
     }
-    return new MadeDataSet(believed(setup, zM), rows);
+    return new MadeDataSet(believed(setup, BALL_RADIUS_M + awayM), rows.rows());
   }
 
   private static SensingSetup believed(Setup setup, double zM) {
     SonarSpec sensor =
         new SonarSpec(
-            "MB1213", Math.toRadians(20), 0, 7.65, 0.2, 343, 0.01, 0.005, 0.005, 0.05, PERIOD_S);
+            "MB1213",
+            Math.toRadians(20),
+            0,
+            7.65,
+            0.2,
+            SOUND_M_PER_S,
+            0.01,
+            0.005,
+            0.005,
+            0.05,
+            PERIOD_S);
     List<Obstacle> obstacles = new ArrayList<>();
     obstacles.add(Shapes.ball("apple", BALL_RADIUS_M, HEARD_M));
     setup

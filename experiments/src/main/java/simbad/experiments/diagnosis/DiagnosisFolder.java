@@ -20,6 +20,7 @@ import simbad.sonar.format.ModelFile;
 import simbad.sonar.format.ReadingsWriter;
 import simbad.sonar.format.TextFile;
 import simbad.sonar.format.WholeFile;
+import simbad.sonar.scene.SensorPoses;
 
 /** Writes a diagnosis's folder. */
 public final class DiagnosisFolder {
@@ -49,7 +50,10 @@ public final class DiagnosisFolder {
         Files.readAllBytes(source.resolve(DataSetFolder.SCENE)));
     save(folder, DiagnosisJson.FILE, DiagnosisJson.text(diagnosis, data, provenance));
     if (diagnosis.nextExperiment().isPresent()) {
-      String poses = ReadingsWriter.posesText(diagnosis.nextExperiment().get().poses());
+      // In the terms of the scene that is copied: a robot's, where it has mounts.
+      String poses =
+          ReadingsWriter.posesText(
+              SensorPoses.undone(data.setup(), diagnosis.nextExperiment().get().poses()));
       save(folder, DiagnosisJson.POSES, poses);
     }
     FittedModel model =

@@ -12,6 +12,7 @@ import simbad.gap.diagnosis.NextExperiment;
 import simbad.gap.diagnosis.Provenance;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.scene.Obstacle;
+import simbad.sonar.sensing.ReadingRow;
 
 /**
  * A diagnosis's page: the answer on the first screen, then where, how well, what next, from what.
@@ -82,8 +83,10 @@ final class DiagnosisPage {
     graph(
         "By distance", "distance to the nearest obstacle's centre, m", 0.02, RowFinding::distanceM);
     graph("By off-axis angle", "angle off the axis, degrees", 0.5, RowFinding::offAxisDeg);
-    graph("By time", "time since the run's begin, s", 0.5, row -> OptionalDouble.of(row.timeS()));
-    graph("By speed", "sensor's speed, m/s", 0.02, row -> OptionalDouble.of(row.speedMPerS()));
+    if (data.readings().stream().allMatch(ReadingRow::isTimed)) {
+      graph("By time", "time since the run's begin, s", 0.5, row -> OptionalDouble.of(row.timeS()));
+      graph("By speed", "sensor's speed, m/s", 0.02, row -> OptionalDouble.of(row.speedMPerS()));
+    }
     page.append("</div>\n");
     if (obstacles.size() > MOST_MAPS) {
       page.append(

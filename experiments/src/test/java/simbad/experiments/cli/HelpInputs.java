@@ -42,6 +42,10 @@ final class HelpInputs {
           Map.entry("rows.csv", POSES),
           Map.entry("next-experiment.csv", POSES),
           Map.entry("my-spec.json", "{}"),
+          Map.entry("my-log.csv", "true_cm,reading_cm\n10,9.8\n20,19.7\n30,29.9\n"),
+          Map.entry(
+              "my-scan.csv",
+              "x_mm,y_mm,up_deg,us\n0,-300,0,1700\n50,-300,10,0\n100,-300,20,1900\n"),
           Map.entry(
               "tuning/results.csv",
               "sensor,status,controller.crossing_angle_deg,controller.curl_rad_per_step,"

@@ -9,10 +9,12 @@ import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.ReadingsFile;
 import simbad.sonar.format.SceneFile;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SensorPoses;
 import simbad.sonar.sensing.ReadingRow;
 
 /**
@@ -53,7 +55,7 @@ public final class DataSetFolder {
   }
 
   /**
-   * Reads the data set.
+   * Reads the data set; rows have the poses of the sensor before the scene as it stands.
    *
    * @throws DataFormatException naming file, line and field of the first fault
    */
@@ -66,11 +68,12 @@ public final class DataSetFolder {
           folder, "is no folder, expected one with " + SCENE + " and " + READINGS);
     }
     Path reference = folder.resolve(REFERENCE);
+    SensingSetup setup = scene(folder.resolve(SCENE));
     return new DataSet(
         name(),
-        scene(folder.resolve(SCENE)),
-        rows(folder.resolve(READINGS)),
-        Files.exists(reference) ? rows(reference) : List.of());
+        setup,
+        rows(folder.resolve(READINGS), setup),
+        Files.exists(reference) ? rows(reference, setup) : List.of());
   }
 
   /** Under another law than its own a scene would be diagnosed as off everywhere. */
@@ -83,12 +86,16 @@ public final class DataSetFolder {
     return setup;
   }
 
-  private static List<ReadingRow> rows(Path file) throws DataFormatException {
-    List<ReadingRow> rows = ReadingsFile.read(file);
+  private List<ReadingRow> rows(Path file, SensingSetup setup) throws DataFormatException {
+    List<ReadingRow> rows = ReadingsFile.read(file, SceneFile.format(folder.resolve(SCENE)));
     if (rows.isEmpty()) {
       throw DataFormatException.inFile(file, "has no rows, expected readings");
     }
-    return rows;
+    Optional<String> problem = SensorPoses.problem(setup, rows);
+    if (problem.isPresent()) {
+      throw DataFormatException.inFile(file, problem.get());
+    }
+    return SensorPoses.of(setup, rows);
   }
 
   /**

@@ -96,7 +96,7 @@ public record FittedModel(
    */
   @Override
   public Sensor bind(SonarSpec sensor, Scene scene, RandomGenerator random) {
-    SensingSetup there = new SensingSetup(setup.sensor(), scene, setup.noEchoM());
+    SensingSetup there = new SensingSetup(setup.sensor(), scene, setup.noEchoM(), setup.details());
     return new DiagnosedSensor(new DiagnosedModel(there, changes()), sensors, random);
   }
 }

@@ -1,9 +1,11 @@
 package simbad.sonar.effect;
 
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import simbad.sonar.sensing.Echo;
@@ -13,13 +15,16 @@ import simbad.sonar.sensing.ReadingRow;
  * Pings with what was read, in the order in which each sensor sent them.
  *
  * <p>The pings of one run and sensor form a sequence: they stand side by side, ordered by time, and
- * the order of rows decides where times are equal. Immutable, safe for use by several threads.
+ * the order of rows decides where times are equal. A row without a time is a sequence of its own:
+ * what it may remember is not known. Immutable, safe for use by several threads.
  */
 public final class PingLog {
   private final int[] row;
   private final int[] sequenceStart;
   private final int[] run;
   private final int[] sensor;
+  private final boolean[] timed;
+  private final List<Optional<String>> placement = new ArrayList<>();
   private final double[] timeS;
   private final double[] xM;
   private final double[] zM;
@@ -50,6 +55,7 @@ public final class PingLog {
     sequenceStart = new int[size];
     run = new int[size];
     sensor = new int[size];
+    timed = new boolean[size];
     timeS = new double[size];
     xM = new double[size];
     zM = new double[size];
@@ -68,7 +74,9 @@ public final class PingLog {
   }
 
   private void fill(int i, ReadingRow from, Map<String, Double> starts) {
-    boolean follows = i > 0 && run[i - 1] == run[i] && sensor[i - 1] == sensor[i];
+    timed[i] = from.isTimed();
+    placement.add(from.circumstances().placement());
+    boolean follows = timed[i] && i > 0 && run[i - 1] == run[i] && sensor[i - 1] == sensor[i];
     sequenceStart[i] = follows ? sequenceStart[i - 1] : i;
     timeS[i] = from.timeS();
     xM[i] = from.pose().position().xM();
@@ -144,7 +152,17 @@ public final class PingLog {
     return sensors;
   }
 
-  /** Returns a ping's time in seconds. */
+  /** Returns the word for what was put in place for a ping; empty where the log has none. */
+  public Optional<String> placement(int ping) {
+    return placement.get(ping);
+  }
+
+  /** Tells whether a ping's time is known. */
+  public boolean isTimed(int ping) {
+    return timed[ping];
+  }
+
+  /** Returns a ping's time in seconds; 0 where it is not known. */
   public double timeS(int ping) {
     return timeS[ping];
   }

@@ -38,7 +38,8 @@ public final class Scenes {
                 obstacle.name(),
                 change.apply(obstacle.worldFromObstacle()),
                 obstacle.outline(),
-                obstacle.detection()));
+                obstacle.detection(),
+                obstacle.extent()));
   }
 
   static Scene detected(Scene scene, Optional<String> only, UnaryOperator<Detection> change) {
@@ -50,7 +51,8 @@ public final class Scenes {
                 obstacle.name(),
                 obstacle.worldFromObstacle(),
                 obstacle.outline(),
-                change.apply(obstacle.detection())));
+                change.apply(obstacle.detection()),
+                obstacle.extent()));
   }
 
   /** A label that no obstacle has changes none. */

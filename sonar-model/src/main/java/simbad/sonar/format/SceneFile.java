@@ -11,10 +11,12 @@ import simbad.sonar.scene.Detection;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SetupDetails;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.scene.StrengthDetection;
 import simbad.sonar.scene.TableDetection;
 import simbad.sonar.scene.UniformDetection;
+import simbad.sonar.scene.VerticalExtent;
 import simbad.sonar.shape.Crossing;
 import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.Overlap;
@@ -22,19 +24,10 @@ import simbad.sonar.shape.ThresholdTable;
 
 /**
  * Scene files: what a simulator believes, {@code format} "sonar-gap/1" or "sonar-gap/2". Of the
- * second format this reads the sensor's law ({@code sensor.model}, {@code sensor.level}) and target
- * strengths; fields of it that would change what a sensor reads and are not known yet are refused.
+ * second format this reads the sensor's law ({@code sensor.model}, {@code sensor.level}), target
+ * strengths, vertical extents, mounts of sensors, how well poses are known, and assumptions.
  */
 public final class SceneFile {
-  static final String FORMAT = "sonar-gap/1";
-
-  static final String FORMAT_2 = "sonar-gap/2";
-
-  /** Fields of format 2 without which a scene would be read as another one. */
-  private static final List<String> NOT_YET_OF_SCENE = List.of("sensors");
-
-  private static final List<String> NOT_YET_OF_OBSTACLE = List.of("bottom_m", "top_m");
-
   private final boolean second;
   private final SonarSpec sensor;
 
@@ -51,32 +44,42 @@ public final class SceneFile {
    */
   public static SensingSetup read(Path file) throws DataFormatException {
     JsonInput root = JsonInput.read(file);
-    boolean second = root.text("format").equals(FORMAT_2);
-    if (!second && !root.text("format").equals(FORMAT)) {
-      throw root.field("format").isNot("\"" + FORMAT + "\" or \"" + FORMAT_2 + "\"");
-    }
+    boolean second = format(root) == DataFormat.SECOND;
     JsonInput sensor = root.field("sensor");
     SonarSpec spec = second ? SensorFile.specWithLaw(sensor) : SensorFile.spec(sensor);
     return new SceneFile(second, spec).setup(root);
   }
 
+  /**
+   * Reads of which format a scene is, and the readings beside it.
+   *
+   * @param file JSON
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public static DataFormat format(Path file) throws DataFormatException {
+    return format(JsonInput.read(file));
+  }
+
+  private static DataFormat format(JsonInput root) throws DataFormatException {
+    String word = root.text("format");
+    for (DataFormat format : DataFormat.values()) {
+      if (word.equals(format.word())) {
+        return format;
+      }
+    }
+    throw root.field("format")
+        .isNot("\"" + DataFormat.FIRST.word() + "\" or \"" + DataFormat.SECOND.word() + "\"");
+  }
+
   private SensingSetup setup(JsonInput root) throws DataFormatException {
-    refuse(root, NOT_YET_OF_SCENE);
     List<Obstacle> obstacles = new ArrayList<>();
     for (JsonInput item : root.items("obstacles")) {
       Obstacle obstacle = obstacle(item);
       checkOverlap(item, obstacle, obstacles);
       obstacles.add(obstacle);
     }
-    return new SensingSetup(sensor, new Scene(obstacles), root.positive("no_echo_m"));
-  }
-
-  private void refuse(JsonInput object, List<String> fields) throws DataFormatException {
-    for (String field : fields) {
-      if (second && object.has(field)) {
-        throw object.field(field).fault("of \"" + FORMAT_2 + "\" is not supported yet");
-      }
-    }
+    SetupDetails details = second ? DetailFields.read(root) : SetupDetails.NONE;
+    return new SensingSetup(sensor, new Scene(obstacles), root.positive("no_echo_m"), details);
   }
 
   private static void checkOverlap(JsonInput item, Obstacle obstacle, List<Obstacle> before)
@@ -90,11 +93,15 @@ public final class SceneFile {
   }
 
   private Obstacle obstacle(JsonInput item) throws DataFormatException {
-    refuse(item, NOT_YET_OF_OBSTACLE);
     Placement placement =
         new Placement(
             item.finite("x_m"), item.finite("z_m"), Math.toRadians(item.finite("turn_deg")));
-    return new Obstacle(item.label("name"), placement, outline(item), detection(item));
+    return new Obstacle(
+        item.label("name"),
+        placement,
+        outline(item),
+        detection(item),
+        second ? DetailFields.extent(item) : VerticalExtent.ENDLESS);
   }
 
   private static Outline outline(JsonInput item) throws DataFormatException {

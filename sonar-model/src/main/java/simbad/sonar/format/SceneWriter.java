@@ -11,10 +11,12 @@ import simbad.sonar.level.LevelFigures;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SensorLaw;
+import simbad.sonar.scene.SetupDetails;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.scene.StrengthDetection;
 import simbad.sonar.scene.TableDetection;
 import simbad.sonar.scene.UniformDetection;
+import simbad.sonar.scene.VerticalExtent;
 
 /** Writes what {@link SceneFile} reads. */
 public final class SceneWriter {
@@ -24,20 +26,21 @@ public final class SceneWriter {
 
   /**
    * Returns a scene as the text of a file; read again it is the same but for the last digits of its
-   * angles, which stand there in degrees. A scene that says which law it believes, or states target
-   * strengths, is of format "sonar-gap/2"; any other of "sonar-gap/1", which knows no level law.
+   * angles, which stand there in degrees. A scene that says which law it believes, states target
+   * strengths or heights, or has details, is of format "sonar-gap/2"; any other of "sonar-gap/1".
    *
    * @param setup the scene with its sensor
    */
   public static String text(SensingSetup setup) {
     ObjectNode root = MAPPER.createObjectNode();
     boolean second = isSecond(setup);
-    root.put("format", second ? SceneFile.FORMAT_2 : SceneFile.FORMAT);
+    root.put("format", (second ? DataFormat.SECOND : DataFormat.FIRST).word());
     root.put("no_echo_m", setup.noEchoM());
     ObjectNode sensor = root.putObject("sensor");
     addSensor(sensor, setup.sensor());
     if (second) {
       addLaw(sensor, setup.sensor().law());
+      DetailFields.write(root, sensor, setup.details());
     }
     ArrayNode obstacles = root.putArray("obstacles");
     setup.scene().obstacles().forEach(obstacle -> addObstacle(obstacles.addObject(), obstacle));
@@ -52,8 +55,13 @@ public final class SceneWriter {
 
   private static boolean isSecond(SensingSetup setup) {
     return setup.sensor().law().model().isPresent()
-        || setup.scene().obstacles().stream()
-            .anyMatch(obstacle -> obstacle.detection() instanceof StrengthDetection);
+        || !setup.details().equals(SetupDetails.NONE)
+        || setup.scene().obstacles().stream().anyMatch(SceneWriter::isSecond);
+  }
+
+  private static boolean isSecond(Obstacle obstacle) {
+    return obstacle.detection() instanceof StrengthDetection
+        || !obstacle.extent().equals(VerticalExtent.ENDLESS);
   }
 
   private static void addLaw(ObjectNode node, SensorLaw law) {
@@ -82,6 +90,7 @@ public final class SceneWriter {
     node.put("x_m", obstacle.worldFromObstacle().xM());
     node.put("z_m", obstacle.worldFromObstacle().zM());
     node.put("turn_deg", degrees(obstacle.worldFromObstacle().turnRad()));
+    DetailFields.writeExtent(node, obstacle.extent());
     ArrayNode outline = node.putArray("outline_m");
     for (Point corner : obstacle.outline().corners()) {
       outline.addArray().add(corner.xM()).add(corner.zM());
@@ -105,7 +114,7 @@ public final class SceneWriter {
   }
 
   /** A whole degree stays one on its way through radians. */
-  private static double degrees(double radians) {
+  static double degrees(double radians) {
     return Math.rint(Math.toDegrees(radians) * 1e9) / 1e9;
   }
 }

@@ -20,6 +20,25 @@ public final class TextFile {
    *     or if it is no UTF-8 text
    */
   public static String read(Path file) throws DataFormatException {
+    requireFile(file);
+    try {
+      String text = Files.readString(file, StandardCharsets.UTF_8);
+      return !text.isEmpty() && text.charAt(0) == BYTE_ORDER_MARK ? text.substring(1) : text;
+    } catch (CharacterCodingException e) {
+      throw DataFormatException.inFile(file, "is not UTF-8 text");
+    } catch (IOException e) {
+      throw DataFormatException.inFile(file, "cannot be read: " + e.getMessage());
+    }
+  }
+
+  /**
+   * Checks that something can be read as a file.
+   *
+   * @param file to read
+   * @throws DataFormatException if there is none, if it is no regular file, or if it may not be
+   *     read
+   */
+  public static void requireFile(Path file) throws DataFormatException {
     if (!Files.exists(file)) {
       throw DataFormatException.inFile(file, "no such file");
     }
@@ -32,14 +51,6 @@ public final class TextFile {
     }
     if (!Files.isReadable(file)) {
       throw DataFormatException.inFile(file, "cannot be read: permission denied");
-    }
-    try {
-      String text = Files.readString(file, StandardCharsets.UTF_8);
-      return !text.isEmpty() && text.charAt(0) == BYTE_ORDER_MARK ? text.substring(1) : text;
-    } catch (CharacterCodingException e) {
-      throw DataFormatException.inFile(file, "is not UTF-8 text");
-    } catch (IOException e) {
-      throw DataFormatException.inFile(file, "cannot be read: " + e.getMessage());
     }
   }
 

@@ -10,9 +10,19 @@ import simbad.sonar.shape.Outline;
  * @param worldFromObstacle where it stands and how it is turned
  * @param outline its cross-section in its own frame
  * @param detection at which distances it is lost
+ * @param extent from where to where it reaches over the floor
  */
 public record Obstacle(
-    String name, Placement worldFromObstacle, Outline outline, Detection detection) {
+    String name,
+    Placement worldFromObstacle,
+    Outline outline,
+    Detection detection,
+    VerticalExtent extent) {
+
+  /** Creates one without an end above or below. */
+  public Obstacle(String name, Placement worldFromObstacle, Outline outline, Detection detection) {
+    this(name, worldFromObstacle, outline, detection, VerticalExtent.ENDLESS);
+  }
 
   /** Returns its cross-section in the world. */
   public Outline worldOutline() {

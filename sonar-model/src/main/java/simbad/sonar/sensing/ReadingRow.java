@@ -8,7 +8,30 @@ import simbad.sonar.frame.Pose;
  * @param run label of one continuous recording
  * @param sensor label of the transducer
  * @param timeS seconds; orders the rows of a run and sensor
- * @param pose of the sensor, as believed
+ * @param pose of the sensor, as believed; of the robot, where the scene has the sensors' mounts
  * @param reading what was read
+ * @param circumstances what else is known of it
  */
-public record ReadingRow(String run, String sensor, double timeS, Pose pose, Reading reading) {}
+public record ReadingRow(
+    String run,
+    String sensor,
+    double timeS,
+    Pose pose,
+    Reading reading,
+    Circumstances circumstances) {
+
+  /** Creates a row of which nothing else is known. */
+  public ReadingRow(String run, String sensor, double timeS, Pose pose, Reading reading) {
+    this(run, sensor, timeS, pose, reading, Circumstances.NONE);
+  }
+
+  /** Tells whether its time means anything. */
+  public boolean isTimed() {
+    return circumstances.isTimed();
+  }
+
+  /** Returns the same reading at another pose, under other circumstances. */
+  public ReadingRow at(Pose other, Circumstances there) {
+    return new ReadingRow(run, sensor, timeS, other, reading, there);
+  }
+}

@@ -11,7 +11,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import simbad.sonar.level.Curve;
 import simbad.sonar.level.LevelFigures;
 import simbad.sonar.level.StrengthTable;
@@ -189,23 +188,5 @@ class LevelFieldsTest {
     int at = scene.indexOf(piece);
     String spoiled = scene.substring(0, at) + instead + scene.substring(at + piece.length());
     Faults.check(SceneFile::read, Faults.file(directory, spoiled), ":" + where + ": ", part);
-  }
-
-  /** What this version would pass over though it changes readings is refused. */
-  @ParameterizedTest
-  @ValueSource(strings = {"bottom_m", "top_m"})
-  void heights_areRefused(String field) throws Exception {
-    String scene = scene().replaceFirst("\"turn_deg\"", "\"" + field + "\": 0.1, \"turn_deg\"");
-    Faults.check(
-        SceneFile::read,
-        Faults.file(directory, scene),
-        ":38: obstacles.0." + field + ": ",
-        "of \"sonar-gap/2\" is not supported yet");
-  }
-
-  @Test
-  void mounts_areRefused() throws Exception {
-    String scene = scene().replaceFirst("\"no_echo_m\"", "\"sensors\": {}, \"no_echo_m\"");
-    Faults.check(SceneFile::read, Faults.file(directory, scene), ":3: sensors: ", "not supported");
   }
 }

@@ -1,0 +1,153 @@
+package simbad.experiments.dataset;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import simbad.sonar.format.DataFormatException;
+
+/**
+ * Completes what is said of a log: by the names of its columns where they say it, else by asking.
+ * What is guessed is an assumption.
+ */
+final class LogGuess {
+  private static final Pattern RANGE =
+      Pattern.compile("(?i).*(read|range|measur|ultra|sonar|echo|sensor|misur|lettura|mess).*");
+  private static final Pattern TRUE =
+      Pattern.compile("(?i).*(true|truth|actual|real|tape|ruler|nominal|soll|vera|expected).*");
+  private static final int SAMPLE = 100;
+  private static final String[] POSES = {
+    "distance", "x", "z", "y", "bearing", "target-x", "target-z", "target-y"
+  };
+
+  private final LogTable log;
+  private final Questions questions;
+  private final Assumptions assumptions;
+  private LogSettings answered;
+
+  LogGuess(LogTable log, Questions questions, Assumptions assumptions) {
+    this.log = log;
+    this.questions = questions;
+    this.assumptions = assumptions;
+    answered = new LogSettings(Map.of());
+  }
+
+  /**
+   * Returns what was said with what was answered: guesses will be the same another time, and
+   * assumptions again.
+   */
+  LogSettings answered() {
+    return answered;
+  }
+
+  /** Returns the settings with all that is needed. */
+  LogSettings complete(LogSettings said) throws DataFormatException {
+    LogSettings settings = said;
+    answered = said;
+    if (!settings.has("range")) {
+      settings = settings.with("range", range());
+    }
+    List<Integer> ranges = LogColumns.list(log, settings.find("range").orElseThrow());
+    if (!settings.has("range-unit")) {
+      settings = settings.with("range-unit", unit(ranges.get(0)));
+    }
+    if (Stream.of(POSES).noneMatch(settings::has)) {
+      settings = settings.with("distance", distance(ranges));
+    }
+    return settings.has("target") || settings.has("scene")
+        ? settings
+        : settings.with("target", target(settings));
+  }
+
+  private String range() throws DataFormatException {
+    Optional<Integer> named =
+        only(column -> isNamed(RANGE, column) && !isNamed(TRUE, column) && hasNumbers(column));
+    boolean two = log.names().size() == 2;
+    if (named.isPresent() || two || log.names().size() == 1) {
+      int column = named.orElse(two ? (isNamed(TRUE, 1) ? 0 : 1) : 0);
+      assumptions.add("The ranges stand in column " + shown(column) + " (--range).");
+      return word(column);
+    }
+    return ask("range", "which column holds the sensor's readings", log.shown());
+  }
+
+  private String unit(int column) throws DataFormatException {
+    Optional<Unit> own = log.findNumber(0, column).flatMap(LogNumber::unit);
+    Optional<Unit> found = own.isPresent() ? own : Unit.inName(log.names().get(column));
+    Optional<Unit> unit = found.filter(is -> is.kind() != Unit.Kind.ANGLE);
+    return unit.isPresent()
+        ? unit.get().word()
+        : ask("range-unit", "cm, mm, m, in, us or another", "column " + examples(column));
+  }
+
+  private String distance(List<Integer> ranges) throws DataFormatException {
+    Optional<Integer> named = only(column -> isNamed(TRUE, column) && !ranges.contains(column));
+    boolean two = log.names().size() == 2 && ranges.size() == 1;
+    if (named.isPresent() || two) {
+      int column = named.orElse(two ? 1 - ranges.get(0) : 0);
+      assumptions.add("The true distances stand in column " + shown(column) + " (--distance).");
+      return word(column);
+    }
+    return ask(
+        "distance",
+        "which column holds the true distance (or --x and --z for places, or a fixed one: 30cm)",
+        log.shown());
+  }
+
+  private String target(LogSettings settings) throws DataFormatException {
+    boolean ladder =
+        settings.has("distance")
+            && Stream.of("x", "bearing", "pan", "target-turn", "heading").noneMatch(settings::has);
+    if (ladder) {
+      assumptions.add("The target is a board of 1.2 m, squarely before the sensor (--target).");
+      return "board:1.2m";
+    }
+    return ask(
+        "target", "what the sensor looked at, such as board:1.2m, round:30mm, angle", "none");
+  }
+
+  private String ask(String option, String question, String seen) throws DataFormatException {
+    String answer = questions.ask(option, question, seen);
+    answered = answered.with(option, answer);
+    return answer;
+  }
+
+  private interface Test {
+    boolean holds(int column);
+  }
+
+  private Optional<Integer> only(Test test) {
+    List<Integer> found = new ArrayList<>();
+    IntStream.range(0, log.names().size()).filter(test::holds).forEach(found::add);
+    return found.size() == 1 ? Optional.of(found.get(0)) : Optional.empty();
+  }
+
+  private boolean isNamed(Pattern pattern, int column) {
+    return pattern.matcher(log.names().get(column)).matches();
+  }
+
+  private boolean hasNumbers(int column) {
+    return IntStream.range(0, Math.min(SAMPLE, log.size()))
+        .anyMatch(row -> log.findNumber(row, column).isPresent());
+  }
+
+  private String shown(int column) {
+    return (column + 1) + ", '" + log.names().get(column) + "'";
+  }
+
+  private String examples(int column) {
+    return shown(column) + ": " + log.text(0, column);
+  }
+
+  /** A name where it tells the column from the others, else its number. */
+  private String word(int column) throws DataFormatException {
+    String name = log.names().get(column);
+    boolean alone = log.names().stream().filter(name::equalsIgnoreCase).count() == 1;
+    OptionalInt found = alone ? LogColumns.find(log, name) : OptionalInt.empty();
+    return found.isPresent() ? name : Integer.toString(column + 1);
+  }
+}

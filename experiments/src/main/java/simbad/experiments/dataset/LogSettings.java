@@ -1,0 +1,139 @@
+package simbad.experiments.dataset;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import simbad.sonar.format.DataFormatException;
+
+/**
+ * What is said about a log: options of a command line by their names without dashes, and what was
+ * guessed or asked for since. Immutable.
+ */
+public final class LogSettings {
+  private final Map<String, List<String>> values;
+
+  /** Takes options with their values. */
+  public LogSettings(Map<String, List<String>> values) {
+    this.values = new LinkedHashMap<>(values);
+  }
+
+  /** Returns the same with one more. */
+  LogSettings with(String option, String value) {
+    Map<String, List<String>> more = new LinkedHashMap<>(values);
+    more.put(option, List.of(value));
+    return new LogSettings(more);
+  }
+
+  /** Returns the same under another option's name. */
+  LogSettings renamed(String option, String name) {
+    Map<String, List<String>> other = new LinkedHashMap<>(values);
+    List<String> value = other.remove(option);
+    other.put(name, value == null ? List.of() : value);
+    return new LogSettings(other);
+  }
+
+  boolean has(String option) {
+    return values.containsKey(option);
+  }
+
+  /** Returns an option's value, of several the last. */
+  Optional<String> find(String option) {
+    List<String> all = all(option);
+    return all.isEmpty() ? Optional.empty() : Optional.of(all.get(all.size() - 1));
+  }
+
+  /** Returns all values of an option that may be given again. */
+  List<String> all(String option) {
+    return values.getOrDefault(option, List.of());
+  }
+
+  /**
+   * Returns an option that is one of some words.
+   *
+   * @param option its name
+   * @param words what it may be, the first one by default
+   */
+  String word(String option, String... words) throws DataFormatException {
+    String word = find(option).orElse(words[0]);
+    if (!List.of(words).contains(word)) {
+      throw fault(option, "'" + word + "' is not one of " + String.join(", ", words));
+    }
+    return word;
+  }
+
+  /** Finds an option that is a measure with its unit, such as 30cm. */
+  Optional<Double> findMeasure(String option, Unit.Kind kind) throws DataFormatException {
+    Optional<String> text = find(option);
+    return text.isEmpty() ? Optional.empty() : Optional.of(measure(option, text.get(), kind));
+  }
+
+  /** Returns a measure in the SI unit, or degrees. */
+  static double measure(String option, String text, Unit.Kind kind) throws DataFormatException {
+    Optional<LogNumber> number = LogNumber.find(text.strip(), false);
+    Optional<Unit> unit = number.flatMap(LogNumber::unit).filter(found -> found.kind() == kind);
+    if (number.isEmpty() || unit.isEmpty()) {
+      throw fault(
+          option,
+          "'"
+              + text
+              + "' is no number with its unit, such as 30"
+              + Unit.words(kind).split(",", 2)[0]
+              + " ("
+              + Unit.words(kind)
+              + ")");
+    }
+    return unit.get().si(number.get().value());
+  }
+
+  /** Finds an option that is a number in a range. */
+  Optional<Double> findNumber(String option, double least, double most) throws DataFormatException {
+    Optional<String> text = find(option);
+    if (text.isEmpty()) {
+      return Optional.empty();
+    }
+    Optional<LogNumber> number = LogNumber.find(text.get().strip(), false);
+    if (number.isEmpty()
+        || number.get().unit().isPresent()
+        || !(number.get().value() >= least && number.get().value() <= most)) {
+      throw fault(option, "'" + text.get() + "' is not in [" + least + ", " + most + "]");
+    }
+    return Optional.of(number.get().value());
+  }
+
+  /** Finds the file that a word can be. */
+  static Optional<Path> findFile(String word) {
+    try {
+      Path file = Path.of(word);
+      return !word.isBlank() && Files.isRegularFile(file) ? Optional.of(file) : Optional.empty();
+    } catch (InvalidPathException e) {
+      return Optional.empty();
+    }
+  }
+
+  static DataFormatException fault(String option, String problem) {
+    return DataFormatException.inArgument("--" + option, problem);
+  }
+
+  /** Returns the words of a command line that says the same. */
+  public List<String> words() {
+    List<String> words = new ArrayList<>();
+    values.forEach(
+        (option, all) -> {
+          for (String value : all) {
+            words.add("--" + option);
+            if (!option.equals(SKIP_BAD)) {
+              words.add(value);
+            }
+          }
+        });
+    return words;
+  }
+
+  /** The one that has no value. */
+  public static final String SKIP_BAD = "skip-bad";
+}

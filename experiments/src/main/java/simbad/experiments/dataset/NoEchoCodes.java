@@ -1,0 +1,82 @@
+package simbad.experiments.dataset;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.DoublePredicate;
+import simbad.sonar.format.DataFormatException;
+
+/**
+ * What stands in a log where no echo came: numbers as they stand there, or words.
+ *
+ * @param numbers that stand for no echo, in the log's own unit
+ * @param words likewise, in small letters
+ */
+record NoEchoCodes(List<DoublePredicate> numbers, List<String> words) {
+  /** None: every cell has to be a range. */
+  static final NoEchoCodes NONE = new NoEchoCodes(List.of(), List.of());
+
+  private static final List<String> USUAL =
+      List.of(
+          "",
+          "nan",
+          "inf",
+          "+inf",
+          "infinity",
+          "-",
+          "--",
+          "none",
+          "null",
+          "na",
+          "n/a",
+          "no echo",
+          "noecho",
+          "timeout",
+          "time-out",
+          "out of range",
+          "out-of-range",
+          "outofrange",
+          "oor");
+
+  /** Copies both. */
+  NoEchoCodes {
+    numbers = List.copyOf(numbers);
+    words = List.copyOf(words);
+  }
+
+  /**
+   * Reads them from a command line; the usual words are among them unasked.
+   *
+   * @param codes such as 0,765 or >=400 or "no target"
+   */
+  static NoEchoCodes of(Optional<String> codes) throws DataFormatException {
+    List<DoublePredicate> numbers = new ArrayList<>();
+    List<String> words = new ArrayList<>(USUAL);
+    for (String code : codes.orElse("").split(",", -1)) {
+      String plain = code.strip().toLowerCase(Locale.ROOT);
+      Optional<LogNumber> number = LogNumber.find(plain.replaceFirst("^[<>]=", ""), false);
+      if (number.isEmpty() && plain.matches("[<>].*")) {
+        throw LogSettings.fault("no-echo", "'" + plain + "' is no number, expected such as >=400");
+      }
+      words.add(plain);
+      number.ifPresent(is -> numbers.add(test(plain, is.value())));
+    }
+    return new NoEchoCodes(numbers, words);
+  }
+
+  private static DoublePredicate test(String code, double value) {
+    if (code.startsWith(">")) {
+      return number -> number >= value;
+    }
+    return code.startsWith("<") ? number -> number <= value : number -> number == value;
+  }
+
+  boolean isCode(String cell) {
+    return words.contains(cell.toLowerCase(Locale.ROOT));
+  }
+
+  boolean isCode(double number) {
+    return numbers.stream().anyMatch(code -> code.test(number));
+  }
+}
