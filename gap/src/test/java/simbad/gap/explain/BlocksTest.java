@@ -4,10 +4,21 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Random;
+import java.util.Set;
+import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import simbad.sonar.effect.PingLog;
 import simbad.sonar.frame.Pose;
+import simbad.sonar.sensing.Circumstances;
+import simbad.sonar.sensing.MovedObstacle;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -66,5 +77,49 @@ class BlocksTest {
       }
       assertEquals(1, held);
     }
+  }
+
+  /** Ten places of ten rows each, without times: what is at one place is in one block. */
+  @Test
+  void placesWithoutTimes_stayTogether_whateverTheOrder() {
+    Circumstances untimed =
+        new Circumstances(
+            false,
+            Optional.empty(),
+            OptionalDouble.empty(),
+            MovedObstacle.UNMOVED,
+            OptionalDouble.empty(),
+            OptionalDouble.empty());
+    List<ReadingRow> rows = new ArrayList<>();
+    for (int i = 0; i < 100; i++) {
+      int place = i / 10;
+      Pose pose = Pose.of(0, 1 + place, 1);
+      rows.add(new ReadingRow("r", "s", 0, pose, NoEcho.NO_ECHO, untimed));
+    }
+    PingLog inOrder = new PingLog(rows);
+    Collections.shuffle(rows, new Random(1));
+    PingLog shuffled = new PingLog(rows);
+    Map<Double, Set<Integer>> blocks = blocksOfPlaces(inOrder);
+    assertEquals(4, new Blocks(inOrder).count());
+    assertEquals(partition(blocks), partition(blocksOfPlaces(shuffled)));
+    blocks.values().forEach(block -> assertEquals(1, block.size()));
+  }
+
+  private static Map<Double, Set<Integer>> blocksOfPlaces(PingLog log) {
+    Blocks blocks = new Blocks(log);
+    Map<Double, Set<Integer>> places = new TreeMap<>();
+    for (int ping = 0; ping < log.size(); ping++) {
+      assertEquals(ping, log.sequenceStart(ping), "it follows none");
+      places.computeIfAbsent(log.zM(ping), z -> new HashSet<>()).add(blocks.of(ping));
+    }
+    return places;
+  }
+
+  /** Which places share their blocks. */
+  private static Set<Set<Double>> partition(Map<Double, Set<Integer>> places) {
+    Map<Set<Integer>, Set<Double>> together = new HashMap<>();
+    places.forEach(
+        (place, block) -> together.computeIfAbsent(block, b -> new HashSet<>()).add(place));
+    return new HashSet<>(together.values());
   }
 }
