@@ -198,13 +198,24 @@ final class AuditView {
     return isAmong(inConeM, i, range);
   }
 
+  /** The same of something in whatever direction. */
+  boolean isAround(int i, double range) {
+    return isAmong(aroundM, i, range);
+  }
+
   private boolean isAmong(double[] distances, int i, double range) {
     for (int at = i * outlines.size(); at < (i + 1) * outlines.size(); at++) {
-      if (Math.abs(range - distances[at]) <= toleranceM(distances[at])) {
+      if (isOf(distances[at], range)) {
         return true;
       }
     }
     return false;
+  }
+
+  /** Whether a range may be of something at a distance; of infinity, which is nowhere, none is. */
+  boolean isOf(double distance, double range) {
+    return distance < Double.POSITIVE_INFINITY
+        && Math.abs(range - distance) <= toleranceM(distance);
   }
 
   /** The obstacle, wherever the sensor looks, whose distance is nearest to a range; -1 for none. */
@@ -226,6 +237,12 @@ final class AuditView {
   /** How far a reading of a distance may be from it before the scene is wrong. */
   double toleranceM(double distanceM) {
     return scatterM() + PLACE_M + AIR * distanceM;
+  }
+
+  /** Standard deviation of a reading: noise and the rounding to steps. */
+  double noiseM() {
+    double step = sensor().resolutionM();
+    return Math.sqrt(sensor().rangeNoiseM() * sensor().rangeNoiseM() + step * step / 12);
   }
 
   /** How far a reading may be from the mean of its like: noise and one step. */

@@ -25,6 +25,9 @@ final class AxesCheck {
 
   private static final double RIGHT = 0.8;
 
+  /** So many times fewer are left over. */
+  private static final double FEWER = 5;
+
   /** Of conventions that account for as much, but for chance, the simplest is named. */
   private static final double ALIKE = 0.03;
 
@@ -69,7 +72,12 @@ final class AxesCheck {
     for (Convention one : all) {
       boolean[] otherwise = accounted(one::mended);
       double share = share(otherwise);
-      if (share >= RIGHT && chance(asItStands, otherwise) < Tail.LEVEL / all.size()) {
+      boolean fits =
+          share >= RIGHT
+              && FEWER * (1 - share) <= 1 - share(asItStands)
+              && chance(asItStands, otherwise) < Tail.LEVEL / all.size()
+              && varies();
+      if (fits) {
         if (share > best + ALIKE) {
           fitting.clear();
           best = share;
@@ -92,8 +100,7 @@ final class AxesCheck {
       from.aim(pose.position().xM(), pose.position().zM(), pose.heading().radians());
       for (int o = 0; o < model.size(); o++) {
         model.trace(o, from, line);
-        double off = Math.abs(line.nearestM() - view.rangeM(sample[k]));
-        accounted[k] |= off <= view.toleranceM(line.nearestM());
+        accounted[k] |= view.isOf(line.nearestM(), view.rangeM(sample[k]));
       }
     }
     return accounted;
@@ -105,6 +112,13 @@ final class AxesCheck {
       count += one ? 1 : 0;
     }
     return (double) count / of.length;
+  }
+
+  /** Readings that hardly differ fit wherever something is near. */
+  private boolean varies() {
+    double[] sorted = IntStream.of(sample).mapToDouble(view::rangeM).sorted().toArray();
+    double spread = sorted[3 * sorted.length / 4] - sorted[sorted.length / 4];
+    return spread > 2 * view.toleranceM(sorted[sorted.length / 2]);
   }
 
   /** That of rows which differ so many are for the other way (McNemar 1947, exact). */

@@ -17,7 +17,8 @@ final class Code {
   /** Metres to centimetres, millimetres, tenths of them. */
   private static final int[] PER_METRE = {1, 10, 100, 1000, 10_000};
 
-  private static final double NEAR_THE_MOST = 0.9;
+  /** As a share of the sensor's reach. */
+  static final double NEAR_THE_MOST = 0.9;
 
   private Code() {}
 

@@ -89,11 +89,7 @@ final class HeldCheck {
   }
 
   List<AuditFinding> find() {
-    Optional<AuditFinding> stuck = stuck();
-    if (stuck.isPresent()) {
-      return List.of(stuck.get());
-    }
-    return held().map(List::of).orElse(List.of());
+    return held().or(this::stuck).map(List::of).orElse(List.of());
   }
 
   private Optional<AuditFinding> held() {
@@ -102,8 +98,11 @@ final class HeldCheck {
     Map<Double, Integer> byValue = new TreeMap<>();
     real.forEach(one -> byValue.merge(view.rangeM(one.from), one.held.size(), Integer::sum));
     int most = byValue.values().stream().mapToInt(Integer::intValue).max().orElse(0);
+    long sequences = real.stream().mapToInt(one -> first(one.from)).distinct().count();
     boolean shows =
-        byValue.size() >= LEAST_VALUES
+        // One value for each sensor is stuck.
+        real.size() > sequences
+            && byValue.size() >= LEAST_VALUES
             && 2 * most <= rows
             && Tail.atLeast(rows, chances, AGREE) < Tail.LEVEL;
     return shows
@@ -157,16 +156,21 @@ final class HeldCheck {
         .count();
   }
 
-  private int sequence(Series series) {
-    int from = series.from;
+  /** The first row of a row's sequence. */
+  private int first(int row) {
+    int from = row;
     while (view.follows(from)) {
       from--;
     }
+    return from;
+  }
+
+  private int sequence(Series series) {
     int to = series.from + 1;
     while (to < view.size() && view.follows(to)) {
       to++;
     }
-    return to - from;
+    return to - first(series.from);
   }
 
   private AuditFinding finding(AuditCheck check, String what, String suggestion, List<Series> of) {

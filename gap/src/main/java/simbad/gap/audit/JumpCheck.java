@@ -34,9 +34,9 @@ final class JumpCheck {
     double middle = RobustLine.median(known);
     Arrays.setAll(offM, i -> offM[i] - middle);
     double[] size = Arrays.stream(known).map(off -> Math.abs(off - middle)).toArray();
-    double noise = Math.max(MAD * RobustLine.median(size), view.sensor().rangeNoiseM());
-    coreM = CORE * noise + view.sensor().resolutionM();
-    windowM = 3 * noise + view.sensor().resolutionM() / 2;
+    double noise = Math.max(MAD * RobustLine.median(size), view.noiseM());
+    coreM = CORE * noise;
+    windowM = CORE / 2 * noise;
   }
 
   private double off(int i) {

@@ -25,14 +25,24 @@ final class PileCheck {
   private final AuditView view;
   private final double stepM;
   private final double greatestM;
+
+  /** Of what the scene expects. */
+  private final double middleM;
+
   private final NavigableMap<Double, List<Integer>> displaced = new TreeMap<>();
 
   PileCheck(AuditView view) {
     this.view = view;
     stepM = view.stepM();
     greatestM = view.echoes().mapToDouble(view::rangeM).max().orElse(0);
+    middleM =
+        RobustLine.median(
+            IntStream.range(0, view.size())
+                .filter(view::isExpected)
+                .mapToDouble(view::expectedM)
+                .toArray());
     view.echoes()
-        .filter(i -> !view.isInCone(i, view.asM(i)))
+        .filter(i -> !view.isInCone(i, view.asM(i)) && !view.isAround(i, view.asM(i)))
         .forEach(
             i -> displaced.computeIfAbsent(view.rangeM(i), v -> new ArrayList<>()).add(i));
   }
@@ -43,13 +53,27 @@ final class PileCheck {
       double value = one.getKey();
       List<Integer> at = one.getValue();
       Optional<String> code = Code.meaning(value, view.sensor(), greatestM);
-      if (code.isPresent() && at.size() >= LEAST && chance(value, at.size()) < LEVEL_OF_CODE) {
+      if (code.isPresent() && isCode(value, at)) {
         found.add(code(value, code.get(), at));
       } else if (chance(value, seriesOf(at)) < Tail.LEVEL / displaced.size()) {
         found.add(pile(value, at));
       }
     }
     return found;
+  }
+
+  /**
+   * At the ends of what a sensor reads no echo is to be expected, so that hardly any doubt is left;
+   * but what is cut off at 0 is near.
+   */
+  private boolean isCode(double value, List<Integer> at) {
+    if (value > 0 && value < Code.NEAR_THE_MOST * view.sensor().maxRangeM()) {
+      return chance(value, seriesOf(at)) < Tail.LEVEL;
+    }
+    long far = at.stream().filter(i -> !(view.expectedM(i) < middleM)).count();
+    return at.size() >= LEAST
+        && chance(value, at.size()) < LEVEL_OF_CODE
+        && (value > 0 || 2 * far > at.size());
   }
 
   /** That so many of those here and near by are here, if all values are as probable. */

@@ -20,6 +20,9 @@ record RobustLine(double slope, double offset, double halfWidth, double share) {
   /** Of a Gaussian: standard deviation over median absolute deviation. */
   private static final double MAD = 1.4826;
 
+  /** Files have tenths of a millimetre. */
+  private static final double ROUNDED_M = 5e-5;
+
   private static final int LEAST_POINTS = 4;
 
   /**
@@ -27,7 +30,7 @@ record RobustLine(double slope, double offset, double halfWidth, double share) {
    *
    * @param x as many as y, not all alike
    * @param y in any order, but that of x
-   * @param least scatter that points on a line have
+   * @param least scatter that points have on a line of slope 1; on a flatter one they have less
    * @param level that the interval misses the slope, two-sided
    */
   static RobustLine through(double[] x, double[] y, double least, double level) {
@@ -37,7 +40,8 @@ record RobustLine(double slope, double offset, double halfWidth, double share) {
     double offset = median(rest);
     double[] off = new double[x.length];
     Arrays.setAll(off, i -> Math.abs(rest[i] - offset));
-    double limit = OUTLYING * Math.max(MAD * median(off), least);
+    double floor = least * Math.min(1, Math.abs(slope)) + ROUNDED_M;
+    double limit = OUTLYING * Math.max(MAD * median(off), floor);
     int on = 0;
     double[] onX = new double[x.length];
     double[] onY = new double[x.length];
@@ -48,7 +52,7 @@ record RobustLine(double slope, double offset, double halfWidth, double share) {
       }
     }
     return leastSquares(
-        Arrays.copyOf(onX, on), Arrays.copyOf(onY, on), (double) on / x.length, least, level);
+        Arrays.copyOf(onX, on), Arrays.copyOf(onY, on), (double) on / x.length, floor, level);
   }
 
   private static RobustLine leastSquares(
@@ -79,7 +83,7 @@ record RobustLine(double slope, double offset, double halfWidth, double share) {
     return new RobustLine(slope, offset, half, share);
   }
 
-  private static double medianSlope(double[] x, double[] y) {
+  static double medianSlope(double[] x, double[] y) {
     double[] slopes = new double[x.length * (x.length - 1) / 2];
     int size = 0;
     for (int i = 0; i < x.length; i++) {

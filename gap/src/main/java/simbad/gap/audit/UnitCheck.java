@@ -1,6 +1,7 @@
 package simbad.gap.audit;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -35,7 +36,7 @@ final class UnitCheck {
     if (points[0].length < LEAST_POINTS) {
       return Optional.empty();
     }
-    double least = Math.max(view.scatterM() / AuditView.DEVIATIONS, 1e-4);
+    double least = view.noiseM();
     RobustLine line = RobustLine.through(points[0], points[1], least, Tail.LEVEL);
     boolean plain =
         line.share() >= LEAST_SHARE
@@ -43,7 +44,24 @@ final class UnitCheck {
             && (line.slope() - line.halfWidth() > MOST
                 || line.slope() + line.halfWidth() < 1 / MOST)
             && line.halfWidth() <= line.slope() * AuditView.AIR;
-    return plain ? Optional.of(line) : Optional.empty();
+    return plain && bothHalves(points, line) ? Optional.of(line) : Optional.empty();
+  }
+
+  /** A scale is one near and far; a limit, a knee or a bump is not. */
+  private static boolean bothHalves(double[][] points, RobustLine line) {
+    int size = points[0].length;
+    if (size < 2 * LEAST_POINTS) {
+      return Factor.of(line.slope()).isPresent();
+    }
+    return isAlong(points, 0, size / 2, line) && isAlong(points, size - size / 2, size, line);
+  }
+
+  private static boolean isAlong(double[][] points, int from, int to, RobustLine line) {
+    double slope =
+        RobustLine.medianSlope(
+            Arrays.copyOfRange(points[0], from, to), Arrays.copyOfRange(points[1], from, to));
+    double times = slope / line.slope();
+    return times < MOST && times > 1 / MOST;
   }
 
   /** Distances and medians of what was read there, of as many poses as are worth the time. */
