@@ -24,7 +24,8 @@ import simbad.sonar.scene.SonarSpec;
     subcommands = {
       DatasetCommand.Grid.class,
       DatasetCommand.Ladder.class,
-      DatasetCommand.Plotter.class
+      DatasetCommand.Plotter.class,
+      DatasetMendCommand.class
     },
     footer = {"", "Example: simbad dataset grid angle --out angle-against-uniform"})
 final class DatasetCommand extends CommandGroup {

@@ -212,6 +212,13 @@ final class AuditView {
     return false;
   }
 
+  /** The nearest obstacle, wherever the sensor looks, metres; infinity where there is none. */
+  double nearestM(int i) {
+    return Arrays.stream(aroundM, i * outlines.size(), (i + 1) * outlines.size())
+        .min()
+        .orElse(Double.POSITIVE_INFINITY);
+  }
+
   /** Whether a range may be of something at a distance; of infinity, which is nowhere, none is. */
   boolean isOf(double distance, double range) {
     return distance < Double.POSITIVE_INFINITY

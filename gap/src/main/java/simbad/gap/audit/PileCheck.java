@@ -55,7 +55,7 @@ final class PileCheck {
       Optional<String> code = Code.meaning(value, view.sensor(), greatestM);
       if (code.isPresent() && isCode(value, at)) {
         found.add(code(value, code.get(), at));
-      } else if (chance(value, seriesOf(at)) < Tail.LEVEL / displaced.size()) {
+      } else if (varies(at) && chance(value, seriesOf(at)) < Tail.LEVEL / displaced.size()) {
         found.add(pile(value, at));
       }
     }
@@ -68,12 +68,19 @@ final class PileCheck {
    */
   private boolean isCode(double value, List<Integer> at) {
     if (value > 0 && value < Code.NEAR_THE_MOST * view.sensor().maxRangeM()) {
-      return chance(value, seriesOf(at)) < Tail.LEVEL;
+      return varies(at) && chance(value, seriesOf(at)) < Tail.LEVEL;
     }
     long far = at.stream().filter(i -> !(view.expectedM(i) < middleM)).count();
     return at.size() >= LEAST
         && chance(value, at.size()) < LEVEL_OF_CODE
         && (value > 0 || 2 * far > at.size());
+  }
+
+  /** From one distance again and again whatever is there answers with one value. */
+  private boolean varies(List<Integer> at) {
+    double[] nearest = at.stream().mapToDouble(view::nearestM).sorted().toArray();
+    double spread = nearest[3 * nearest.length / 4] - nearest[nearest.length / 4];
+    return spread > view.toleranceM(nearest[nearest.length / 2]);
   }
 
   /** That so many of those here and near by are here, if all values are as probable. */
