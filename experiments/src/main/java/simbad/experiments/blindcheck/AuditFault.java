@@ -69,7 +69,13 @@ public record AuditFault(String name, AuditCheck check, Spoil spoil) {
             "again from 0 beyond half the greatest",
             AuditCheck.WRAP,
             (rows, sensor, random) -> {
-              double end = rows.stream().mapToDouble(AuditFault::rangeM).max().orElse(0) / 2;
+              double greatest =
+                  rows.stream()
+                      .mapToDouble(AuditFault::rangeM)
+                      .filter(Double::isFinite)
+                      .max()
+                      .orElse(1);
+              double end = greatest / 2;
               return each(rows, row -> read(row, rangeM(row) % end));
             }));
     all.add(
