@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import simbad.gap.audit.Audit;
 import simbad.gap.audit.AuditCheck;
 import simbad.gap.audit.AuditFinding;
+import simbad.gap.audit.PostedFault;
 import simbad.gap.audit.Severity;
 import simbad.gap.diagnosis.DataSet;
 
@@ -78,11 +79,11 @@ public final class AuditTally {
             + ","
             + words(found, isFalse));
     if (truth.isEmpty()) {
-      AuditFault.all().forEach(fault -> add(data, fault));
+      PostedFault.all().forEach(fault -> add(data, fault));
     }
   }
 
-  private void add(DataSet data, AuditFault fault) {
+  private void add(DataSet data, PostedFault fault) {
     var rows =
         fault
             .spoil()

@@ -55,19 +55,22 @@ public final class Audit {
     AuditView view = new AuditView(setup, rows);
     List<AuditFinding> found = new ArrayList<>(ClockCheck.of(view));
     found.addAll(PoseCheck.of(view));
-    Optional<AuditFinding> axes = new AxesCheck(view).find();
+    UnitCheck units = new UnitCheck(view);
+    Optional<RobustLine> line = units.line();
+    // Along one line positions in another unit do the same; ranges are the likelier fault.
+    Optional<AuditFinding> axes =
+        line.isPresent() ? Optional.empty() : new AxesCheck(view).find();
     axes.ifPresent(found::add);
     // Before poses are right, nothing of what follows can be told.
     if (axes.isEmpty()) {
-      found.addAll(ranges(view));
+      found.addAll(ranges(view, units, line));
     }
     return found;
   }
 
-  private static List<AuditFinding> ranges(AuditView view) {
+  private static List<AuditFinding> ranges(
+      AuditView view, UnitCheck units, Optional<RobustLine> line) {
     List<AuditFinding> found = new ArrayList<>();
-    UnitCheck units = new UnitCheck(view);
-    Optional<RobustLine> line = units.line();
     line.ifPresent(one -> found.add(units.finding(one)));
     AuditView mended = line.map(view::along).orElse(view);
     if (!Audit.refuses(found)) {

@@ -21,10 +21,11 @@ final class HeldCheck {
 
   private static final int LEAST_VALUES = 3;
 
-  /** Of a sequence that is nothing but one value. */
+  /** Of all readings: one value and hardly any other. */
   private static final double NEARLY_ALL = 0.9;
 
-  private static final int LEAST_ALL = 20;
+  private static final String LEAVE_OUT =
+      "leave these rows out, and look at the sensor and its wiring";
 
   private final AuditView view;
   private final double stepM;
@@ -118,41 +119,68 @@ final class HeldCheck {
   }
 
   private Optional<AuditFinding> stuck() {
-    List<Series> stuck = all.stream().filter(this::isStuck).toList();
-    if (stuck.isEmpty()) {
-      return Optional.empty();
+    Optional<AuditFinding> always = always();
+    if (always.isPresent()) {
+      return always;
     }
+    List<Series> stuck = all.stream().filter(this::isStuck).toList();
     int rows = stuck.stream().mapToInt(one -> one.length).sum();
-    return Optional.of(
-        finding(
-            AuditCheck.STUCK,
-            Say.readings(rows)
-                + " in a row of "
-                + Say.exact(view.rangeM(stuck.get(0).from))
-                + " m, whatever the sensor looks at: it is stuck",
-            "leave these rows out, and look at the sensor and its wiring",
-            stuck));
+    return stuck.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            finding(
+                AuditCheck.STUCK,
+                Say.readings(rows)
+                    + " in a row of "
+                    + Say.exact(view.rangeM(stuck.get(0).from))
+                    + " m, whatever the sensor looks at: it is stuck",
+                LEAVE_OUT,
+                stuck));
+  }
+
+  /** Whether there is hardly any other value. */
+  private Optional<AuditFinding> always() {
+    double middle = RobustLine.median(view.echoes().mapToDouble(view::rangeM).toArray());
+    int[] same = view.echoes().filter(i -> view.rangeM(i) == middle).toArray();
+    int[] wrong =
+        IntStream.of(same)
+            .filter(i -> !view.isInCone(i, view.asM(i)) && !view.isAround(i, view.asM(i)))
+            .toArray();
+    int echoes = view.echoes().toArray().length;
+    boolean shows =
+        same.length >= NEARLY_ALL * echoes && Math.pow(AGAIN, wrong.length) < Tail.LEVEL;
+    return shows
+        ? Optional.of(
+            new AuditFinding(
+                AuditCheck.STUCK,
+                File.READINGS,
+                Say.readings(same.length)
+                    + " of "
+                    + Say.exact(middle)
+                    + " m and hardly any other: it is stuck",
+                view.inFile(IntStream.of(same)),
+                LEAVE_OUT,
+                "",
+                Severity.WARN))
+        : Optional.empty();
   }
 
   private boolean isStuck(Series series) {
-    boolean isAll = series.length >= LEAST_ALL && series.length >= NEARLY_ALL * sequence(series);
-    boolean isOnce = series.isReal && timesOf(series) == 1;
     double chance = Math.pow(AGAIN, series.held.size()) * view.size();
-    return (isAll || isOnce) && chance < Tail.LEVEL && !isCode(series);
+    return series.isReal && timesOf(series) == 1 && chance < Tail.LEVEL && !isCode(series);
   }
 
   private boolean isCode(Series series) {
     double greatest = view.echoes().mapToDouble(view::rangeM).max().orElse(0);
-    double value = view.rangeM(series.from);
-    return view.echoes().anyMatch(i -> view.rangeM(i) != value)
-        && Code.meaning(value, view.sensor(), greatest).isPresent();
+    return Code.meaning(view.rangeM(series.from), view.sensor(), greatest).isPresent();
   }
 
-  /** How many series of a value have rows where it cannot be right. */
+  /** How many series of a sensor's value have rows where it cannot be right. */
   private long timesOf(Series series) {
     double value = view.rangeM(series.from);
     return all.stream()
         .filter(one -> !one.held.isEmpty() && view.rangeM(one.from) == value)
+        .filter(one -> first(one.from) == first(series.from))
         .count();
   }
 
@@ -163,14 +191,6 @@ final class HeldCheck {
       from--;
     }
     return from;
-  }
-
-  private int sequence(Series series) {
-    int to = series.from + 1;
-    while (to < view.size() && view.follows(to)) {
-      to++;
-    }
-    return to - first(series.from);
   }
 
   private AuditFinding finding(AuditCheck check, String what, String suggestion, List<Series> of) {

@@ -34,7 +34,10 @@ final class JumpCheck {
     double middle = RobustLine.median(known);
     Arrays.setAll(offM, i -> offM[i] - middle);
     double[] size = Arrays.stream(known).map(off -> Math.abs(off - middle)).toArray();
-    double noise = Math.max(MAD * RobustLine.median(size), view.noiseM());
+    double rough = 3 * Math.max(MAD * RobustLine.median(size), view.noiseM());
+    // The median of steps is a step; the mean square of what is no jump is finer.
+    double square = Arrays.stream(size).filter(off -> off <= rough).map(off -> off * off).average().orElse(0);
+    double noise = Math.max(Math.sqrt(square), view.noiseM());
     coreM = CORE * noise;
     windowM = CORE / 2 * noise;
   }

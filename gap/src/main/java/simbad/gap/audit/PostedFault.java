@@ -1,4 +1,4 @@
-package simbad.experiments.blindcheck;
+package simbad.gap.audit;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.UnaryOperator;
-import simbad.gap.audit.AuditCheck;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.sensing.Echo;
@@ -21,7 +20,7 @@ import simbad.sonar.sensing.ReadingRow;
  * @param check that has to find it
  * @param spoil makes the rows wrong
  */
-public record AuditFault(String name, AuditCheck check, Spoil spoil) {
+public record PostedFault(String name, AuditCheck check, Spoil spoil) {
   private static final double[] FACTORS = {
     1000, 100, 10, 0.1, 0.01, 39.37, 3.281, 0.3048, 2.54, 0.3937, 2, 0.5, 0.2, 0.7, 0.8, 1.25, 1.5, 5
   };
@@ -41,8 +40,8 @@ public record AuditFault(String name, AuditCheck check, Spoil spoil) {
   }
 
   /** Returns all that is tried. */
-  public static List<AuditFault> all() {
-    List<AuditFault> all = new ArrayList<>();
+  public static List<PostedFault> all() {
+    List<PostedFault> all = new ArrayList<>();
     for (double factor : FACTORS) {
       all.add(range("ranges times " + factor, AuditCheck.UNIT, range -> factor * range));
     }
@@ -53,25 +52,25 @@ public record AuditFault(String name, AuditCheck check, Spoil spoil) {
     return List.copyOf(all);
   }
 
-  private static void addCodes(List<AuditFault> all) {
+  private static void addCodes(List<PostedFault> all) {
     all.add(code("0 for no echo", sensor -> 0));
     all.add(code("the most for no echo", SonarSpec::maxRangeM));
     all.add(code("7.65 for no echo", sensor -> 7.65));
     all.add(code("38 ms for no echo", sensor -> 0.019 * sensor.assumedSoundSpeedMPerS()));
     all.add(
-        new AuditFault(
+        new PostedFault(
             "9999999 now and then",
             AuditCheck.RANGE_LIMIT,
             (rows, sensor, random) ->
                 each(rows, row -> random.nextInt(NOW_AND_THEN) > 0 ? row : read(row, 9_999_999))));
     all.add(
-        new AuditFault(
+        new PostedFault(
             "again from 0 beyond half the greatest",
             AuditCheck.WRAP,
             (rows, sensor, random) -> {
               double greatest =
                   rows.stream()
-                      .mapToDouble(AuditFault::rangeM)
+                      .mapToDouble(PostedFault::rangeM)
                       .filter(Double::isFinite)
                       .max()
                       .orElse(1);
@@ -79,7 +78,7 @@ public record AuditFault(String name, AuditCheck check, Spoil spoil) {
               return each(rows, row -> read(row, rangeM(row) % end));
             }));
     all.add(
-        new AuditFault(
+        new PostedFault(
             "256 us now and then",
             AuditCheck.JUMP,
             (rows, sensor, random) -> {
@@ -90,14 +89,14 @@ public record AuditFault(String name, AuditCheck check, Spoil spoil) {
             }));
   }
 
-  private static void addMemory(List<AuditFault> all) {
-    all.add(new AuditFault("last value for no echo", AuditCheck.HELD, (r, s, x) -> held(r)));
-    all.add(new AuditFault("stuck from the middle on", AuditCheck.STUCK, (r, s, x) -> stuck(r)));
+  private static void addMemory(List<PostedFault> all) {
+    all.add(new PostedFault("last value for no echo", AuditCheck.HELD, (r, s, x) -> held(r)));
+    all.add(new PostedFault("stuck from the middle on", AuditCheck.STUCK, (r, s, x) -> stuck(r)));
     all.add(
-        new AuditFault(
+        new PostedFault(
             "stuck from the begin",
             AuditCheck.STUCK,
-            (rows, sensor, random) -> each(rows, row -> read(row, 0.73))));
+            (rows, sensor, random) -> each(rows, row -> coded(row, 0.73))));
   }
 
   private static List<ReadingRow> held(List<ReadingRow> rows) {
@@ -130,7 +129,7 @@ public record AuditFault(String name, AuditCheck check, Spoil spoil) {
     return stuck;
   }
 
-  private static void addPoses(List<AuditFault> all) {
+  private static void addPoses(List<PostedFault> all) {
     all.add(pose("z up the page", p -> Pose.of(x(p), -z(p), heading(p))));
     all.add(pose("x and z exchanged", p -> Pose.of(z(p), x(p), heading(p))));
     all.add(pose("headings clockwise", p -> Pose.of(x(p), z(p), -heading(p))));
@@ -138,21 +137,21 @@ public record AuditFault(String name, AuditCheck check, Spoil spoil) {
     all.add(pose("headings of a compass", p -> Pose.of(x(p), z(p), Math.PI / 2 - heading(p))));
     all.add(pose("positions in centimetres", p -> Pose.of(100 * x(p), 100 * z(p), heading(p))));
     all.add(
-        new AuditFault(
+        new PostedFault(
             "one pose for all",
             AuditCheck.STILL,
             (rows, sensor, random) ->
                 each(rows, row -> posed(row, rows.get(0).pose()))));
   }
 
-  private static void addTimes(List<AuditFault> all) {
+  private static void addTimes(List<PostedFault> all) {
     all.add(
-        new AuditFault(
+        new PostedFault(
             "times in milliseconds",
             AuditCheck.PERIOD,
             (rows, sensor, random) -> each(rows, row -> timed(row, 1000 * row.timeS()))));
     all.add(
-        new AuditFault(
+        new PostedFault(
             "the clock begins anew in each run", AuditCheck.CLOCK, (r, s, x) -> begunAnew(r)));
   }
 
@@ -176,8 +175,8 @@ public record AuditFault(String name, AuditCheck check, Spoil spoil) {
     return rows.stream().map(change).toList();
   }
 
-  private static AuditFault range(String name, AuditCheck check, DoubleUnaryOperator change) {
-    return new AuditFault(
+  private static PostedFault range(String name, AuditCheck check, DoubleUnaryOperator change) {
+    return new PostedFault(
         name,
         check,
         (rows, sensor, random) ->
@@ -188,16 +187,16 @@ public record AuditFault(String name, AuditCheck check, Spoil spoil) {
     double of(SonarSpec sensor);
   }
 
-  private static AuditFault code(String name, Value value) {
-    return new AuditFault(
+  private static PostedFault code(String name, Value value) {
+    return new PostedFault(
         name,
         AuditCheck.NO_ECHO_CODE,
         (rows, sensor, random) ->
             each(rows, row -> row.reading() instanceof NoEcho ? coded(row, value.of(sensor)) : row));
   }
 
-  private static AuditFault pose(String name, UnaryOperator<Pose> change) {
-    return new AuditFault(
+  private static PostedFault pose(String name, UnaryOperator<Pose> change) {
+    return new PostedFault(
         name,
         AuditCheck.AXES,
         (rows, sensor, random) -> each(rows, row -> posed(row, change.apply(row.pose()))));
