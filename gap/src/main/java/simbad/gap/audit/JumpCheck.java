@@ -20,7 +20,8 @@ final class JumpCheck {
   /** So many windows the jumps could have been in, at least. */
   private static final double WINDOWS = 4;
 
-  private static final double BETWEEN = 0.1;
+  /** Noise has more jumps between its core and where they are densest; of the densest, so many. */
+  private static final double BETWEEN = 0.5;
 
   private final AuditView view;
   private final double[] offM;
@@ -59,7 +60,7 @@ final class JumpCheck {
     }
     int from = densest(sizes);
     int hits = within(sizes, from);
-    double size = RobustLine.median(Arrays.copyOfRange(sizes, from, from + hits));
+    double size = Arrays.stream(sizes, from, from + hits).average().orElse(0);
     double span = Math.max(sizes[sizes.length - 1] - sizes[0], 2 * WINDOWS * windowM);
     boolean shows =
         hits >= LEAST
@@ -96,7 +97,8 @@ final class JumpCheck {
     int[] hits =
         IntStream.of(jumps).filter(i -> Math.abs(offM[i] - size) <= 2 * windowM).toArray();
     double byteM = BYTE_S * view.sensor().assumedSoundSpeedMPerS() / 2;
-    boolean isByte = Math.abs(Math.abs(size) - byteM) <= AuditView.AIR * byteM;
+    double known = AuditView.AIR * byteM + windowM / Math.sqrt(hits.length);
+    boolean isByte = Math.abs(Math.abs(size) - byteM) <= known;
     return new AuditFinding(
         AuditCheck.JUMP,
         File.READINGS,

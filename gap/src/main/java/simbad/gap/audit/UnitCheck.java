@@ -44,7 +44,13 @@ final class UnitCheck {
             && (line.slope() - line.halfWidth() > MOST
                 || line.slope() + line.halfWidth() < 1 / MOST)
             && line.halfWidth() <= line.slope() * AuditView.AIR;
-    return plain && bothHalves(points, line) ? Optional.of(line) : Optional.empty();
+    return plain && isFactor(line) && bothHalves(points, line) ? Optional.of(line) : Optional.empty();
+  }
+
+  /** A factor that has no name begins at nought, as well as things are placed; a bend does not. */
+  private static boolean isFactor(RobustLine line) {
+    return Factor.of(line.slope()).isPresent()
+        || Math.abs(line.offset()) <= AuditView.PLACE_M * Math.max(1, line.slope());
   }
 
   /** A scale is one near and far; a limit, a knee or a bump is not. */

@@ -166,6 +166,8 @@ class AuditTest {
             AuditCheck.UNIT,
             Logs.BOARD,
             ranges(LADDER, range -> range < 2 ? range : 2 + (range - 2) / 2)));
+    assertFalse(
+        has(AuditCheck.UNIT, Logs.BOARD, ranges(LADDER, range -> range + 0.05 * range * range)));
   }
 
   @Test
@@ -201,7 +203,8 @@ class AuditTest {
   @ParameterizedTest
   @CsvSource({"0, 2, false", "0, 3, true", "4, 2, false", "4, 3, true", "1.2345, 3, false"})
   void code_fromThreeOn(double value, int count, boolean isFound) {
-    List<ReadingRow> rows = first(count, LADDER, Double::isNaN, r -> value);
+    List<ReadingRow> rows =
+        each(LADDER, (i, row) -> i >= LADDER.size() - count ? with(row, new Echo(value)) : row);
     assertEquals(isFound, has(AuditCheck.NO_ECHO_CODE, Logs.BOARD, rows));
   }
 
@@ -274,9 +277,9 @@ class AuditTest {
     assertFalse(has(AuditCheck.HELD, Logs.ROOM, once));
   }
 
-  /** A timer's byte is 43.9 mm; five jumps are enough, four are not; twice as far is no byte. */
+  /** A timer's byte is 43.9 mm; seven jumps are enough, six are not; twice as far is no byte. */
   @ParameterizedTest
-  @CsvSource({"5, 0.0439, WARN", "4, 0.0439, -", "9, 0.0878, NOTE", "9, -0.0439, WARN", "9, 0.02, -"})
+  @CsvSource({"7, 0.0439, WARN", "6, 0.0439, -", "9, 0.0878, NOTE", "9, -0.0439, WARN", "9, 0.02, -"})
   void jump_ofOneSize(int count, double off, String severity) {
     int[] left = {count};
     List<ReadingRow> rows =
