@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import simbad.gap.audit.Audit;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
@@ -70,8 +71,12 @@ public final class Diagnoser {
     this.withheld = Set.copyOf(withheld);
   }
 
-  /** Diagnoses a data set. */
+  /** Diagnoses a data set, with its audit; what the audit refuses is fitted all the same. */
   public Diagnosis diagnose(DataSet data) {
+    return fitted(data).withAudit(Audit.of(data.setup(), data.readings(), data.reference()));
+  }
+
+  private Diagnosis fitted(DataSet data) {
     PingLog log = new PingLog(data.readings());
     Calibration calibration =
         data.reference().isEmpty()

@@ -172,6 +172,12 @@ final class BlindCheck {
     return diagnosis.unanswered();
   }
 
+  /** Audits all cases, as they are and with faults put in, and says how often it was right. */
+  void audit() throws IOException, DataFormatException {
+    new BlindAudit(world, folder).run(out);
+    log("audited");
+  }
+
   /**
    * Has the answers scored and writes the results.
    *

@@ -38,6 +38,7 @@ import simbad.sonar.format.OneLine;
       "Example: simbad blind-check --withhold latency --out check-latency",
       "Example: simbad blind-check --cases 1000 --seed 7 --spark spark://host:7077 --out"
           + " check-spark",
+      "Example: simbad blind-check --cases 8 --audit-only --out check-audit",
       "Example: simbad blind-check --foreign their-data --level 'L3, a bench' --out check-theirs"
     })
 final class BlindCheckCommand extends Subcommand {
@@ -122,6 +123,13 @@ final class BlindCheckCommand extends Subcommand {
       description = "Give a case up after so many seconds without an answer. Default: 600.")
   private double limitS = 600;
 
+  @Option(
+      names = "--audit-only",
+      description =
+          "Diagnose nothing; count how often the audit warns of what is not there, and how often it"
+              + " finds the faults that are put into clean cases.")
+  private boolean auditOnly;
+
   @ArgGroup private WorkersOption who = new WorkersOption();
 
   @Override
@@ -137,6 +145,10 @@ final class BlindCheckCommand extends Subcommand {
     BlindCheck check = new BlindCheck(out, order, out(), err());
     check.begin();
     check.seal();
+    if (auditOnly) {
+      check.audit();
+      return;
+    }
     List<String> unanswered = check.diagnose(who, Duration.ofMillis((long) (1000 * limitS)));
     check.score();
     if (!unanswered.isEmpty()) {

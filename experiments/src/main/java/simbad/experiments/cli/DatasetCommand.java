@@ -27,7 +27,8 @@ import simbad.sonar.scene.SonarSpec;
       DatasetCsvCommand.class,
       DatasetCommand.Grid.class,
       DatasetCommand.Ladder.class,
-      DatasetCommand.Plotter.class
+      DatasetCommand.Plotter.class,
+      DatasetMendCommand.class
     },
     footer = {
       "",

@@ -19,6 +19,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.diagnosis.DiagnosisFolder;
 import simbad.gap.Diagnoser;
+import simbad.gap.audit.Audit;
+import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.gap.diagnosis.Diagnosis;
@@ -33,15 +35,18 @@ import simbad.sonar.format.DataFormatException;
       "Say where simulated and real readings part, which unmodelled effect causes it, and how far"
           + " the gap shrinks once that effect is in the simulator.",
       "A data set is a folder with scene.json and readings.csv, and perhaps reference.csv; each"
-          + " gets a folder of its name in --out with diagnosis.json, model.json and report.html."
+          + " gets a folder of its name in --out with diagnosis.json, model.json and report.html.",
+      "Before anything is fitted the data are audited: units, axes, codes for no echo, clocks. Data"
+          + " of which no reading can be believed are not diagnosed."
     },
     footer = {
       "",
       "Exit status 0 when every data set was diagnosed, whatever the verdicts; 2 when one could not"
-          + " be read: the others are diagnosed all the same.",
+          + " be read or was refused by the audit: the others are diagnosed all the same.",
       "",
       "Example: simbad diagnose my-bench --out diagnoses",
-      "Example: simbad diagnose data/gap/*/ --out diagnoses --json"
+      "Example: simbad diagnose data/gap/*/ --out diagnoses --json",
+      "Example: simbad diagnose my-bench --out audits --audit-only"
     })
 final class DiagnoseCommand extends Subcommand {
   @Parameters(paramLabel = "DATASET", arity = "1..*", description = "Folders with a data set each.")
@@ -65,6 +70,11 @@ final class DiagnoseCommand extends Subcommand {
   private boolean json;
 
   @Option(
+      names = "--audit-only",
+      description = "Say whether the data can be what they are said to be; fit nothing.")
+  private boolean auditOnly;
+
+  @Option(
       names = "--withhold",
       paramLabel = "EFFECT",
       split = ",",
@@ -79,16 +89,16 @@ final class DiagnoseCommand extends Subcommand {
     Diagnoser diagnoser = new Diagnoser(seed, withheld());
     String version = BuildVersion.text();
     refuseTwins();
-    List<Callable<DiagnoseSummary>> tasks = new ArrayList<>();
+    List<Callable<DataSetSummary>> tasks = new ArrayList<>();
     folders.forEach(folder -> tasks.add(() -> diagnose(folder, diagnoser, version)));
     ExecutorService threads =
         Executors.newFixedThreadPool(
             Math.min(tasks.size(), Runtime.getRuntime().availableProcessors()));
     try (Progress progress = Progress.of("diagnosing", tasks.size())) {
       // In the order of the arguments, whichever is done first.
-      List<Future<DiagnoseSummary>> results = tasks.stream().map(threads::submit).toList();
-      for (Future<DiagnoseSummary> result : results) {
-        await(result, progress);
+      List<Future<DataSetSummary>> results = tasks.stream().map(threads::submit).toList();
+      for (int i = 0; i < results.size(); i++) {
+        await(folders.get(i), results.get(i), progress);
       }
     } finally {
       threads.shutdownNow();
@@ -104,28 +114,48 @@ final class DiagnoseCommand extends Subcommand {
     }
   }
 
-  private void await(Future<DiagnoseSummary> result, Progress progress)
+  private void await(Path folder, Future<DataSetSummary> result, Progress progress)
       throws InterruptedException {
     try {
-      DiagnoseSummary summary = result.get();
+      DataSetSummary summary = result.get();
       progress.clearLine();
+      sayFirst(folder, summary);
       out().println(json ? summary.json() : summary.line());
       out().flush();
       diagnosed.add(summary.folder());
-    } catch (ExecutionException fault) {
+    } catch (ExecutionException | DataFormatException fault) {
       progress.clearLine();
       complain(fault);
     }
     progress.step();
   }
 
-  private DiagnoseSummary diagnose(Path folder, Diagnoser diagnoser, String version)
+  /** What is wrong with data comes before what was made of them. */
+  private void sayFirst(Path folder, DataSetSummary summary) throws DataFormatException {
+    AuditLines lines = new AuditLines(folder, summary.audit());
+    for (AuditFinding finding : summary.audit()) {
+      DataFormatException line = lines.complaint(finding);
+      if (finding.refuses()) {
+        complain(line);
+      } else if (!json) {
+        out().println(finding.severity().word() + ": " + line.getMessage());
+      }
+    }
+  }
+
+  private DataSetSummary diagnose(Path folder, Diagnoser diagnoser, String version)
       throws IOException, DataFormatException {
     DataSetFolder source = new DataSetFolder(folder);
     Path target = out.resolve(source.name());
     DataSet data = source.read();
     try (StagedDirectory staged = StagedDirectory.beside(target)) {
       Provenance provenance = new Provenance(source.sha256(), version, seed);
+      List<AuditFinding> audit = Audit.of(data.setup(), data.readings(), data.reference());
+      if (auditOnly || Audit.refuses(audit)) {
+        DiagnosisFolder.write(staged.path(), data, audit, provenance);
+        staged.publish();
+        return new AuditSummary(data.name(), audit, target);
+      }
       Diagnosis diagnosis = diagnoser.diagnose(data);
       DiagnosisFolder.write(staged.path(), folder, data, diagnosis, provenance);
       staged.publish();

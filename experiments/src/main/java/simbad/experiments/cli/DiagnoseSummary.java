@@ -3,8 +3,11 @@ package simbad.experiments.cli;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import simbad.gap.audit.AuditFinding;
+import simbad.gap.diagnosis.AuditJson;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.Verdict;
@@ -17,10 +20,16 @@ import simbad.sonar.effect.Effect;
  * @param diagnosis of it
  * @param folder where it was written
  */
-record DiagnoseSummary(String dataset, Diagnosis diagnosis, Path folder) {
+record DiagnoseSummary(String dataset, Diagnosis diagnosis, Path folder)
+    implements DataSetSummary {
+  @Override
+  public List<AuditFinding> audit() {
+    return diagnosis.audit();
+  }
 
   /** For people: verdict, explanation with probabilities or why there is none, shrinkage. */
-  String line() {
+  @Override
+  public String line() {
     if (diagnosis.verdict() == Verdict.UNDECIDED) {
       return String.format(
           Locale.ROOT,
@@ -77,9 +86,11 @@ record DiagnoseSummary(String dataset, Diagnosis diagnosis, Path folder) {
   }
 
   /** For programs: one object on one line. */
-  String json() {
+  @Override
+  public String json() {
     ObjectNode node = new ObjectMapper().createObjectNode();
     node.put("dataset", dataset);
+    AuditJson.add(node.putArray("audit"), audit());
     node.put("verdict", diagnosis.verdict().word());
     if (!diagnosis.reason().isEmpty()) {
       node.put("reason", diagnosis.reason());

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.gap.diagnosis.Diagnosis;
@@ -66,6 +67,22 @@ public final class DiagnosisFolder {
     List<RowFinding> rows =
         RowSurvey.of(data, model.changes(), new SplittableRandom(provenance.seed()));
     save(folder, PAGE, DiagnosisPage.of(diagnosis, data, rows, provenance));
+  }
+
+  /**
+   * Writes what there is of a data set that was audited and not diagnosed.
+   *
+   * @param folder exists and is empty
+   * @param data what was audited
+   * @param audit what was found
+   * @param provenance what it was made by
+   * @throws IOException if something cannot be written
+   */
+  public static void write(
+      Path folder, DataSet data, List<AuditFinding> audit, Provenance provenance)
+      throws IOException {
+    save(folder, DiagnosisJson.FILE, DiagnosisJson.text(audit, data, provenance));
+    save(folder, PAGE, AuditSection.page(data, audit));
   }
 
   private static List<FittedForm> fitted(Hypothesis hypothesis) {

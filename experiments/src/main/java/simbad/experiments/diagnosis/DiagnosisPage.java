@@ -44,6 +44,7 @@ final class DiagnosisPage {
       Diagnosis diagnosis, DataSet data, List<RowFinding> rows, Provenance provenance) {
     DiagnosisPage page = new DiagnosisPage(diagnosis, data, rows);
     page.begin();
+    AuditSection.add(page.page, diagnosis.audit(), data.name());
     FirstScreen.add(page.page, diagnosis, data);
     page.where();
     page.residuals();

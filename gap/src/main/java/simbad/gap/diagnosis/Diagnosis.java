@@ -2,6 +2,7 @@ package simbad.gap.diagnosis;
 
 import java.util.List;
 import java.util.Optional;
+import simbad.gap.audit.AuditFinding;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Effect;
 
@@ -27,6 +28,7 @@ import simbad.sonar.effect.Effect;
  * @param calibration what was calibrated of the set-up on the reference
  * @param tried sets of effects that were fitted together, best first, with their held-out log
  *     likelihood beyond the nominal model's in nats
+ * @param audit what was found of the data before anything was fitted, worst first
  */
 public record Diagnosis(
     Verdict verdict,
@@ -43,7 +45,8 @@ public record Diagnosis(
     Optional<NextExperiment> nextExperiment,
     Hypothesis fitted,
     Hypothesis calibration,
-    List<Attempt> tried) {
+    List<Attempt> tried,
+    List<AuditFinding> audit) {
   /** Copies the lists. */
   public Diagnosis {
     explanation = List.copyOf(explanation);
@@ -53,6 +56,64 @@ public record Diagnosis(
     where = List.copyOf(where);
     undetectable = List.copyOf(undetectable);
     tried = List.copyOf(tried);
+    audit = List.copyOf(audit);
+  }
+
+  /** A diagnosis of data of which the audit found nothing. */
+  public Diagnosis(
+      Verdict verdict,
+      String reason,
+      List<Effect> explanation,
+      List<EffectFinding> effects,
+      double unknownProbability,
+      double namedProbability,
+      List<AtBound> atBound,
+      GapFigures gap,
+      List<BudgetEntry> budget,
+      List<Place> where,
+      List<Undetectable> undetectable,
+      Optional<NextExperiment> nextExperiment,
+      Hypothesis fitted,
+      Hypothesis calibration,
+      List<Attempt> tried) {
+    this(
+        verdict,
+        reason,
+        explanation,
+        effects,
+        unknownProbability,
+        namedProbability,
+        atBound,
+        gap,
+        budget,
+        where,
+        undetectable,
+        nextExperiment,
+        fitted,
+        calibration,
+        tried,
+        List.of());
+  }
+
+  /** Returns the same diagnosis with what the audit found. */
+  public Diagnosis withAudit(List<AuditFinding> found) {
+    return new Diagnosis(
+        verdict,
+        reason,
+        explanation,
+        effects,
+        unknownProbability,
+        namedProbability,
+        atBound,
+        gap,
+        budget,
+        where,
+        undetectable,
+        nextExperiment,
+        fitted,
+        calibration,
+        tried,
+        found);
   }
 
   /**

@@ -11,6 +11,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Collection;
 import java.util.List;
+import simbad.gap.audit.AuditFinding;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
@@ -46,11 +47,31 @@ public final class DiagnosisJson {
    * @param provenance what it was made by
    */
   public static String text(Diagnosis diagnosis, DataSet data, Provenance provenance) {
+    return text(tree(diagnosis, data, provenance));
+  }
+
+  /**
+   * Returns the text for a data set that is audited and not diagnosed: it has no verdict.
+   *
+   * @param audit what was found
+   * @param data what it was found in
+   * @param provenance what it was made by
+   */
+  public static String text(List<AuditFinding> audit, DataSet data, Provenance provenance) {
+    ObjectNode root = MAPPER.createObjectNode();
+    root.put("format", FORMAT);
+    root.put("dataset", data.name());
+    AuditJson.add(root.putArray("audit"), audit);
+    provenance(root.putObject("provenance"), 0, data, provenance);
+    return text(root);
+  }
+
+  private static String text(ObjectNode root) {
     DefaultIndenter lines = new DefaultIndenter("  ", "\n");
     try {
       return MAPPER
               .writer(new DefaultPrettyPrinter().withObjectIndenter(lines))
-              .writeValueAsString(tree(diagnosis, data, provenance))
+              .writeValueAsString(root)
           + "\n";
     } catch (JsonProcessingException e) {
       throw new UncheckedIOException(e);
@@ -68,6 +89,7 @@ public final class DiagnosisJson {
     ObjectNode root = MAPPER.createObjectNode();
     root.put("format", FORMAT);
     root.put("dataset", data.name());
+    AuditJson.add(root.putArray("audit"), diagnosis.audit());
     root.put("verdict", diagnosis.verdict().word());
     if (!diagnosis.reason().isEmpty()) {
       root.put("reason", diagnosis.reason());
@@ -98,7 +120,8 @@ public final class DiagnosisJson {
     calibration(root.putObject("calibration"), diagnosis.calibration());
     ArrayNode tried = root.putArray("tried");
     diagnosis.tried().forEach(attempt -> attempt(tried.addObject(), attempt));
-    provenance(root.putObject("provenance"), diagnosis, data, provenance);
+    int heldOut = diagnosis.gap().rowsHeldOut();
+    provenance(root.putObject("provenance"), heldOut, data, provenance);
     return root;
   }
 
@@ -185,7 +208,7 @@ public final class DiagnosisJson {
   }
 
   private static void provenance(
-      ObjectNode node, Diagnosis diagnosis, DataSet data, Provenance provenance) {
+      ObjectNode node, int heldOut, DataSet data, Provenance provenance) {
     ObjectNode hashes = node.putObject("sha256");
     provenance.sha256().forEach(hashes::put);
     node.put("version", provenance.version());
@@ -193,7 +216,7 @@ public final class DiagnosisJson {
     ObjectNode rows = node.putObject("rows");
     rows.put("readings", data.readings().size());
     rows.put("reference", data.reference().size());
-    rows.put("held_out", diagnosis.gap().rowsHeldOut());
+    rows.put("held_out", heldOut);
   }
 
   private static void words(ArrayNode array, Collection<Effect> effects) {

@@ -100,7 +100,7 @@ class BlocksTest {
     Collections.shuffle(rows, new Random(1));
     PingLog shuffled = new PingLog(rows);
     Map<Double, Set<Integer>> blocks = blocksOfPlaces(inOrder);
-    assertEquals(4, new Blocks(inOrder).count());
+    assertEquals(10, new Blocks(inOrder).count());
     assertEquals(partition(blocks), partition(blocksOfPlaces(shuffled)));
     blocks.values().forEach(block -> assertEquals(1, block.size()));
   }

@@ -144,7 +144,8 @@ public final class CsvTable {
     return rows.size();
   }
 
-  long line(int row) {
+  /** Returns the line of the file that a row begins in, from 1. */
+  public long line(int row) {
     return rows.get(row).getStartingLineNumber();
   }
 

@@ -1,0 +1,87 @@
+package simbad.gap.audit;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import simbad.gap.audit.AuditFinding.File;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.sensing.ReadingRow;
+
+/**
+ * The audit of a data set before anything is fitted. Deterministic; the order of rows changes
+ * nothing but what is said of clocks.
+ */
+public final class Audit {
+  private Audit() {}
+
+  /**
+   * Audits a data set without a reference.
+   *
+   * @param setup as the simulator believes it
+   * @param readings in the file's order
+   * @return worst first; empty where nothing was found
+   */
+  public static List<AuditFinding> of(SensingSetup setup, List<ReadingRow> readings) {
+    return of(setup, readings, List.of());
+  }
+
+  /**
+   * Audits a data set.
+   *
+   * @param setup as the simulator believes it
+   * @param readings in the file's order
+   * @param reference in the file's order; empty where there is none
+   * @return worst first; empty where nothing was found
+   */
+  public static List<AuditFinding> of(
+      SensingSetup setup, List<ReadingRow> readings, List<ReadingRow> reference) {
+    List<AuditFinding> found = new ArrayList<>(ConstantCheck.of(setup.sensor()));
+    found.addAll(rows(setup, readings));
+    rows(setup, reference).forEach(finding -> found.add(finding.in(File.REFERENCE)));
+    found.sort(Comparator.comparing(AuditFinding::severity).reversed());
+    return List.copyOf(found);
+  }
+
+  /** Returns whether no reading can be believed, so that nothing shall be fitted. */
+  public static boolean refuses(List<AuditFinding> findings) {
+    return findings.stream().anyMatch(AuditFinding::refuses);
+  }
+
+  private static List<AuditFinding> rows(SensingSetup setup, List<ReadingRow> rows) {
+    if (rows.isEmpty()) {
+      return List.of();
+    }
+    AuditView view = new AuditView(setup, rows);
+    List<AuditFinding> found = new ArrayList<>(ClockCheck.of(view));
+    found.addAll(PoseCheck.of(view));
+    UnitCheck units = new UnitCheck(view);
+    Optional<RobustLine> line = units.line();
+    // Along one line positions in another unit do the same; ranges are the likelier fault.
+    Optional<AuditFinding> axes =
+        line.isPresent() ? Optional.empty() : new AxesCheck(view).find();
+    axes.ifPresent(found::add);
+    // Before poses are right, nothing of what follows can be told.
+    if (axes.isEmpty()) {
+      found.addAll(ranges(view, units, line));
+    }
+    return found;
+  }
+
+  private static List<AuditFinding> ranges(
+      AuditView view, UnitCheck units, Optional<RobustLine> line) {
+    List<AuditFinding> found = new ArrayList<>();
+    line.ifPresent(one -> found.add(units.finding(one)));
+    AuditView mended = line.map(view::along).orElse(view);
+    if (!Audit.refuses(found)) {
+      new LimitCheck(view).find().ifPresent(found::add);
+    }
+    found.addAll(new PileCheck(mended).find());
+    if (line.isEmpty()) {
+      new WrapCheck(view).find().ifPresent(found::add);
+    }
+    found.addAll(new HeldCheck(mended).find());
+    new JumpCheck(mended).find().ifPresent(found::add);
+    return found;
+  }
+}

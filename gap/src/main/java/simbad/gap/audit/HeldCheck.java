@@ -1,0 +1,202 @@
+package simbad.gap.audit;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
+import simbad.gap.audit.AuditFinding.File;
+
+/**
+ * Readings that are exactly the one before, though since then the sensor went where no obstacle has
+ * this distance any more.
+ */
+final class HeldCheck {
+  /** More often no two readings of different things agree to the last digit. */
+  private static final double AGREE = 0.05;
+
+  /** Of a value that came again, how often it may come again by chance. */
+  private static final double AGAIN = 0.5;
+
+  private static final int LEAST_VALUES = 3;
+
+  /** Of all readings: one value and hardly any other. */
+  private static final double NEARLY_ALL = 0.9;
+
+  private static final String LEAVE_OUT =
+      "leave these rows out, and look at the sensor and its wiring";
+
+  private final AuditView view;
+  private final double stepM;
+  private final List<Series> all = new ArrayList<>();
+  private int chances;
+
+  /** Rows of one value, one after the other. */
+  private static final class Series {
+    private final int from;
+    private final boolean isReal;
+    private final double offM;
+    private final List<Integer> held = new ArrayList<>();
+    private int length = 1;
+
+    Series(int from, boolean isReal, double offM) {
+      this.from = from;
+      this.isReal = isReal;
+      this.offM = offM;
+    }
+  }
+
+  HeldCheck(AuditView view) {
+    this.view = view;
+    stepM = view.stepM();
+    Series series = new Series(-1, false, 0);
+    for (int i = 0; i < view.size(); i++) {
+      boolean again = view.follows(i) && view.isEcho(i) && view.isEcho(i - 1);
+      boolean equal = again && view.rangeM(i) == view.rangeM(i - 1);
+      if (again && mustDiffer(i, series)) {
+        chances += series.isReal ? 1 : 0;
+        if (equal) {
+          series.held.add(i);
+        }
+      }
+      if (equal) {
+        series.length++;
+      } else {
+        series = begin(i);
+      }
+    }
+  }
+
+  private Series begin(int i) {
+    double range = view.asM(i);
+    boolean real = view.isEcho(i) && view.isInCone(i, range);
+    Series series = new Series(i, real, real ? offM(i, range) : 0);
+    all.add(series);
+    return series;
+  }
+
+  private double offM(int i, double range) {
+    int obstacle = view.obstacleAt(i, range);
+    return obstacle < 0 ? Double.POSITIVE_INFINITY : view.offM(i, obstacle, range);
+  }
+
+  /** Whether no obstacle, wherever the sensor looks, has the distance that was read before. */
+  private boolean mustDiffer(int i, Series series) {
+    double before = view.asM(i - 1);
+    boolean clamped = view.expectedM(i) < before;
+    double slack = series.offM + 2 * stepM + view.scatterM();
+    return !clamped && offM(i, before) > slack;
+  }
+
+  List<AuditFinding> find() {
+    return held().or(this::stuck).map(List::of).orElse(List.of());
+  }
+
+  private Optional<AuditFinding> held() {
+    List<Series> real = all.stream().filter(one -> one.isReal && !one.held.isEmpty()).toList();
+    int rows = real.stream().mapToInt(one -> one.held.size()).sum();
+    Map<Double, Integer> byValue = new TreeMap<>();
+    real.forEach(one -> byValue.merge(view.rangeM(one.from), 1, Integer::sum));
+    int most = byValue.values().stream().mapToInt(Integer::intValue).max().orElse(0);
+    long sequences = real.stream().mapToInt(one -> first(one.from)).distinct().count();
+    boolean shows =
+        // One value for each sensor is stuck.
+        real.size() > sequences
+            && byValue.size() >= LEAST_VALUES
+            && 2 * most <= real.size()
+            && Tail.atLeast(rows, chances, AGREE) < Tail.LEVEL;
+    return shows
+        ? Optional.of(
+            finding(
+                AuditCheck.HELD,
+                Say.readings(rows)
+                    + " that repeat the one before to the last digit where the sensor had moved on:"
+                    + " the last value is held",
+                "leave range_m empty where there was no echo, instead of the value before",
+                real))
+        : Optional.empty();
+  }
+
+  private Optional<AuditFinding> stuck() {
+    Optional<AuditFinding> always = always();
+    if (always.isPresent()) {
+      return always;
+    }
+    List<Series> stuck = all.stream().filter(this::isStuck).toList();
+    int rows = stuck.stream().mapToInt(one -> one.length).sum();
+    return stuck.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            finding(
+                AuditCheck.STUCK,
+                Say.readings(rows)
+                    + " in a row of "
+                    + Say.exact(view.rangeM(stuck.get(0).from))
+                    + " m, whatever the sensor looks at: it is stuck",
+                LEAVE_OUT,
+                stuck));
+  }
+
+  /** Whether there is hardly any other value. */
+  private Optional<AuditFinding> always() {
+    double middle = RobustLine.median(view.echoes().mapToDouble(view::rangeM).toArray());
+    int[] same = view.echoes().filter(i -> view.rangeM(i) == middle).toArray();
+    int[] wrong =
+        IntStream.of(same)
+            .filter(i -> !view.isInCone(i, view.asM(i)) && !view.isAround(i, view.asM(i)))
+            .toArray();
+    int echoes = view.echoes().toArray().length;
+    boolean shows =
+        same.length >= NEARLY_ALL * echoes && Math.pow(AGAIN, wrong.length) < Tail.LEVEL;
+    return shows
+        ? Optional.of(
+            new AuditFinding(
+                AuditCheck.STUCK,
+                File.READINGS,
+                Say.readings(same.length)
+                    + " of "
+                    + Say.exact(middle)
+                    + " m and hardly any other: it is stuck",
+                view.inFile(IntStream.of(same)),
+                LEAVE_OUT,
+                "",
+                Severity.WARN))
+        : Optional.empty();
+  }
+
+  private boolean isStuck(Series series) {
+    double chance = Math.pow(AGAIN, series.held.size()) * view.size();
+    return series.isReal && timesOf(series) == 1 && chance < Tail.LEVEL && !isCode(series);
+  }
+
+  private boolean isCode(Series series) {
+    double greatest = view.echoes().mapToDouble(view::rangeM).max().orElse(0);
+    return Code.meaning(view.rangeM(series.from), view.sensor(), greatest).isPresent();
+  }
+
+  /** How many series of a sensor's value have rows where it cannot be right. */
+  private long timesOf(Series series) {
+    double value = view.rangeM(series.from);
+    return all.stream()
+        .filter(one -> !one.held.isEmpty() && view.rangeM(one.from) == value)
+        .filter(one -> first(one.from) == first(series.from))
+        .count();
+  }
+
+  /** The first row of a row's sequence. */
+  private int first(int row) {
+    int from = row;
+    while (view.follows(from)) {
+      from--;
+    }
+    return from;
+  }
+
+  private AuditFinding finding(AuditCheck check, String what, String suggestion, List<Series> of) {
+    IntStream rows =
+        of.stream().flatMap(one -> one.held.stream()).mapToInt(Integer::intValue);
+    return new AuditFinding(
+        check, File.READINGS, what, view.inFile(rows), suggestion, "", Severity.WARN);
+  }
+}
