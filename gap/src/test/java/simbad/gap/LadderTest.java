@@ -3,17 +3,23 @@ package simbad.gap;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simbad.gap.audit.Audit;
+import simbad.gap.audit.AuditCheck;
+import simbad.gap.audit.AuditFinding;
+import simbad.gap.audit.Severity;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fixture.Ladders;
 import simbad.sonar.effect.Effect;
+import simbad.sonar.sensing.Reading;
 import simbad.sonar.sensing.ReadingRow;
 
 /**
@@ -106,5 +112,40 @@ class LadderTest {
     assertEquals(Verdict.PARTLY, diagnosis.verdict(), diagnosis.reason());
     assertTrue(diagnosis.explanation().contains(Effect.SOUND_SPEED));
     assertTrue(diagnosis.gap().afterCm() < diagnosis.gap().beforeCm());
+  }
+
+  private static List<AuditFinding> audit(List<ReadingRow> rows) {
+    return Audit.of(Ladders.BOARD, rows, List.of());
+  }
+
+  /** At one place what is held is not far off, but it is the same to the last digit. */
+  @Test
+  void heldReadings_areFoundByTheAudit() {
+    List<ReadingRow> clean = Ladders.read((range, lot) -> range, 1);
+    assertEquals(List.of(), audit(clean));
+    List<ReadingRow> held = new ArrayList<>(clean);
+    for (int i = 3; i < held.size(); i += 5) {
+      ReadingRow row = held.get(i);
+      Reading before = held.get(i - 1).reading();
+      held.set(
+          i, new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), before));
+    }
+    assertEquals(List.of(AuditCheck.HELD), audit(held).stream().map(AuditFinding::check).toList());
+  }
+
+  /** Scatter of two values, as where an echo crosses one wave earlier or later. */
+  @Test
+  void twoValues_areNotHeld() {
+    List<ReadingRow> rows =
+        Ladders.read((range, lot) -> Math.rint(100 * range) / 100 + (lot < 0.4 ? 0.0043 : 0), 1);
+    assertTrue(
+        audit(rows).stream().noneMatch(finding -> finding.check() == AuditCheck.HELD),
+        audit(rows).toString());
+  }
+
+  @Test
+  void oneNumberForAll_isRefused() {
+    List<AuditFinding> found = audit(Ladders.read((range, lot) -> 0.5, 1));
+    assertEquals(Severity.REFUSE, found.get(0).severity(), found.toString());
   }
 }

@@ -21,6 +21,11 @@ final class HeldCheck {
 
   private static final int LEAST_VALUES = 3;
 
+  /** The third reading before is held no more, but of the same scatter. */
+  private static final int LATER = 3;
+
+  private static final double MORE = 2;
+
   /** Of all readings: one value and hardly any other. */
   private static final double NEARLY_ALL = 0.9;
 
@@ -90,7 +95,7 @@ final class HeldCheck {
   }
 
   List<AuditFinding> find() {
-    return held().or(this::stuck).map(List::of).orElse(List.of());
+    return held().or(this::stuck).or(this::repeated).map(List::of).orElse(List.of());
   }
 
   private Optional<AuditFinding> held() {
@@ -116,6 +121,41 @@ final class HeldCheck {
                 "leave range_m empty where there was no echo, instead of the value before",
                 real))
         : Optional.empty();
+  }
+
+  /**
+   * Whether readings repeat the one before to the last digit more often than the one three before:
+   * at one place scatter of few values does both alike.
+   */
+  private Optional<AuditFinding> repeated() {
+    int[] pairs =
+        view.echoes()
+            .filter(i -> follow(i, LATER) && IntStream.range(i - LATER, i).allMatch(view::isEcho))
+            .toArray();
+    int[] next = equal(1, pairs);
+    double later = (double) equal(LATER, pairs).length / Math.max(1, pairs.length);
+    double chance = Math.max(AGREE, MORE * later);
+    return chance < 1 && Tail.atLeast(next.length, pairs.length, chance) < Tail.LEVEL
+        ? Optional.of(
+            new AuditFinding(
+                AuditCheck.HELD,
+                File.READINGS,
+                Say.readings(next.length)
+                    + " that repeat the one before to the last digit, far more than repeat the third"
+                    + " before: the last value is held",
+                view.inFile(IntStream.of(next)),
+                "leave range_m empty where there was no echo, instead of the value before",
+                "",
+                Severity.WARN))
+        : Optional.empty();
+  }
+
+  private boolean follow(int i, int times) {
+    return i >= times && IntStream.range(i - times + 1, i + 1).allMatch(view::follows);
+  }
+
+  private int[] equal(int before, int... rows) {
+    return IntStream.of(rows).filter(i -> view.rangeM(i) == view.rangeM(i - before)).toArray();
   }
 
   private Optional<AuditFinding> stuck() {
@@ -161,7 +201,8 @@ final class HeldCheck {
                 view.inFile(IntStream.of(same)),
                 LEAVE_OUT,
                 "",
-                Severity.WARN))
+                // Of a whole log that is one number no reading can be believed.
+                Severity.REFUSE))
         : Optional.empty();
   }
 
