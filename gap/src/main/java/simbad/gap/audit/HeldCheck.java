@@ -99,7 +99,7 @@ final class HeldCheck {
     Map<Double, Integer> byValue = new TreeMap<>();
     real.forEach(one -> byValue.merge(view.rangeM(one.from), 1, Integer::sum));
     int most = byValue.values().stream().mapToInt(Integer::intValue).max().orElse(0);
-    long sequences = real.stream().mapToInt(one -> first(one.from)).distinct().count();
+    long sequences = real.stream().mapToInt(one -> view.begin(one.from)).distinct().count();
     boolean shows =
         // One value for each sensor is stuck.
         real.size() > sequences
@@ -167,7 +167,7 @@ final class HeldCheck {
 
   private boolean isStuck(Series series) {
     double chance = Math.pow(AGAIN, series.held.size()) * view.size();
-    return series.isReal && timesOf(series) == 1 && chance < Tail.LEVEL && !isCode(series);
+    return series.isReal && chance < Tail.LEVEL && timesOf(series) == 1 && !isCode(series);
   }
 
   private boolean isCode(Series series) {
@@ -180,22 +180,12 @@ final class HeldCheck {
     double value = view.rangeM(series.from);
     return all.stream()
         .filter(one -> !one.held.isEmpty() && view.rangeM(one.from) == value)
-        .filter(one -> first(one.from) == first(series.from))
+        .filter(one -> view.begin(one.from) == view.begin(series.from))
         .count();
   }
 
-  /** The first row of a row's sequence. */
-  private int first(int row) {
-    int from = row;
-    while (view.follows(from)) {
-      from--;
-    }
-    return from;
-  }
-
   private AuditFinding finding(AuditCheck check, String what, String suggestion, List<Series> of) {
-    IntStream rows =
-        of.stream().flatMap(one -> one.held.stream()).mapToInt(Integer::intValue);
+    IntStream rows = of.stream().flatMap(one -> one.held.stream()).mapToInt(Integer::intValue);
     return new AuditFinding(
         check, File.READINGS, what, view.inFile(rows), suggestion, "", Severity.WARN);
   }

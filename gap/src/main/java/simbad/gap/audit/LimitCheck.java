@@ -33,8 +33,7 @@ final class LimitCheck {
     return view.sensor().maxRangeM() * (1 + AuditView.AIR) + view.scatterM();
   }
 
-  private Optional<AuditFinding> found(
-      DoublePredicate isBeyond, String words, Severity severity) {
+  private Optional<AuditFinding> found(DoublePredicate isBeyond, String words, Severity severity) {
     int[] beyond = view.echoes().filter(i -> isBeyond.test(view.rangeM(i))).toArray();
     if (beyond.length == 0) {
       return Optional.empty();
