@@ -65,6 +65,7 @@ final class JumpCheck {
     double span = Math.max(sizes[sizes.length - 1] - sizes[0], 2 * WINDOWS * windowM);
     boolean shows =
         hits >= LEAST
+            && 2 * hits > sizes.length
             && !isTail(sizes, size, hits)
             && sizes.length * Tail.atLeast(hits, sizes.length, 2 * windowM / span) < Tail.LEVEL;
     return shows ? Optional.of(finding(jumps, size)) : Optional.empty();

@@ -200,11 +200,30 @@ class AuditTest {
 
   /** Reach 4 m, 7 % of air, a step and six deviations of noise: 4.303 m. */
   @ParameterizedTest
-  @CsvSource({"4.30, -", "4.31, WARN", "20, WARN", "20.1, REFUSE", "9999999, REFUSE"})
+  @CsvSource({"4.30, -", "4.31, WARN", "20, WARN", "20.1, WARN", "9999999, WARN"})
   void rangeLimit_beyondReach(double range, String severity) {
     List<AuditFinding> found = found(Logs.BOARD, first(1, LADDER, r -> r > 1, r -> range));
     assertEquals(severity, found.isEmpty() ? "-" : found.get(0).severity().name());
     assertTrue(found.stream().allMatch(one -> one.rows().size() == 1));
+  }
+
+  /** Of most readings beyond all that constants make, none is to be believed. */
+  @Test
+  void rangeLimit_ofMost() {
+    int echoes = (int) LADDER.stream().filter(row -> rangeM(row) > 0).count();
+    List<ReadingRow> most = first(echoes / 2 + 1, LADDER, r -> r > 0, r -> 30 + 100 * (r % 0.1));
+    List<ReadingRow> fewer = first(echoes / 2, LADDER, r -> r > 0, r -> 30 + 100 * (r % 0.1));
+    assertEquals(Severity.REFUSE, limit(most).severity());
+    assertEquals("", limit(most).mend());
+    assertEquals(Severity.WARN, limit(fewer).severity());
+    assertEquals("--no-echo-above 4", limit(fewer).mend());
+  }
+
+  private static AuditFinding limit(List<ReadingRow> rows) {
+    return found(Logs.BOARD, rows).stream()
+        .filter(one -> one.check() == AuditCheck.RANGE_LIMIT)
+        .findFirst()
+        .orElseThrow();
   }
 
   /** Three are a code, two are none; 1.2345 says nothing. */
