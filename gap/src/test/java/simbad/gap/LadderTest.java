@@ -127,8 +127,7 @@ class LadderTest {
     for (int i = 3; i < held.size(); i += 5) {
       ReadingRow row = held.get(i);
       Reading before = held.get(i - 1).reading();
-      held.set(
-          i, new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), before));
+      held.set(i, new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), before));
     }
     assertEquals(List.of(AuditCheck.HELD), audit(held).stream().map(AuditFinding::check).toList());
   }

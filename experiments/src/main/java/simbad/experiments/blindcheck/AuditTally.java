@@ -63,7 +63,9 @@ public final class AuditTally {
     String group = truth.isEmpty() ? "clean" : "with effects";
     group += data.reference().isEmpty() ? ", without a reference" : ", with a reference";
     Predicate<AuditFinding> isFalse =
-        one -> warns(one) && NAMES.getOrDefault(one.check(), Set.of()).stream().noneMatch(truth::contains);
+        one ->
+            warns(one)
+                && NAMES.getOrDefault(one.check(), Set.of()).stream().noneMatch(truth::contains);
     share("warned of falsely: " + group).count(found.stream().anyMatch(isFalse));
     share("refused: " + group).count(Audit.refuses(found));
     if (truth.contains("stale-reading")) {
@@ -85,9 +87,7 @@ public final class AuditTally {
 
   private void add(DataSet data, PostedFault fault) {
     var rows =
-        fault
-            .spoil()
-            .spoil(data.readings(), data.setup().sensor(), new SplittableRandom(SEED));
+        fault.spoil().spoil(data.readings(), data.setup().sensor(), new SplittableRandom(SEED));
     boolean hit =
         Audit.of(data.setup(), rows).stream()
             .anyMatch(one -> warns(one) && one.check() == fault.check());
@@ -117,9 +117,7 @@ public final class AuditTally {
 
   /** Returns the shares with Wilson's 95 % intervals (1927), one a line. */
   public List<String> table() {
-    return shares.entrySet().stream()
-        .map(one -> line(one.getKey(), one.getValue()))
-        .toList();
+    return shares.entrySet().stream().map(one -> line(one.getKey(), one.getValue())).toList();
   }
 
   private static String line(String name, Share share) {
@@ -127,8 +125,7 @@ public final class AuditTally {
     double p = share.hits / n;
     double z2 = NORMAL_95 * NORMAL_95;
     double middle = (p + z2 / (2 * n)) / (1 + z2 / n);
-    double half =
-        NORMAL_95 / (1 + z2 / n) * Math.sqrt(p * (1 - p) / n + z2 / (4 * n * n));
+    double half = NORMAL_95 / (1 + z2 / n) * Math.sqrt(p * (1 - p) / n + z2 / (4 * n * n));
     return String.format(
         Locale.ROOT,
         "%-55s %4d of %4d (%.1f to %.1f %%)",

@@ -39,7 +39,8 @@ record AuditLines(Path folder, List<AuditFinding> findings) {
     String text = TextFile.read(file);
     if (finding.file() == File.SCENE) {
       String field = finding.what().split(" ", 2)[0];
-      return 1 + text.substring(0, Math.max(0, text.indexOf("\"" + field + "\""))).lines().count();
+      String before = text.substring(0, Math.max(0, text.indexOf("\"" + field + "\"")));
+      return 1 + before.chars().filter(c -> c == '\n').count();
     }
     return finding.rows().isEmpty() ? 1 : CsvTable.parse(file, text).line(finding.rows().get(0));
   }

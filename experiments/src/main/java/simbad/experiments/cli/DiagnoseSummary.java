@@ -20,8 +20,7 @@ import simbad.sonar.effect.Effect;
  * @param diagnosis of it
  * @param folder where it was written
  */
-record DiagnoseSummary(String dataset, Diagnosis diagnosis, Path folder)
-    implements DataSetSummary {
+record DiagnoseSummary(String dataset, Diagnosis diagnosis, Path folder) implements DataSetSummary {
   @Override
   public List<AuditFinding> audit() {
     return diagnosis.audit();

@@ -7,7 +7,9 @@ import java.util.List;
 import simbad.sonar.format.CsvTable;
 import simbad.sonar.format.DataFormatException;
 
-/** A row of somebody's readings while it is mended; fields that nothing changes stay as they are. */
+/**
+ * A row of somebody's readings while it is mended; fields that nothing changes stay as they are.
+ */
 final class MendedRow {
   /** Of metres, degrees and seconds: finer than any of them is measured. */
   private static final int DECIMALS = 6;

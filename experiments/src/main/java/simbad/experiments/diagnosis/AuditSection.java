@@ -15,7 +15,8 @@ final class AuditSection {
     if (findings.isEmpty()) {
       return;
     }
-    page.append("<section class=\"panel\" id=\"audit\"><h3>What is wrong with the data</h3>\n<ul>\n");
+    page.append(
+        "<section class=\"panel\" id=\"audit\"><h3>What is wrong with the data</h3>\n<ul>\n");
     for (AuditFinding finding : findings) {
       page.append(
           "<li><strong>"

@@ -77,7 +77,7 @@ final class HelpInputs {
       }
     }
     String line = String.join(" ", words);
-    if (line.contains("diagnose my-bench")) {
+    if (line.contains("diagnose my-bench") || line.contains("mend my-bench")) {
       BenchData.write(folder.resolve("my-bench"), BenchData.rows(30, 0.05));
     }
     if (line.contains("diagnoses/")) {

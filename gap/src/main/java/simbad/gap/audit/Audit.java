@@ -58,8 +58,7 @@ public final class Audit {
     UnitCheck units = new UnitCheck(view);
     Optional<RobustLine> line = units.line();
     // Along one line positions in another unit do the same; ranges are the likelier fault.
-    Optional<AuditFinding> axes =
-        line.isPresent() ? Optional.empty() : new AxesCheck(view).find();
+    Optional<AuditFinding> axes = line.isPresent() ? Optional.empty() : new AxesCheck(view).find();
     axes.ifPresent(found::add);
     // Before poses are right, nothing of what follows can be told.
     if (axes.isEmpty()) {

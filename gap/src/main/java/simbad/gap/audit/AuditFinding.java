@@ -10,7 +10,8 @@ import java.util.List;
  * @param what was found, a sentence without its full stop
  * @param rows of that file that show it, counted from 0 below the header, ascending; empty where it
  *     is of the whole file
- * @param suggestion what to do, a sentence without its full stop; empty where there is nothing to do
+ * @param suggestion what to do, a sentence without its full stop; empty where there is nothing to
+ *     do
  * @param mend options of {@code dataset mend} that undo it; empty where no transformation does
  * @param severity what it means for the diagnosis
  */

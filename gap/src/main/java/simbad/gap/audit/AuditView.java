@@ -35,6 +35,7 @@ final class AuditView {
   private final List<Outline> outlines;
   private final List<ReadingRow> rows;
   private final int[] order;
+  private final int[] begin;
   private final double[] rangeM;
   private final double[] expectedM;
   private final double[] inConeM;
@@ -54,6 +55,7 @@ final class AuditView {
             .sorted(Comparator.comparing(rows::get, BY_CONTENT))
             .mapToInt(Integer::intValue)
             .toArray();
+    begin = begins();
     rangeM = IntStream.of(order).mapToDouble(i -> range(rows.get(i))).toArray();
     expectedM = new double[order.length];
     inConeM = new double[order.length * outlines.size()];
@@ -66,6 +68,7 @@ final class AuditView {
     rows = other.rows;
     outlines = other.outlines;
     order = other.order;
+    begin = other.begin;
     rangeM = other.rangeM;
     expectedM = other.expectedM;
     inConeM = other.inConeM;
@@ -147,11 +150,24 @@ final class AuditView {
     return of.map(i -> order[i]).sorted().boxed().toList();
   }
 
+  private int[] begins() {
+    int[] begins = new int[order.length];
+    for (int i = 1; i < order.length; i++) {
+      boolean follows =
+          row(i).run().equals(row(i - 1).run()) && row(i).sensor().equals(row(i - 1).sensor());
+      begins[i] = follows ? begins[i - 1] : i;
+    }
+    return begins;
+  }
+
   /** Whether a row belongs to the run and sensor of the one before. */
   boolean follows(int i) {
-    return i > 0
-        && row(i).run().equals(row(i - 1).run())
-        && row(i).sensor().equals(row(i - 1).sensor());
+    return i < order.length && begin[i] < i;
+  }
+
+  /** The first row of a row's run and sensor. */
+  int begin(int i) {
+    return begin[i];
   }
 
   boolean isEcho(int i) {
@@ -193,7 +209,9 @@ final class AuditView {
     return !Double.isNaN(expectedM[i]);
   }
 
-  /** Whether a range is that of something in the cone, heard or not, as well as ranges are known. */
+  /**
+   * Whether a range is that of something in the cone, heard or not, as well as ranges are known.
+   */
   boolean isInCone(int i, double range) {
     return isAmong(inConeM, i, range);
   }

@@ -13,8 +13,8 @@ import simbad.sonar.model.TransducerPose;
 
 /**
  * Whether poses are written in another frame than the scene's: readings that nothing in the cone
- * accounts for as the poses stand, and that what is in the cone does account for when they are
- * read otherwise.
+ * accounts for as the poses stand, and that what is in the cone does account for when they are read
+ * otherwise.
  */
 final class AxesCheck {
   private static final int MOST_ROWS = 250;
@@ -138,7 +138,8 @@ final class AxesCheck {
         fitting.size() == 1
             ? ""
             : "; these data do not tell it from: "
-                + String.join("; ", fitting.stream().skip(1).limit(2).map(Convention::words).toList());
+                + String.join(
+                    "; ", fitting.stream().skip(1).limit(2).map(Convention::words).toList());
     return new AuditFinding(
         AuditCheck.AXES,
         File.READINGS,

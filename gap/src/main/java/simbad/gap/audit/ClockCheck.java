@@ -146,7 +146,13 @@ final class ClockCheck {
     }
     double nearest = Math.max(1, Math.rint(times));
     if (Math.abs(times - nearest) > SAME) {
-      add(AuditCheck.PERIOD, what, List.of(), "say in the scene how often it pings", "", Severity.NOTE);
+      add(
+          AuditCheck.PERIOD,
+          what,
+          List.of(),
+          "say in the scene how often it pings",
+          "",
+          Severity.NOTE);
     }
   }
 

@@ -34,9 +34,7 @@ record Factor(double times, String words, double undo) {
 
   /** The one that a slope is nearest to, as well as the speed of sound is known. */
   static Optional<Factor> of(double slope) {
-    return all()
-        .filter(factor -> Math.abs(slope / factor.times - 1) <= AuditView.AIR)
-        .findFirst();
+    return all().filter(factor -> Math.abs(slope / factor.times - 1) <= AuditView.AIR).findFirst();
   }
 
   /** Whether no wrong constant of sound-speed comes so far: a fifth to five times. */

@@ -102,15 +102,14 @@ final class HeldCheck {
     List<Series> real = all.stream().filter(one -> one.isReal && !one.held.isEmpty()).toList();
     int rows = real.stream().mapToInt(one -> one.held.size()).sum();
     Map<Double, Integer> byValue = new TreeMap<>();
-    real.forEach(one -> byValue.merge(view.rangeM(one.from), 1, Integer::sum));
+    real.forEach(one -> byValue.merge(view.rangeM(one.from), one.held.size(), Integer::sum));
     int most = byValue.values().stream().mapToInt(Integer::intValue).max().orElse(0);
-    long sequences = real.stream().mapToInt(one -> first(one.from)).distinct().count();
+    long sequences = real.stream().mapToInt(one -> view.begin(one.from)).distinct().count();
+    // Without the commonest value, which may be one that is stuck or the least that is reported.
     boolean shows =
-        // One value for each sensor is stuck.
         real.size() > sequences
             && byValue.size() >= LEAST_VALUES
-            && 2 * most <= real.size()
-            && Tail.atLeast(rows, chances, AGREE) < Tail.LEVEL;
+            && Tail.atLeast(rows - most, chances - most, AGREE) < Tail.LEVEL;
     return shows
         ? Optional.of(
             finding(
@@ -151,7 +150,10 @@ final class HeldCheck {
   }
 
   private boolean follow(int i, int times) {
-    return i >= times && IntStream.range(i - times + 1, i + 1).allMatch(view::follows);
+    return i >= times
+        && IntStream.range(i - times + 1, i + 1)
+            .allMatch(at -> view.follows(at) && view.row(at).pose().equals(view.row(i).pose()))
+        && view.row(i - times).pose().equals(view.row(i).pose());
   }
 
   private int[] equal(int before, int... rows) {
@@ -208,7 +210,7 @@ final class HeldCheck {
 
   private boolean isStuck(Series series) {
     double chance = Math.pow(AGAIN, series.held.size()) * view.size();
-    return series.isReal && timesOf(series) == 1 && chance < Tail.LEVEL && !isCode(series);
+    return series.isReal && chance < Tail.LEVEL && timesOf(series) == 1 && !isCode(series);
   }
 
   private boolean isCode(Series series) {
@@ -221,22 +223,12 @@ final class HeldCheck {
     double value = view.rangeM(series.from);
     return all.stream()
         .filter(one -> !one.held.isEmpty() && view.rangeM(one.from) == value)
-        .filter(one -> first(one.from) == first(series.from))
+        .filter(one -> view.begin(one.from) == view.begin(series.from))
         .count();
   }
 
-  /** The first row of a row's sequence. */
-  private int first(int row) {
-    int from = row;
-    while (view.follows(from)) {
-      from--;
-    }
-    return from;
-  }
-
   private AuditFinding finding(AuditCheck check, String what, String suggestion, List<Series> of) {
-    IntStream rows =
-        of.stream().flatMap(one -> one.held.stream()).mapToInt(Integer::intValue);
+    IntStream rows = of.stream().flatMap(one -> one.held.stream()).mapToInt(Integer::intValue);
     return new AuditFinding(
         check, File.READINGS, what, view.inFile(rows), suggestion, "", Severity.WARN);
   }

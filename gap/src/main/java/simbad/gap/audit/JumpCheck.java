@@ -6,8 +6,8 @@ import java.util.stream.IntStream;
 import simbad.gap.audit.AuditFinding.File;
 
 /**
- * Single readings that are off by one and the same amount while those before and after are right:
- * a timer's byte that was read late, a constant that is added now and then.
+ * Single readings that are off by one and the same amount while those before and after are right: a
+ * timer's byte that was read late, a constant that is added now and then.
  */
 final class JumpCheck {
   /** 256 counts of a timer that counts microseconds. */
@@ -37,7 +37,8 @@ final class JumpCheck {
     double[] size = Arrays.stream(known).map(off -> Math.abs(off - middle)).toArray();
     double rough = 3 * Math.max(MAD * RobustLine.median(size), view.noiseM());
     // The median of steps is a step; the mean square of what is no jump is finer.
-    double square = Arrays.stream(size).filter(off -> off <= rough).map(off -> off * off).average().orElse(0);
+    double square =
+        Arrays.stream(size).filter(off -> off <= rough).map(off -> off * off).average().orElse(0);
     double noise = Math.max(Math.sqrt(square), view.noiseM());
     coreM = CORE * noise;
     windowM = CORE / 2 * noise;
@@ -64,6 +65,7 @@ final class JumpCheck {
     double span = Math.max(sizes[sizes.length - 1] - sizes[0], 2 * WINDOWS * windowM);
     boolean shows =
         hits >= LEAST
+            && 2 * hits > sizes.length
             && !isTail(sizes, size, hits)
             && sizes.length * Tail.atLeast(hits, sizes.length, 2 * windowM / span) < Tail.LEVEL;
     return shows ? Optional.of(finding(jumps, size)) : Optional.empty();
@@ -94,8 +96,7 @@ final class JumpCheck {
   }
 
   private AuditFinding finding(int[] jumps, double size) {
-    int[] hits =
-        IntStream.of(jumps).filter(i -> Math.abs(offM[i] - size) <= 2 * windowM).toArray();
+    int[] hits = IntStream.of(jumps).filter(i -> Math.abs(offM[i] - size) <= 2 * windowM).toArray();
     double byteM = BYTE_S * view.sensor().assumedSoundSpeedMPerS() / 2;
     double known = AuditView.AIR * byteM + windowM / Math.sqrt(hits.length);
     boolean isByte = Math.abs(Math.abs(size) - byteM) <= known;

@@ -15,8 +15,9 @@ final class LimitCheck {
   }
 
   /**
-   * What is beyond all that a wrong constant could make of a range cannot be a reading; what is
-   * beyond the sensor's reach is one of another sensor than the scene's.
+   * What is beyond all that a wrong constant could make of a range cannot be a reading, and where
+   * most are so, none is to be believed; what is beyond the sensor's reach is one of another sensor
+   * than the scene's.
    */
   Optional<AuditFinding> find() {
     double most =
@@ -33,8 +34,7 @@ final class LimitCheck {
     return view.sensor().maxRangeM() * (1 + AuditView.AIR) + view.scatterM();
   }
 
-  private Optional<AuditFinding> found(
-      DoublePredicate isBeyond, String words, Severity severity) {
+  private Optional<AuditFinding> found(DoublePredicate isBeyond, String words, Severity severity) {
     int[] beyond = view.echoes().filter(i -> isBeyond.test(view.rangeM(i))).toArray();
     if (beyond.length == 0) {
       return Optional.empty();
@@ -42,10 +42,7 @@ final class LimitCheck {
     double[] ranges = IntStream.of(beyond).mapToDouble(view::rangeM).sorted().distinct().toArray();
     String most = Say.number(ranges[ranges.length - 1]);
     boolean isOne = ranges.length == 1;
-    String mend =
-        isOne
-            ? "--no-echo " + Say.exact(ranges[0])
-            : "--no-echo-above " + Say.exact(view.sensor().maxRangeM());
+    boolean isMost = 2 * beyond.length > view.echoes().toArray().length;
     List<Integer> rows = view.inFile(IntStream.of(beyond));
     return Optional.of(
         new AuditFinding(
@@ -60,7 +57,14 @@ final class LimitCheck {
                 + words,
             rows,
             "leave range_m empty where there was no echo, or write metres",
-            mend,
-            severity));
+            isMost ? "" : mend(ranges),
+            isMost ? severity : Severity.WARN));
+  }
+
+  /** Nothing mends most of the readings but what is known of their unit. */
+  private String mend(double[] ranges) {
+    return ranges.length == 1
+        ? "--no-echo " + Say.exact(ranges[0])
+        : "--no-echo-above " + Say.exact(view.sensor().maxRangeM());
   }
 }

@@ -43,8 +43,7 @@ final class PileCheck {
                 .toArray());
     view.echoes()
         .filter(i -> !view.isInCone(i, view.asM(i)) && !view.isAround(i, view.asM(i)))
-        .forEach(
-            i -> displaced.computeIfAbsent(view.rangeM(i), v -> new ArrayList<>()).add(i));
+        .forEach(i -> displaced.computeIfAbsent(view.rangeM(i), v -> new ArrayList<>()).add(i));
   }
 
   List<AuditFinding> find() {

@@ -60,7 +60,8 @@ final class PoseCheck {
   }
 
   private void still() {
-    long poses = IntStream.range(0, view.size()).mapToObj(i -> view.row(i).pose()).distinct().count();
+    long poses =
+        IntStream.range(0, view.size()).mapToObj(i -> view.row(i).pose()).distinct().count();
     double[] ranges = view.echoes().mapToDouble(view::rangeM).sorted().toArray();
     if (poses != 1 || ranges.length < LEAST_ROWS) {
       return;
@@ -82,12 +83,6 @@ final class PoseCheck {
       AuditCheck check, String what, int[] rows, String suggestion, Severity severity) {
     found.add(
         new AuditFinding(
-            check,
-            File.READINGS,
-            what,
-            view.inFile(IntStream.of(rows)),
-            suggestion,
-            "",
-            severity));
+            check, File.READINGS, what, view.inFile(IntStream.of(rows)), suggestion, "", severity));
   }
 }

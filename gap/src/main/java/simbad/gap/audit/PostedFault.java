@@ -22,7 +22,8 @@ import simbad.sonar.sensing.ReadingRow;
  */
 public record PostedFault(String name, AuditCheck check, Spoil spoil) {
   private static final double[] FACTORS = {
-    1000, 100, 10, 0.1, 0.01, 39.37, 3.281, 0.3048, 2.54, 0.3937, 2, 0.5, 0.2, 0.7, 0.8, 1.25, 1.5, 5
+    1000, 100, 10, 0.1, 0.01, 39.37, 3.281, 0.3048, 2.54, 0.3937, 2, 0.5, 0.2, 0.7, 0.8, 1.25, 1.5,
+    5
   };
   private static final double TIMER_BYTE_S = 256e-6;
   private static final int NOW_AND_THEN = 12;
@@ -140,8 +141,7 @@ public record PostedFault(String name, AuditCheck check, Spoil spoil) {
         new PostedFault(
             "one pose for all",
             AuditCheck.STILL,
-            (rows, sensor, random) ->
-                each(rows, row -> posed(row, rows.get(0).pose()))));
+            (rows, sensor, random) -> each(rows, row -> posed(row, rows.get(0).pose()))));
   }
 
   private static void addTimes(List<PostedFault> all) {
@@ -179,8 +179,7 @@ public record PostedFault(String name, AuditCheck check, Spoil spoil) {
     return new PostedFault(
         name,
         check,
-        (rows, sensor, random) ->
-            each(rows, row -> read(row, change.applyAsDouble(rangeM(row)))));
+        (rows, sensor, random) -> each(rows, row -> read(row, change.applyAsDouble(rangeM(row)))));
   }
 
   private interface Value {
@@ -192,7 +191,8 @@ public record PostedFault(String name, AuditCheck check, Spoil spoil) {
         name,
         AuditCheck.NO_ECHO_CODE,
         (rows, sensor, random) ->
-            each(rows, row -> row.reading() instanceof NoEcho ? coded(row, value.of(sensor)) : row));
+            each(
+                rows, row -> row.reading() instanceof NoEcho ? coded(row, value.of(sensor)) : row));
   }
 
   private static PostedFault pose(String name, UnaryOperator<Pose> change) {
@@ -226,7 +226,6 @@ public record PostedFault(String name, AuditCheck check, Spoil spoil) {
   private static ReadingRow timed(ReadingRow row, double timeS) {
     return new ReadingRow(row.run(), row.sensor(), timeS, row.pose(), row.reading());
   }
-
 
   private static double x(Pose pose) {
     return pose.position().xM();

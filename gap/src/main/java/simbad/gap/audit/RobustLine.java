@@ -79,7 +79,8 @@ record RobustLine(double slope, double offset, double halfWidth, double share) {
     double deviation = Math.max(Math.sqrt(squares / (n - 2)), least);
     double half =
         new TDistribution(n - 2).inverseCumulativeProbability(1 - level / 2)
-            * deviation / Math.sqrt(xx);
+            * deviation
+            / Math.sqrt(xx);
     return new RobustLine(slope, offset, half, share);
   }
 

@@ -44,7 +44,9 @@ final class UnitCheck {
             && (line.slope() - line.halfWidth() > MOST
                 || line.slope() + line.halfWidth() < 1 / MOST)
             && line.halfWidth() <= line.slope() * AuditView.AIR;
-    return plain && isFactor(line) && bothHalves(points, line) ? Optional.of(line) : Optional.empty();
+    return plain && isFactor(line) && bothHalves(points, line)
+        ? Optional.of(line)
+        : Optional.empty();
   }
 
   /** A factor that has no name begins at nought, as well as things are placed; a bend does not. */

@@ -134,8 +134,7 @@ class AuditTest {
     "343, 15, 101, WARN"
   })
   void constant_thatNoSonarHas(double sound, double halfAngleDeg, double maxM, String severity) {
-    List<AuditFinding> found =
-        ConstantCheck.of(sensor(halfAngleDeg, maxM, sound));
+    List<AuditFinding> found = ConstantCheck.of(sensor(halfAngleDeg, maxM, sound));
     assertEquals(
         severity,
         found.isEmpty() ? "-" : found.get(0).severity().name(),
@@ -146,8 +145,17 @@ class AuditTest {
   /** Air makes no factor of 1.1; five is the most that a constant of sound-speed makes. */
   @ParameterizedTest
   @CsvSource({
-    "1, -", "1.1, -", "0.9, -", "1.2, WARN", "0.8, WARN", "0.3937, WARN", "2, WARN", "5, WARN",
-    "5.6, REFUSE", "0.18, REFUSE", "100, REFUSE"
+    "1, -",
+    "1.1, -",
+    "0.9, -",
+    "1.2, WARN",
+    "0.8, WARN",
+    "0.3937, WARN",
+    "2, WARN",
+    "5, WARN",
+    "5.6, REFUSE",
+    "0.18, REFUSE",
+    "100, REFUSE"
   })
   void unit_beyondAir(double factor, String severity) {
     List<AuditFinding> found = found(Logs.BOARD, ranges(LADDER, range -> factor * range));
@@ -192,11 +200,30 @@ class AuditTest {
 
   /** Reach 4 m, 7 % of air, a step and six deviations of noise: 4.303 m. */
   @ParameterizedTest
-  @CsvSource({"4.30, -", "4.31, WARN", "20, WARN", "20.1, REFUSE", "9999999, REFUSE"})
+  @CsvSource({"4.30, -", "4.31, WARN", "20, WARN", "20.1, WARN", "9999999, WARN"})
   void rangeLimit_beyondReach(double range, String severity) {
     List<AuditFinding> found = found(Logs.BOARD, first(1, LADDER, r -> r > 1, r -> range));
     assertEquals(severity, found.isEmpty() ? "-" : found.get(0).severity().name());
     assertTrue(found.stream().allMatch(one -> one.rows().size() == 1));
+  }
+
+  /** Of most readings beyond all that constants make, none is to be believed. */
+  @Test
+  void rangeLimit_ofMost() {
+    int echoes = (int) LADDER.stream().filter(row -> rangeM(row) > 0).count();
+    List<ReadingRow> most = first(echoes / 2 + 1, LADDER, r -> r > 0, r -> 30 + 100 * (r % 0.1));
+    List<ReadingRow> fewer = first(echoes / 2, LADDER, r -> r > 0, r -> 30 + 100 * (r % 0.1));
+    assertEquals(Severity.REFUSE, limit(most).severity());
+    assertEquals("", limit(most).mend());
+    assertEquals(Severity.WARN, limit(fewer).severity());
+    assertEquals("--no-echo-above 4", limit(fewer).mend());
+  }
+
+  private static AuditFinding limit(List<ReadingRow> rows) {
+    return found(Logs.BOARD, rows).stream()
+        .filter(one -> one.check() == AuditCheck.RANGE_LIMIT)
+        .findFirst()
+        .orElseThrow();
   }
 
   /** Three are a code, two are none; 1.2345 says nothing. */
@@ -218,12 +245,18 @@ class AuditTest {
   @Test
   void pile_ofAValueThatMeansNothing() {
     List<ReadingRow> rows =
-        each(DRIVE, (i, row) -> row.reading() instanceof NoEcho && i % 5 == 0 ? with(row, new Echo(2.665)) : row);
+        each(
+            DRIVE,
+            (i, row) ->
+                row.reading() instanceof NoEcho && i % 5 == 0 ? with(row, new Echo(2.665)) : row);
     AuditFinding pile = only(Logs.ROOM, rows);
     assertEquals(AuditCheck.PILE, pile.check());
     assertEquals(Severity.NOTE, pile.severity());
     List<ReadingRow> few =
-        each(DRIVE, (i, row) -> row.reading() instanceof NoEcho && i < 40 ? with(row, new Echo(2.665)) : row);
+        each(
+            DRIVE,
+            (i, row) ->
+                row.reading() instanceof NoEcho && i < 40 ? with(row, new Echo(2.665)) : row);
     assertEquals(List.of(), found(Logs.ROOM, few));
   }
 
@@ -244,7 +277,9 @@ class AuditTest {
   @CsvSource({"16, false", "200, true"})
   void stuck_whenLongEnough(int count, boolean isFound) {
     List<ReadingRow> rows =
-        each(LADDER, (i, row) -> i >= 32 && i < 32 + count ? with(row, LADDER.get(31).reading()) : row);
+        each(
+            LADDER,
+            (i, row) -> i >= 32 && i < 32 + count ? with(row, LADDER.get(31).reading()) : row);
     assertEquals(isFound, has(AuditCheck.STUCK, Logs.BOARD, rows));
   }
 
@@ -257,12 +292,15 @@ class AuditTest {
     assertFalse(has(AuditCheck.STUCK, Logs.BOARD, rows));
   }
 
-  /** Held for the rest of each gap, and not where gaps are one row long and the robot hardly moved. */
+  /**
+   * Held for the rest of each gap, and not where gaps are one row long and the robot hardly moved.
+   */
   @Test
   void held_whereTheSensorMovedOn() {
     List<ReadingRow> sorted =
         DRIVE.stream()
-            .sorted(java.util.Comparator.comparing(ReadingRow::sensor).thenComparing(ReadingRow::timeS))
+            .sorted(
+                java.util.Comparator.comparing(ReadingRow::sensor).thenComparing(ReadingRow::timeS))
             .toList();
     List<ReadingRow> all = new ArrayList<>(sorted);
     List<ReadingRow> once = new ArrayList<>(sorted);
@@ -279,7 +317,13 @@ class AuditTest {
 
   /** A timer's byte is 43.9 mm; seven jumps are enough, six are not; twice as far is no byte. */
   @ParameterizedTest
-  @CsvSource({"7, 0.0439, WARN", "6, 0.0439, -", "9, 0.0878, NOTE", "9, -0.0439, WARN", "9, 0.02, -"})
+  @CsvSource({
+    "7, 0.0439, WARN",
+    "6, 0.0439, -",
+    "9, 0.0878, NOTE",
+    "9, -0.0439, WARN",
+    "9, 0.02, -"
+  })
   void jump_ofOneSize(int count, double off, String severity) {
     int[] left = {count};
     List<ReadingRow> rows =
@@ -290,7 +334,8 @@ class AuditTest {
                     ? with(row, new Echo(rangeM(row) + off))
                     : row);
     List<AuditFinding> found = found(Logs.BOARD, rows);
-    assertEquals(severity, found.isEmpty() ? "-" : found.get(0).severity().name(), () -> "" + found);
+    assertEquals(
+        severity, found.isEmpty() ? "-" : found.get(0).severity().name(), () -> "" + found);
   }
 
   /** Now and then a clock goes back; rows that were sorted otherwise do so all the time. */
@@ -308,7 +353,8 @@ class AuditTest {
 
   @Test
   void clock_thatStandsStill() {
-    List<ReadingRow> still = each(LADDER, (i, row) -> i == 9 ? timed(row, LADDER.get(8).timeS()) : row);
+    List<ReadingRow> still =
+        each(LADDER, (i, row) -> i == 9 ? timed(row, LADDER.get(8).timeS()) : row);
     assertTrue(only(Logs.BOARD, still).what().startsWith("t_s stands still at 1 row"));
     List<ReadingRow> twice = new ArrayList<>(LADDER);
     twice.add(40, LADDER.get(39));
@@ -317,7 +363,14 @@ class AuditTest {
 
   @ParameterizedTest
   @CsvSource({
-    "1, -", "1.2, -", "1.3, NOTE", "3, -", "0.5, NOTE", "1000, WARN", "1200, WARN", "1e6, WARN"
+    "1, -",
+    "1.2, -",
+    "1.3, NOTE",
+    "3, -",
+    "0.5, NOTE",
+    "1000, WARN",
+    "1200, WARN",
+    "1e6, WARN"
   })
   void period_besideTheSensors(double factor, String severity) {
     List<AuditFinding> found =
@@ -380,7 +433,8 @@ class AuditTest {
   void findings_areSorted() {
     List<ReadingRow> rows = first(20, LADDER, Double::isNaN, r -> 0);
     rows = ranges(rows, range -> 100 * range);
-    List<Severity> severities = found(Logs.BOARD, rows).stream().map(AuditFinding::severity).toList();
+    List<Severity> severities =
+        found(Logs.BOARD, rows).stream().map(AuditFinding::severity).toList();
     List<Severity> sorted = new ArrayList<>(severities);
     sorted.sort(Collections.reverseOrder());
     assertEquals(sorted, severities);
