@@ -53,7 +53,8 @@ public final class SetupForms {
     return Stream.concat(
             all(setup).stream(), Forms.all(setup, sensors).stream().map(SetupForms::of))
         .filter(form -> form.name().equals(name))
-        .findFirst();
+        .findFirst()
+        .or(() -> LevelForms.find(name, setup));
   }
 
   private static Form scatter(SonarSpec sensor) {

@@ -1,0 +1,18 @@
+package simbad.gap.calibrate;
+
+import java.util.List;
+import simbad.gap.fit.Hypothesis;
+
+/**
+ * A level law as a reference shows it.
+ *
+ * @param setup the forms of the law, of each obstacle's strength and of the ranges' tails
+ * @param values that hang on no obstacle, with their deviations
+ * @param trials what they were fitted on: pings times obstacles that they tried
+ */
+public record LevelCalibration(Hypothesis setup, List<Named> values, int trials) {
+  /** Copies the list. */
+  public LevelCalibration {
+    values = List.copyOf(values);
+  }
+}

@@ -1,0 +1,163 @@
+package simbad.gap.calibrate;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.hipparchus.linear.RealMatrix;
+import simbad.gap.fit.Fold;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Geometry;
+import simbad.sonar.effect.LevelForms;
+import simbad.sonar.effect.LevelRule;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.effect.Scenes;
+import simbad.sonar.effect.SetupForms;
+import simbad.sonar.level.LevelLaw;
+import simbad.sonar.scene.SensingSetup;
+
+/**
+ * Calibrates the level law of a set-up on a reference log: target strengths, beam, spreading,
+ * absorption, receiver, scatter, misses, walk and noise. See docs/method/level-model.md.
+ */
+public final class LevelCalibrator {
+  /** So many ranges scatter far more than the others do, and by so many times their noise. */
+  private static final double TAIL_SHARE = 0.03;
+
+  private static final double TAIL_TIMES = 4;
+  private static final double LEAST_REFERENCE_M = 0.2;
+  private static final double MOST_REFERENCE_M = 3;
+
+  private final SensingSetup setup;
+  private final PingLog reference;
+  private final Geometry geometry;
+  private final LevelLaw believed;
+  private final List<Believed> targets = new ArrayList<>();
+  private final Layout layout;
+  private final Prior prior;
+
+  /**
+   * Prepares the calibration of a set-up.
+   *
+   * @param setup as the scene believes it
+   * @param reference a log of it
+   */
+  public LevelCalibrator(SensingSetup setup, PingLog reference) {
+    this.setup = setup;
+    this.reference = reference;
+    believed = setup.sensor().levelLaw();
+    LevelRule rule = new LevelRule(believed, 0, setup.sensor().missRate());
+    geometry = new Geometry(reference, setup, List.of(rule));
+    setup.scene().obstacles().forEach(one -> targets.add(new Believed(one, believed)));
+    layout = new Layout(targets);
+    prior = new Prior(layout, setup.sensor(), targets, reference.sensors().size());
+  }
+
+  /**
+   * Fits the law.
+   *
+   * @param fold pings that count
+   */
+  public LevelCalibration fit(Fold fold) {
+    Predictor predictor =
+        new Predictor(layout, believed, targets, LevelForms.wavenumberPerM(setup));
+    List<Trials.Trial> trials = Trials.of(geometry, setup.sensor(), fold);
+    List<Trials.Trial> cones = Cones.of(setup.scene(), setup.sensor().coneHalfAngleRad());
+    LevelFit fit = new LevelFit(prior, predictor, trials, cones, setup.sensor().missRate());
+    predictor.set(fit.values());
+    RangeFit ranges = ranges(predictor, trials);
+    double[] law = law(fit, ranges);
+    Form form = LevelForms.law(setup);
+    Hypothesis calibrated = Hypothesis.NONE.and(form, law);
+    LevelLaw fitted = ((LevelRule) form.with(law)).law();
+    RealMatrix covariance = fit.covariance();
+    List<String> labels = Scenes.labels(setup.scene());
+    for (int target = 0; target < labels.size(); target++) {
+      calibrated =
+          calibrated.and(
+              LevelForms.strength(labels.get(target)),
+              strengths(target, fit.values(), covariance, fitted));
+    }
+    double noise = ranges.noiseM()[1];
+    calibrated = calibrated.and(tails(), TAIL_SHARE, Math.min(0.25, TAIL_TIMES * noise));
+    return new LevelCalibration(calibrated, Named.of(layout, fit, covariance), trials.size());
+  }
+
+  private RangeFit ranges(Predictor predictor, List<Trials.Trial> trials) {
+    List<Trials.Trial> read = trials.stream().filter(Trials.Trial::isRead).toList();
+    double[] excess =
+        read.stream()
+            .mapToDouble(trial -> predictor.excess(predictor.row(trial)).decibels())
+            .toArray();
+    double[] beyond = read.stream().mapToDouble(Trials.Trial::beyondM).toArray();
+    return new RangeFit(
+        excess, beyond, setup.sensor().resolutionM(), setup.sensor().rangeNoiseM());
+  }
+
+  private Form tails() {
+    return SetupForms.all(setup).stream()
+        .filter(form -> form.name().equals("tails"))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  /** In the order of the form's parameters. */
+  private double[] law(LevelFit fit, RangeFit ranges) {
+    double[] v = fit.values();
+    List<Double> all = new ArrayList<>();
+    all.add(Math.max(0, v[0]));
+    all.add(Math.max(0, v[1]));
+    all.add(Math.exp(v[layout.aperture()]));
+    all.add(Math.toDegrees(v[layout.squint()]));
+    all.add(Math.exp(v[layout.scatter()]));
+    all.add(fit.missRate());
+    for (int knot = 0; knot < LevelForms.RECEIVER_M.size(); knot++) {
+      all.add(v[Layout.RECEIVER + knot]);
+    }
+    Arrays.stream(ranges.walkM()).forEach(all::add);
+    Arrays.stream(ranges.noiseM()).forEach(all::add);
+    return all.stream().mapToDouble(Double::doubleValue).toArray();
+  }
+
+  /** Strengths at all bearings and how far each may be off, where the target is just lost. */
+  private double[] strengths(int target, double[] v, RealMatrix covariance, LevelLaw law) {
+    double[] all = new double[2 * LevelForms.BEARINGS];
+    Believed own = targets.get(target);
+    double[] doubt = new double[own.orbits()];
+    double[] strength = new double[own.orbits()];
+    for (int orbit = 0; orbit < doubt.length; orbit++) {
+      int lobe = layout.lobe(target, orbit);
+      strength[orbit] =
+          own.loss(orbit).decibels(v) + v[Layout.LEVEL] + v[lobe] - law.levelDb();
+      double lost = law.firstLossM(strength[orbit], MOST_REFERENCE_M);
+      Loss apart =
+          own.loss(orbit).minus(Loss.at(Math.max(LEAST_REFERENCE_M, lost), believed));
+      doubt[orbit] = Math.sqrt(variance(apart, lobe, covariance));
+    }
+    for (int bearing = 0; bearing < LevelForms.BEARINGS; bearing++) {
+      all[bearing] = strength[own.symmetry().orbit(bearing)];
+      all[LevelForms.BEARINGS + bearing] = doubt[own.symmetry().orbit(bearing)];
+    }
+    return all;
+  }
+
+  private static double variance(Loss apart, int lobe, RealMatrix covariance) {
+    int[] index = new int[Loss.SIZE + 2];
+    double[] weight = new double[index.length];
+    for (int i = 0; i < Loss.SIZE; i++) {
+      index[i] = i;
+      weight[i] = apart.weights()[i];
+    }
+    index[Loss.SIZE] = Layout.LEVEL;
+    weight[Loss.SIZE] = 1;
+    index[Loss.SIZE + 1] = lobe;
+    weight[Loss.SIZE + 1] = 1;
+    double sum = 0;
+    for (int i = 0; i < index.length; i++) {
+      for (int j = 0; j < index.length; j++) {
+        sum += weight[i] * weight[j] * covariance.getEntry(index[i], index[j]);
+      }
+    }
+    return Math.max(0, sum);
+  }
+}
