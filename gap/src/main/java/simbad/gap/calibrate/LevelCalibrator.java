@@ -29,7 +29,6 @@ public final class LevelCalibrator {
   private static final double MOST_REFERENCE_M = 3;
 
   private final SensingSetup setup;
-  private final PingLog reference;
   private final Geometry geometry;
   private final LevelLaw believed;
   private final List<Believed> targets = new ArrayList<>();
@@ -44,7 +43,6 @@ public final class LevelCalibrator {
    */
   public LevelCalibrator(SensingSetup setup, PingLog reference) {
     this.setup = setup;
-    this.reference = reference;
     believed = setup.sensor().levelLaw();
     LevelRule rule = new LevelRule(believed, 0, setup.sensor().missRate());
     geometry = new Geometry(reference, setup, List.of(rule));

@@ -13,7 +13,8 @@ final class Matrices {
   private Matrices() {}
 
   /** Decomposes a matrix; as much is added to its diagonal as that takes. */
-  static CholeskyDecomposition positive(RealMatrix matrix) {
+  static CholeskyDecomposition positive(RealMatrix raw) {
+    RealMatrix matrix = raw.add(raw.transpose()).scalarMultiply(0.5);
     double added = LEAST;
     for (int i = 0; i < TRIES; i++) {
       try {
