@@ -35,6 +35,7 @@ import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Parameter;
 import simbad.sonar.effect.PingLog;
+import simbad.sonar.scene.SensingSetup;
 
 /** Diagnoses data sets. Deterministic: the same data set and seed give the same diagnosis. */
 public final class Diagnoser {
@@ -134,7 +135,8 @@ public final class Diagnoser {
   }
 
   private Inquiry inquire(DataSet data, PingLog log, Calibration calibration) {
-    Evidence evidence = new Evidence(data.setup(), calibration.setup().changes(), log);
+    SensingSetup setup = calibration.believed(data.setup());
+    Evidence evidence = new Evidence(setup, calibration.setup().changes(), log);
     double least = Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size());
     double worth = least * calibration.clumping() * (data.reference().isEmpty() ? 1 : OFF);
     // In one block nothing is left to test on what is fitted: too few rows to name anything.

@@ -64,11 +64,11 @@ public final class LevelCalibrator {
     LevelFit fit = new LevelFit(prior, predictor, trials, cones, setup.sensor().missRate());
     predictor.set(fit.values());
     RangeFit ranges = ranges(predictor, trials);
-    double[] law = law(fit, ranges);
+    RealMatrix covariance = fit.covariance();
+    double[] law = law(fit, covariance, ranges);
     Form form = LevelForms.law(setup);
     Hypothesis calibrated = Hypothesis.NONE.and(form, law);
     LevelLaw fitted = ((LevelRule) form.with(law)).law();
-    RealMatrix covariance = fit.covariance();
     List<String> labels = Scenes.labels(setup.scene());
     for (int target = 0; target < labels.size(); target++) {
       calibrated =
@@ -100,13 +100,15 @@ public final class LevelCalibrator {
   }
 
   /** In the order of the form's parameters. */
-  private double[] law(LevelFit fit, RangeFit ranges) {
+  private double[] law(LevelFit fit, RealMatrix covariance, RangeFit ranges) {
     double[] v = fit.values();
     List<Double> all = new ArrayList<>();
     all.add(Math.max(0, v[0]));
     all.add(Math.max(0, v[1]));
     all.add(Math.exp(v[layout.aperture()]));
+    all.add(deviation(covariance, layout.aperture()));
     all.add(Math.toDegrees(v[layout.squint()]));
+    all.add(Math.toDegrees(deviation(covariance, layout.squint())));
     all.add(Math.exp(v[layout.scatter()]));
     all.add(fit.missRate());
     for (int knot = 0; knot < LevelForms.RECEIVER_M.size(); knot++) {
@@ -117,45 +119,42 @@ public final class LevelCalibrator {
     return all.stream().mapToDouble(Double::doubleValue).toArray();
   }
 
+  private static double deviation(RealMatrix covariance, int index) {
+    return Math.sqrt(Math.max(0, covariance.getEntry(index, index)));
+  }
+
   /** Strengths at all bearings and how far each may be off, where the target is just lost. */
   private double[] strengths(int target, double[] v, RealMatrix covariance, LevelLaw law) {
-    double[] all = new double[2 * LevelForms.BEARINGS];
     Believed own = targets.get(target);
-    double[] doubt = new double[own.orbits()];
-    double[] strength = new double[own.orbits()];
-    for (int orbit = 0; orbit < doubt.length; orbit++) {
+    double[][] byOrbit = new double[3][own.orbits()];
+    for (int orbit = 0; orbit < own.orbits(); orbit++) {
       int lobe = layout.lobe(target, orbit);
-      strength[orbit] =
-          own.loss(orbit).decibels(v) + v[Layout.LEVEL] + v[lobe] - law.levelDb();
-      double lost = law.firstLossM(strength[orbit], MOST_REFERENCE_M);
-      Loss apart =
-          own.loss(orbit).minus(Loss.at(Math.max(LEAST_REFERENCE_M, lost), believed));
-      doubt[orbit] = Math.sqrt(variance(apart, lobe, covariance));
+      double strength = own.loss(orbit).decibels(v) + v[Layout.LEVEL] + v[lobe] - law.levelDb();
+      double lost = law.firstLossM(strength, MOST_REFERENCE_M);
+      double[] weight =
+          weights(own.loss(orbit).minus(Loss.at(Math.max(LEAST_REFERENCE_M, lost), believed)), lobe);
+      double[] product = covariance.operate(weight);
+      double variance = 0;
+      for (int i = 0; i < weight.length; i++) {
+        variance += weight[i] * product[i];
+      }
+      byOrbit[0][orbit] = strength;
+      byOrbit[1][orbit] = Math.sqrt(Math.max(0, variance));
+      byOrbit[2][orbit] = product[layout.aperture()] / deviation(covariance, layout.aperture());
     }
-    for (int bearing = 0; bearing < LevelForms.BEARINGS; bearing++) {
-      all[bearing] = strength[own.symmetry().orbit(bearing)];
-      all[LevelForms.BEARINGS + bearing] = doubt[own.symmetry().orbit(bearing)];
+    double[] all = new double[3 * LevelForms.BEARINGS];
+    for (int i = 0; i < all.length; i++) {
+      int orbit = own.symmetry().orbit(i % LevelForms.BEARINGS);
+      all[i] = byOrbit[i / LevelForms.BEARINGS][orbit];
     }
     return all;
   }
 
-  private static double variance(Loss apart, int lobe, RealMatrix covariance) {
-    int[] index = new int[Loss.SIZE + 2];
-    double[] weight = new double[index.length];
-    for (int i = 0; i < Loss.SIZE; i++) {
-      index[i] = i;
-      weight[i] = apart.weights()[i];
-    }
-    index[Loss.SIZE] = Layout.LEVEL;
-    weight[Loss.SIZE] = 1;
-    index[Loss.SIZE + 1] = lobe;
-    weight[Loss.SIZE + 1] = 1;
-    double sum = 0;
-    for (int i = 0; i < index.length; i++) {
-      for (int j = 0; j < index.length; j++) {
-        sum += weight[i] * weight[j] * covariance.getEntry(index[i], index[j]);
-      }
-    }
-    return Math.max(0, sum);
+  private double[] weights(Loss apart, int lobe) {
+    double[] weights = new double[layout.size()];
+    System.arraycopy(apart.weights(), 0, weights, 0, Loss.SIZE);
+    weights[Layout.LEVEL] = 1;
+    weights[lobe] = 1;
+    return weights;
   }
 }

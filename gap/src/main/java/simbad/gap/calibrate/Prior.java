@@ -34,7 +34,6 @@ final class Prior {
   private static final double LOBE_LENGTH_DEG = 4;
   private static final double JITTER = 1e-5;
 
-  private final Layout layout;
   private final double[] mean;
   private final double[][] precision;
 
@@ -47,7 +46,6 @@ final class Prior {
    * @param transducers of several no squint is common
    */
   Prior(Layout layout, SonarSpec sensor, List<Believed> targets, int transducers) {
-    this.layout = layout;
     mean = new double[layout.size()];
     precision = new double[layout.size()][layout.size()];
     LevelFigures figures = sensor.law().level();
@@ -166,7 +164,4 @@ final class Prior {
     return sum / 2;
   }
 
-  Layout layout() {
-    return layout;
-  }
 }

@@ -3,6 +3,7 @@ package simbad.gap.explain;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import simbad.gap.calibrate.LevelCalibrator;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
@@ -11,6 +12,7 @@ import simbad.gap.fit.JointFitter;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.PingLog;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SensorLaw;
 
 /**
  * What a reference log says of the set-up: in what it is a little off while the simulation is
@@ -30,24 +32,85 @@ public final class Calibration {
   private final double clumping;
   private final double rangeClumping;
 
-  private Calibration(Optional<Evidence> reference, Hypothesis setup) {
+  private final Optional<ModelError> heldOut;
+
+  private Calibration(
+      Optional<Evidence> reference, Hypothesis setup, Optional<ModelError> heldOut) {
     this.reference = reference;
     this.setup = setup;
+    this.heldOut = heldOut;
     Optional<Surprise> surprise = reference.map(evidence -> new Surprise(evidence, setup));
-    clumping = surprise.map(Calibration::ofEchoes).orElse(1.0);
-    rangeClumping = surprise.map(Calibration::ofRanges).orElse(1.0);
+    // What was held out says more, where it was.
+    clumping =
+        Math.max(
+            surprise.map(Calibration::ofEchoes).orElse(1.0),
+            heldOut.map(ModelError::echoes).orElse(1.0));
+    rangeClumping =
+        Math.max(
+            surprise.map(Calibration::ofRanges).orElse(1.0),
+            heldOut.map(ModelError::ranges).orElse(1.0));
   }
 
   /** Returns the calibration of a set-up without a reference: it is as it is believed to be. */
   public static Calibration none() {
-    return new Calibration(Optional.empty(), Hypothesis.NONE);
+    return new Calibration(Optional.empty(), Hypothesis.NONE, Optional.empty());
   }
 
-  /** Calibrates. */
+  /**
+   * Calibrates the law that the scene states, else the one of the two that foretells rows of the
+   * reference better which it was not fitted on.
+   */
   public static Calibration of(SensingSetup setup, PingLog reference) {
+    Optional<SensorLaw.Model> stated = setup.sensor().law().model();
+    if (stated.isPresent()) {
+      return stated.get() == SensorLaw.Model.LEVEL
+          ? ofLevel(setup, reference, ModelError.ofLevel(setup, reference))
+          : ofThreshold(setup, reference);
+    }
+    Calibration threshold = ofThreshold(setup, reference);
+    if (!new Blocks(reference).canBeHeldOut()) {
+      return threshold;
+    }
+    SensingSetup level = setup.under(SensorLaw.Model.LEVEL);
+    ModelError error = ModelError.ofLevel(level, reference);
+    return error.gapM() < threshold.referenceGapM() ? ofLevel(level, reference, error) : threshold;
+  }
+
+  private static Calibration ofThreshold(SensingSetup setup, PingLog reference) {
     Evidence evidence = new Evidence(setup, List.of(), reference);
     Calibrator calibrator = new Calibrator(new Fitter(evidence, Fold.ALL), setup);
-    return new Calibration(Optional.of(evidence), calibrator.fit());
+    return new Calibration(Optional.of(evidence), calibrator.fit(), Optional.empty());
+  }
+
+  private static Calibration ofLevel(SensingSetup setup, PingLog reference, ModelError error) {
+    Evidence evidence = new Evidence(setup, List.of(), reference);
+    Hypothesis fitted = new LevelCalibrator(setup, reference).fit(Fold.ALL).setup();
+    return new Calibration(Optional.of(evidence), fitted, Optional.of(error));
+  }
+
+  /** The lesser of what a set-up as believed and as calibrated is off by. */
+  private double referenceGapM() {
+    Evidence evidence = reference.orElseThrow();
+    GapMeter meter = new GapMeter(evidence);
+    return Math.min(
+        Arrays.stream(meter.measure(evidence, setup).observedM()).average().orElse(0),
+        Arrays.stream(meter.measure(evidence, Hypothesis.NONE).observedM()).average().orElse(0));
+  }
+
+  /** Returns the set-up as the simulator believes it, under the law that was taken. */
+  public SensingSetup believed(SensingSetup stated) {
+    return reference.map(Evidence::setup).orElse(stated);
+  }
+
+  /** Returns by which law the set-up hears. */
+  public SensorLaw.Model model() {
+    boolean level = reference.isPresent() && reference.get().setup().sensor().law().isLevel();
+    return level ? SensorLaw.Model.LEVEL : SensorLaw.Model.THRESHOLD;
+  }
+
+  /** Returns how far the level law is off on rows that it was not fitted on; none for thresholds. */
+  public Optional<ModelError> modelError() {
+    return heldOut;
   }
 
   /** Returns the calibrated forms with their values; none without a reference. */
@@ -85,17 +148,22 @@ public final class Calibration {
     for (int i = 0; i < explanation.forms().size(); i++) {
       more = suspicion.settled(more, i);
     }
-    return more.equals(setup) ? rivalled(log, explanation) : new Calibration(reference, more);
+    return more.equals(setup)
+        ? rivalled(log, explanation)
+        : new Calibration(reference, more, heldOut);
   }
 
   /** Whether a set-up that fits reference and log together makes an effect superfluous. */
   private Calibration rivalled(Evidence log, Hypothesis explanation) {
+    if (model() == SensorLaw.Model.LEVEL) {
+      return this;
+    }
     Evidence raw = new Evidence(log.setup(), List.of(), log.log());
     Rival whole = rival(raw, explanation);
     for (Effect effect : explanation.effects()) {
       Rival less = rival(raw, explanation.without(effect));
       if (whole.nats - less.nats < SUPERFLUOUS_NATS * clumping) {
-        return new Calibration(reference, less.setup);
+        return new Calibration(reference, less.setup, heldOut);
       }
     }
     return this;
@@ -120,7 +188,7 @@ public final class Calibration {
    * @return the log before a set-up that is fitted to it and the reference together
    */
   public Evidence loosened(Evidence evidence, Hypothesis explanation) {
-    if (reference.isEmpty()) {
+    if (reference.isEmpty() || model() == SensorLaw.Model.LEVEL) {
       return evidence;
     }
     Evidence raw = new Evidence(evidence.setup(), List.of(), evidence.log());
@@ -128,7 +196,7 @@ public final class Calibration {
     return new Evidence(evidence.setup(), loose.changes(), evidence.log());
   }
 
-  private static double ofEchoes(Surprise surprise) {
+  static double ofEchoes(Surprise surprise) {
     Blocks blocks = new Blocks(surprise.log);
     double[] sum = new double[blocks.count()];
     double[] variance = new double[blocks.count()];
@@ -139,7 +207,7 @@ public final class Calibration {
     return clumping(sum, variance, LEAST_VARIANCE);
   }
 
-  private static double ofRanges(Surprise surprise) {
+  static double ofRanges(Surprise surprise) {
     Blocks blocks = new Blocks(surprise.log);
     double[] sum = new double[blocks.count()];
     double[] squares = new double[blocks.count()];

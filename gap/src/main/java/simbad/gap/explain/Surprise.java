@@ -22,6 +22,12 @@ public final class Surprise {
   final double[] expected;
   final double[] score;
 
+  /** Takes what another got wrong of a ping. */
+  void take(Surprise other, int ping) {
+    expected[ping] = other.expected[ping];
+    score[ping] = other.score[ping];
+  }
+
   Surprise(Evidence evidence, Hypothesis hypothesis) {
     DiagnosedModel model = evidence.model(hypothesis);
     geometry = evidence.geometry(model);

@@ -30,21 +30,21 @@ public final class LevelEars {
   private static final double RINGING_FADES_M = 0.035;
   private static final double MOST_RINGING_DB = 12;
 
+  /** Between the lobes a beam is so steep that no slope says how far it is off. */
+  private static final double MOST_BEAM_DB = 10;
+
   private final LevelRule rule;
   private final List<Obstacle> obstacles;
-  private final StrengthTable[] strength;
-  private final StrengthTable[] deviation;
+  private final LevelStrength[] strength;
 
   private LevelEars(LevelRule rule, Scene scene, List<String> labels, List<LevelStrength> known) {
     this.rule = rule;
     obstacles = scene.obstacles();
-    strength = new StrengthTable[labels.size()];
-    deviation = new StrengthTable[labels.size()];
+    strength = new LevelStrength[labels.size()];
     for (LevelStrength one : known) {
       for (int i = 0; i < strength.length; i++) {
         if (one.only().map(labels.get(i)::equals).orElse(true)) {
-          strength[i] = one.strengthDb();
-          deviation[i] = one.deviationDb();
+          strength[i] = one;
         }
       }
     }
@@ -96,7 +96,7 @@ public final class LevelEars {
 
   private double strengthDb(int obstacle, double bearingRad) {
     if (strength[obstacle] != null) {
-      return strength[obstacle].strengthDb(bearingRad);
+      return strength[obstacle].strengthDb().strengthDb(bearingRad);
     }
     return obstacles.get(obstacle).detection() instanceof StrengthDetection stated
         ? stated.strength().strengthDb(bearingRad)
@@ -105,13 +105,29 @@ public final class LevelEars {
 
   /** How far that may be off, from ping to ping and for want of knowledge, decibels. */
   double deviationDb(Geometry geometry, int line) {
-    int obstacle = line % strength.length;
     double own = law().excessSdDb();
-    double unknown =
-        deviation[obstacle] == null ? 0 : deviation[obstacle].strengthDb(geometry.bearingRad(line));
-    double aim = aimDb(law().beam(), geometry.nearestSignedOffAxisRad(line) - rule.squintRad());
+    double offAxis = geometry.nearestSignedOffAxisRad(line) - rule.squintRad();
+    double aim = aimDb(law().beam(), offAxis);
+    double squint = aim * rule.squintDeviationRad() / AIM_RAD;
     double ringing = ringingDb(geometry.nearestM(line));
-    return Math.sqrt(own * own + unknown * unknown + aim * aim + ringing * ringing);
+    double unknown = unknownVariance(line % strength.length, geometry.bearingRad(line), offAxis);
+    double known = own * own + aim * aim + ringing * ringing;
+    return Math.sqrt(known + squint * squint + unknown);
+  }
+
+  /** A beam too wide has been taken for a target too weak. */
+  private double unknownVariance(int obstacle, double bearingRad, double offAxisRad) {
+    // A piston hears at an angle what a narrower one hears further off its axis.
+    double turned = Math.tan(offAxisRad) * rule.apertureDeviation();
+    double strayed = turned * slopeDb(law().beam(), offAxisRad);
+    double beam = Math.max(-MOST_BEAM_DB, Math.min(MOST_BEAM_DB, strayed));
+    if (strength[obstacle] == null) {
+      return beam * beam;
+    }
+    double common = strength[obstacle].withApertureDb().strengthDb(bearingRad);
+    double own = strength[obstacle].deviationDb().strengthDb(bearingRad);
+    double apart = Math.max(0, own * own - common * common);
+    return apart + (common + beam) * (common + beam);
   }
 
   /**
@@ -122,8 +138,13 @@ public final class LevelEars {
    * @return decibels, at least 0
    */
   public static double aimDb(Beam beam, double offAxisRad) {
-    double there = beamDb(beam, offAxisRad + AIM_RAD);
-    return Math.abs(there - beamDb(beam, offAxisRad - AIM_RAD)) / 2;
+    return Math.abs(slopeDb(beam, offAxisRad)) * AIM_RAD;
+  }
+
+  /** Decibels for each radian. */
+  private static double slopeDb(Beam beam, double offAxisRad) {
+    double rise = beamDb(beam, offAxisRad + AIM_RAD) - beamDb(beam, offAxisRad - AIM_RAD);
+    return rise / (2 * AIM_RAD);
   }
 
   /**

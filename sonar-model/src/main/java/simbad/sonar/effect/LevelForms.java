@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.IntToDoubleFunction;
 import simbad.sonar.level.Curve;
 import simbad.sonar.level.LevelDefaults;
@@ -40,6 +41,18 @@ public final class LevelForms {
   /** Name of the law's form. */
   public static final String LAW = "level";
 
+  /** Among the values of the law, the first of the receiver's departures. */
+  private static final int RECEIVER = 8;
+
+  /** Of a shadow there is nothing left to find: strengths are by bearing. */
+  private static final Set<Effect> THRESHOLDS =
+      Set.of(
+          Effect.GAIN,
+          Effect.ABSORPTION,
+          Effect.BEAM_PATTERN,
+          Effect.BEAM_WIDTH,
+          Effect.ORIENTATION_SHADOW);
+
   private static final double MOST_DB = StrengthTable.GREATEST_DB;
   private static final double MOST_RECEIVER_DB = 60;
 
@@ -53,7 +66,9 @@ public final class LevelForms {
     parameters.add(Parameter.of("absorption_db_per_m", stated.absorptionDbPerM(), 0, 20));
     double radius = radiusM(stated);
     parameters.add(Parameter.of("aperture_radius_m", radius, 1e-4, Math.max(1, radius)));
+    parameters.add(Parameter.of("aperture_deviation", 0, 0, 10));
     parameters.add(Parameter.of("squint_deg", 0, -45, 45));
+    parameters.add(Parameter.of("squint_deviation_deg", 0, 0, 45));
     parameters.add(Parameter.of("excess_sd_db", stated.excessSdDb(), 0, 100));
     parameters.add(Parameter.of("miss_rate", setup.sensor().missRate(), 0, 1));
     for (double at : RECEIVER_M) {
@@ -84,7 +99,7 @@ public final class LevelForms {
   }
 
   private static LevelRule rule(LevelLaw stated, double wavenumber, double... v) {
-    int walk = 6 + RECEIVER_M.size();
+    int walk = RECEIVER + RECEIVER_M.size();
     int noise = walk + WALK_DB.size();
     LevelLaw law =
         new LevelLaw(
@@ -92,12 +107,12 @@ public final class LevelForms {
             v[0],
             v[1],
             PistonBeam.of(v[2], wavenumber),
-            receiver(stated.receiverThresholdDb(), Arrays.copyOfRange(v, 6, walk)),
-            v[4],
+            receiver(stated.receiverThresholdDb(), Arrays.copyOfRange(v, RECEIVER, walk)),
+            v[6],
             curve(WALK_DB, i -> v[walk + i]),
             curve(NOISE_DB, i -> v[noise + i]),
             stated.pulseLengthM());
-    return new LevelRule(law, toRadians(v[3]), v[5]);
+    return new LevelRule(law, toRadians(v[4]), v[7], v[3], toRadians(v[5]));
   }
 
   private static Curve curve(List<Double> x, IntToDoubleFunction y) {
@@ -152,14 +167,18 @@ public final class LevelForms {
     for (int i = 0; i < BEARINGS; i++) {
       parameters.add(Parameter.of(at("deviation_db", bearingDeg(i)), 0, 0, MOST_DB));
     }
+    for (int i = 0; i < BEARINGS; i++) {
+      parameters.add(Parameter.of(at("with_aperture_db", bearingDeg(i)), 0, -MOST_DB, MOST_DB));
+    }
     return form(
         "strength:" + label,
         v ->
-            new LevelStrength(
-                Optional.of(label),
-                StrengthTable.of(Arrays.copyOf(v, BEARINGS)),
-                StrengthTable.of(Arrays.copyOfRange(v, BEARINGS, 2 * BEARINGS))),
+            new LevelStrength(Optional.of(label), table(v, 0), table(v, 1), table(v, 2)),
         parameters);
+  }
+
+  private static StrengthTable table(double[] v, int number) {
+    return StrengthTable.of(Arrays.copyOfRange(v, number * BEARINGS, (number + 1) * BEARINGS));
   }
 
   private static double bearingDeg(int index) {
@@ -193,6 +212,12 @@ public final class LevelForms {
             v -> new LevelAbsorption(v[0])),
         new Form(Effect.BEAM_PATTERN, "aperture", List.of(aperture), v -> new LevelAperture(v[0])),
         new Form(Effect.BEAM_WIDTH, "aperture", List.of(aperture), v -> new LevelAperture(v[0])));
+  }
+
+  /** Puts the forms of effects that change the law in the place of those that change thresholds. */
+  static void replace(List<Form> forms) {
+    forms.removeIf(form -> THRESHOLDS.contains(form.effect()));
+    forms.addAll(effects());
   }
 
   private static String at(String name, double place) {

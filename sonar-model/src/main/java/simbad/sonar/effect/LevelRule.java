@@ -9,8 +9,21 @@ import simbad.sonar.scene.SonarSpec;
  * @param law by which it hears
  * @param squintRad by which its beam's axis lies counter-clockwise of its heading
  * @param missRate share of echoes that are lost whatever their strength, in [0, 1]
+ * @param apertureDeviation how far the piston's radius may be off, as a share of it
+ * @param squintDeviationRad how far the squint may be off
  */
-public record LevelRule(LevelLaw law, double squintRad, double missRate) implements SensorChange {
+public record LevelRule(
+    LevelLaw law,
+    double squintRad,
+    double missRate,
+    double apertureDeviation,
+    double squintDeviationRad)
+    implements SensorChange {
+  /** Creates one whose beam is known. */
+  public LevelRule(LevelLaw law, double squintRad, double missRate) {
+    this(law, squintRad, missRate, 0, 0);
+  }
+
   /** There is no cone: all before the baffle counts, and the beam says how much. */
   @Override
   public SonarSpec apply(SonarSpec believed) {

@@ -10,9 +10,14 @@ import simbad.sonar.level.StrengthTable;
  * @param only label of the obstacle; empty for all
  * @param strengthDb by bearing, decibels
  * @param deviationDb how far that may be off, by bearing; nowhere below 0
+ * @param withApertureDb by bearing, how far it is off where the aperture is too wide by one of its
+ *     deviations: the two are known together better than apart
  */
 public record LevelStrength(
-    Optional<String> only, StrengthTable strengthDb, StrengthTable deviationDb)
+    Optional<String> only,
+    StrengthTable strengthDb,
+    StrengthTable deviationDb,
+    StrengthTable withApertureDb)
     implements LevelChange, ObstacleChange {
   /** It is what the ears know, and adds nothing to it. */
   @Override

@@ -1,5 +1,7 @@
 package simbad.sonar.scene;
 
+import java.util.Optional;
+
 /**
  * A sensor before a scene, as a scene file states it.
  *
@@ -13,5 +15,11 @@ public record SensingSetup(SonarSpec sensor, Scene scene, double noEchoM) {
     if (!(noEchoM > 0 && noEchoM < Double.POSITIVE_INFINITY)) {
       throw new IllegalArgumentException("noEchoM = " + noEchoM + " is not in (0, infinity)");
     }
+  }
+
+  /** Returns the same set-up, believed to hear by a law. */
+  public SensingSetup under(SensorLaw.Model model) {
+    SensorLaw law = new SensorLaw(Optional.of(model), sensor.law().level());
+    return new SensingSetup(sensor.withLaw(law), scene, noEchoM);
   }
 }
