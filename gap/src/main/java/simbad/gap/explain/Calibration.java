@@ -44,7 +44,7 @@ public final class Calibration {
     clumping =
         Math.max(
             surprise.map(Calibration::ofEchoes).orElse(1.0),
-            heldOut.map(ModelError::echoes).orElse(1.0));
+            heldOut.map(error -> Math.max(error.echoes(), error.ranges())).orElse(1.0));
     rangeClumping =
         Math.max(
             surprise.map(Calibration::ofRanges).orElse(1.0),
@@ -67,13 +67,10 @@ public final class Calibration {
           ? ofLevel(setup, reference, ModelError.ofLevel(setup, reference))
           : ofThreshold(setup, reference);
     }
-    Calibration threshold = ofThreshold(setup, reference);
-    if (!new Blocks(reference).canBeHeldOut()) {
-      return threshold;
-    }
     SensingSetup level = setup.under(SensorLaw.Model.LEVEL);
-    ModelError error = ModelError.ofLevel(level, reference);
-    return error.gapM() < threshold.referenceGapM() ? ofLevel(level, reference, error) : threshold;
+    return new Blocks(reference).canBeHeldOut() && new Rivals(setup, reference).isLevelBetter()
+        ? ofLevel(level, reference, ModelError.ofLevel(level, reference))
+        : ofThreshold(setup, reference);
   }
 
   private static Calibration ofThreshold(SensingSetup setup, PingLog reference) {
@@ -86,15 +83,6 @@ public final class Calibration {
     Evidence evidence = new Evidence(setup, List.of(), reference);
     Hypothesis fitted = new LevelCalibrator(setup, reference).fit(Fold.ALL).setup();
     return new Calibration(Optional.of(evidence), fitted, Optional.of(error));
-  }
-
-  /** The lesser of what a set-up as believed and as calibrated is off by. */
-  private double referenceGapM() {
-    Evidence evidence = reference.orElseThrow();
-    GapMeter meter = new GapMeter(evidence);
-    return Math.min(
-        Arrays.stream(meter.measure(evidence, setup).observedM()).average().orElse(0),
-        Arrays.stream(meter.measure(evidence, Hypothesis.NONE).observedM()).average().orElse(0));
   }
 
   /** Returns the set-up as the simulator believes it, under the law that was taken. */
