@@ -10,6 +10,7 @@ import simbad.sonar.scene.Detection;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.StrengthDetection;
 import simbad.sonar.scene.TableDetection;
+import simbad.sonar.scene.UniformDetection;
 
 /**
  * What a scene says of one obstacle's strength, by the orbits of its symmetry: that of its
@@ -32,6 +33,10 @@ final class Believed {
   private final Symmetry symmetry;
   private final double[] believed;
   private final double[] thresholdM;
+
+  /** One figure for all bearings says nothing of any of them. */
+  private final boolean isUniform;
+
   private final List<Loss> table = new ArrayList<>();
   private final Loss[] loss;
   private final double[] precision;
@@ -46,6 +51,7 @@ final class Believed {
     symmetry = Symmetry.of(obstacle.outline());
     believed = Loss.values(law);
     thresholdM = thresholds(obstacle.detection());
+    isUniform = obstacle.detection() instanceof UniformDetection;
     for (int i = 0; i < thresholdM.length; i++) {
       table.add(loss(obstacle.detection(), i, law));
     }
@@ -94,7 +100,7 @@ final class Believed {
       }
     }
     loss[orbit] = Loss.mean(onPoints.isEmpty() ? between : onPoints);
-    if (seen > 0) {
+    if (seen > 0 && !isUniform) {
       double flat = TABLE_DB * TABLE_DB + variance(onPoints);
       precision[orbit] = seen / (flat + steep / onPoints.size());
     }

@@ -88,8 +88,7 @@ public final class LevelCalibrator {
             .mapToDouble(trial -> predictor.excess(predictor.row(trial)).decibels())
             .toArray();
     double[] beyond = read.stream().mapToDouble(Trials.Trial::beyondM).toArray();
-    return new RangeFit(
-        excess, beyond, setup.sensor().resolutionM(), setup.sensor().rangeNoiseM());
+    return new RangeFit(excess, beyond, setup.sensor().resolutionM(), setup.sensor().rangeNoiseM());
   }
 
   private Form tails() {
@@ -132,7 +131,8 @@ public final class LevelCalibrator {
       double strength = own.loss(orbit).decibels(v) + v[Layout.LEVEL] + v[lobe] - law.levelDb();
       double lost = law.firstLossM(strength, MOST_REFERENCE_M);
       double[] weight =
-          weights(own.loss(orbit).minus(Loss.at(Math.max(LEAST_REFERENCE_M, lost), believed)), lobe);
+          weights(
+              own.loss(orbit).minus(Loss.at(Math.max(LEAST_REFERENCE_M, lost), believed)), lobe);
       double[] product = covariance.operate(weight);
       double variance = 0;
       for (int i = 0; i < weight.length; i++) {

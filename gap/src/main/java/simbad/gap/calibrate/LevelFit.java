@@ -135,8 +135,7 @@ final class LevelFit {
   }
 
   /** Adds what one trial says of where the excess lies in units of its scatter. */
-  private void add(
-      Predictor.Slope slope, int count, double unit, double score, double weight) {
+  private void add(Predictor.Slope slope, int count, double unit, double score, double weight) {
     for (int i = 0; i < count; i++) {
       int at = slope.index(i);
       double own = unit * slope.value(i);

@@ -38,8 +38,7 @@ final class Predictor {
    * @param share of the way from the one to the other
    * @param ringingDb by how much the sender's ringing makes the level stray
    */
-  record Row(
-      Trials.Trial trial, Loss loss, int here, int next, double share, double ringingDb) {}
+  record Row(Trials.Trial trial, Loss loss, int here, int next, double share, double ringingDb) {}
 
   /** Prepares a trial. */
   Row row(Trials.Trial trial) {

@@ -93,8 +93,7 @@ final class Prior {
   private void lobes(int from, Believed target) {
     double[] byStep = new double[LevelForms.BEARINGS];
     double stepDeg = 360.0 / byStep.length;
-    Arrays.setAll(
-        byStep, i -> matern(Math.min(i, byStep.length - i) * stepDeg / LOBE_LENGTH_DEG));
+    Arrays.setAll(byStep, i -> matern(Math.min(i, byStep.length - i) * stepDeg / LOBE_LENGTH_DEG));
     int size = target.orbits();
     double[][] covariance = new double[size][size];
     for (int i = 0; i < size; i++) {
@@ -163,5 +162,4 @@ final class Prior {
     }
     return sum / 2;
   }
-
 }

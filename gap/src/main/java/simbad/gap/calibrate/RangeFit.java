@@ -116,7 +116,8 @@ final class RangeFit {
     }
     double[] fitted = new double[noise.length];
     Arrays.setAll(
-        fitted, i -> Math.sqrt(Math.max(LEAST_NOISE_M * LEAST_NOISE_M, sum[i] / count[i] - stepVariance)));
+        fitted,
+        i -> Math.sqrt(Math.max(LEAST_NOISE_M * LEAST_NOISE_M, sum[i] / count[i] - stepVariance)));
     return fitted;
   }
 

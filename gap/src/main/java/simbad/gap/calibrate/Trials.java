@@ -73,7 +73,8 @@ final class Trials {
     for (int target = 0; target < geometry.obstacles(); target++) {
       double nearest = geometry.nearestM(ping * geometry.obstacles() + target);
       boolean inRange = nearest >= sensor.minRangeM() && nearest <= sensor.maxRangeM();
-      boolean tried = answered < 0 || target == answered || isBefore(geometry, ping, target, answered);
+      boolean tried =
+          answered < 0 || target == answered || isBefore(geometry, ping, target, answered);
       if (inRange && tried) {
         add(geometry, ping, target, target == answered, read - nearest);
       }

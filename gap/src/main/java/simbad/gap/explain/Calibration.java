@@ -96,7 +96,9 @@ public final class Calibration {
     return level ? SensorLaw.Model.LEVEL : SensorLaw.Model.THRESHOLD;
   }
 
-  /** Returns how far the level law is off on rows that it was not fitted on; none for thresholds. */
+  /**
+   * Returns how far the level law is off on rows that it was not fitted on; none for thresholds.
+   */
   public Optional<ModelError> modelError() {
     return heldOut;
   }

@@ -15,7 +15,7 @@ import simbad.sonar.scene.SensorLaw;
  * asked of the other, and the other way round: which foretells better what it was not fitted on.
  */
 final class Rivals {
-  /** What the threshold rule has to foretell better: as much as an effect has to. */
+  /** By so much the level law has to foretell better: as much as an effect has to gain. */
   private static final double WORTH_NATS = Probabilities.COST_NATS;
 
   private final SensingSetup setup;
@@ -38,8 +38,13 @@ final class Rivals {
     blocks = new Blocks(reference);
   }
 
-  /** Tells whether the level law foretells as well or better. */
+  /** Tells whether the level law foretells plainly better. */
   boolean isLevelBetter() {
+    return gainedNats() > WORTH_NATS;
+  }
+
+  /** Returns by how much the level law foretells better, natural logarithm. */
+  double gainedNats() {
     LevelCalibrator calibrator = new LevelCalibrator(level, reference);
     double gained = 0;
     for (int half = 0; half < 2; half++) {
@@ -49,11 +54,20 @@ final class Rivals {
       Hypothesis threshold = new Calibrator(new Fitter(raw, in), setup).fit();
       gained -= Math.max(nats(setup, threshold, out), nats(setup, Hypothesis.NONE, out));
     }
-    return gained > -WORTH_NATS;
+    return gained;
   }
 
+  /** How well echoes are foretold; a wrong offset of ranges says nothing of how a sensor hears. */
   private double nats(SensingSetup believed, Hypothesis calibrated, Fold fold) {
     Evidence evidence = new Evidence(believed, calibrated.changes(), reference);
-    return new Fitter(evidence, fold).logLikelihood(Hypothesis.NONE);
+    Surprise surprise = new Surprise(evidence, Hypothesis.NONE);
+    double sum = 0;
+    for (int ping = 0; ping < reference.size(); ping++) {
+      if (fold.holds(ping)) {
+        double echo = surprise.expected[ping];
+        sum += Math.log(reference.echo(ping) ? echo : 1 - echo);
+      }
+    }
+    return sum;
   }
 }

@@ -4,7 +4,6 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import simbad.sonar.level.Beam;
 import simbad.sonar.level.LevelLaw;
-import simbad.sonar.level.StrengthTable;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.StrengthDetection;

@@ -93,9 +93,7 @@ public final class LevelForms {
   /** Returns the wavenumber of a set-up's carrier in its air, radians per metre. */
   public static double wavenumberPerM(SensingSetup setup) {
     LevelFigures figures = setup.sensor().law().level();
-    return figures
-        .air()
-        .wavenumberPerM(figures.frequencyHz().orElse(LevelDefaults.FREQUENCY_HZ));
+    return figures.air().wavenumberPerM(figures.frequencyHz().orElse(LevelDefaults.FREQUENCY_HZ));
   }
 
   private static LevelRule rule(LevelLaw stated, double wavenumber, double... v) {
@@ -172,8 +170,7 @@ public final class LevelForms {
     }
     return form(
         "strength:" + label,
-        v ->
-            new LevelStrength(Optional.of(label), table(v, 0), table(v, 1), table(v, 2)),
+        v -> new LevelStrength(Optional.of(label), table(v, 0), table(v, 1), table(v, 2)),
         parameters);
   }
 
