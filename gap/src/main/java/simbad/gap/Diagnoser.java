@@ -20,6 +20,7 @@ import simbad.gap.diagnosis.Place;
 import simbad.gap.explain.Blocks;
 import simbad.gap.explain.Calibration;
 import simbad.gap.explain.Gain;
+import simbad.gap.explain.ModelError;
 import simbad.gap.explain.Probabilities;
 import simbad.gap.explain.Scored;
 import simbad.gap.explain.Search;
@@ -74,7 +75,7 @@ public final class Diagnoser {
     PingLog log = new PingLog(data.readings());
     Calibration calibration =
         data.reference().isEmpty()
-            ? Calibration.none()
+            ? Calibration.none(data.setup())
             : Calibration.of(data.setup(), new PingLog(data.reference()));
     Inquiry inquiry = inquire(data, log, calibration);
     for (int round = 0; round < ROUNDS; round++) {
@@ -169,7 +170,8 @@ public final class Diagnoser {
         nextExperiment(evidence, sets, probabilities, calibration.clumping()),
         best,
         calibration.setup(),
-        attempts(sets));
+        attempts(sets),
+        calibration.modelError().map(ModelError::finding));
   }
 
   /** For the first tie: what would tell the two apart. */

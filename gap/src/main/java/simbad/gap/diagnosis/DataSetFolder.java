@@ -12,7 +12,6 @@ import java.util.Map;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.ReadingsFile;
 import simbad.sonar.format.SceneFile;
-import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.ReadingRow;
 
 /**
@@ -68,19 +67,9 @@ public final class DataSetFolder {
     Path reference = folder.resolve(REFERENCE);
     return new DataSet(
         name(),
-        scene(folder.resolve(SCENE)),
+        SceneFile.read(folder.resolve(SCENE)),
         rows(folder.resolve(READINGS)),
         Files.exists(reference) ? rows(reference) : List.of());
-  }
-
-  /** Under another law than its own a scene would be diagnosed as off everywhere. */
-  private static SensingSetup scene(Path file) throws DataFormatException {
-    SensingSetup setup = SceneFile.read(file);
-    if (setup.sensor().law().isLevel()) {
-      throw DataFormatException.inFile(
-          file, "sensor.model: \"level\" is not diagnosed yet, expected \"threshold\" or none");
-    }
-    return setup;
   }
 
   private static List<ReadingRow> rows(Path file) throws DataFormatException {

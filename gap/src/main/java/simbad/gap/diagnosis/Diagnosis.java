@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.LevelForms;
+import simbad.sonar.scene.SensorLaw;
 
 /**
  * A diagnosis of one data set.
@@ -26,6 +28,8 @@ import simbad.sonar.effect.Effect;
  * @param calibration what was calibrated of the set-up on the reference
  * @param tried sets of effects that were fitted together, best first, with their held-out log
  *     likelihood beyond the nominal model's in nats
+ * @param setupError how far the calibrated set-up is off on rows of the reference that it was not
+ *     fitted on; empty where none were held out
  */
 public record Diagnosis(
     Verdict verdict,
@@ -41,7 +45,8 @@ public record Diagnosis(
     Optional<NextExperiment> nextExperiment,
     Hypothesis fitted,
     Hypothesis calibration,
-    List<Attempt> tried) {
+    List<Attempt> tried,
+    Optional<SetupError> setupError) {
   /** Copies the lists. */
   public Diagnosis {
     explanation = List.copyOf(explanation);
@@ -50,6 +55,47 @@ public record Diagnosis(
     where = List.copyOf(where);
     undetectable = List.copyOf(undetectable);
     tried = List.copyOf(tried);
+  }
+
+  /** Creates a diagnosis whose set-up was not held out. */
+  public Diagnosis(
+      Verdict verdict,
+      String reason,
+      List<Effect> explanation,
+      List<EffectFinding> effects,
+      double unknownProbability,
+      double namedProbability,
+      List<AtBound> atBound,
+      GapFigures gap,
+      List<Place> where,
+      List<Undetectable> undetectable,
+      Optional<NextExperiment> nextExperiment,
+      Hypothesis fitted,
+      Hypothesis calibration,
+      List<Attempt> tried) {
+    this(
+        verdict,
+        reason,
+        explanation,
+        effects,
+        unknownProbability,
+        namedProbability,
+        atBound,
+        gap,
+        where,
+        undetectable,
+        nextExperiment,
+        fitted,
+        calibration,
+        tried,
+        Optional.empty());
+  }
+
+  /** Returns by which law the set-up was taken to hear. */
+  public SensorLaw.Model model() {
+    return calibration.forms().stream().anyMatch(LevelForms::isLaw)
+        ? SensorLaw.Model.LEVEL
+        : SensorLaw.Model.THRESHOLD;
   }
 
   /**

@@ -81,6 +81,8 @@ public final class DiagnosisJson {
     ArrayNode atBound = root.putArray("at_bound");
     diagnosis.atBound().forEach(one -> atBound(atBound.addObject(), one));
     gap(root.putObject("gap"), diagnosis.gap());
+    root.put("model", diagnosis.model().word());
+    diagnosis.setupError().ifPresent(error -> setupError(root.putObject("model_error"), error));
     diagnosis.effects().forEach(finding -> effect(root.withArray("effects").addObject(), finding));
     ArrayNode where = root.putArray("where");
     diagnosis.where().forEach(place -> place(where.addObject(), place));
@@ -108,6 +110,15 @@ public final class DiagnosisJson {
     put(node, "floor_cm", gap.floorCm());
     put(node, "shrink", gap.shrink());
     interval(node.putArray("shrink_ci95"), gap.shrinkCi95());
+  }
+
+  private static void setupError(ObjectNode node, SetupError error) {
+    node.put("rows_held_out", error.rows());
+    put(node, "gap_cm", error.gapCm());
+    put(node, "expected_cm", error.expectedCm());
+    put(node, "echoes_vary", error.echoes());
+    put(node, "ranges_vary", error.ranges());
+    put(node, "misfit", error.misfit());
   }
 
   private static void effect(ObjectNode node, EffectFinding finding) {

@@ -10,6 +10,8 @@ import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.JointFitter;
 import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.LevelForms;
 import simbad.sonar.effect.PingLog;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SensorLaw;
@@ -56,6 +58,16 @@ public final class Calibration {
     return new Calibration(Optional.empty(), Hypothesis.NONE, Optional.empty());
   }
 
+  /** Returns the same of a set-up that may believe in the level law. */
+  public static Calibration none(SensingSetup setup) {
+    if (!setup.sensor().law().isLevel()) {
+      return none();
+    }
+    Form law = LevelForms.law(setup);
+    Hypothesis believed = Hypothesis.NONE.and(law, law.neutral());
+    return new Calibration(Optional.empty(), believed, Optional.empty());
+  }
+
   /**
    * Calibrates the law that the scene states, else the one of the two that foretells rows of the
    * reference better which it was not fitted on.
@@ -94,6 +106,16 @@ public final class Calibration {
   public SensorLaw.Model model() {
     boolean level = reference.isPresent() && reference.get().setup().sensor().law().isLevel();
     return level ? SensorLaw.Model.LEVEL : SensorLaw.Model.THRESHOLD;
+  }
+
+  /** Returns by how much more than by chance the set-up itself is off in slices of a log. */
+  double misfitTimes(double chance, int rows) {
+    return heldOut.map(error -> error.misfitTimes(chance, rows)).orElse(1.0);
+  }
+
+  /** Returns by how much more the set-up's own gap is than it expects of itself. */
+  double gapTimes() {
+    return heldOut.map(ModelError::gapTimes).orElse(1.0);
   }
 
   /**

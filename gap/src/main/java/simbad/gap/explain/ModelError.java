@@ -3,6 +3,7 @@ package simbad.gap.explain;
 import java.util.Arrays;
 import java.util.List;
 import simbad.gap.calibrate.LevelCalibrator;
+import simbad.gap.diagnosis.SetupError;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
@@ -19,8 +20,10 @@ import simbad.sonar.scene.SensingSetup;
  * @param echoes by how much more sums of echoes over blocks vary than those of independent pings
  *     would; at least 1
  * @param ranges the same of where ranges lie in their distributions
+ * @param misfit mean of the greatest misfits, as {@link Misfit#top} has it
  */
-public record ModelError(int rows, double gapM, double expectedM, double echoes, double ranges) {
+public record ModelError(
+    int rows, double gapM, double expectedM, double echoes, double ranges, double misfit) {
   /** So many parts, each held out once. */
   static final int PARTS = 5;
 
@@ -50,11 +53,36 @@ public record ModelError(int rows, double gapM, double expectedM, double echoes,
         }
       }
     }
+    double echoes = Calibration.ofEchoes(all);
+    double ranges = Calibration.ofRanges(all);
     return new ModelError(
         gap.length,
         Arrays.stream(gap).average().orElse(0),
         Arrays.stream(expected).average().orElse(0),
-        Calibration.ofEchoes(all),
-        Calibration.ofRanges(all));
+        echoes,
+        ranges,
+        Misfit.of(all).top(Unknown.TOP, Math.max(echoes, ranges), ranges));
+  }
+
+  /**
+   * Returns by how much more than by chance the set-up is off in slices of a log of so many rows:
+   * what is wrong stays where it is, and more rows show it more surely.
+   *
+   * @param chance what misfits come to by chance
+   * @param log rows of it
+   * @return at least 1
+   */
+  double misfitTimes(double chance, int log) {
+    return Math.max(1, misfit / chance * Math.sqrt((double) log / rows));
+  }
+
+  /** Returns by how much more the gap is than the set-up expects of itself, at least 1. */
+  double gapTimes() {
+    return expectedM > 0 ? Math.max(1, gapM / expectedM) : 1;
+  }
+
+  /** Returns the same as a diagnosis says it. */
+  public SetupError finding() {
+    return new SetupError(rows, 100 * gapM, 100 * expectedM, echoes, ranges, misfit);
   }
 }

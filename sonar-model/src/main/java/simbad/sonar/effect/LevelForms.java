@@ -85,6 +85,11 @@ public final class LevelForms {
     return form(LAW, v -> rule(stated, wavenumber, v), parameters);
   }
 
+  /** Tells whether a form is that of the law. */
+  public static boolean isLaw(Form form) {
+    return form.of().isEmpty() && form.name().equals(LAW);
+  }
+
   private static double radiusM(LevelLaw law) {
     // A beam that is stated as a curve is taken for the piston of the default.
     return law.beam() instanceof PistonBeam piston ? piston.apertureRadiusM() : APERTURE_M;
