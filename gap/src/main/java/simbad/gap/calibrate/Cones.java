@@ -56,7 +56,7 @@ final class Cones {
         chosen.add(i);
         for (double share : SHARES) {
           double r = share * threshold;
-          into.add(new Trial(-1, target, rad(i), r, r, halfAngleRad, false, 0));
+          into.add(new Trial(-1, target, rad(i), r, r, halfAngleRad, false, 0, 1, 0));
         }
       }
     }

@@ -6,6 +6,8 @@ import java.util.List;
 import org.hipparchus.linear.RealMatrix;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.Change;
+import simbad.sonar.effect.DiagnosedModel;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Geometry;
 import simbad.sonar.effect.LevelForms;
@@ -57,13 +59,34 @@ public final class LevelCalibrator {
    * @param fold pings that count
    */
   public LevelCalibration fit(Fold fold) {
+    List<Trials.Trial> trials = Trials.of(geometry, setup.sensor(), fold, List.of());
+    return fit(trials, trials);
+  }
+
+  /**
+   * Fits the law to the reference and to a log together, while the log's effects stay as they are.
+   * What is a matter of ranges comes from the reference alone.
+   *
+   * @param log of the same set-up
+   * @param known the set-up as calibrated on the reference
+   * @param effects at work in the log
+   */
+  public LevelCalibration fitWith(
+      PingLog log, Hypothesis known, List<? extends Change> effects) {
+    List<Trials.Trial> trials = Trials.of(geometry, setup.sensor(), Fold.ALL, List.of());
+    Geometry there = new Geometry(log, setup, DiagnosedModel.changes(known.changes(), effects));
+    List<Trials.Trial> both = new ArrayList<>(trials);
+    both.addAll(Trials.of(there, setup.sensor(), Fold.ALL, effects));
+    return fit(both, trials);
+  }
+
+  private LevelCalibration fit(List<Trials.Trial> trials, List<Trials.Trial> ofRanges) {
     Predictor predictor =
         new Predictor(layout, believed, targets, LevelForms.wavenumberPerM(setup));
-    List<Trials.Trial> trials = Trials.of(geometry, setup.sensor(), fold);
     List<Trials.Trial> cones = Cones.of(setup.scene(), setup.sensor().coneHalfAngleRad());
     LevelFit fit = new LevelFit(prior, predictor, trials, cones, setup.sensor().missRate());
     predictor.set(fit.values());
-    RangeFit ranges = ranges(predictor, trials);
+    RangeFit ranges = ranges(predictor, ofRanges);
     RealMatrix covariance = fit.covariance();
     double[] law = law(fit, covariance, ranges);
     Form form = LevelForms.law(setup);
@@ -78,7 +101,8 @@ public final class LevelCalibrator {
     }
     double noise = ranges.noiseM()[1];
     calibrated = calibrated.and(tails(), TAIL_SHARE, Math.min(0.25, TAIL_TIMES * noise));
-    return new LevelCalibration(calibrated, Named.of(layout, fit, covariance), trials.size());
+    List<Named> values = Named.of(layout, fit, covariance);
+    return new LevelCalibration(calibrated, values, trials.size(), fit.priorCost());
   }
 
   private RangeFit ranges(Predictor predictor, List<Trials.Trial> trials) {

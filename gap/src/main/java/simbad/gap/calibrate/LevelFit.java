@@ -93,7 +93,7 @@ final class LevelFit {
     predictor.set(at);
     double sum = prior.cost(at);
     for (Predictor.Row row : trials) {
-      double heard = misses.chance(predictor.excess(row).inDeviations());
+      double heard = misses.chance(predictor.excess(row).inDeviations(), row.trial().share());
       sum -= Math.log(row.trial().isRead() ? heard : 1 - heard);
     }
     for (Predictor.Row row : cones) {
@@ -119,8 +119,8 @@ final class LevelFit {
     for (Predictor.Row row : trials) {
       Predictor.Excess excess = predictor.excess(row);
       predictor.slope(row, excess, slope);
-      double heard = misses.chance(excess.inDeviations());
-      double rise = misses.slope(excess.inDeviations());
+      double heard = misses.chance(excess.inDeviations(), row.trial().share());
+      double rise = misses.slope(excess.inDeviations(), row.trial().share());
       double spread = heard * (1 - heard);
       double score = ((row.trial().isRead() ? 1 : 0) - heard) * rise / spread;
       add(slope, slope.size(), 1 / excess.deviationDb(), score, rise * rise / spread);
@@ -149,6 +149,11 @@ final class LevelFit {
   /** Returns the values. */
   double[] values() {
     return values.clone();
+  }
+
+  /** Returns how improbable the values were before the log: natural logarithm. */
+  double priorCost() {
+    return prior.cost(values);
   }
 
   /** Returns the share of echoes that are missed whatever their strength. */

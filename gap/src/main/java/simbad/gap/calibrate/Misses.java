@@ -21,15 +21,20 @@ final class Misses {
     rate = missRate;
   }
 
-  /** Returns the chance of an echo that is so many deviations over the threshold. */
-  double chance(double deviations) {
-    return STRANGE + (1 - rate) * (1 - 2 * STRANGE) * normal(deviations);
+  /**
+   * Returns the chance of an echo.
+   *
+   * @param deviations by which it is over the threshold
+   * @param share what effects leave of it
+   */
+  double chance(double deviations, double share) {
+    return STRANGE + share * (1 - rate) * (1 - 2 * STRANGE) * normal(deviations);
   }
 
   /** Returns how fast the chance rises with the deviations. */
-  double slope(double deviations) {
+  double slope(double deviations, double share) {
     double density = Math.exp(-deviations * deviations / 2) / ROOT_2_PI;
-    return (1 - rate) * (1 - 2 * STRANGE) * density;
+    return share * (1 - rate) * (1 - 2 * STRANGE) * density;
   }
 
   private static double normal(double deviations) {
@@ -41,7 +46,7 @@ final class Misses {
     double missed = BELIEVED * believed;
     double tried = BELIEVED;
     for (Predictor.Row row : trials) {
-      double strong = normal(predictor.excess(row).inDeviations());
+      double strong = row.trial().share() * normal(predictor.excess(row).inDeviations());
       if (row.trial().isRead()) {
         tried++;
       } else {

@@ -50,7 +50,7 @@ final class Predictor {
     Loss strength = own.loss(here).towards(own.loss(next), place - cell);
     return new Row(
         trial,
-        strength.minus(Loss.at(trial.centreM(), believed)),
+        strength.minus(Loss.at(trial.centreM(), believed)).plus(trial.addedDb()),
         layout.lobe(trial.target(), here),
         layout.lobe(trial.target(), next),
         place - cell,

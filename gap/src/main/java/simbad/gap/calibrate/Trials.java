@@ -3,6 +3,7 @@ package simbad.gap.calibrate;
 import java.util.ArrayList;
 import java.util.List;
 import simbad.gap.fit.Fold;
+import simbad.sonar.effect.Change;
 import simbad.sonar.effect.Geometry;
 import simbad.sonar.effect.PingLog;
 import simbad.sonar.scene.SonarSpec;
@@ -30,6 +31,8 @@ final class Trials {
    * @param nearestM distance to the nearest point of its outline, metres
    * @param offAxisRad of that point, positive counter-clockwise
    * @param isRead whether its echo was read
+   * @param addedDb what effects add to the excess, decibels
+   * @param share what effects leave of the chance of an echo, in [0, 1]
    * @param beyondM by how much the reading is longer than the nearest point's distance, metres; of
    *     no meaning where it was not read
    */
@@ -41,9 +44,15 @@ final class Trials {
       double nearestM,
       double offAxisRad,
       boolean isRead,
+      double addedDb,
+      double share,
       double beyondM) {}
 
-  private Trials(Geometry geometry, SonarSpec sensor, Fold fold) {
+  private final List<? extends Change> effects;
+
+  private Trials(
+      Geometry geometry, SonarSpec sensor, Fold fold, List<? extends Change> effects) {
+    this.effects = effects;
     for (int ping = 0; ping < geometry.log().size(); ping++) {
       if (fold.holds(ping)) {
         add(geometry, sensor, ping);
@@ -57,9 +66,11 @@ final class Trials {
    * @param geometry of the log, with all before the sensor in the cone
    * @param sensor whose range and resolution count
    * @param fold the pings that count
+   * @param effects at work, of which those on levels and chances count here
    */
-  static List<Trial> of(Geometry geometry, SonarSpec sensor, Fold fold) {
-    return List.copyOf(new Trials(geometry, sensor, fold).all);
+  static List<Trial> of(
+      Geometry geometry, SonarSpec sensor, Fold fold, List<? extends Change> effects) {
+    return List.copyOf(new Trials(geometry, sensor, fold, effects).all);
   }
 
   private void add(Geometry geometry, SonarSpec sensor, int ping) {
@@ -92,6 +103,8 @@ final class Trials {
             geometry.nearestM(line),
             geometry.nearestSignedOffAxisRad(line),
             isRead,
+            geometry.addedDb(effects, line),
+            geometry.share(effects, line),
             beyondM));
   }
 

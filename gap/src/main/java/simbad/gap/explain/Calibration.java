@@ -3,6 +3,7 @@ package simbad.gap.explain;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import simbad.gap.calibrate.LevelCalibration;
 import simbad.gap.calibrate.LevelCalibrator;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fitter;
@@ -167,9 +168,6 @@ public final class Calibration {
 
   /** Whether a set-up that fits reference and log together makes an effect superfluous. */
   private Calibration rivalled(Evidence log, Hypothesis explanation) {
-    if (model() == SensorLaw.Model.LEVEL) {
-      return this;
-    }
     Evidence raw = new Evidence(log.setup(), List.of(), log.log());
     Rival whole = rival(raw, explanation);
     for (Effect effect : explanation.effects()) {
@@ -185,10 +183,28 @@ public final class Calibration {
   private record Rival(Hypothesis setup, double nats) {}
 
   private Rival rival(Evidence raw, Hypothesis effects) {
+    if (model() == SensorLaw.Model.LEVEL) {
+      return levelRival(raw, effects);
+    }
     Calibrator calibrator =
         new Calibrator(new JointFitter(reference.orElseThrow(), raw, effects), raw.setup());
     Hypothesis fitted = calibrator.again(setup);
     return new Rival(fitted, calibrator.evidence(fitted));
+  }
+
+  private Rival levelRival(Evidence raw, Hypothesis effects) {
+    Evidence own = reference.orElseThrow();
+    LevelCalibration fitted =
+        new LevelCalibrator(raw.setup(), own.log())
+            .fitWith(raw.log(), setup, effects.changes());
+    Hypothesis both = fitted.setup();
+    for (int i = 0; i < setup.forms().size(); i++) {
+      if (!both.forms().contains(setup.forms().get(i))) {
+        both = both.and(setup.forms().get(i), setup.valuesOf(i));
+      }
+    }
+    double nats = new JointFitter(own, raw, effects).logLikelihood(both);
+    return new Rival(both, nats - fitted.priorCost());
   }
 
   /**
@@ -200,7 +216,7 @@ public final class Calibration {
    * @return the log before a set-up that is fitted to it and the reference together
    */
   public Evidence loosened(Evidence evidence, Hypothesis explanation) {
-    if (reference.isEmpty() || model() == SensorLaw.Model.LEVEL) {
+    if (reference.isEmpty()) {
       return evidence;
     }
     Evidence raw = new Evidence(evidence.setup(), List.of(), evidence.log());

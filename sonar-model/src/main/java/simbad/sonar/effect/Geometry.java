@@ -237,6 +237,41 @@ public final class Geometry {
     return excessDeviationDb[line];
   }
 
+  /**
+   * Returns what changes add to the excess of an obstacle's echo, decibels; 0 for a sensor that
+   * hears by thresholds.
+   *
+   * @param changes of which those of the level law count
+   * @param line of sight
+   */
+  public double addedDb(List<? extends Change> changes, int line) {
+    double added = 0;
+    for (Change change : changes) {
+      if (ears != null && change instanceof LevelChange level) {
+        added += level.addedDb(ears, this, line);
+      }
+    }
+    return added;
+  }
+
+  /**
+   * Returns what changes leave of the chance that an obstacle's echo is heard and not lost.
+   *
+   * @param changes of which those of echoes and losses count
+   * @param line of sight
+   */
+  public double share(List<? extends Change> changes, int line) {
+    double share = 1;
+    for (Change change : changes) {
+      if (change instanceof EchoChange echo) {
+        share *= echo.share(this, line);
+      } else if (change instanceof LossChange loss) {
+        share *= 1 - loss.share(this, line / obstacles);
+      }
+    }
+    return share;
+  }
+
   /** The number of pings that there is room for. */
   int pings() {
     return xM.length;
