@@ -8,11 +8,15 @@ import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Change;
 import simbad.sonar.effect.DiagnosedModel;
+import simbad.sonar.effect.EchoChange;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Geometry;
+import simbad.sonar.effect.LevelChange;
 import simbad.sonar.effect.LevelForms;
 import simbad.sonar.effect.LevelRule;
+import simbad.sonar.effect.LossChange;
 import simbad.sonar.effect.PingLog;
+import simbad.sonar.effect.RangeChange;
 import simbad.sonar.effect.Scenes;
 import simbad.sonar.effect.SetupForms;
 import simbad.sonar.level.LevelLaw;
@@ -65,7 +69,7 @@ public final class LevelCalibrator {
 
   /**
    * Fits the law to the reference and to a log together, while the log's effects stay as they are.
-   * What is a matter of ranges comes from the reference alone.
+   * What is a matter of ranges comes from the reference alone where an effect changes ranges.
    *
    * @param log of the same set-up
    * @param known the set-up as calibrated on the reference
@@ -77,7 +81,14 @@ public final class LevelCalibrator {
     Geometry there = new Geometry(log, setup, DiagnosedModel.changes(known.changes(), effects));
     List<Trials.Trial> both = new ArrayList<>(trials);
     both.addAll(Trials.of(there, setup.sensor(), Fold.ALL, effects));
-    return fit(both, trials);
+    boolean sameRanges = effects.stream().allMatch(LevelCalibrator::leavesRanges);
+    return fit(both, sameRanges ? both : trials);
+  }
+
+  private static boolean leavesRanges(Change effect) {
+    return effect instanceof LevelChange
+        || effect instanceof LossChange
+        || effect instanceof EchoChange && !(effect instanceof RangeChange);
   }
 
   private LevelCalibration fit(List<Trials.Trial> trials, List<Trials.Trial> ofRanges) {

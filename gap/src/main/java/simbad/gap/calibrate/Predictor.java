@@ -128,8 +128,8 @@ final class Predictor {
     into.put(row.here, 1 - row.share);
     into.put(row.next, row.share);
     double offAxis = row.trial.offAxisRad() - values[layout.squint()];
-    double wider = widened(offAxis, 1 + APERTURE_STEP);
-    double rise = wider - widened(offAxis, 1 - APERTURE_STEP);
+    double wider = LevelEars.widenedDb(beam, offAxis, 1 + APERTURE_STEP);
+    double rise = wider - LevelEars.widenedDb(beam, offAxis, 1 - APERTURE_STEP);
     into.put(layout.aperture(), rise / (2 * APERTURE_STEP));
     double turned =
         LevelEars.beamDb(beam, offAxis - SQUINT_STEP_RAD)
@@ -137,11 +137,5 @@ final class Predictor {
     into.put(layout.squint(), turned / (2 * SQUINT_STEP_RAD));
     double part = scatterDb / excess.deviationDb();
     into.put(layout.scatter(), -excess.decibels() * part * part);
-  }
-
-  /** A wider piston hears at an angle what this one hears further off its axis. */
-  private double widened(double offAxisRad, double factor) {
-    double sine = factor * Math.sin(offAxisRad);
-    return LevelEars.beamDb(beam, Math.asin(Math.max(-1, Math.min(1, sine))));
   }
 }

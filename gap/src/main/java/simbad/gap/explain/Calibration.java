@@ -172,7 +172,9 @@ public final class Calibration {
     Rival whole = rival(raw, explanation);
     for (Effect effect : explanation.effects()) {
       Rival less = rival(raw, explanation.without(effect));
-      if (whole.nats - less.nats < SUPERFLUOUS_NATS * clumping) {
+      // Under the level law the evidence is weighed already.
+      double worth = model() == SensorLaw.Model.LEVEL ? 1 : clumping;
+      if (whole.nats - less.nats < SUPERFLUOUS_NATS * worth) {
         return new Calibration(reference, less.setup, heldOut);
       }
     }
@@ -203,8 +205,17 @@ public final class Calibration {
         both = both.and(setup.forms().get(i), setup.valuesOf(i));
       }
     }
-    double nats = new JointFitter(own, raw, effects).logLikelihood(both);
+    double nats = weighed(own, both, Hypothesis.NONE) + weighed(raw, both, effects);
     return new Rival(both, nats - fitted.priorCost());
+  }
+
+  /** How probable a log is, each kind of evidence counted for as much as it is worth. */
+  private double weighed(Evidence raw, Hypothesis calibrated, Hypothesis effects) {
+    Evidence evidence = new Evidence(raw.setup(), calibrated.changes(), raw.log());
+    double all = Arrays.stream(evidence.logLikelihood(effects)).sum();
+    double echoes = new Surprise(evidence, effects).echoNats(Fold.ALL);
+    ModelError error = heldOut.orElseThrow();
+    return echoes / error.echoes() + (all - echoes) / error.ranges();
   }
 
   /**

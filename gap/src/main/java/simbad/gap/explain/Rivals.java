@@ -15,9 +15,6 @@ import simbad.sonar.scene.SensorLaw;
  * asked of the other, and the other way round: which foretells better what it was not fitted on.
  */
 final class Rivals {
-  /** By so much the level law has to foretell better: as much as an effect has to gain. */
-  private static final double WORTH_NATS = Probabilities.COST_NATS;
-
   private final SensingSetup setup;
   private final SensingSetup level;
   private final PingLog reference;
@@ -38,9 +35,9 @@ final class Rivals {
     blocks = new Blocks(reference);
   }
 
-  /** Tells whether the level law foretells plainly better. */
+  /** Tells whether the level law foretells better. */
   boolean isLevelBetter() {
-    return gainedNats() > WORTH_NATS;
+    return gainedNats() > 0;
   }
 
   /** Returns by how much the level law foretells better, natural logarithm. */
@@ -60,14 +57,6 @@ final class Rivals {
   /** How well echoes are foretold; a wrong offset of ranges says nothing of how a sensor hears. */
   private double nats(SensingSetup believed, Hypothesis calibrated, Fold fold) {
     Evidence evidence = new Evidence(believed, calibrated.changes(), reference);
-    Surprise surprise = new Surprise(evidence, Hypothesis.NONE);
-    double sum = 0;
-    for (int ping = 0; ping < reference.size(); ping++) {
-      if (fold.holds(ping)) {
-        double echo = surprise.expected[ping];
-        sum += Math.log(reference.echo(ping) ? echo : 1 - echo);
-      }
-    }
-    return sum;
+    return new Surprise(evidence, Hypothesis.NONE).echoNats(fold);
   }
 }

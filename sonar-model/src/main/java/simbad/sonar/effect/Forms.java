@@ -78,7 +78,7 @@ public final class Forms {
     forms.forms.addAll(MemoryForms.all(setup.sensor()));
     forms.forms.addAll(PlaceForms.all(setup, sensors));
     if (setup.sensor().law().isLevel()) {
-      LevelForms.replace(forms.forms);
+      LevelForms.replace(forms.forms, setup.sensor());
     }
     forms.forms.sort(Comparator.comparing(Form::effect));
     return List.copyOf(forms.forms);
@@ -88,7 +88,7 @@ public final class Forms {
   public static Optional<Form> find(
       Effect effect, String name, SensingSetup setup, List<String> sensors) {
     // A scene that believes in thresholds may have been diagnosed under the level law.
-    return Stream.concat(all(setup, sensors).stream(), LevelForms.effects().stream())
+    return Stream.concat(all(setup, sensors).stream(), LevelForms.effects(setup.sensor()).stream())
         .filter(form -> form.effect() == effect && form.name().equals(name))
         .findFirst();
   }

@@ -1,8 +1,5 @@
 package simbad.sonar.effect;
 
-import simbad.sonar.level.Beam;
-import simbad.sonar.level.PistonBeam;
-
 /**
  * The beam is that of a wider or narrower piston: a piston of twice the radius hears half as far
  * off the axis.
@@ -12,10 +9,6 @@ import simbad.sonar.level.PistonBeam;
 public record LevelAperture(double factor) implements LevelChange {
   @Override
   public double addedDb(LevelEars ears, Geometry geometry, int line) {
-    if (factor == 1 || !(ears.law().beam() instanceof PistonBeam believed)) {
-      return 0;
-    }
-    Beam actual = believed.widened(factor);
-    return ears.beamDb(actual, geometry, line) - ears.beamDb(believed, geometry, line);
+    return factor == 1 ? 0 : ears.widenedDb(factor, geometry, line);
   }
 }

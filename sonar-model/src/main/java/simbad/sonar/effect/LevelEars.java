@@ -63,15 +63,31 @@ public final class LevelEars {
   }
 
   /**
-   * Returns the level of a beam in the direction of an obstacle's nearest point.
+   * Returns what a wider piston adds to the level in the direction of an obstacle's nearest point:
+   * it hears there what this one hears further off its axis.
    *
-   * @param beam sender and receiver
+   * @param factor of the radius, positive
    * @param geometry of all pings
    * @param line index of a ping's line of sight to an obstacle
    * @return decibels
    */
-  public double beamDb(Beam beam, Geometry geometry, int line) {
-    return beamDb(beam, geometry.nearestSignedOffAxisRad(line) - rule.squintRad());
+  double widenedDb(double factor, Geometry geometry, int line) {
+    double offAxis = geometry.nearestSignedOffAxisRad(line) - rule.squintRad();
+    return widenedDb(law().beam(), offAxis, factor) - beamDb(law().beam(), offAxis);
+  }
+
+  /**
+   * Returns the level of the beam of a piston whose radius is greater by a factor.
+   *
+   * @param beam of the piston
+   * @param offAxisRad angle off the beam's axis
+   * @param factor positive
+   * @return decibels
+   */
+  public static double widenedDb(Beam beam, double offAxisRad, double factor) {
+    // The directivity hangs on the product of radius and sine; no direction has a sine over 1.
+    double sine = Math.max(-1, Math.min(1, factor * Math.sin(offAxisRad)));
+    return beamDb(beam, Math.asin(sine));
   }
 
   /**
@@ -87,9 +103,10 @@ public final class LevelEars {
 
   /** By how much the echo of an obstacle exceeds the threshold before any effect, decibels. */
   double excessDb(Geometry geometry, int line) {
+    double offAxis = geometry.nearestSignedOffAxisRad(line) - rule.squintRad();
     return strengthDb(line % strength.length, geometry.bearingRad(line))
         + law().levelDb()
-        + beamDb(law().beam(), geometry, line)
+        + beamDb(law().beam(), offAxis)
         - law().lossDb(geometry.centreDistanceM(line));
   }
 

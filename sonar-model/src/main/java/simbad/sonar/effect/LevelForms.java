@@ -16,6 +16,7 @@ import simbad.sonar.level.LevelLaw;
 import simbad.sonar.level.PistonBeam;
 import simbad.sonar.level.StrengthTable;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
 
 /**
  * The level law as a calibration of the set-up, and the forms that effects have under it. Names and
@@ -53,6 +54,7 @@ public final class LevelForms {
           Effect.BEAM_WIDTH,
           Effect.ORIENTATION_SHADOW);
 
+  private static final double LEAST_SOFT_M = 0.002;
   private static final double MOST_DB = StrengthTable.GREATEST_DB;
   private static final double MOST_RECEIVER_DB = 60;
 
@@ -199,7 +201,8 @@ public final class LevelForms {
   }
 
   /** Returns the forms of effects that change the law. */
-  static List<Form> effects() {
+  static List<Form> effects(SonarSpec sensor) {
+    double soft = Math.max(LEAST_SOFT_M, sensor.rangeNoiseM());
     Parameter aperture = Parameter.of("aperture_factor", 1, 0.3, 3, 0.6, 0.75, 0.9, 1.1, 1.3, 1.7);
     return List.of(
         new Form(
@@ -213,13 +216,23 @@ public final class LevelForms {
             List.of(Parameter.of("added_db_per_m", 0, -1.3, 6, -0.8, -0.4, 0.4, 0.8, 1.5, 3)),
             v -> new LevelAbsorption(v[0])),
         new Form(Effect.BEAM_PATTERN, "aperture", List.of(aperture), v -> new LevelAperture(v[0])),
-        new Form(Effect.BEAM_WIDTH, "aperture", List.of(aperture), v -> new LevelAperture(v[0])));
+        new Form(Effect.BEAM_WIDTH, "aperture", List.of(aperture), v -> new LevelAperture(v[0])),
+        new Form(
+            Effect.RANGE_OFFSET,
+            "gated",
+            List.of(Parameter.of("offset_m", 0, -1, 1, -0.1, -0.03, 0.03, 0.1)),
+            v -> new GatedOffset(new RangeOffset(v[0]), sensor.minRangeM(), soft)));
   }
 
   /** Puts the forms of effects that change the law in the place of those that change thresholds. */
-  static void replace(List<Form> forms) {
-    forms.removeIf(form -> THRESHOLDS.contains(form.effect()));
-    forms.addAll(effects());
+  static void replace(List<Form> forms, SonarSpec sensor) {
+    forms.removeIf(form -> THRESHOLDS.contains(form.effect()) || isReceiver(form));
+    forms.addAll(effects(sensor));
+  }
+
+  /** A time-out is a clock's; one that is soft is a receiver that asks more, as air does. */
+  private static boolean isReceiver(Form form) {
+    return form.effect() == Effect.EARLY_TIMEOUT && form.name().equals("soft");
   }
 
   private static String at(String name, double place) {

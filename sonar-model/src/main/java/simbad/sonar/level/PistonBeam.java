@@ -113,11 +113,6 @@ public final class PistonBeam implements Beam {
     return apertureRadiusM;
   }
 
-  /** Returns the beam of a piston whose radius is greater by a factor; positive, finite. */
-  public PistonBeam widened(double factor) {
-    return of(factor * apertureRadiusM, wavenumberPerM);
-  }
-
   /** Returns k in radians per metre. */
   public double wavenumberPerM() {
     return wavenumberPerM;
