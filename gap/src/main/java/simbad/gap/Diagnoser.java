@@ -36,7 +36,6 @@ import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Parameter;
 import simbad.sonar.effect.PingLog;
-import simbad.sonar.scene.SensingSetup;
 
 /** Diagnoses data sets. Deterministic: the same data set and seed give the same diagnosis. */
 public final class Diagnoser {
@@ -108,7 +107,7 @@ public final class Diagnoser {
       Weighed weighed,
       boolean isFull) {
     static Inquiry of(Evidence evidence, Calibration calibration, double worthNats, Search search) {
-      List<Scored> sets = search.run();
+      List<Scored> sets = calibration.beyondADay(search.run());
       Weighed weighed = Weighed.of(evidence, sets, worthNats, calibration.clumping());
       return new Inquiry(evidence, calibration, worthNats, search, sets, weighed, !search.isOff());
     }
@@ -123,7 +122,7 @@ public final class Diagnoser {
     }
 
     Inquiry further() {
-      List<Scored> more = search.further();
+      List<Scored> more = calibration.beyondADay(search.further());
       return new Inquiry(
           evidence,
           calibration,
@@ -136,8 +135,7 @@ public final class Diagnoser {
   }
 
   private Inquiry inquire(DataSet data, PingLog log, Calibration calibration) {
-    SensingSetup setup = calibration.believed(data.setup());
-    Evidence evidence = new Evidence(setup, calibration.setup().changes(), log);
+    Evidence evidence = calibration.evidence(data.setup(), log);
     double least = Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size());
     double worth = least * calibration.clumping() * (data.reference().isEmpty() ? 1 : OFF);
     // In one block nothing is left to test on what is fitted: too few rows to name anything.

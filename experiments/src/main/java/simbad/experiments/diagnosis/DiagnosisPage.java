@@ -9,8 +9,8 @@ import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.DiagnosisJson;
 import simbad.gap.diagnosis.NextExperiment;
-import simbad.gap.diagnosis.SetupError;
 import simbad.gap.diagnosis.Provenance;
+import simbad.gap.diagnosis.SetupError;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.scene.Obstacle;
 

@@ -11,8 +11,7 @@ import simbad.gap.fit.Hypothesis;
  * @param trials what they were fitted on: pings times obstacles that they tried
  * @param priorCost how improbable the values were before: natural logarithm, at least 0
  */
-public record LevelCalibration(
-    Hypothesis setup, List<Named> values, int trials, double priorCost) {
+public record LevelCalibration(Hypothesis setup, List<Named> values, int trials, double priorCost) {
   /** Copies the list. */
   public LevelCalibration {
     values = List.copyOf(values);

@@ -75,8 +75,7 @@ public final class LevelCalibrator {
    * @param known the set-up as calibrated on the reference
    * @param effects at work in the log
    */
-  public LevelCalibration fitWith(
-      PingLog log, Hypothesis known, List<? extends Change> effects) {
+  public LevelCalibration fitWith(PingLog log, Hypothesis known, List<? extends Change> effects) {
     List<Trials.Trial> trials = Trials.of(geometry, setup.sensor(), Fold.ALL, List.of());
     Geometry there = new Geometry(log, setup, DiagnosedModel.changes(known.changes(), effects));
     List<Trials.Trial> both = new ArrayList<>(trials);

@@ -50,8 +50,7 @@ final class Trials {
 
   private final List<? extends Change> effects;
 
-  private Trials(
-      Geometry geometry, SonarSpec sensor, Fold fold, List<? extends Change> effects) {
+  private Trials(Geometry geometry, SonarSpec sensor, Fold fold, List<? extends Change> effects) {
     this.effects = effects;
     for (int ping = 0; ping < geometry.log().size(); ping++) {
       if (fold.holds(ping)) {

@@ -43,15 +43,9 @@ public final class Calibration {
     this.setup = setup;
     this.heldOut = heldOut;
     Optional<Surprise> surprise = reference.map(evidence -> new Surprise(evidence, setup));
-    // What was held out says more, where it was.
-    clumping =
-        Math.max(
-            surprise.map(Calibration::ofEchoes).orElse(1.0),
-            heldOut.map(error -> Math.max(error.echoes(), error.ranges())).orElse(1.0));
-    rangeClumping =
-        Math.max(
-            surprise.map(Calibration::ofRanges).orElse(1.0),
-            heldOut.map(ModelError::ranges).orElse(1.0));
+    // Where rows were held out, they say more, and all evidence is divided by it already.
+    clumping = heldOut.isPresent() ? 1 : surprise.map(Calibration::ofEchoes).orElse(1.0);
+    rangeClumping = heldOut.isPresent() ? 1 : surprise.map(Calibration::ofRanges).orElse(1.0);
   }
 
   /** Returns the calibration of a set-up without a reference: it is as it is believed to be. */
@@ -93,7 +87,8 @@ public final class Calibration {
   }
 
   private static Calibration ofLevel(SensingSetup setup, PingLog reference, ModelError error) {
-    Evidence evidence = new Evidence(setup, List.of(), reference);
+    Evidence evidence =
+        new Evidence(setup, List.of(), reference).divided(error.echoes(), error.ranges());
     Hypothesis fitted = new LevelCalibrator(setup, reference).fit(Fold.ALL).setup();
     return new Calibration(Optional.of(evidence), fitted, Optional.of(error));
   }
@@ -107,6 +102,26 @@ public final class Calibration {
   public SensorLaw.Model model() {
     boolean level = reference.isPresent() && reference.get().setup().sensor().law().isLevel();
     return level ? SensorLaw.Model.LEVEL : SensorLaw.Model.THRESHOLD;
+  }
+
+  /** Returns a log before this set-up, its evidence divided by what the set-up is off by. */
+  public Evidence evidence(SensingSetup stated, PingLog log) {
+    Evidence plain = new Evidence(believed(stated), setup.changes(), log);
+    return heldOut.map(error -> plain.divided(error.echoes(), error.ranges())).orElse(plain);
+  }
+
+  /** Returns the sets that are more than what differs from day to day before such a set-up. */
+  public List<Scored> beyondADay(List<Scored> sets) {
+    return heldOut.isEmpty()
+        ? sets
+        : sets.stream().filter(set -> !DaysDifference.isIn(set.hypothesis())).toList();
+  }
+
+  /** Returns by how much blocks of echoes and of ranges vary more than by chance. */
+  double[] blocksVary() {
+    return heldOut
+        .map(error -> new double[] {error.echoes(), error.ranges()})
+        .orElse(new double[] {clumping, rangeClumping});
   }
 
   /** Returns by how much more than by chance the set-up itself is off in slices of a log. */
@@ -168,13 +183,11 @@ public final class Calibration {
 
   /** Whether a set-up that fits reference and log together makes an effect superfluous. */
   private Calibration rivalled(Evidence log, Hypothesis explanation) {
-    Evidence raw = new Evidence(log.setup(), List.of(), log.log());
+    Evidence raw = log.calibrated(List.of());
     Rival whole = rival(raw, explanation);
     for (Effect effect : explanation.effects()) {
       Rival less = rival(raw, explanation.without(effect));
-      // Under the level law the evidence is weighed already.
-      double worth = model() == SensorLaw.Model.LEVEL ? 1 : clumping;
-      if (whole.nats - less.nats < SUPERFLUOUS_NATS * worth) {
+      if (whole.nats - less.nats < SUPERFLUOUS_NATS * clumping) {
         return new Calibration(reference, less.setup, heldOut);
       }
     }
@@ -197,25 +210,15 @@ public final class Calibration {
   private Rival levelRival(Evidence raw, Hypothesis effects) {
     Evidence own = reference.orElseThrow();
     LevelCalibration fitted =
-        new LevelCalibrator(raw.setup(), own.log())
-            .fitWith(raw.log(), setup, effects.changes());
+        new LevelCalibrator(raw.setup(), own.log()).fitWith(raw.log(), setup, effects.changes());
     Hypothesis both = fitted.setup();
     for (int i = 0; i < setup.forms().size(); i++) {
       if (!both.forms().contains(setup.forms().get(i))) {
         both = both.and(setup.forms().get(i), setup.valuesOf(i));
       }
     }
-    double nats = weighed(own, both, Hypothesis.NONE) + weighed(raw, both, effects);
+    double nats = new JointFitter(own, raw, effects).logLikelihood(both);
     return new Rival(both, nats - fitted.priorCost());
-  }
-
-  /** How probable a log is, each kind of evidence counted for as much as it is worth. */
-  private double weighed(Evidence raw, Hypothesis calibrated, Hypothesis effects) {
-    Evidence evidence = new Evidence(raw.setup(), calibrated.changes(), raw.log());
-    double all = Arrays.stream(evidence.logLikelihood(effects)).sum();
-    double echoes = new Surprise(evidence, effects).echoNats(Fold.ALL);
-    ModelError error = heldOut.orElseThrow();
-    return echoes / error.echoes() + (all - echoes) / error.ranges();
   }
 
   /**
@@ -230,9 +233,9 @@ public final class Calibration {
     if (reference.isEmpty()) {
       return evidence;
     }
-    Evidence raw = new Evidence(evidence.setup(), List.of(), evidence.log());
+    Evidence raw = evidence.calibrated(List.of());
     Hypothesis loose = rival(raw, explanation).setup;
-    return new Evidence(evidence.setup(), loose.changes(), evidence.log());
+    return evidence.calibrated(loose.changes());
   }
 
   static double ofEchoes(Surprise surprise) {

@@ -61,7 +61,7 @@ public record ModelError(
         Arrays.stream(expected).average().orElse(0),
         echoes,
         ranges,
-        Misfit.of(all).top(Unknown.TOP, Math.max(echoes, ranges), ranges));
+        Misfit.of(all).top(Unknown.TOP, echoes, ranges));
   }
 
   /**

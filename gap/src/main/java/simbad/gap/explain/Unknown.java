@@ -92,10 +92,11 @@ public final class Unknown {
   public static double probability(
       Evidence evidence, Calibration calibration, Gain gain, Hypothesis best) {
     Misfit misfit = Misfit.of(calibration.loosened(evidence, best), best);
-    double off = misfit.top(TOP, calibration.clumping(), calibration.rangeClumping());
+    double[] vary = calibration.blocksVary();
+    double off = misfit.top(TOP, vary[0], vary[1]);
     off /= calibration.misfitTimes(CHANCE, evidence.log().size());
-    if (Boolean.getBoolean("dbgu")) System.out.printf("   unk: off %.2f (times %.2f) after %.2f exp %.2f gapTimes %.2f left %.2f named %.2f clump %.2f %.2f best %s%n", off, calibration.misfitTimes(CHANCE, evidence.log().size()), 100*gain.afterM(), 100*mean(gain.after().expectedM()), calibration.gapTimes(), left(gain, calibration.gapTimes()), best.size() > 0 ? named(best, gain.shrinkage()) : 0, calibration.clumping(), calibration.rangeClumping(), best.effects());
-    double logit = BASE + PER_MISFIT * Math.max(0, off - CHANCE) + left(gain, calibration.gapTimes());
+    double logit =
+        BASE + PER_MISFIT * Math.max(0, off - CHANCE) + left(gain, calibration.gapTimes());
     if (best.size() > 0) {
       logit += named(best, gain.shrinkage());
     }

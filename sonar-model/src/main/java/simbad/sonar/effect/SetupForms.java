@@ -51,7 +51,8 @@ public final class SetupForms {
    */
   public static Optional<Form> find(String name, SensingSetup setup, List<String> sensors) {
     Stream<Form> effects =
-        Stream.concat(Forms.all(setup, sensors).stream(), LevelForms.effects(setup.sensor()).stream());
+        Stream.concat(
+            Forms.all(setup, sensors).stream(), LevelForms.effects(setup.sensor()).stream());
     return Stream.concat(all(setup).stream(), effects.map(SetupForms::of))
         .filter(form -> form.name().equals(name))
         .findFirst()
