@@ -23,6 +23,7 @@ import simbad.gap.explain.Blocks;
 import simbad.gap.explain.Budget;
 import simbad.gap.explain.Calibration;
 import simbad.gap.explain.Gain;
+import simbad.gap.explain.ModelError;
 import simbad.gap.explain.Probabilities;
 import simbad.gap.explain.Scored;
 import simbad.gap.explain.Search;
@@ -80,7 +81,7 @@ public final class Diagnoser {
     PingLog log = new PingLog(data.readings());
     Calibration calibration =
         data.reference().isEmpty()
-            ? Calibration.ofLog(data.setup(), log)
+            ? Calibration.none(data.setup(), log)
             : Calibration.of(data.setup(), new PingLog(data.reference()));
     Inquiry inquiry = inquire(data, log, calibration);
     for (int round = 0; round < ROUNDS; round++) {
@@ -113,7 +114,7 @@ public final class Diagnoser {
       Weighed weighed,
       boolean isFull) {
     static Inquiry of(Evidence evidence, Calibration calibration, double worthNats, Search search) {
-      List<Scored> sets = search.run();
+      List<Scored> sets = calibration.beyondADay(search.run());
       Weighed weighed = Weighed.of(evidence, sets, worthNats, calibration.clumping());
       return new Inquiry(evidence, calibration, worthNats, search, sets, weighed, !search.isOff());
     }
@@ -128,7 +129,7 @@ public final class Diagnoser {
     }
 
     Inquiry further() {
-      List<Scored> more = search.further();
+      List<Scored> more = calibration.beyondADay(search.further());
       return new Inquiry(
           evidence,
           calibration,
@@ -141,7 +142,7 @@ public final class Diagnoser {
   }
 
   private Inquiry inquire(DataSet data, PingLog log, Calibration calibration) {
-    Evidence evidence = new Evidence(data.setup(), calibration.setup().changes(), log);
+    Evidence evidence = calibration.evidence(data.setup(), log);
     double least = Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size());
     double worth = least * calibration.clumping() * (data.reference().isEmpty() ? 1 : OFF);
     // In one block nothing is left to test on what is fitted: too few rows to name anything.
@@ -201,7 +202,9 @@ public final class Diagnoser {
         nextExperiment(evidence, sets, weighed, clumping),
         best,
         inquiry.calibration.setup(),
-        attempts(sets));
+        attempts(sets),
+        inquiry.calibration.modelError().map(ModelError::finding),
+        List.of());
   }
 
   /** For the first tie: what would tell the two apart. */

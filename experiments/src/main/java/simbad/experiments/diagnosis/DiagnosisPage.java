@@ -10,6 +10,7 @@ import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.DiagnosisJson;
 import simbad.gap.diagnosis.NextExperiment;
 import simbad.gap.diagnosis.Provenance;
+import simbad.gap.diagnosis.SetupError;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.sensing.ReadingRow;
@@ -153,8 +154,21 @@ final class DiagnosisPage {
               + DiagnosisJson.FILE
               + ".</p>\n");
     }
+    diagnosis.setupError().ifPresent(this::setupError);
     page.append("<h2>What these data could not have shown</h2>\n");
     new Tables(page).undetectable(diagnosis.undetectable());
+  }
+
+  private void setupError(SetupError error) {
+    page.append(
+        "<p>The sensor is taken to hear by the "
+            + diagnosis.model().word()
+            + " law. On readings of the reference that it was not fitted on it is "
+            + Html.number(error.gapCm())
+            + " cm off, where it expects "
+            + Html.number(error.expectedCm())
+            + " cm; evidence counts for less by as much as blocks of these readings vary more than"
+            + " chance.</p>\n");
   }
 
   private void next() {

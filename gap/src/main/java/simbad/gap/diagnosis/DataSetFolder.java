@@ -68,22 +68,12 @@ public final class DataSetFolder {
           folder, "is no folder, expected one with " + SCENE + " and " + READINGS);
     }
     Path reference = folder.resolve(REFERENCE);
-    SensingSetup setup = scene(folder.resolve(SCENE));
+    SensingSetup setup = SceneFile.read(folder.resolve(SCENE));
     return new DataSet(
         name(),
         setup,
         rows(folder.resolve(READINGS), setup),
         Files.exists(reference) ? rows(reference, setup) : List.of());
-  }
-
-  /** Under another law than its own a scene would be diagnosed as off everywhere. */
-  private static SensingSetup scene(Path file) throws DataFormatException {
-    SensingSetup setup = SceneFile.read(file);
-    if (setup.sensor().law().isLevel()) {
-      throw DataFormatException.inFile(
-          file, "sensor.model: \"level\" is not diagnosed yet, expected \"threshold\" or none");
-    }
-    return setup;
   }
 
   private List<ReadingRow> rows(Path file, SensingSetup setup) throws DataFormatException {

@@ -5,6 +5,8 @@ import java.util.Optional;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.LevelForms;
+import simbad.sonar.scene.SensorLaw;
 
 /**
  * A diagnosis of one data set.
@@ -28,6 +30,8 @@ import simbad.sonar.effect.Effect;
  * @param calibration what was calibrated of the set-up on the reference
  * @param tried sets of effects that were fitted together, best first, with their held-out log
  *     likelihood beyond the nominal model's in nats
+ * @param setupError how far the calibrated set-up is off on rows of the reference that it was not
+ *     fitted on; empty where none were held out
  * @param audit what was found of the data before anything was fitted, worst first
  */
 public record Diagnosis(
@@ -46,6 +50,7 @@ public record Diagnosis(
     Hypothesis fitted,
     Hypothesis calibration,
     List<Attempt> tried,
+    Optional<SetupError> setupError,
     List<AuditFinding> audit) {
   /** Copies the lists. */
   public Diagnosis {
@@ -59,7 +64,7 @@ public record Diagnosis(
     audit = List.copyOf(audit);
   }
 
-  /** A diagnosis of data of which the audit found nothing. */
+  /** A diagnosis whose set-up was not held out, of data of which the audit found nothing. */
   public Diagnosis(
       Verdict verdict,
       String reason,
@@ -92,6 +97,7 @@ public record Diagnosis(
         fitted,
         calibration,
         tried,
+        Optional.empty(),
         List.of());
   }
 
@@ -113,7 +119,15 @@ public record Diagnosis(
         fitted,
         calibration,
         tried,
+        setupError,
         found);
+  }
+
+  /** Returns by which law the set-up was taken to hear. */
+  public SensorLaw.Model model() {
+    return calibration.forms().stream().anyMatch(LevelForms::isLaw)
+        ? SensorLaw.Model.LEVEL
+        : SensorLaw.Model.THRESHOLD;
   }
 
   /**

@@ -103,6 +103,8 @@ public final class DiagnosisJson {
     ArrayNode atBound = root.putArray("at_bound");
     diagnosis.atBound().forEach(one -> atBound(atBound.addObject(), one));
     gap(root.putObject("gap"), diagnosis.gap());
+    root.put("model", diagnosis.model().word());
+    diagnosis.setupError().ifPresent(error -> setupError(root.putObject("model_error"), error));
     ArrayNode budget = root.putArray("budget");
     diagnosis.budget().forEach(entry -> budget(budget.addObject(), entry));
     for (EffectFinding finding : diagnosis.effects()) {
@@ -145,6 +147,15 @@ public final class DiagnosisJson {
     node.put("what", entry.what());
     put(node, "cm", entry.cm());
     interval(node.putArray("ci95"), entry.ci95());
+  }
+
+  private static void setupError(ObjectNode node, SetupError error) {
+    node.put("rows_held_out", error.rows());
+    put(node, "gap_cm", error.gapCm());
+    put(node, "expected_cm", error.expectedCm());
+    put(node, "echoes_vary", error.echoes());
+    put(node, "ranges_vary", error.ranges());
+    put(node, "misfit", error.misfit());
   }
 
   private static void effect(ObjectNode node, EffectFinding finding) {

@@ -3,14 +3,19 @@ package simbad.gap.explain;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import simbad.gap.calibrate.LevelCalibration;
+import simbad.gap.calibrate.LevelCalibrator;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.JointFitter;
 import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.LevelForms;
 import simbad.sonar.effect.PingLog;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SensorLaw;
 
 /**
  * What a reference log says of the set-up: in what it is a little off while the simulation is
@@ -30,40 +35,124 @@ public final class Calibration {
   private final double clumping;
   private final double rangeClumping;
 
-  private Calibration(double clumping) {
+  private final Optional<ModelError> heldOut;
+
+  /** Of a set-up without a reference, whose readings hang together by a factor. */
+  private Calibration(Hypothesis setup, double clumping) {
     reference = Optional.empty();
-    setup = Hypothesis.NONE;
+    heldOut = Optional.empty();
+    this.setup = setup;
     this.clumping = clumping;
     rangeClumping = clumping;
   }
 
-  private Calibration(Optional<Evidence> reference, Hypothesis setup) {
+  private Calibration(
+      Optional<Evidence> reference, Hypothesis setup, Optional<ModelError> heldOut) {
     this.reference = reference;
     this.setup = setup;
+    this.heldOut = heldOut;
     Optional<Surprise> surprise = reference.map(evidence -> new Surprise(evidence, setup));
-    clumping = surprise.map(Calibration::ofEchoes).orElse(1.0);
-    rangeClumping = surprise.map(Calibration::ofRanges).orElse(1.0);
+    // Where rows were held out, they say more, and all evidence is divided by it already.
+    clumping = heldOut.isPresent() ? 1 : surprise.map(Calibration::ofEchoes).orElse(1.0);
+    rangeClumping = heldOut.isPresent() ? 1 : surprise.map(Calibration::ofRanges).orElse(1.0);
   }
 
   /** Returns the calibration of a set-up without a reference: it is as it is believed to be. */
   public static Calibration none() {
-    return new Calibration(Optional.empty(), Hypothesis.NONE);
+    return new Calibration(Optional.empty(), Hypothesis.NONE, Optional.empty());
   }
 
   /**
-   * Returns the calibration of a set-up without a reference, of which a log says how far readings
-   * of one placement hang together.
+   * Returns the calibration of a set-up without a reference, which may believe in the level law. A
+   * log itself says how far readings of one placement hang together.
    */
-  public static Calibration ofLog(SensingSetup setup, PingLog log) {
+  public static Calibration none(SensingSetup setup, PingLog log) {
+    Hypothesis believed = Hypothesis.NONE;
+    if (setup.sensor().law().isLevel()) {
+      Form law = LevelForms.law(setup);
+      believed = believed.and(law, law.neutral());
+    }
+    Evidence evidence = new Evidence(setup, believed.changes(), log);
     return new Calibration(
-        PlacementScatter.clumping(new Evidence(setup, List.of(), log), new Placements(log)));
+        believed, PlacementScatter.clumping(evidence, new Placements(log)));
   }
 
-  /** Calibrates. */
+  /**
+   * Calibrates the law that the scene states, else the one of the two that foretells rows of the
+   * reference better which it was not fitted on.
+   */
   public static Calibration of(SensingSetup setup, PingLog reference) {
+    Optional<SensorLaw.Model> stated = setup.sensor().law().model();
+    if (stated.isPresent()) {
+      return stated.get() == SensorLaw.Model.LEVEL
+          ? ofLevel(setup, reference, ModelError.ofLevel(setup, reference))
+          : ofThreshold(setup, reference);
+    }
+    SensingSetup level = setup.under(SensorLaw.Model.LEVEL);
+    return new Blocks(reference).canBeHeldOut() && new Rivals(setup, reference).isLevelBetter()
+        ? ofLevel(level, reference, ModelError.ofLevel(level, reference))
+        : ofThreshold(setup, reference);
+  }
+
+  private static Calibration ofThreshold(SensingSetup setup, PingLog reference) {
     Evidence evidence = new Evidence(setup, List.of(), reference);
     Calibrator calibrator = new Calibrator(new Fitter(evidence, Fold.ALL), setup);
-    return new Calibration(Optional.of(evidence), calibrator.fit());
+    return new Calibration(Optional.of(evidence), calibrator.fit(), Optional.empty());
+  }
+
+  private static Calibration ofLevel(SensingSetup setup, PingLog reference, ModelError error) {
+    Evidence evidence =
+        new Evidence(setup, List.of(), reference).divided(error.echoes(), error.ranges());
+    Hypothesis fitted = new LevelCalibrator(setup, reference).fit(Fold.ALL).setup();
+    return new Calibration(Optional.of(evidence), fitted, Optional.of(error));
+  }
+
+  /** Returns the set-up as the simulator believes it, under the law that was taken. */
+  public SensingSetup believed(SensingSetup stated) {
+    return reference.map(Evidence::setup).orElse(stated);
+  }
+
+  /** Returns by which law the set-up hears. */
+  public SensorLaw.Model model() {
+    boolean level = reference.isPresent() && reference.get().setup().sensor().law().isLevel();
+    return level ? SensorLaw.Model.LEVEL : SensorLaw.Model.THRESHOLD;
+  }
+
+  /** Returns a log before this set-up, its evidence divided by what the set-up is off by. */
+  public Evidence evidence(SensingSetup stated, PingLog log) {
+    Evidence plain = new Evidence(believed(stated), setup.changes(), log);
+    return heldOut.map(error -> plain.divided(error.echoes(), error.ranges())).orElse(plain);
+  }
+
+  /** Returns the sets that are more than what differs from day to day before such a set-up. */
+  public List<Scored> beyondADay(List<Scored> sets) {
+    return heldOut.isEmpty()
+        ? sets
+        : sets.stream().filter(set -> !DaysDifference.isIn(set.hypothesis())).toList();
+  }
+
+  /** Returns by how much blocks of echoes and of ranges vary more than by chance. */
+  double[] blocksVary() {
+    return heldOut
+        .map(error -> new double[] {error.echoes(), error.ranges()})
+        .orElse(new double[] {clumping, rangeClumping});
+  }
+
+  /** Returns by how much more than by chance the set-up itself is off in slices of a log. */
+  double misfitTimes(double chance, int rows) {
+    return heldOut.map(error -> error.misfitTimes(chance, rows)).orElse(1.0);
+  }
+
+  /** Returns by how much more the set-up's own gap is than it expects of itself. */
+  double gapTimes() {
+    return heldOut.map(ModelError::gapTimes).orElse(1.0);
+  }
+
+  /**
+   * Returns how far the level law is off on rows that it was not fitted on; none for thresholds.
+   */
+  public Optional<ModelError> modelError() {
+    return heldOut;
   }
 
   /** Returns the calibrated forms with their values; none without a reference. */
@@ -101,17 +190,19 @@ public final class Calibration {
     for (int i = 0; i < explanation.forms().size(); i++) {
       more = suspicion.settled(more, i);
     }
-    return more.equals(setup) ? rivalled(log, explanation) : new Calibration(reference, more);
+    return more.equals(setup)
+        ? rivalled(log, explanation)
+        : new Calibration(reference, more, heldOut);
   }
 
   /** Whether a set-up that fits reference and log together makes an effect superfluous. */
   private Calibration rivalled(Evidence log, Hypothesis explanation) {
-    Evidence raw = new Evidence(log.setup(), List.of(), log.log());
+    Evidence raw = log.calibrated(List.of());
     Rival whole = rival(raw, explanation);
     for (Effect effect : explanation.effects()) {
       Rival less = rival(raw, explanation.without(effect));
       if (whole.nats - less.nats < SUPERFLUOUS_NATS * clumping) {
-        return new Calibration(reference, less.setup);
+        return new Calibration(reference, less.setup, heldOut);
       }
     }
     return this;
@@ -121,10 +212,27 @@ public final class Calibration {
   private record Rival(Hypothesis setup, double nats) {}
 
   private Rival rival(Evidence raw, Hypothesis effects) {
+    if (model() == SensorLaw.Model.LEVEL) {
+      return levelRival(raw, effects);
+    }
     Calibrator calibrator =
         new Calibrator(new JointFitter(reference.orElseThrow(), raw, effects), raw.setup());
     Hypothesis fitted = calibrator.again(setup);
     return new Rival(fitted, calibrator.evidence(fitted));
+  }
+
+  private Rival levelRival(Evidence raw, Hypothesis effects) {
+    Evidence own = reference.orElseThrow();
+    LevelCalibration fitted =
+        new LevelCalibrator(raw.setup(), own.log()).fitWith(raw.log(), setup, effects.changes());
+    Hypothesis both = fitted.setup();
+    for (int i = 0; i < setup.forms().size(); i++) {
+      if (!both.forms().contains(setup.forms().get(i))) {
+        both = both.and(setup.forms().get(i), setup.valuesOf(i));
+      }
+    }
+    double nats = new JointFitter(own, raw, effects).logLikelihood(both);
+    return new Rival(both, nats - fitted.priorCost());
   }
 
   /**
@@ -139,12 +247,12 @@ public final class Calibration {
     if (reference.isEmpty()) {
       return evidence;
     }
-    Evidence raw = new Evidence(evidence.setup(), List.of(), evidence.log());
+    Evidence raw = evidence.calibrated(List.of());
     Hypothesis loose = rival(raw, explanation).setup;
-    return new Evidence(evidence.setup(), loose.changes(), evidence.log());
+    return evidence.calibrated(loose.changes());
   }
 
-  private static double ofEchoes(Surprise surprise) {
+  static double ofEchoes(Surprise surprise) {
     Blocks blocks = new Blocks(surprise.log);
     double[] sum = new double[blocks.count()];
     double[] variance = new double[blocks.count()];
@@ -155,7 +263,7 @@ public final class Calibration {
     return clumping(sum, variance, LEAST_VARIANCE);
   }
 
-  private static double ofRanges(Surprise surprise) {
+  static double ofRanges(Surprise surprise) {
     Blocks blocks = new Blocks(surprise.log);
     double[] sum = new double[blocks.count()];
     double[] squares = new double[blocks.count()];

@@ -32,17 +32,35 @@ public final class Misfit {
   }
 
   private Misfit(Evidence evidence, Hypothesis hypothesis, boolean ahead) {
-    Surprise surprise = new Surprise(evidence, hypothesis);
+    List<Slicing.Cut> cuts = look(new Surprise(evidence, hypothesis));
+    if (ahead && evidence.model(hypothesis).hasMemory()) {
+      Foresight foresight = Foresight.of(evidence, hypothesis);
+      cuts.forEach(cut -> lookAhead(evidence.log(), foresight, cut));
+    }
+    sort();
+  }
+
+  private Misfit(Surprise surprise) {
+    look(surprise);
+    sort();
+  }
+
+  /** Looks at what was got wrong of the pings of a log. */
+  static Misfit of(Surprise surprise) {
+    return new Misfit(surprise);
+  }
+
+  private void sort() {
+    slices.sort(Comparator.comparingDouble(slice -> -Math.abs(slice.z)));
+  }
+
+  private List<Slicing.Cut> look(Surprise surprise) {
     double[] spread = spread(surprise);
     List<Slicing.Cut> cuts = new Slicing(surprise.log, surprise.geometry).all();
     for (Slicing.Cut cut : cuts) {
       look(surprise, cut, spread);
     }
-    if (ahead && evidence.model(hypothesis).hasMemory()) {
-      Foresight foresight = Foresight.of(evidence, hypothesis);
-      cuts.forEach(cut -> lookAhead(surprise.log, foresight, cut));
-    }
-    slices.sort(Comparator.comparingDouble(slice -> -Math.abs(slice.z)));
+    return cuts;
   }
 
   /**

@@ -2,6 +2,7 @@ package simbad.gap.explain;
 
 import org.hipparchus.special.Erf;
 import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.DiagnosedModel;
 import simbad.sonar.effect.Expectation;
@@ -21,6 +22,27 @@ public final class Surprise {
   final Geometry geometry;
   final double[] expected;
   final double[] score;
+
+  /**
+   * Returns how probable it was which pings had an echo, wherever: natural logarithm.
+   *
+   * @param fold the pings that count
+   */
+  double echoNats(Fold fold) {
+    double sum = 0;
+    for (int ping = 0; ping < expected.length; ping++) {
+      if (fold.holds(ping)) {
+        sum += Math.log(log.echo(ping) ? expected[ping] : 1 - expected[ping]);
+      }
+    }
+    return sum;
+  }
+
+  /** Takes what another got wrong of a ping. */
+  void take(Surprise other, int ping) {
+    expected[ping] = other.expected[ping];
+    score[ping] = other.score[ping];
+  }
 
   Surprise(Evidence evidence, Hypothesis hypothesis) {
     DiagnosedModel model = evidence.model(hypothesis);

@@ -92,8 +92,11 @@ public final class Unknown {
   public static double probability(
       Evidence evidence, Calibration calibration, Gain gain, Hypothesis best) {
     Misfit misfit = Misfit.of(calibration.loosened(evidence, best), best);
-    double off = misfit.top(TOP, calibration.clumping(), calibration.rangeClumping());
-    double logit = BASE + PER_MISFIT * Math.max(0, off - CHANCE) + left(gain);
+    double[] vary = calibration.blocksVary();
+    double off = misfit.top(TOP, vary[0], vary[1]);
+    off /= calibration.misfitTimes(CHANCE, evidence.log().size());
+    double logit =
+        BASE + PER_MISFIT * Math.max(0, off - CHANCE) + left(gain, calibration.gapTimes());
     if (best.size() > 0) {
       logit += named(best, gain.shrinkage());
     }
@@ -107,7 +110,12 @@ public final class Unknown {
 
   /** By what is left of the gap; next to nothing does not matter, however sure it is. */
   static double left(Gain gain) {
-    double expected = mean(gain.after().expectedM());
+    return left(gain, 1);
+  }
+
+  /** The same where the set-up itself is off by some times what it expects. */
+  private static double left(Gain gain, double times) {
+    double expected = times * mean(gain.after().expectedM());
     double ratio = (gain.afterM() + MILLIMETRE) / (expected + MILLIMETRE);
     double over = PER_LEFT * Math.log(Math.max(LEAST_LEFT, Math.min(MOST_LEFT, ratio)));
     double little = Math.max(PRACTICAL_M, SMALL_SHARE * (gain.beforeM() - gain.floorM()));

@@ -24,6 +24,11 @@ public final class Evidence {
   private final double[] broad;
   private final Geometry plain;
 
+  /** What a nat counts for: of whether there is an echo, and of where. */
+  private final double echoWeight;
+
+  private final double rangeWeight;
+
   /**
    * Creates evidence.
    *
@@ -35,6 +40,8 @@ public final class Evidence {
     this.setup = setup;
     this.calibration = List.copyOf(calibration);
     this.log = log;
+    echoWeight = 1;
+    rangeWeight = 1;
     plain = new Geometry(log, setup, calibration);
     broad = new double[log.size()];
     double resolution = setup.sensor().resolutionM();
@@ -43,6 +50,32 @@ public final class Evidence {
     for (int i = 0; i < broad.length; i++) {
       broad[i] = BROAD * (log.echo(i) ? each : BROAD_NO_ECHO);
     }
+  }
+
+  private Evidence(Evidence other, double echoWeight, double rangeWeight) {
+    setup = other.setup;
+    calibration = other.calibration;
+    log = other.log;
+    broad = other.broad;
+    plain = other.plain;
+    this.echoWeight = echoWeight;
+    this.rangeWeight = rangeWeight;
+  }
+
+  /**
+   * Returns the same evidence for a set-up that is known to be off: what its readings have in
+   * common beyond it does not count as often as there are readings.
+   *
+   * @param echoes by how much sums of echoes vary more than by chance, at least 1
+   * @param ranges the same of where ranges lie
+   */
+  public Evidence divided(double echoes, double ranges) {
+    return new Evidence(this, 1 / echoes, 1 / ranges);
+  }
+
+  /** Returns evidence of the same log that counts for as much, before another calibration. */
+  public Evidence calibrated(List<? extends Change> other) {
+    return new Evidence(new Evidence(setup, other, log), echoWeight, rangeWeight);
   }
 
   /** Returns the set-up. */
@@ -84,6 +117,10 @@ public final class Evidence {
    * @param into takes a finite value for each ping
    */
   public void logLikelihood(DiagnosedModel model, Geometry geometry, double[] into) {
+    if (echoWeight != 1 || rangeWeight != 1) {
+      weighed(model, geometry, into);
+      return;
+    }
     model.likelihood(geometry, into);
     double silent = -1;
     double logSilent = 0;
@@ -97,6 +134,20 @@ public final class Evidence {
           logSilent = Math.log((1 - BROAD) * silent + broad[i]);
         }
         into[i] = logSilent;
+      }
+    }
+  }
+
+  private void weighed(DiagnosedModel model, Geometry geometry, double[] into) {
+    double[] echoes = new double[into.length];
+    model.likelihood(geometry, into, echoes);
+    for (int i = 0; i < into.length; i++) {
+      double read = Math.log((1 - BROAD) * into[i] + broad[i]);
+      if (log.echo(i)) {
+        double echo = Math.log((1 - BROAD) * echoes[i] + BROAD * (1 - BROAD_NO_ECHO));
+        into[i] = echoWeight * echo + rangeWeight * (read - echo);
+      } else {
+        into[i] = echoWeight * read;
       }
     }
   }

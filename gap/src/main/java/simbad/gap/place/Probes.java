@@ -51,7 +51,18 @@ final class Probes {
       case ORIENTATION_SHADOW -> probes.shadows();
       case OBSTACLE_TURN, OBSTACLE_OFFSET -> probes.placed(effect);
       case EARLY_TIMEOUT -> List.of(probes.timeout());
+      case GAIN, ABSORPTION, BEAM_PATTERN, BEAM_WIDTH ->
+          List.of(setup.sensor().law().isLevel() ? probes.level(effect) : probes.plain(effect));
       default -> List.of(probes.plain(effect));
+    };
+  }
+
+  /** Under the level law: half a decibel, a fifth of a decibel per metre, a tenth of a beam. */
+  private Probe level(Effect effect) {
+    return switch (effect) {
+      case GAIN -> Probe.alone(first(effect), 0, 0.5);
+      case ABSORPTION -> Probe.alone(first(effect), 0, 0.2);
+      default -> Probe.alone(first(effect), 0, 0.1);
     };
   }
 

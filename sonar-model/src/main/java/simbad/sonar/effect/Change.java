@@ -13,6 +13,7 @@ public sealed interface Change
         SceneChange,
         SensorChange,
         ThresholdChange,
+        LevelChange,
         EchoChange,
         ArrivalChange,
         LossChange,

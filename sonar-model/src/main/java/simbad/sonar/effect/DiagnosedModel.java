@@ -90,7 +90,18 @@ public final class DiagnosedModel {
    * @param into takes a probability in [0, 1] for each ping
    */
   public void likelihood(Geometry geometry, double[] into) {
-    new Likelihood(this, geometry).into(into);
+    new Likelihood(this, geometry).into(into, null);
+  }
+
+  /**
+   * Computes the same, and how probable it was that there is an echo at all.
+   *
+   * @param geometry of the log under this model's changes
+   * @param into takes a probability in [0, 1] for each ping
+   * @param echoes takes that of any echo for each ping that read one
+   */
+  public void likelihood(Geometry geometry, double[] into, double[] echoes) {
+    new Likelihood(this, geometry).into(into, echoes);
   }
 
   /**

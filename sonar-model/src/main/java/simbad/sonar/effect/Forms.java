@@ -8,6 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Stream;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
 
@@ -91,6 +92,9 @@ public final class Forms {
     forms.codes();
     forms.forms.addAll(MemoryForms.all(setup.sensor()));
     forms.forms.addAll(PlaceForms.all(setup, sensors));
+    if (setup.sensor().law().isLevel()) {
+      LevelForms.replace(forms.forms, setup.sensor());
+    }
     forms.forms.sort(Comparator.comparing(Form::effect));
     return List.copyOf(forms.forms);
   }
@@ -98,7 +102,8 @@ public final class Forms {
   /** Finds a form by its effect and name. */
   public static Optional<Form> find(
       Effect effect, String name, SensingSetup setup, List<String> sensors) {
-    return all(setup, sensors).stream()
+    // A scene that believes in thresholds may have been diagnosed under the level law.
+    return Stream.concat(all(setup, sensors).stream(), LevelForms.effects(setup.sensor()).stream())
         .filter(form -> form.effect() == effect && form.name().equals(name))
         .findFirst();
   }

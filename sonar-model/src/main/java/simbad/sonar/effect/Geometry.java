@@ -2,6 +2,8 @@ package simbad.sonar.effect;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import simbad.sonar.frame.Angles;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.model.NominalModel;
@@ -48,7 +50,14 @@ public final class Geometry {
 
   private final double[] nearestOffAxisRad;
 
+  /** Of lines under the level law: not a number until it is asked for. */
+  private final double[] excessDb;
+
+  private final double[] excessDeviationDb;
+
   private final boolean[] empty;
+
+  private final @Nullable LevelEars ears;
 
   /** Of pings of no log: how often each transducer has looked. */
   private final int[] sent;
@@ -104,6 +113,9 @@ public final class Geometry {
     offAxisRad = new double[lines];
     outlineOffAxisRad = new double[lines];
     nearestOffAxisRad = new double[lines];
+    ears = LevelEars.of(changes, scene, labels);
+    excessDb = new double[ears == null ? 0 : lines];
+    excessDeviationDb = new double[excessDb.length];
     empty = new boolean[pings];
     sent = new int[pings];
   }
@@ -113,6 +125,8 @@ public final class Geometry {
     return change instanceof PoseChange
         || change instanceof SceneChange
         || change instanceof BeamWidth
+        || change instanceof LevelRule
+        || change instanceof LevelStrength
         || change instanceof BeamEdge;
   }
 
@@ -177,6 +191,9 @@ public final class Geometry {
       offAxisRad[line] = Double.NaN;
       outlineOffAxisRad[line] = Double.NaN;
       nearestOffAxisRad[line] = Double.NaN;
+      if (ears != null) {
+        excessDb[line] = Double.NaN;
+      }
     }
   }
 
@@ -198,6 +215,61 @@ public final class Geometry {
   /** Returns the cone's half angle under the changes, radians. */
   public double coneHalfAngleRad() {
     return sensor.coneHalfAngleRad();
+  }
+
+  /** By what the sensor hears if not by thresholds; null where it hears by them. */
+  @Nullable LevelEars ears() {
+    return ears;
+  }
+
+  /** By how much an obstacle's echo exceeds the threshold under the level law, decibels. */
+  double excessDb(int line) {
+    if (Double.isNaN(excessDb[line])) {
+      LevelEars known = Objects.requireNonNull(ears);
+      excessDeviationDb[line] = known.deviationDb(this, line);
+      excessDb[line] = known.excessDb(this, line);
+    }
+    return excessDb[line];
+  }
+
+  /** How far that may be off, decibels; asked after {@link #excessDb}. */
+  double excessDeviationDb(int line) {
+    return excessDeviationDb[line];
+  }
+
+  /**
+   * Returns what changes add to the excess of an obstacle's echo, decibels; 0 for a sensor that
+   * hears by thresholds.
+   *
+   * @param changes of which those of the level law count
+   * @param line of sight
+   */
+  public double addedDb(List<? extends Change> changes, int line) {
+    double added = 0;
+    for (Change change : changes) {
+      if (ears != null && change instanceof LevelChange level) {
+        added += level.addedDb(ears, this, line);
+      }
+    }
+    return added;
+  }
+
+  /**
+   * Returns what changes leave of the chance that an obstacle's echo is heard and not lost.
+   *
+   * @param changes of which those of echoes and losses count
+   * @param line of sight
+   */
+  public double share(List<? extends Change> changes, int line) {
+    double share = 1;
+    for (Change change : changes) {
+      if (change instanceof EchoChange echo) {
+        share *= echo.share(this, line);
+      } else if (change instanceof LossChange loss) {
+        share *= 1 - loss.share(this, line / obstacles);
+      }
+    }
+    return share;
   }
 
   /** The number of pings that there is room for. */
@@ -298,6 +370,11 @@ public final class Geometry {
    * radians in [0, pi]; the cone's half angle where none is.
    */
   public double nearestOffAxisRad(int line) {
+    return Math.abs(nearestSignedOffAxisRad(line));
+  }
+
+  /** Returns the same with its sign, positive counter-clockwise. */
+  public double nearestSignedOffAxisRad(int line) {
     if (Double.isNaN(nearestOffAxisRad[line])) {
       nearestOffAxisRad[line] = nearestOffAxis(line);
     }
@@ -318,8 +395,9 @@ public final class Geometry {
       double x = outline.xM(from) + share * edgeX;
       double z = outline.zM(from) + share * edgeZ;
       double offM = Math.hypot(x - xM[ping], z - zM[ping]) - nearestM[line];
-      double offAxis = Math.abs(offAxis(ping, x, z));
-      if (Math.abs(offM) <= SAME_POINT_M && offAxis <= coneHalfAngleRad() + SAME_ANGLE_RAD) {
+      double offAxis = offAxis(ping, x, z);
+      double most = coneHalfAngleRad() + SAME_ANGLE_RAD;
+      if (Math.abs(offM) <= SAME_POINT_M && Math.abs(offAxis) <= most) {
         return offAxis;
       }
       from = to;

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * How probable each reading is, given the readings before it: a filter over what is not read, the
  * state of a burst, how often a reading was already repeated, and where it came from.
@@ -42,9 +44,16 @@ final class Likelihood {
     memory = model.memory();
   }
 
-  void into(double[] probability) {
+  /**
+   * Computes probabilities.
+   *
+   * @param probability takes that of what was read
+   * @param echoes takes that of any echo where one was read; null if it is not asked for
+   */
+  void into(double[] probability, double @Nullable [] echoes) {
     boolean alike = memory.burst() == null && pings.emptyOnesAreAlike();
     double empty = -1;
+    double told = 0;
     for (int ping = 0; ping < log.size(); ping++) {
       boolean known = alike && isUneventful(ping);
       if (known && empty >= 0) {
@@ -53,9 +62,14 @@ final class Likelihood {
         restart(ping);
       } else if (memory.isNone()) {
         probability[ping] = alone(ping);
+        told = mixture.echoShare();
       } else {
         expect(ping);
+        told = echoes == null ? 0 : heard(ping);
         probability[ping] = learn(ping);
+      }
+      if (echoes != null) {
+        echoes[ping] = told;
       }
       empty = known ? probability[ping] : empty;
     }
@@ -201,6 +215,21 @@ final class Likelihood {
         && log.sequenceStart(ping) != ping
         && log.echo(ping - 1)
         && log.rangeM(ping - 1) == log.rangeM(ping);
+  }
+
+  /** The probability of an echo, over all states. */
+  private double heard(int ping) {
+    double heard = 0;
+    for (int inBurst = 0; inBurst < 2; inBurst++) {
+      for (int slot = 0; slot < state.slots(); slot++) {
+        double probability = state.get(inBurst, slot);
+        if (probability > 0) {
+          double missed = silent[inBurst][answered(slot)];
+          heard += probability * (1 - missed + missed * repeats(ping, slot));
+        }
+      }
+    }
+    return Math.min(1, heard);
   }
 
   private void tell(int ping, Expectation expectation) {

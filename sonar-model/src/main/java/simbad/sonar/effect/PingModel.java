@@ -23,6 +23,7 @@ final class PingModel {
   private final Geometry geometry;
   private final double noiseM;
   private final NominalModel nominal;
+  private final @Nullable LevelHearing levels;
   private final ThresholdChange[] thresholds;
   private final EchoChange[] echoes;
   private final ArrivalChange[] arrivalChanges;
@@ -44,6 +45,7 @@ final class PingModel {
     noiseM = sensor.rangeNoiseM();
     nominal = new NominalModel(sensor, new Scene(List.of()));
     thresholds = of(ThresholdChange.class, changes).toArray(ThresholdChange[]::new);
+    levels = geometry.ears() == null ? null : new LevelHearing(geometry, sensor, changes);
     echoes = of(EchoChange.class, changes).toArray(EchoChange[]::new);
     arrivalChanges = of(ArrivalChange.class, changes).toArray(ArrivalChange[]::new);
     losses = of(LossChange.class, changes).toArray(LossChange[]::new);
@@ -103,12 +105,10 @@ final class PingModel {
     if (hysteresis != null && heardBefore) {
       hear(ping, before);
     }
-    int end = (ping + 1) * geometry.obstacles();
-    for (int line = ping * geometry.obstacles(); line < end; line++) {
-      if (geometry.nearestM(line) < Double.POSITIVE_INFINITY) {
-        double heard = heardBefore ? heardShare[line % heardShare.length] : 0;
-        arrivals.add(geometry.nearestM(line), 0, echoProbability(line, heard));
-      }
+    if (levels == null) {
+      arrive(ping, heardBefore);
+    } else {
+      arrive(levels, ping, heardBefore);
     }
     moment.set(ping, fromOrigin ? origin(before) : before);
     for (ArrivalChange change : arrivalChanges) {
@@ -117,6 +117,28 @@ final class PingModel {
     arrivals.mix(into);
     lose(ping, lost, into);
     read(into);
+  }
+
+  private void arrive(int ping, boolean heardBefore) {
+    int end = (ping + 1) * geometry.obstacles();
+    for (int line = ping * geometry.obstacles(); line < end; line++) {
+      if (geometry.nearestM(line) < Double.POSITIVE_INFINITY) {
+        double heard = heardBefore ? heardShare[line % heardShare.length] : 0;
+        arrivals.add(geometry.nearestM(line), 0, echoProbability(line, heard));
+      }
+    }
+  }
+
+  private void arrive(LevelHearing hearing, int ping, boolean heardBefore) {
+    hearing.clear();
+    int end = (ping + 1) * geometry.obstacles();
+    for (int line = ping * geometry.obstacles(); line < end; line++) {
+      if (hearing.isInRange(line)) {
+        double heard = heardBefore ? heardShare[line % heardShare.length] : 0;
+        hearing.add(line, factor(line), hysteresis, heard, share(line));
+      }
+    }
+    hearing.into(arrivals);
   }
 
   /**
@@ -172,6 +194,22 @@ final class PingModel {
       probability *= change.share(geometry, line);
     }
     return probability;
+  }
+
+  private double factor(int line) {
+    double factor = 1;
+    for (ThresholdChange change : thresholds) {
+      factor *= change.factor(geometry, line);
+    }
+    return factor;
+  }
+
+  private double share(int line) {
+    double share = 1;
+    for (EchoChange change : echoes) {
+      share *= change.share(geometry, line);
+    }
+    return share;
   }
 
   private double nominally(int line, double thresholdM, double heardBefore) {

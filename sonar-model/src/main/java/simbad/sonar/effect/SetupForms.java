@@ -50,10 +50,13 @@ public final class SetupForms {
    * @param sensors labels of the transducers in the log
    */
   public static Optional<Form> find(String name, SensingSetup setup, List<String> sensors) {
-    return Stream.concat(
-            all(setup).stream(), Forms.all(setup, sensors).stream().map(SetupForms::of))
+    Stream<Form> effects =
+        Stream.concat(
+            Forms.all(setup, sensors).stream(), LevelForms.effects(setup.sensor()).stream());
+    return Stream.concat(all(setup).stream(), effects.map(SetupForms::of))
         .filter(form -> form.name().equals(name))
-        .findFirst();
+        .findFirst()
+        .or(() -> LevelForms.find(name, setup));
   }
 
   private static Form scatter(SonarSpec sensor) {

@@ -1,5 +1,7 @@
 package simbad.sonar.scene;
 
+import java.util.Optional;
+
 /**
  * A sensor before a scene, as a scene file states it.
  *
@@ -19,5 +21,11 @@ public record SensingSetup(SonarSpec sensor, Scene scene, double noEchoM, SetupD
   /** Creates one that says nothing beside. */
   public SensingSetup(SonarSpec sensor, Scene scene, double noEchoM) {
     this(sensor, scene, noEchoM, SetupDetails.NONE);
+  }
+
+  /** Returns the same set-up, believed to hear by a law. */
+  public SensingSetup under(SensorLaw.Model model) {
+    SensorLaw law = new SensorLaw(Optional.of(model), sensor.law().level());
+    return new SensingSetup(sensor.withLaw(law), scene, noEchoM, details);
   }
 }

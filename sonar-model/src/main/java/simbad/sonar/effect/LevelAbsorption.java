@@ -1,0 +1,13 @@
+package simbad.sonar.effect;
+
+/**
+ * The air takes more of an echo than believed, both ways.
+ *
+ * @param addedDbPerM one way, decibels per metre; 0 is neutral, negative where it takes less
+ */
+public record LevelAbsorption(double addedDbPerM) implements LevelChange {
+  @Override
+  public double addedDb(LevelEars ears, Geometry geometry, int line) {
+    return -2 * addedDbPerM * geometry.centreDistanceM(line);
+  }
+}

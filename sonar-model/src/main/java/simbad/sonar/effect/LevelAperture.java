@@ -1,0 +1,14 @@
+package simbad.sonar.effect;
+
+/**
+ * The beam is that of a wider or narrower piston: a piston of twice the radius hears half as far
+ * off the axis.
+ *
+ * @param factor of the radius times the wavenumber; 1 is neutral
+ */
+public record LevelAperture(double factor) implements LevelChange {
+  @Override
+  public double addedDb(LevelEars ears, Geometry geometry, int line) {
+    return factor == 1 ? 0 : ears.widenedDb(factor, geometry, line);
+  }
+}

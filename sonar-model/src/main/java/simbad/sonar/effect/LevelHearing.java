@@ -1,0 +1,153 @@
+package simbad.sonar.effect;
+
+import java.util.Arrays;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import simbad.sonar.level.Decibels;
+import simbad.sonar.level.LevelLaw;
+import simbad.sonar.scene.SonarSpec;
+
+/**
+ * What the level law lets arrive of one ping: echoes that overlap add their energies, and each is
+ * read late by the walk of its excess. A buffer that is filled anew.
+ */
+final class LevelHearing {
+  private final Geometry geometry;
+  private final LevelEars ears;
+  private final LevelLaw law;
+  private final LevelChange[] changes;
+  private final double minRangeM;
+  private final double maxRangeM;
+  private final double heardShare;
+  private int size;
+  private double[] distanceM = new double[2];
+  private double[] excessDb = new double[2];
+
+  /** How far the excess may be off, and what of the chance of an echo is left. */
+  private double[] deviationDb = new double[2];
+
+  private double[] kept = new double[2];
+
+  /** Of hysteresis: what the excess is after an echo, and how surely there was one. */
+  private double[] heldDb = new double[2];
+
+  private double[] held = new double[2];
+
+  LevelHearing(Geometry geometry, SonarSpec sensor, List<? extends Change> changes) {
+    this.geometry = geometry;
+    ears = java.util.Objects.requireNonNull(geometry.ears());
+    law = ears.law();
+    this.changes =
+        PingModel.of(LevelChange.class, changes).stream()
+            .filter(change -> !(change instanceof LevelStrength))
+            .toArray(LevelChange[]::new);
+    minRangeM = sensor.minRangeM();
+    maxRangeM = sensor.maxRangeM();
+    heardShare = 1 - sensor.missRate();
+  }
+
+  void clear() {
+    size = 0;
+  }
+
+  boolean isInRange(int line) {
+    double nearest = geometry.nearestM(line);
+    return nearest >= minRangeM && nearest <= maxRangeM;
+  }
+
+  /**
+   * Adds what an obstacle answers.
+   *
+   * @param line of sight to it
+   * @param factor of its threshold: it is heard as from so much less far
+   * @param hysteresis of its threshold, or null
+   * @param heldShare how surely the ping before heard it
+   * @param keptShare what effects leave of its chance
+   */
+  void add(
+      int line,
+      double factor,
+      @Nullable Hysteresis hysteresis,
+      double heldShare,
+      double keptShare) {
+    if (size == distanceM.length) {
+      grow();
+    }
+    double excess = geometry.excessDb(line);
+    for (LevelChange change : changes) {
+      excess += change.addedDb(ears, geometry, line);
+    }
+    distanceM[size] = geometry.nearestM(line);
+    deviationDb[size] = geometry.excessDeviationDb(line);
+    kept[size] = keptShare * heardShare;
+    held[size] = heldShare;
+    excessDb[size] =
+        scaled(excess, line, hysteresis == null ? factor : factor(hysteresis, factor, line, false));
+    heldDb[size] =
+        hysteresis == null
+            ? excessDb[size]
+            : scaled(excess, line, factor(hysteresis, factor, line, true));
+    size++;
+  }
+
+  private double factor(Hysteresis hysteresis, double factor, int line, boolean heardBefore) {
+    double threshold = geometry.thresholdM(line);
+    return threshold > 0
+        ? Math.max(0, hysteresis.thresholdM(factor * threshold, heardBefore) / threshold)
+        : factor;
+  }
+
+  /** With a threshold of twice the distance an echo is heard as from half as far. */
+  private double scaled(double excess, int line, double factor) {
+    if (factor == 1) {
+      return excess;
+    }
+    double centre = geometry.centreDistanceM(line);
+    return factor > 0
+        ? excess + law.lossDb(centre) - law.lossDb(centre / factor)
+        : Double.NEGATIVE_INFINITY;
+  }
+
+  private void grow() {
+    int room = 2 * size;
+    distanceM = Arrays.copyOf(distanceM, room);
+    excessDb = Arrays.copyOf(excessDb, room);
+    deviationDb = Arrays.copyOf(deviationDb, room);
+    kept = Arrays.copyOf(kept, room);
+    heldDb = Arrays.copyOf(heldDb, room);
+    held = Arrays.copyOf(held, room);
+  }
+
+  /** Adds to what arrives each echo at the distance that it reads. */
+  void into(Arrivals arrivals) {
+    for (int i = 0; i < size; i++) {
+      double more = size == 1 ? 0 : addedDb(i);
+      double excess = excessDb[i] + more;
+      double chance = kept[i] * chance(excess, deviationDb[i]);
+      if (held[i] > 0) {
+        double after = kept[i] * chance(heldDb[i] + more, deviationDb[i]);
+        chance += held[i] * (after - chance);
+      }
+      arrivals.add(distanceM[i] + law.walkM().at(excess), law.noiseM().at(excess), chance);
+    }
+  }
+
+  /** What echoes that came less than a pulse before add to one. */
+  private double addedDb(int echo) {
+    double sum = 0;
+    for (int i = 0; i < size; i++) {
+      double before = distanceM[echo] - distanceM[i];
+      if (i != echo && before >= 0 && before <= law.pulseLengthM()) {
+        sum += Decibels.energy(excessDb[i] - excessDb[echo]);
+      }
+    }
+    return sum == 0 ? 0 : Decibels.level(1 + sum);
+  }
+
+  private static double chance(double excess, double deviation) {
+    if (!(deviation > 0)) {
+      return excess >= 0 ? 1 : 0;
+    }
+    return QuickNormal.cumulative(excess / deviation);
+  }
+}

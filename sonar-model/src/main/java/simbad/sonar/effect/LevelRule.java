@@ -1,0 +1,32 @@
+package simbad.sonar.effect;
+
+import simbad.sonar.level.LevelLaw;
+import simbad.sonar.scene.SonarSpec;
+
+/**
+ * The sensor hears by the level law, not by thresholds: a calibration of the set-up.
+ *
+ * @param law by which it hears
+ * @param squintRad by which its beam's axis lies counter-clockwise of its heading
+ * @param missRate share of echoes that are lost whatever their strength, in [0, 1]
+ * @param apertureDeviation how far the piston's radius may be off, as a share of it
+ * @param squintDeviationRad how far the squint may be off
+ */
+public record LevelRule(
+    LevelLaw law,
+    double squintRad,
+    double missRate,
+    double apertureDeviation,
+    double squintDeviationRad)
+    implements SensorChange {
+  /** Creates one whose beam is known. */
+  public LevelRule(LevelLaw law, double squintRad, double missRate) {
+    this(law, squintRad, missRate, 0, 0);
+  }
+
+  /** There is no cone: all before the baffle counts, and the beam says how much. */
+  @Override
+  public SonarSpec apply(SonarSpec believed) {
+    return believed.withCone(Math.PI / 2).withScatter(0, missRate, 0);
+  }
+}
