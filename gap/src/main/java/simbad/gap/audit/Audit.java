@@ -54,6 +54,7 @@ public final class Audit {
     }
     AuditView view = new AuditView(setup, rows);
     List<AuditFinding> found = new ArrayList<>(ClockCheck.of(view));
+    new PeriodCheck(view).find().ifPresent(found::add);
     found.addAll(PoseCheck.of(view));
     UnitCheck units = new UnitCheck(view);
     Optional<RobustLine> line = units.line();

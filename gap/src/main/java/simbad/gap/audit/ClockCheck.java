@@ -1,32 +1,21 @@
 package simbad.gap.audit;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.stream.IntStream;
 import simbad.gap.audit.AuditFinding.File;
 import simbad.sonar.sensing.ReadingRow;
 
-/** Times that go back or stand twice, and clocks that do not tick as the sensor does. */
+/** Times that go back or stand twice. */
 final class ClockCheck {
   /** Rows that somebody sorted otherwise go back at every second; a clock does so now and then. */
   private static final double NOW_AND_THEN = 0.02;
 
   private static final int LEAST_ROWS = 20;
-
-  /** Of a clock that is regular: the middle half of its periods, over their median. */
-  private static final double REGULAR = 0.25;
-
-  /** Milliseconds, microseconds. */
-  private static final double[] PER_SECOND = {1e3, 1e6};
-
-  private static final double UNIT = 1.5;
-  private static final double SAME = 0.25;
 
   private final AuditView view;
   private final List<AuditFinding> found = new ArrayList<>();
@@ -39,7 +28,6 @@ final class ClockCheck {
     ClockCheck check = new ClockCheck(view);
     check.twice();
     check.back();
-    check.period();
     return check.found;
   }
 
@@ -53,21 +41,17 @@ final class ClockCheck {
     }
     if (!same.isEmpty()) {
       add(
-          AuditCheck.CLOCK,
           Say.rows(same.size()) + " that stand in the file twice",
           same,
           "leave one of each",
-          "--drop-duplicates",
-          Severity.WARN);
+          "--drop-duplicates");
     }
     if (!other.isEmpty()) {
       add(
-          AuditCheck.CLOCK,
           "t_s stands still at " + Say.rows(other.size()) + ", which says not which was first",
           other,
           "write more decimals of t_s, or name another run",
-          "",
-          Severity.WARN);
+          "");
     }
   }
 
@@ -110,68 +94,15 @@ final class ClockCheck {
     return String.join("\n", one).compareTo(String.join("\n", other));
   }
 
-  private void period() {
-    double[] steps =
-        IntStream.range(1, view.size())
-            .filter(view::follows)
-            .mapToDouble(i -> view.row(i).timeS() - view.row(i - 1).timeS())
-            .filter(step -> step > 0)
-            .sorted()
-            .toArray();
-    if (steps.length < LEAST_ROWS) {
-      return;
-    }
-    double median = RobustLine.median(steps);
-    double middle = steps[3 * steps.length / 4] - steps[steps.length / 4];
-    if (middle > REGULAR * median) {
-      return;
-    }
-    double times = median / view.sensor().updatePeriodS();
-    String what =
-        "rows of a sensor are "
-            + Say.number(median)
-            + " s apart before update_period_s = "
-            + Say.number(view.sensor().updatePeriodS());
-    for (double unit : PER_SECOND) {
-      if (times > unit / UNIT && times < unit * UNIT) {
-        add(
-            AuditCheck.PERIOD,
-            what + ": t_s is not in seconds",
-            List.of(),
-            "divide t_s by " + Say.number(unit),
-            "--time-scale " + Say.number(1 / unit),
-            Severity.WARN);
-        return;
-      }
-    }
-    double nearest = Math.max(1, Math.rint(times));
-    if (Math.abs(times - nearest) > SAME) {
-      add(
-          AuditCheck.PERIOD,
-          what,
-          List.of(),
-          "say in the scene how often it pings",
-          "",
-          Severity.NOTE);
-    }
-  }
-
-  private void add(
-      AuditCheck check,
-      String what,
-      List<Integer> rows,
-      String suggestion,
-      String mend,
-      Severity severity) {
-    int[] at = rows.stream().mapToInt(Integer::intValue).toArray();
+  private void add(String what, List<Integer> rows, String suggestion, String mend) {
     found.add(
         new AuditFinding(
-            check,
+            AuditCheck.CLOCK,
             File.READINGS,
             what,
-            view.inFile(Arrays.stream(at)),
+            view.inFile(rows.stream().mapToInt(Integer::intValue)),
             suggestion,
             mend,
-            severity));
+            Severity.WARN));
   }
 }

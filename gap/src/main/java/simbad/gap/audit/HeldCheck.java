@@ -210,7 +210,19 @@ final class HeldCheck {
 
   private boolean isStuck(Series series) {
     double chance = Math.pow(AGAIN, series.held.size()) * view.size();
-    return series.isReal && chance < Tail.LEVEL && timesOf(series) == 1 && !isCode(series);
+    return chance < Tail.LEVEL
+        && (isNearlyAll(series) || (series.isReal && timesOf(series) == 1))
+        && !isCode(series);
+  }
+
+  /** Of its run and sensor: then it need not begin with a true reading. */
+  private boolean isNearlyAll(Series series) {
+    int begin = view.begin(series.from);
+    int end = series.from + series.length;
+    while (end < view.size() && view.begin(end) == begin) {
+      end++;
+    }
+    return series.length >= NEARLY_ALL * (end - begin);
   }
 
   private boolean isCode(Series series) {
