@@ -87,7 +87,7 @@ public final class LevelCalibrator {
   private static boolean leavesRanges(Change effect) {
     return effect instanceof LevelChange
         || effect instanceof LossChange
-        || effect instanceof EchoChange && !(effect instanceof RangeChange);
+        || (effect instanceof EchoChange && !(effect instanceof RangeChange));
   }
 
   private LevelCalibration fit(List<Trials.Trial> trials, List<Trials.Trial> ofRanges) {
