@@ -114,7 +114,7 @@ public final class Diagnoser {
       Weighed weighed,
       boolean isFull) {
     static Inquiry of(Evidence evidence, Calibration calibration, double worthNats, Search search) {
-      List<Scored> sets = calibration.beyondADay(search.run());
+      List<Scored> sets = search.run();
       Weighed weighed = Weighed.of(evidence, sets, worthNats, calibration.clumping());
       return new Inquiry(evidence, calibration, worthNats, search, sets, weighed, !search.isOff());
     }
@@ -129,7 +129,7 @@ public final class Diagnoser {
     }
 
     Inquiry further() {
-      List<Scored> more = calibration.beyondADay(search.further());
+      List<Scored> more = search.further();
       return new Inquiry(
           evidence,
           calibration,

@@ -124,13 +124,6 @@ public final class Calibration {
     return heldOut.map(error -> plain.divided(error.echoes(), error.ranges())).orElse(plain);
   }
 
-  /** Returns the sets that are more than what differs from day to day before such a set-up. */
-  public List<Scored> beyondADay(List<Scored> sets) {
-    return heldOut.isEmpty()
-        ? sets
-        : sets.stream().filter(set -> !DaysDifference.isIn(set.hypothesis())).toList();
-  }
-
   /** Returns by how much blocks of echoes and of ranges vary more than by chance. */
   double[] blocksVary() {
     return heldOut
@@ -186,7 +179,8 @@ public final class Calibration {
       return this;
     }
     Suspicion suspicion = new Suspicion(reference.get(), log, explanation, clumping);
-    Hypothesis more = setup;
+    // A set-up known to a decibel would show each day's difference as an effect.
+    Hypothesis more = heldOut.isPresent() ? DaysDifference.taken(setup, explanation) : setup;
     for (int i = 0; i < explanation.forms().size(); i++) {
       more = suspicion.settled(more, i);
     }

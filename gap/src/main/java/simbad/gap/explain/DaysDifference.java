@@ -3,6 +3,8 @@ package simbad.gap.explain;
 import java.util.Map;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.SetupForms;
 
 /**
  * What differs from one day to the next though nothing was changed: the air's temperature by half a
@@ -28,20 +30,30 @@ final class DaysDifference {
 
   private DaysDifference() {}
 
-  /** Tells whether an explanation names what is no more than that. */
-  static boolean isIn(Hypothesis explanation) {
+  /**
+   * Returns a set-up with what of an explanation is no more than that.
+   *
+   * @param setup as known
+   * @param explanation of a log of another day
+   */
+  static Hypothesis taken(Hypothesis setup, Hypothesis explanation) {
+    Hypothesis taken = setup;
     for (int i = 0; i < explanation.forms().size(); i++) {
+      Form form = explanation.forms().get(i);
       double[] values = explanation.valuesOf(i);
-      double[] neutral = explanation.forms().get(i).neutral();
-      Effect effect = explanation.forms().get(i).effect();
-      Double least = LEAST.get(effect);
-      if (least != null && Math.abs(values[0] - neutral[0]) < least) {
-        return true;
-      }
-      if (effect == Effect.OBSTACLE_OFFSET && Math.hypot(values[0], values[1]) < LEAST_OFFSET_M) {
-        return true;
+      Form asSetup = SetupForms.of(form);
+      if (isSmall(form, values) && !setup.forms().contains(asSetup)) {
+        taken = taken.and(asSetup, values);
       }
     }
-    return false;
+    return taken;
+  }
+
+  private static boolean isSmall(Form form, double[] values) {
+    if (form.effect() == Effect.OBSTACLE_OFFSET) {
+      return Math.hypot(values[0], values[1]) < LEAST_OFFSET_M;
+    }
+    double least = LEAST.getOrDefault(form.effect(), 0.0);
+    return Math.abs(values[0] - form.neutral()[0]) < least;
   }
 }

@@ -131,6 +131,9 @@ public final class LevelForms {
 
   /** The believed curve with departures that are straight over the logarithm of the distance. */
   private static Curve receiver(Curve believed, double[] addedDb) {
+    if (Arrays.stream(addedDb).allMatch(added -> added == 0)) {
+      return believed;
+    }
     int steps = 200;
     double[] points = new double[2 * steps + 2];
     for (int i = 0; i <= steps; i++) {

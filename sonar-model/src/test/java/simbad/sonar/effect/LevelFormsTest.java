@@ -108,8 +108,8 @@ class LevelFormsTest {
   @Test
   void aWiderPistonHearsLessOffTheAxis() {
     assertEquals(chance(1.3, 0), chance(1.3, 0, new LevelAperture(1.5)), 1e-12);
-    assertTrue(chance(1.3, 10, new LevelAperture(1.5)) < chance(1.3, 10) - 0.1);
-    assertTrue(chance(1.3, 10, new LevelAperture(0.7)) > chance(1.3, 10));
+    assertTrue(chance(1, 5, new LevelAperture(2)) < chance(1, 5) - 0.1);
+    assertTrue(chance(1, 10, new LevelAperture(0.5)) > chance(1, 10) + 0.1);
   }
 
   /** Read 5 cm short, what is nearer than 7 cm would read less than the least range. */
