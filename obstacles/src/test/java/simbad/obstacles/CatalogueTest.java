@@ -130,4 +130,16 @@ class CatalogueTest {
     assertEquals("round", new RoundObstacle(at, 0).type().name());
     assertEquals("angle", new AngleObstacle(at, 0).type().name());
   }
+
+  /** By their names however they are spelt; data sheets say the greatest range of each. */
+  @Test
+  void sonars_areFoundByName() {
+    assertEquals(List.of("hc-sr04", "srf04", "maxbotix-lv-ez1"), Catalogue.sonars());
+    assertEquals(Catalogue.srf04(), Catalogue.findSonar("SRF-04").orElseThrow());
+    assertEquals(4, Catalogue.findSonar("HCSR04").orElseThrow().maxRangeM());
+    assertEquals(Optional.empty(), Catalogue.findSonar("srf05"));
+    for (String name : Catalogue.sonars()) {
+      assertTrue(Catalogue.findSonar(name).isPresent(), name);
+    }
+  }
 }
