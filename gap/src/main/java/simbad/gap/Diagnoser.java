@@ -164,8 +164,9 @@ public final class Diagnoser {
         first.verdict() == Verdict.UNEXPLAINED || isTied(first, whole)
             ? whole.confirmed(evidence, inquiry.sets, inquiry.worthNats)
             : Optional.empty();
-    return sure.map(part -> diagnosis(inquiry, part, unknown, Conclusion.partly(first)))
-        .orElseGet(() -> diagnosis(inquiry, whole, unknown, first));
+    double stated = first.verdict() == Verdict.UNEXPLAINED ? Unknown.besideARest(unknown) : unknown;
+    return sure.map(part -> diagnosis(inquiry, part, stated, Conclusion.partly(first)))
+        .orElseGet(() -> diagnosis(inquiry, whole, stated, first));
   }
 
   /** Undecided between names, not for want of readings. */
