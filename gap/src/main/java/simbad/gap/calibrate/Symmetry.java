@@ -7,6 +7,7 @@ import java.util.Deque;
 import java.util.List;
 import simbad.sonar.effect.LevelForms;
 import simbad.sonar.frame.Angles;
+import simbad.sonar.frame.Point;
 import simbad.sonar.shape.Outline;
 
 /**
@@ -80,8 +81,10 @@ final class Symmetry {
     for (int to = 0; to < outline.size(); to++) {
       double midX = (outline.xM(from) + outline.xM(to)) / 2;
       double midZ = (outline.zM(from) + outline.zM(to)) / 2;
-      if (isOff(outline, outline.xM(to), outline.zM(to), sign, turn, tolerance)
-          || isOff(outline, midX, midZ, sign, turn, tolerance)) {
+      Point corner = image(outline.xM(to), outline.zM(to), sign, turn);
+      Point middle = image(midX, midZ, sign, turn);
+      if (outline.distanceM(corner.xM(), corner.zM()) > tolerance
+          || outline.distanceM(middle.xM(), middle.zM()) > tolerance) {
         return false;
       }
       from = to;
@@ -89,11 +92,10 @@ final class Symmetry {
     return true;
   }
 
-  private static boolean isOff(
-      Outline outline, double xM, double zM, int sign, double turn, double tolerance) {
+  private static Point image(double xM, double zM, int sign, double turn) {
     double bearing = sign * Math.atan2(xM, zM) + turn;
     double radius = Math.hypot(xM, zM);
-    return outline.distanceM(radius * Math.sin(bearing), radius * Math.cos(bearing)) > tolerance;
+    return new Point(radius * Math.sin(bearing), radius * Math.cos(bearing));
   }
 
   private int image(int bearing, int index) {
