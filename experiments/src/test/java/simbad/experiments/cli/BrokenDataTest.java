@@ -33,36 +33,7 @@ class BrokenDataTest {
   /** Enough that some can be tested on what was fitted to others. */
   private static final List<ReadingRow> ENOUGH = BenchData.rows(60, 0.05);
 
-  /** What is put into a file at some place. */
-  private static final List<String> JUNK =
-      List.of(
-          "",
-          ",",
-          ",,",
-          "\n",
-          "\"",
-          "NaN",
-          "1e300",
-          "-1",
-          "0",
-          "Infinity",
-          "1,5",
-          "x",
-          "{",
-          "]",
-          "null",
-          "\u0000",
-          "#",
-          ";",
-          "-0.0",
-          "1e-320",
-          "9".repeat(400),
-          "n".repeat(70_000),
-          "\u001b[2J",
-          "\uFEFF",
-          "\t",
-          "[]",
-          "true");
+  private static final List<String> JUNK = Junk.and("{", "]", "null", "[]", "true");
 
   private static Path scratch = Path.of("");
 

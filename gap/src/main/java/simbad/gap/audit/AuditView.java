@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
+import simbad.gap.fit.Robust;
 import simbad.sonar.model.NominalModel;
 import simbad.sonar.model.SightLine;
 import simbad.sonar.model.TransducerPose;
@@ -196,7 +197,7 @@ final class AuditView {
     double[] values = echoes().mapToDouble(this::rangeM).sorted().distinct().toArray();
     double[] gaps = new double[Math.max(0, values.length - 1)];
     Arrays.setAll(gaps, i -> values[i + 1] - values[i]);
-    double median = RobustLine.median(gaps);
+    double median = Robust.median(gaps);
     return Math.max(sensor().resolutionM(), gaps.length == 0 ? 0 : median);
   }
 

@@ -59,63 +59,6 @@ public record Diagnosis(
     audit = List.copyOf(audit);
   }
 
-  /** A diagnosis of data of which the audit found nothing. */
-  public Diagnosis(
-      Verdict verdict,
-      String reason,
-      List<Effect> explanation,
-      List<EffectFinding> effects,
-      double unknownProbability,
-      double namedProbability,
-      List<AtBound> atBound,
-      GapFigures gap,
-      List<BudgetEntry> budget,
-      List<Place> where,
-      List<Undetectable> undetectable,
-      Optional<NextExperiment> nextExperiment,
-      Hypothesis fitted,
-      Hypothesis calibration,
-      List<Attempt> tried) {
-    this(
-        verdict,
-        reason,
-        explanation,
-        effects,
-        unknownProbability,
-        namedProbability,
-        atBound,
-        gap,
-        budget,
-        where,
-        undetectable,
-        nextExperiment,
-        fitted,
-        calibration,
-        tried,
-        List.of());
-  }
-
-  /** Returns the same diagnosis with what the audit found. */
-  public Diagnosis withAudit(List<AuditFinding> found) {
-    return new Diagnosis(
-        verdict,
-        reason,
-        explanation,
-        effects,
-        unknownProbability,
-        namedProbability,
-        atBound,
-        gap,
-        budget,
-        where,
-        undetectable,
-        nextExperiment,
-        fitted,
-        calibration,
-        tried,
-        found);
-  }
-
   /**
    * Returns how probable it is that a verdict is the right one. None, explained and unexplained add
    * up to 1. Partly is unexplained as well, and has its probability; undecided says nothing of the
