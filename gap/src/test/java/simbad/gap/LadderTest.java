@@ -142,6 +142,19 @@ class LadderTest {
         audit(rows).toString());
   }
 
+  /** Without times the order of rows means nothing: nothing is held, doubled or out of time. */
+  @Test
+  void rowsWithoutTimes_areNotJudgedByTheirOrder() {
+    assertEquals(List.of(), audit(Ladders.untimed(Ladders.read((range, lot) -> steps(range), 1))));
+    List<AuditFinding> zeros =
+        audit(Ladders.untimed(Ladders.read((range, lot) -> lot < 0.1 ? 0 : steps(range), 1)));
+    assertEquals(List.of(AuditCheck.NO_ECHO_CODE), zeros.stream().map(f -> f.check()).toList());
+  }
+
+  private static double steps(double rangeM) {
+    return Math.rint(1e3 * rangeM) / 1e3;
+  }
+
   @Test
   void oneNumberForAll_isRefused() {
     List<AuditFinding> found = audit(Ladders.read((range, lot) -> 0.5, 1));

@@ -155,13 +155,15 @@ final class AuditView {
     int[] begins = new int[order.length];
     for (int i = 1; i < order.length; i++) {
       boolean follows =
-          row(i).run().equals(row(i - 1).run()) && row(i).sensor().equals(row(i - 1).sensor());
+          row(i).isTimed()
+              && row(i).run().equals(row(i - 1).run())
+              && row(i).sensor().equals(row(i - 1).sensor());
       begins[i] = follows ? begins[i - 1] : i;
     }
     return begins;
   }
 
-  /** Whether a row belongs to the run and sensor of the one before. */
+  /** Whether a row belongs to the run and sensor of the one before; without a time to none. */
   boolean follows(int i) {
     return i < order.length && begin[i] < i;
   }
