@@ -174,10 +174,11 @@ public final class Diagnoser {
         first.verdict() == Verdict.UNEXPLAINED || isTied(first, whole)
             ? whole.confirmed(evidence, inquiry.sets, inquiry.worthNats)
             : Optional.empty();
+    double stated = first.verdict() == Verdict.UNEXPLAINED ? Unknown.besideARest(unknown) : unknown;
     return sure.map(
             part ->
-                new Told(part, places(evidence, part, blocks), unknown, Conclusion.partly(first)))
-        .orElse(new Told(whole, where, unknown, first));
+                new Told(part, places(evidence, part, blocks), stated, Conclusion.partly(first)))
+        .orElse(new Told(whole, where, stated, first));
   }
 
   /** Undecided between names, not for want of readings. */

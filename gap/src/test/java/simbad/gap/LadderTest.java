@@ -112,6 +112,7 @@ class LadderTest {
     assertEquals(Verdict.PARTLY, diagnosis.verdict(), diagnosis.reason());
     assertTrue(diagnosis.explanation().contains(Effect.SOUND_SPEED));
     assertTrue(diagnosis.gap().afterCm() < diagnosis.gap().beforeCm());
+    assertTrue(diagnosis.unknownProbability() > 0.5, "what is left is something");
   }
 
   private static List<AuditFinding> audit(List<ReadingRow> rows) {

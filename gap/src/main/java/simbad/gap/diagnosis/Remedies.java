@@ -44,7 +44,12 @@ public final class Remedies {
   private String ofNumbers(Effect effect) {
     return switch (effect) {
       case SOUND_SPEED -> speed();
-      case RANGE_OFFSET -> text("take %.1f cm from every reading", CM * value("offset_m"));
+      case RANGE_OFFSET ->
+          text(
+              value("offset_m") < 0
+                  ? "add %.1f cm to every reading"
+                  : "take %.1f cm from every reading",
+              CM * Math.abs(value("offset_m")));
       case COARSE_RESOLUTION -> text("let the sensor's resolution_m be %.4g", value("step_m"));
       case RANGE_NOISE ->
           "let the sensor's range_noise_m be what is fitted here, or average readings";

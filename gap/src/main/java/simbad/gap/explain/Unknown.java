@@ -62,6 +62,9 @@ public final class Unknown {
 
   private static final double MILLIMETRE = 1e-3;
 
+  /** Nothing that was named leaves so much; less sure than what misfits show. */
+  private static final double REST = 0.9;
+
   /** A gap that is left and is a smaller share of the gap before does not matter. */
   private static final double SMALL_SHARE = 0.05;
 
@@ -103,6 +106,14 @@ public final class Unknown {
       logit += STAND_IN;
     }
     return LEAST + (MOST - LEAST) / (1 + Math.exp(-logit));
+  }
+
+  /**
+   * Returns the probability where so much is left that nothing is explained, though the misfits
+   * alone would not say so: a value at the end of a search, or twice the scatter that is expected.
+   */
+  public static double besideARest(double probability) {
+    return probability > 0.5 ? probability : REST;
   }
 
   /** By what is left of the gap; next to nothing does not matter, however sure it is. */
