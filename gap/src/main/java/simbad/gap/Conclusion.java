@@ -92,8 +92,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
     for (Effect effect : best.effects()) {
       List<Effect> rivals = probabilities.inPlaceOf(effect, tieNats);
       if (rivals.size() > 1) {
-        String reason =
-            "these data cannot tell " + effect.word() + " from " + words(rivals).replace(" +", ",");
+        String reason = "these data cannot tell " + effect.word() + " from " + words(rivals, ", ");
         return new Conclusion(Verdict.UNDECIDED, reason, List.of());
       }
     }
@@ -132,7 +131,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
     }
     if (!weighed.enlarging().isEmpty()) {
       return "what makes these readings likelier ("
-          + words(weighed.enlarging().get(0).hypothesis().effects())
+          + words(weighed.enlarging().get(0).hypothesis().effects(), " + ")
           + ") makes the gap larger on readings that it was not fitted on";
     }
     List<Place> sure = where.stream().filter(place -> place.qValue() < SURE_PLACE).toList();
@@ -166,8 +165,8 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
     return String.format(Locale.ROOT, "%.4g", value);
   }
 
-  private static String words(List<Effect> effects) {
-    return effects.stream().map(Effect::word).collect(Collectors.joining(" + "));
+  private static String words(List<Effect> effects, String between) {
+    return effects.stream().map(Effect::word).collect(Collectors.joining(between));
   }
 
   private static List<AtBound> atBound(Hypothesis best) {

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import simbad.gap.audit.Audit;
+import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
@@ -72,12 +73,18 @@ public final class Diagnoser {
     this.withheld = Set.copyOf(withheld);
   }
 
-  /** Diagnoses a data set, with its audit; what the audit refuses is fitted all the same. */
+  /** Audits and diagnoses a data set; what the audit refuses is fitted all the same. */
   public Diagnosis diagnose(DataSet data) {
-    return fitted(data).withAudit(Audit.of(data.setup(), data.readings(), data.reference()));
+    return diagnose(data, Audit.of(data.setup(), data.readings(), data.reference()));
   }
 
-  private Diagnosis fitted(DataSet data) {
+  /**
+   * Diagnoses a data set that was audited.
+   *
+   * @param data the data set
+   * @param audit what was found of it, which the diagnosis keeps
+   */
+  public Diagnosis diagnose(DataSet data, List<AuditFinding> audit) {
     PingLog log = new PingLog(data.readings());
     Calibration calibration =
         data.reference().isEmpty()
@@ -97,7 +104,8 @@ public final class Diagnoser {
         inquiry = inquire(data, log, more);
       }
     }
-    return conclude(inquiry.isFull() ? inquiry : inquiry.further());
+    inquiry = inquiry.isFull() ? inquiry : inquiry.further();
+    return diagnosis(inquiry, conclude(inquiry), audit);
   }
 
   /**
@@ -150,7 +158,10 @@ public final class Diagnoser {
     return Inquiry.of(evidence, calibration, worth, new Search(evidence, excluded, worth));
   }
 
-  private Diagnosis conclude(Inquiry inquiry) {
+  /** What is concluded, of which set, with the places of its gap. */
+  private record Told(Weighed weighed, List<Place> where, double unknown, Conclusion conclusion) {}
+
+  private static Told conclude(Inquiry inquiry) {
     Evidence evidence = inquiry.evidence;
     Calibration calibration = inquiry.calibration;
     Blocks blocks = new Blocks(evidence.log());
@@ -158,15 +169,17 @@ public final class Diagnoser {
     double unknown =
         Unknown.probability(evidence, calibration, whole.gain(), whole.taken().hypothesis());
     double tieNats = TIE_NATS * calibration.clumping();
-    Conclusion first =
-        Conclusion.of(whole, unknown, places(evidence, whole, blocks), blocks, tieNats);
+    List<Place> where = places(evidence, whole, blocks);
+    Conclusion first = Conclusion.of(whole, unknown, where, blocks, tieNats);
     Optional<Weighed> sure =
         first.verdict() == Verdict.UNEXPLAINED || isTied(first, whole)
             ? whole.confirmed(evidence, inquiry.sets, inquiry.worthNats)
             : Optional.empty();
     double stated = first.verdict() == Verdict.UNEXPLAINED ? Unknown.besideARest(unknown) : unknown;
-    return sure.map(part -> diagnosis(inquiry, part, stated, Conclusion.partly(first)))
-        .orElseGet(() -> diagnosis(inquiry, whole, stated, first));
+    return sure.map(
+            part ->
+                new Told(part, places(evidence, part, blocks), stated, Conclusion.partly(first)))
+        .orElse(new Told(whole, where, stated, first));
   }
 
   /** Undecided between names, not for want of readings. */
@@ -179,33 +192,33 @@ public final class Diagnoser {
     return Places.find(evidence, weighed.gain().before(), weighed.gain().after(), blocks);
   }
 
-  private Diagnosis diagnosis(
-      Inquiry inquiry, Weighed weighed, double unknown, Conclusion conclusion) {
+  private Diagnosis diagnosis(Inquiry inquiry, Told told, List<AuditFinding> audit) {
     Evidence evidence = inquiry.evidence;
     double clumping = inquiry.calibration.clumping();
     Blocks blocks = new Blocks(evidence.log());
     List<Scored> sets = inquiry.sets;
+    Weighed weighed = told.weighed;
+    Verdict verdict = told.conclusion.verdict();
     Hypothesis best = weighed.taken().hypothesis();
+    boolean isPartly = verdict == Verdict.PARTLY;
     return new Diagnosis(
-        conclusion.verdict(),
-        conclusion.reason(),
+        verdict,
+        told.conclusion.reason(),
         best.effects(),
-        new Findings(
-                evidence, sets, weighed, unknown, clumping, conclusion.verdict() == Verdict.PARTLY)
-            .all(),
-        unknown,
+        new Findings(evidence, sets, weighed, told.unknown, clumping, isPartly).all(),
+        told.unknown,
         1 - weighed.probabilities().ofNone(),
-        conclusion.atBound(),
+        told.conclusion.atBound(),
         figures(weighed.gain(), blocks),
         Budget.of(evidence, blocks, best, weighed.gain(), seed),
-        places(evidence, weighed, blocks),
+        told.where,
         Undetectables.of(evidence, best, Probabilities.COST_NATS * clumping),
         nextExperiment(evidence, sets, weighed, clumping),
         best,
         inquiry.calibration.setup(),
         attempts(sets),
         inquiry.calibration.modelError().map(ModelError::finding),
-        List.of());
+        audit);
   }
 
   /** For the first tie: what would tell the two apart. */

@@ -112,6 +112,7 @@ class LadderTest {
     assertEquals(Verdict.PARTLY, diagnosis.verdict(), diagnosis.reason());
     assertTrue(diagnosis.explanation().contains(Effect.SOUND_SPEED));
     assertTrue(diagnosis.gap().afterCm() < diagnosis.gap().beforeCm());
+    assertTrue(diagnosis.unknownProbability() > 0.5, "what is left is something");
   }
 
   private static List<AuditFinding> audit(List<ReadingRow> rows) {
@@ -140,6 +141,19 @@ class LadderTest {
     assertTrue(
         audit(rows).stream().noneMatch(finding -> finding.check() == AuditCheck.HELD),
         audit(rows).toString());
+  }
+
+  /** Without times the order of rows means nothing: nothing is held, doubled or out of time. */
+  @Test
+  void rowsWithoutTimes_areNotJudgedByTheirOrder() {
+    assertEquals(List.of(), audit(Ladders.untimed(Ladders.read((range, lot) -> steps(range), 1))));
+    List<AuditFinding> zeros =
+        audit(Ladders.untimed(Ladders.read((range, lot) -> lot < 0.1 ? 0 : steps(range), 1)));
+    assertEquals(List.of(AuditCheck.NO_ECHO_CODE), zeros.stream().map(f -> f.check()).toList());
+  }
+
+  private static double steps(double rangeM) {
+    return Math.rint(1e3 * rangeM) / 1e3;
   }
 
   @Test

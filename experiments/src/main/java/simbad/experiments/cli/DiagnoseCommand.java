@@ -156,7 +156,7 @@ final class DiagnoseCommand extends Subcommand {
         staged.publish();
         return new AuditSummary(data.name(), audit, target);
       }
-      Diagnosis diagnosis = diagnoser.diagnose(data);
+      Diagnosis diagnosis = diagnoser.diagnose(data, audit);
       DiagnosisFolder.write(staged.path(), folder, data, diagnosis, provenance);
       staged.publish();
       return new DiagnoseSummary(data.name(), diagnosis, target);

@@ -23,6 +23,7 @@ final class AuditSection {
               + finding.severity().word()
               + "</strong>, "
               + finding.file().fileName()
+              + first(finding)
               + ": "
               + Markup.escaped(AuditWords.sentence(finding))
               + ".</li>\n");
@@ -34,6 +35,11 @@ final class AuditSection {
                 page.append(
                     "<p>A mended copy: <code>" + Markup.escaped(command) + "</code></p>\n"));
     page.append("</section>\n");
+  }
+
+  /** From where on; rows are counted from 1 below the file's head. */
+  private static String first(AuditFinding finding) {
+    return finding.rows().isEmpty() ? "" : " from row " + (finding.rows().get(0) + 1) + " on";
   }
 
   /** A page of the audit alone. */

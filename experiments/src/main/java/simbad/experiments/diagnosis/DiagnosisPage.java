@@ -45,6 +45,7 @@ final class DiagnosisPage {
       Diagnosis diagnosis, DataSet data, List<RowFinding> rows, Provenance provenance) {
     DiagnosisPage page = new DiagnosisPage(diagnosis, data, rows);
     page.begin();
+    page.page.append("<h1>Simulation and reality: " + Markup.escaped(data.name()) + "</h1>\n");
     AuditSection.add(page.page, diagnosis.audit(), data.name());
     FirstScreen.add(page.page, diagnosis, data);
     page.where();

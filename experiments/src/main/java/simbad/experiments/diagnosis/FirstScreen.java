@@ -29,7 +29,6 @@ final class FirstScreen {
 
   static void add(StringBuilder page, Diagnosis diagnosis, DataSet data) {
     FirstScreen screen = new FirstScreen(diagnosis, data.setup().sensor(), page);
-    page.append("<h1>Simulation and reality: " + Markup.escaped(data.name()) + "</h1>\n");
     page.append("<p class=\"verdict\">" + VerdictWords.sentence(diagnosis) + "</p>\n");
     page.append(VerdictWords.second(diagnosis));
     page.append("<div class=\"panels\">\n");

@@ -33,36 +33,7 @@ class BrokenDataTest {
   /** Enough that some can be tested on what was fitted to others. */
   private static final List<ReadingRow> ENOUGH = BenchData.rows(60, 0.05);
 
-  /** What is put into a file at some place. */
-  private static final List<String> JUNK =
-      List.of(
-          "",
-          ",",
-          ",,",
-          "\n",
-          "\"",
-          "NaN",
-          "1e300",
-          "-1",
-          "0",
-          "Infinity",
-          "1,5",
-          "x",
-          "{",
-          "]",
-          "null",
-          "\u0000",
-          "#",
-          ";",
-          "-0.0",
-          "1e-320",
-          "9".repeat(400),
-          "n".repeat(70_000),
-          "\u001b[2J",
-          "\uFEFF",
-          "\t",
-          "[]",
-          "true");
+  private static final List<String> JUNK = Junk.and("{", "]", "null", "[]", "true");
 
   private static Path scratch = Path.of("");
 
@@ -165,12 +136,22 @@ class BrokenDataTest {
     assertEquals("none", verdict("empty", empty, reading(NoEcho.NO_ECHO)));
   }
 
+  /** Of a log that is one number no reading can be believed. */
   @Example
-  void oddReadings_getAVerdict() throws IOException {
+  void oneNumberForAll_isRefused() throws IOException {
+    for (double range : new double[] {0, 1, 1000}) {
+      Path data = Files.createDirectory(scratch.resolve("all-" + range));
+      new MadeDataSet(BenchData.SETUP, reading(new Echo(range))).write(data);
+      Shell shell = diagnose(data);
+      deleteAll(data);
+      assertEquals(2, shell.status(), shell.err());
+      assertTrue(shell.err().contains("readings.csv:2: range_m: 60 readings"), shell.err());
+    }
+  }
+
+  @Example
+  void silence_getsAVerdict() throws IOException {
     verdict("silent", BenchData.SETUP, reading(NoEcho.NO_ECHO));
-    verdict("same", BenchData.SETUP, reading(new Echo(1)));
-    verdict("zeros", BenchData.SETUP, reading(new Echo(0)));
-    verdict("far", BenchData.SETUP, reading(new Echo(1000)));
   }
 
   @Example

@@ -174,7 +174,9 @@ class DiagnosisPageTest {
         Optional.empty(),
         whole.fitted(),
         Hypothesis.NONE,
-        whole.tried());
+        whole.tried(),
+        whole.setupError(),
+        whole.audit());
   }
 
   /** Rows without any obstacle, and a single one of them. */

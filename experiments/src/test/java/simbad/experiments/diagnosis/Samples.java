@@ -84,7 +84,9 @@ final class Samples {
         List.of(
             new Diagnosis.Attempt(List.of(Effect.GAIN), 5000),
             new Diagnosis.Attempt(List.of(Effect.GAIN, Effect.LATENCY), 4990.04),
-            new Diagnosis.Attempt(List.of(), 0)));
+            new Diagnosis.Attempt(List.of(), 0)),
+        Optional.empty(),
+        List.of());
   }
 
   static Diagnosis without(Verdict verdict, DataSet data) {
@@ -104,7 +106,9 @@ final class Samples {
         Optional.empty(),
         Hypothesis.NONE,
         Hypothesis.NONE,
-        List.of(new Diagnosis.Attempt(List.of(), 0)));
+        List.of(new Diagnosis.Attempt(List.of(), 0)),
+        Optional.empty(),
+        List.of());
   }
 
   static Form form(Effect effect, DataSet data) {

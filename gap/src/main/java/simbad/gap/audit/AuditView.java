@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
+import simbad.gap.fit.Robust;
 import simbad.sonar.model.NominalModel;
 import simbad.sonar.model.SightLine;
 import simbad.sonar.model.TransducerPose;
@@ -154,13 +155,15 @@ final class AuditView {
     int[] begins = new int[order.length];
     for (int i = 1; i < order.length; i++) {
       boolean follows =
-          row(i).run().equals(row(i - 1).run()) && row(i).sensor().equals(row(i - 1).sensor());
+          row(i).isTimed()
+              && row(i).run().equals(row(i - 1).run())
+              && row(i).sensor().equals(row(i - 1).sensor());
       begins[i] = follows ? begins[i - 1] : i;
     }
     return begins;
   }
 
-  /** Whether a row belongs to the run and sensor of the one before. */
+  /** Whether a row belongs to the run and sensor of the one before; without a time to none. */
   boolean follows(int i) {
     return i < order.length && begin[i] < i;
   }
@@ -196,7 +199,7 @@ final class AuditView {
     double[] values = echoes().mapToDouble(this::rangeM).sorted().distinct().toArray();
     double[] gaps = new double[Math.max(0, values.length - 1)];
     Arrays.setAll(gaps, i -> values[i + 1] - values[i]);
-    double median = RobustLine.median(gaps);
+    double median = Robust.median(gaps);
     return Math.max(sensor().resolutionM(), gaps.length == 0 ? 0 : median);
   }
 

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import simbad.gap.audit.AuditFinding.File;
+import simbad.gap.fit.Robust;
 
 /**
  * Readings that are exactly the one before, though since then the sensor went where no obstacle has
@@ -182,7 +183,7 @@ final class HeldCheck {
 
   /** Whether there is hardly any other value. */
   private Optional<AuditFinding> always() {
-    double middle = RobustLine.median(view.echoes().mapToDouble(view::rangeM).toArray());
+    double middle = Robust.median(view.echoes().mapToDouble(view::rangeM).toArray());
     int[] same = view.echoes().filter(i -> view.rangeM(i) == middle).toArray();
     int[] wrong =
         IntStream.of(same)

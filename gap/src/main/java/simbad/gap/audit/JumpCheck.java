@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import simbad.gap.audit.AuditFinding.File;
+import simbad.gap.fit.Robust;
 
 /**
  * Single readings that are off by one and the same amount while those before and after are right: a
@@ -14,7 +15,6 @@ final class JumpCheck {
   private static final double BYTE_S = 256e-6;
 
   private static final int LEAST = 5;
-  private static final double MAD = 1.4826;
   private static final double CORE = 4;
 
   /** So many windows the jumps could have been in, at least. */
@@ -32,10 +32,10 @@ final class JumpCheck {
     this.view = view;
     offM = IntStream.range(0, view.size()).mapToDouble(this::off).toArray();
     double[] known = Arrays.stream(offM).filter(off -> !Double.isNaN(off)).toArray();
-    double middle = RobustLine.median(known);
+    double middle = Robust.median(known);
     Arrays.setAll(offM, i -> offM[i] - middle);
     double[] size = Arrays.stream(known).map(off -> Math.abs(off - middle)).toArray();
-    double rough = 3 * Math.max(MAD * RobustLine.median(size), view.noiseM());
+    double rough = 3 * Math.max(Robust.NORMAL_OVER_MAD * Robust.median(size), view.noiseM());
     // The median of steps is a step; the mean square of what is no jump is finer.
     double square =
         Arrays.stream(size).filter(off -> off <= rough).map(off -> off * off).average().orElse(0);

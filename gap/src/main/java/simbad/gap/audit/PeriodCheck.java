@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import simbad.gap.audit.AuditFinding.File;
+import simbad.gap.fit.Robust;
 
 /** Clocks that do not tick as the sensor does: of a regular one the median step. */
 final class PeriodCheck {
@@ -34,7 +35,7 @@ final class PeriodCheck {
             .sorted()
             .toArray();
     periodS = view.sensor().updatePeriodS();
-    medianS = RobustLine.median(steps);
+    medianS = Robust.median(steps);
     isRegular =
         steps.length >= LEAST_ROWS
             && steps[3 * steps.length / 4] - steps[steps.length / 4] <= REGULAR * medianS;

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import simbad.gap.audit.AuditFinding.File;
+import simbad.gap.fit.Robust;
 
 /**
  * Values that stand where the scene expects others, and more often than their neighbours: a number
@@ -36,7 +37,7 @@ final class PileCheck {
     stepM = view.stepM();
     greatestM = view.echoes().mapToDouble(view::rangeM).max().orElse(0);
     middleM =
-        RobustLine.median(
+        Robust.median(
             IntStream.range(0, view.size())
                 .filter(view::isExpected)
                 .mapToDouble(view::expectedM)

@@ -2,6 +2,7 @@ package simbad.gap.audit;
 
 import java.util.Arrays;
 import org.hipparchus.distribution.continuous.TDistribution;
+import simbad.gap.fit.Robust;
 
 /**
  * A line through points of which some are wrong: the median of the slopes of all pairs (Theil 1950,
@@ -17,9 +18,6 @@ record RobustLine(double slope, double offset, double halfWidth, double share) {
   /** In scaled median deviations: further off is not on the line. */
   private static final double OUTLYING = 3.5;
 
-  /** Of a Gaussian: standard deviation over median absolute deviation. */
-  private static final double MAD = 1.4826;
-
   /** Files have tenths of a millimetre. */
   private static final double ROUNDED_M = 5e-5;
 
@@ -34,14 +32,14 @@ record RobustLine(double slope, double offset, double halfWidth, double share) {
    * @param level that the interval misses the slope, two-sided
    */
   static RobustLine through(double[] x, double[] y, double least, double level) {
-    double slope = medianSlope(x, y);
+    double slope = Robust.medianSlope(x, y, 0);
     double[] rest = new double[x.length];
     Arrays.setAll(rest, i -> y[i] - slope * x[i]);
-    double offset = median(rest);
+    double offset = Robust.median(rest);
     double[] off = new double[x.length];
     Arrays.setAll(off, i -> Math.abs(rest[i] - offset));
     double floor = least * Math.min(1, Math.abs(slope)) + ROUNDED_M;
-    double limit = OUTLYING * Math.max(MAD * median(off), floor);
+    double limit = OUTLYING * Math.max(Robust.NORMAL_OVER_MAD * Robust.median(off), floor);
     int on = 0;
     double[] onX = new double[x.length];
     double[] onY = new double[x.length];
@@ -82,25 +80,5 @@ record RobustLine(double slope, double offset, double halfWidth, double share) {
             * deviation
             / Math.sqrt(xx);
     return new RobustLine(slope, offset, half, share);
-  }
-
-  static double medianSlope(double[] x, double[] y) {
-    double[] slopes = new double[x.length * (x.length - 1) / 2];
-    int size = 0;
-    for (int i = 0; i < x.length; i++) {
-      for (int j = 0; j < i; j++) {
-        if (x[i] != x[j]) {
-          slopes[size++] = (y[i] - y[j]) / (x[i] - x[j]);
-        }
-      }
-    }
-    return median(Arrays.copyOf(slopes, size));
-  }
-
-  static double median(double[] values) {
-    double[] sorted = values.clone();
-    Arrays.sort(sorted);
-    int n = sorted.length;
-    return n == 0 ? Double.NaN : (sorted[(n - 1) / 2] + sorted[n / 2]) / 2;
   }
 }

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import simbad.gap.audit.AuditFinding.File;
+import simbad.gap.fit.Robust;
 
 /**
  * Whether ranges are a multiple of what the scene says they must be. A line with an offset is laid
@@ -66,8 +67,8 @@ final class UnitCheck {
 
   private static boolean isAlong(double[][] points, int from, int to, RobustLine line) {
     double slope =
-        RobustLine.medianSlope(
-            Arrays.copyOfRange(points[0], from, to), Arrays.copyOfRange(points[1], from, to));
+        Robust.medianSlope(
+            Arrays.copyOfRange(points[0], from, to), Arrays.copyOfRange(points[1], from, to), 0);
     double times = slope / line.slope();
     return times < MOST && times > 1 / MOST;
   }
@@ -90,7 +91,7 @@ final class UnitCheck {
       var one = all.get((int) ((long) k * all.size() / size));
       points[0][k] = one.getKey();
       points[1][k] =
-          RobustLine.median(one.getValue().stream().mapToDouble(Double::doubleValue).toArray());
+          Robust.median(one.getValue().stream().mapToDouble(Double::doubleValue).toArray());
     }
     return points;
   }

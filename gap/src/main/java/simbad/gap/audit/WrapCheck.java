@@ -3,6 +3,7 @@ package simbad.gap.audit;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import simbad.gap.audit.AuditFinding.File;
+import simbad.gap.fit.Robust;
 
 /**
  * Whether ranges start again from 0: beyond the greatest of them the scene goes on, and every
@@ -30,7 +31,7 @@ final class WrapCheck {
       return Optional.empty();
     }
     double[] lacking = IntStream.of(beyond).mapToDouble(this::lackingM).toArray();
-    double period = RobustLine.median(lacking);
+    double period = Robust.median(lacking);
     // A value that reads as it should lies below the end; the end is no further than the greatest.
     double slack = view.toleranceM(greatest);
     if (period < greatest - slack || period > 2 * greatest + slack) {

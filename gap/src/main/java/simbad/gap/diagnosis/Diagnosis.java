@@ -64,65 +64,6 @@ public record Diagnosis(
     audit = List.copyOf(audit);
   }
 
-  /** A diagnosis whose set-up was not held out, of data of which the audit found nothing. */
-  public Diagnosis(
-      Verdict verdict,
-      String reason,
-      List<Effect> explanation,
-      List<EffectFinding> effects,
-      double unknownProbability,
-      double namedProbability,
-      List<AtBound> atBound,
-      GapFigures gap,
-      List<BudgetEntry> budget,
-      List<Place> where,
-      List<Undetectable> undetectable,
-      Optional<NextExperiment> nextExperiment,
-      Hypothesis fitted,
-      Hypothesis calibration,
-      List<Attempt> tried) {
-    this(
-        verdict,
-        reason,
-        explanation,
-        effects,
-        unknownProbability,
-        namedProbability,
-        atBound,
-        gap,
-        budget,
-        where,
-        undetectable,
-        nextExperiment,
-        fitted,
-        calibration,
-        tried,
-        Optional.empty(),
-        List.of());
-  }
-
-  /** Returns the same diagnosis with what the audit found. */
-  public Diagnosis withAudit(List<AuditFinding> found) {
-    return new Diagnosis(
-        verdict,
-        reason,
-        explanation,
-        effects,
-        unknownProbability,
-        namedProbability,
-        atBound,
-        gap,
-        budget,
-        where,
-        undetectable,
-        nextExperiment,
-        fitted,
-        calibration,
-        tried,
-        setupError,
-        found);
-  }
-
   /** Returns by which law the set-up was taken to hear. */
   public SensorLaw.Model model() {
     return calibration.forms().stream().anyMatch(LevelForms::isLaw)

@@ -96,10 +96,7 @@ public final class DiagnosisJson {
     }
     words(root.putArray("explanation"), diagnosis.explanation());
     put(root, "unknown_probability", diagnosis.unknownProbability());
-    ObjectNode verdicts = root.putObject("verdict_probability");
-    for (Verdict verdict : TRUTHS) {
-      put(verdicts, verdict.word(), diagnosis.probability(verdict));
-    }
+    verdicts(root.putObject("verdict_probability"), diagnosis);
     ArrayNode atBound = root.putArray("at_bound");
     diagnosis.atBound().forEach(one -> atBound(atBound.addObject(), one));
     gap(root.putObject("gap"), diagnosis.gap());
@@ -125,6 +122,12 @@ public final class DiagnosisJson {
     int heldOut = diagnosis.gap().rowsHeldOut();
     provenance(root.putObject("provenance"), heldOut, data, provenance);
     return root;
+  }
+
+  private static void verdicts(ObjectNode node, Diagnosis diagnosis) {
+    for (Verdict verdict : TRUTHS) {
+      put(node, verdict.word(), diagnosis.probability(verdict));
+    }
   }
 
   private static void atBound(ObjectNode node, AtBound one) {

@@ -46,7 +46,9 @@ public final class Remedies {
       case SOUND_SPEED -> speed();
       case RANGE_OFFSET ->
           text(
-              value("offset_m") < 0 ? "add %.1f cm to every reading" : "take %.1f cm from every reading",
+              value("offset_m") < 0
+                  ? "add %.1f cm to every reading"
+                  : "take %.1f cm from every reading",
               CM * Math.abs(value("offset_m")));
       case COARSE_RESOLUTION -> text("let the sensor's resolution_m be %.4g", value("step_m"));
       case RANGE_NOISE ->

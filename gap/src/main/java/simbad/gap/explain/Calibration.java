@@ -73,8 +73,7 @@ public final class Calibration {
       believed = believed.and(law, law.neutral());
     }
     Evidence evidence = new Evidence(setup, believed.changes(), log);
-    return new Calibration(
-        believed, PlacementScatter.clumping(evidence, new Placements(log)));
+    return new Calibration(believed, PlacementScatter.clumping(evidence, new Placements(log)));
   }
 
   /**

@@ -1,6 +1,7 @@
 package simbad.gap.explain;
 
 import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -75,8 +76,7 @@ final class Gates {
       case WAVE_HOP ->
           setup.sensor().resolutionM() <= HIDES_WAVES_M
               && setup.sensor().rangeNoiseM() <= HIDES_WAVES_M;
-      case ORIENTATION_SHADOW -> !isOfRoundOnes(form);
-      case OBSTACLE_TURN -> !isOfRoundOnes(form);
+      case ORIENTATION_SHADOW, OBSTACLE_TURN -> !isOfRoundOnes(form);
       default -> true;
     };
   }
@@ -100,13 +100,11 @@ final class Gates {
   }
 
   private static boolean isRound(Outline outline) {
-    double[] radii =
+    DoubleSummaryStatistics radii =
         outline.corners().stream()
             .mapToDouble(corner -> Math.hypot(corner.xM(), corner.zM()))
-            .toArray();
-    double most = IntStream.range(0, radii.length).mapToDouble(i -> radii[i]).max().orElse(0);
-    double least = IntStream.range(0, radii.length).mapToDouble(i -> radii[i]).min().orElse(0);
-    return radii.length >= ROUND_CORNERS && least > ROUND * most;
+            .summaryStatistics();
+    return radii.getCount() >= ROUND_CORNERS && radii.getMin() > ROUND * radii.getMax();
   }
 
   /** From ping to ping of one sensor in one run, seconds; 0 where there is no second ping. */

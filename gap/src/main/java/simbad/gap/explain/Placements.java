@@ -1,6 +1,7 @@
 package simbad.gap.explain;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
@@ -69,6 +70,17 @@ public final class Placements {
   /** Returns the number of placements. */
   public int count() {
     return count;
+  }
+
+  /** Returns the pings of each placement, in the order of its number. */
+  List<int[]> pings() {
+    int[] size = new int[count];
+    Arrays.stream(placement).forEach(at -> size[at]++);
+    List<int[]> pings = Arrays.stream(size).mapToObj(int[]::new).toList();
+    for (int ping = placement.length - 1; ping >= 0; ping--) {
+      pings.get(placement[ping])[--size[placement[ping]]] = ping;
+    }
+    return pings;
   }
 
   /** Returns the placement of a ping, from 0 on. */

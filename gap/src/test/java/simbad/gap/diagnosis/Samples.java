@@ -83,7 +83,9 @@ final class Samples {
         Hypothesis.NONE.and(tails, 0.1, 0.03),
         List.of(
             new Diagnosis.Attempt(List.of(Effect.RANGE_OFFSET), 123.456),
-            new Diagnosis.Attempt(List.of(), 0)));
+            new Diagnosis.Attempt(List.of(), 0)),
+        Optional.empty(),
+        List.of());
   }
 
   private static List<EffectFinding> findings() {

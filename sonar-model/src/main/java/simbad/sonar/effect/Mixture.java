@@ -119,6 +119,25 @@ public final class Mixture {
     share[part] *= factor;
   }
 
+  /**
+   * Moves a share of each Gaussian part; evenly spread parts stay.
+   *
+   * @param moved share in [0, 1]; 0 changes nothing
+   * @param byM what is added to its mean, metres
+   * @param addedM standard deviation that adds to its own in squares, metres
+   */
+  void moveShare(double moved, double byM, double addedM) {
+    int parts = moved == 0 ? 0 : size;
+    for (int part = 0; part < parts; part++) {
+      if (halfWidthM[part] == 0) {
+        double own = deviationM[part];
+        double deviation = addedM == 0 ? own : Math.sqrt(own * own + addedM * addedM);
+        add(meanM[part] + byM, deviation, moved * share[part]);
+        share[part] *= 1 - moved;
+      }
+    }
+  }
+
   /** Gives a Gaussian part another mean and deviation; an evenly spread part stays. */
   void move(int part, double newMeanM, double newDeviationM) {
     if (halfWidthM[part] == 0) {

@@ -14,19 +14,6 @@ public record NoiseTails(double share, double deviationM) implements MixtureChan
 
   @Override
   public void apply(Moment moment, Mixture mixture) {
-    if (share == 0) {
-      return;
-    }
-    int parts = mixture.size();
-    for (int part = 0; part < parts; part++) {
-      if (mixture.halfWidthM(part) == 0) {
-        double own = mixture.deviationM(part);
-        mixture.add(
-            mixture.meanM(part),
-            Math.sqrt(own * own + deviationM * deviationM),
-            share * mixture.share(part));
-        mixture.scaleShare(part, 1 - share);
-      }
-    }
+    mixture.moveShare(share, 0, deviationM);
   }
 }

@@ -14,16 +14,6 @@ public record WaveHop(double share, double stepM) implements MixtureChange {
 
   @Override
   public void apply(Moment moment, Mixture mixture) {
-    if (share == 0) {
-      return;
-    }
-    int parts = mixture.size();
-    for (int part = 0; part < parts; part++) {
-      if (mixture.halfWidthM(part) == 0) {
-        mixture.add(
-            mixture.meanM(part) + stepM, mixture.deviationM(part), share * mixture.share(part));
-        mixture.scaleShare(part, 1 - share);
-      }
-    }
+    mixture.moveShare(share, stepM, 0);
   }
 }
