@@ -69,6 +69,15 @@ public final class Medium {
     return receiver.at(sine);
   }
 
+  /** The height of a single arrival's echo over the arrival. */
+  double pulsePeak() {
+    double most = 0;
+    for (Complex value : pulse) {
+      most = Math.max(most, value.size());
+    }
+    return most;
+  }
+
   /** What a target's height adds up to. */
   VerticalSum over(Upright upright) {
     return sums.computeIfAbsent(upright, u -> new VerticalSum(u, this));

@@ -60,6 +60,13 @@ public final class Trace {
     }
   }
 
+  /** Adds another trace times a factor, where this one reaches. */
+  void add(Trace other, double factor) {
+    for (int i = 0; i < other.re.length; i++) {
+      put(other.first + i, factor * other.re[i], factor * other.im[i]);
+    }
+  }
+
   /** Each arrival as the whole echo that it is. */
   Trace drawn(Complex[] pulse) {
     Trace whole = new Trace(first, re.length + pulse.length);
