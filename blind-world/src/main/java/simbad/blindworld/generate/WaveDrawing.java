@@ -26,7 +26,7 @@ import simbad.blindworld.world.World;
  */
 final class WaveDrawing {
 
-  private static final double LEAST_ECHO_SHARE = 0.12;
+  private static final double LEAST_ECHO_SHARE = 0.1;
   private static final double MOST_ECHO_SHARE = 0.85;
   private static final double LEAST_STANDARD_ERRORS = 5;
   private static final int DRAWS = 600;
@@ -40,6 +40,9 @@ final class WaveDrawing {
   /** After so many draws in vain another pair is tried, or an unknown by itself. */
   private static final int OTHER_PAIR = 60;
 
+  /** After so many draws in vain a robot may be tried for a bench, or a bench for a robot. */
+  private static final int OTHER_KIND = 30;
+
   private static final int CHECK_REPEATS = 80;
 
   /** Rows of a sealed sheet; fewer than of a data set, for they are only forecast. */
@@ -49,6 +52,8 @@ final class WaveDrawing {
   private final Order order;
   private final SplittableRandom random;
   private List<String> names;
+  private String kind = "";
+  private int otherKindAt;
   private int draws;
 
   WaveDrawing(Plan.Assignment assignment, Order order) {
@@ -82,6 +87,11 @@ final class WaveDrawing {
 
   WaveCase draw() {
     while (draws < DRAWS) {
+      if (draws >= otherKindAt) {
+        // Not at every draw: benches hear more than robots, and few robots would be left.
+        kind = Design.kinds().get(random.nextInt(Design.kinds().size()));
+        otherKindAt = draws + OTHER_KIND;
+      }
       Ground ground = ground();
       double[] plain = ground.unchanged.read(random.nextLong());
       List<Double> heard = Site.heard(plain);
@@ -103,7 +113,7 @@ final class WaveDrawing {
   /** The ground with changes that show, or without any where none are asked for. */
   private Optional<WaveCase> findChanged(Ground ground, double[] plain, List<Double> heard) {
     if (names.isEmpty()) {
-      return Optional.of(complete(ground, new Changes(List.of(), List.of()), plain, 0));
+      return findComplete(ground, new Changes(List.of(), List.of()), plain, 0);
     }
     Site site = site(ground, heard, 1);
     if (!names.stream().allMatch(name -> WaveVocabulary.applies(name, site))) {
@@ -114,7 +124,7 @@ final class WaveDrawing {
     double[] readings = altered.read(random.nextLong());
     double z = z(ground, changes.effects, altered, readings);
     return z >= LEAST_STANDARD_ERRORS || order.sizes().isPresent()
-        ? Optional.of(complete(ground, changes, readings, z))
+        ? findComplete(ground, changes, readings, z)
         : Optional.empty();
   }
 
@@ -128,8 +138,7 @@ final class WaveDrawing {
   }
 
   private Ground ground() {
-    List<String> kinds = Design.kinds();
-    Design design = Design.draw(kinds.get(random.nextInt(kinds.size())), random.split());
+    Design design = Design.draw(kind, random.split());
     Room room = Room.draw(random.split());
     User.Calibration calibration =
         new User(room, random.split()).calibrate(design.periodS());
@@ -195,10 +204,20 @@ final class WaveDrawing {
     return least;
   }
 
-  private WaveCase complete(Ground ground, Changes changes, double[] readings, double z) {
+  /** The whole case; nothing when the other sheets happen to lie where nothing is heard. */
+  private Optional<WaveCase> findComplete(
+      Ground ground, Changes changes, double[] readings, double z) {
     Recording sealedRows = ground.design.record(ground.scene(), SEALED_ROWS, random.split());
-    Repeats altered = ground.world(changes.effects).at(sealedRows);
     Repeats same = ground.world(List.of()).at(sealedRows);
+    Recording otherRows = ground.design.record(ground.scene(), rows(), random.split());
+    WaveWorld.Parts otherDay = ground.room.onSomeDay(random).with(ground.calibration.counter());
+    Repeats trusted = new WaveWorld(otherDay, List.of()).at(otherRows);
+    Case.Sheet reference = sheet(otherRows, trusted.read(random.nextLong()));
+    double share = sheet(sealedRows, same.read(random.nextLong())).echoShare();
+    if (Math.min(share, reference.echoShare()) < LEAST_ECHO_SHARE) {
+      return Optional.empty();
+    }
+    Repeats altered = ground.world(changes.effects).at(sealedRows);
     Case.Sheet sealed = sheet(sealedRows, altered.read(random.nextLong()));
     Forecast oracle = forecast(ground, altered);
     Case.Gaps gaps =
@@ -206,10 +225,6 @@ final class WaveDrawing {
             gapCm(ground, forecast(ground, nominal(ground, sealedRows)), sealed),
             gapCm(ground, changes.effects.isEmpty() ? oracle : forecast(ground, same), sealed),
             gapCm(ground, oracle, sealed));
-    Recording otherRows = ground.design.record(ground.scene(), rows(), random.split());
-    WaveWorld.Parts otherDay = ground.room.onSomeDay(random).with(ground.calibration.counter());
-    Repeats trusted = new WaveWorld(otherDay, List.of()).at(otherRows);
-    Case.Sheet reference = sheet(otherRows, trusted.read(random.nextLong()));
     WaveCase.Figures figures =
         new WaveCase.Figures(
             gaps,
@@ -218,15 +233,16 @@ final class WaveDrawing {
             z,
             changes.sizes,
             draws);
-    return new WaveCase(
-        assignment,
-        ground.design.kind(),
-        ground.room,
-        ground.calibration,
-        changes.effects,
-        new WaveCase.Sheets(sheet(ground.recording, readings), reference, sealed),
-        oracle,
-        figures);
+    return Optional.of(
+        new WaveCase(
+            assignment,
+            ground.design.kind(),
+            ground.room,
+            ground.calibration,
+            changes.effects,
+            new WaveCase.Sheets(sheet(ground.recording, readings), reference, sealed),
+            oracle,
+            figures));
   }
 
   private static Repeats nominal(Ground ground, Recording rows) {

@@ -21,7 +21,8 @@ public record Article(String kind, List<Point> corners, Outline outline, double 
 
   private static final List<String> KINDS =
       List.of(
-          "round", "round", "pole", "square", "box", "strip", "angle", "channel", "triangle", "bar");
+          "round", "round", "round", "pole", "pole", "square", "box", "strip", "angle", "channel",
+          "triangle", "bar");
 
   private static final List<Double> HEIGHTS_M = List.of(0.25, 0.6, 1.2);
 
@@ -47,7 +48,7 @@ public record Article(String kind, List<Point> corners, Outline outline, double 
     double size = 0.001 * random.nextInt(25, 61);
     double thick = 0.0001 * random.nextInt(12, 31);
     return switch (kind) {
-      case "round" -> round(kind, 36, size / 2, height);
+      case "round" -> round(kind, 36, Math.max(0.015, size / 2), height);
       case "pole" -> round(kind, 60, size, height);
       case "square" -> of(kind, regular(4, size / Math.sqrt(2)), height);
       case "box" -> of(kind, regular(4, 0.1 / Math.sqrt(2)), height);

@@ -103,17 +103,17 @@ public record Room(
             resonance(random, frequency),
             resonance(random, frequency),
             0);
-    double radius = random.nextDouble(0.0065, 0.0082);
+    double radius = random.nextDouble(0.007, 0.0086);
     double timeout = 2 * maxRangeM / 340 + random.nextDouble(0.001, 0.006);
     Gear.Receiver open =
         new Gear.Receiver(1e-9, 1e-9, 1, random.nextDouble(0.0004, 0.0007), timeout, 1e-12);
     Gear deaf = new Gear(burst, new Gear.Pistons(radius, radius, 0, 0), open, 0);
-    double floor = poleAt(random.nextDouble(1.7, 2.4), deaf, air);
-    double start = floor * Math.pow(10, random.nextDouble(22, 32) / 20);
+    double floor = poleAt(random.nextDouble(1.7, 2.3), deaf, air);
+    double start = floor * Math.pow(10, random.nextDouble(20, 25) / 20);
     double noise = floor / random.nextDouble(12, 20);
     return deaf.with(
         new Gear.Receiver(
-            floor, start, random.nextDouble(0.0012, 0.0026), open.armS(), timeout, noise));
+            floor, start, random.nextDouble(0.002, 0.003), open.armS(), timeout, noise));
   }
 
   private static Burst.Resonance resonance(SplittableRandom random, double carrierHz) {
