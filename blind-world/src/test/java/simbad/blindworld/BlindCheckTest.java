@@ -274,7 +274,7 @@ class BlindCheckTest {
 
   private static Done waves(Path to, String... more) {
     return run(
-        "generate --level wave --cases 2 --seed 6 --rows 300-350 --repeats 40 --mix single:1"
+        "generate --level wave --cases 2 --seed 6 --repeats 40 --mix single:1"
             .split(" "),
         Stream.concat(Stream.of("--out", to + ""), Arrays.stream(more)).toArray(String[]::new));
   }
@@ -283,11 +283,8 @@ class BlindCheckTest {
   @Test
   void waves_areDrawnSealedAndScored() throws Exception {
     Path first = folder.resolve("waves");
-    Done done = waves(first, "--effects", "range-offset,sound-speed");
+    Done done = waves(first, "--effects", "range-offset,dropout", "--rows", "1200-1300");
     assertEquals(0, done.status, done.err);
-    Path second = folder.resolve("waves again");
-    assertEquals(0, waves(second, "--effects", "range-offset,sound-speed").status);
-    assertEquals(contents(first), contents(second));
     try (var paths = Files.list(first.resolve("cases"))) {
       for (Path one : paths.toList()) {
         checkRows(one.resolve("readings.csv"));
@@ -330,8 +327,12 @@ class BlindCheckTest {
   @Test
   void sizesAskedFor_needNotShow() throws Exception {
     Path to = folder.resolve("sizes");
-    Done done = waves(to, "--effects", "gain", "--sizes", "0.1-0.2");
+    String[] small = {"--effects", "gain", "--sizes", "0.1-0.2", "--rows", "300-350"};
+    Done done = waves(to, small);
     assertEquals(0, done.status, done.err);
+    Path again = folder.resolve("sizes again");
+    assertEquals(0, waves(again, small).status);
+    assertEquals(contents(to), contents(again));
     try (var paths = Files.list(to.resolve("truth"))) {
       for (Path one : paths.toList()) {
         JsonObject truth = JsonObject.read(one.resolve("truth.json"));
