@@ -274,8 +274,7 @@ class BlindCheckTest {
 
   private static Done waves(Path to, String... more) {
     return run(
-        "generate --level wave --cases 2 --seed 6 --repeats 40 --mix single:1"
-            .split(" "),
+        "generate --level wave --cases 2 --seed 6 --repeats 40 --mix single:1".split(" "),
         Stream.concat(Stream.of("--out", to + ""), Arrays.stream(more)).toArray(String[]::new));
   }
 
@@ -464,7 +463,13 @@ class BlindCheckTest {
     check("--reference: every case", "generate", "--level", "wave", "--reference", "1");
     check("--sizes: expected --level wave", "generate", "--sizes", "1-2", "--out", "x");
     check("--sizes: '0'", "generate", "--level", "wave", "--sizes", "0-2", "--out", "x");
-    check("no such effect: latency-of-mine", "generate", "--level", "wave", "--effects", "latency-of-mine");
+    check(
+        "no such effect: latency-of-mine",
+        "generate",
+        "--level",
+        "wave",
+        "--effects",
+        "latency-of-mine");
     check("--what: expected one of".replace("--what", "'--what'"), "generate", "--what", "9");
     check("--cases: expected a value after it", "generate", "--cases");
     check("no such folder", "score", "--answers", folder + "/nowhere", "--truth", "x");

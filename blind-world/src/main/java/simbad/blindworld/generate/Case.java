@@ -42,8 +42,7 @@ record Case(
 
   /** What is written of it. */
   CaseFiles.Content content() {
-    return new CaseFiles.Content(
-        assignment, scene, readings, reference, sealed, oracle, truth());
+    return new CaseFiles.Content(assignment, scene, readings, reference, sealed, oracle, truth());
   }
 
   private Map<String, Object> truth() {
@@ -56,7 +55,8 @@ record Case(
     json.put("kind", assignment.kind().name().toLowerCase(Locale.ROOT));
     json.put("effects", named);
     json.put(
-        "outside_vocabulary", named.keySet().stream().filter(n -> !Vocabulary.contains(n)).toList());
+        "outside_vocabulary",
+        named.keySet().stream().filter(n -> !Vocabulary.contains(n)).toList());
     json.put("design", design);
     json.put("reference", reference.isPresent());
     json.put("rows", readings.recording().size());

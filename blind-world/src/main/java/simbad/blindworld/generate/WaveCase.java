@@ -97,7 +97,8 @@ record WaveCase(
     json.put("setup_gap_m", figures.setupCm() / 100);
     json.put("setup_floor_m", figures.floorCm() / 100);
     json.put(
-        "kinds", room.articles().stream().map(a -> List.<Object>of(a.kind(), a.heightM())).toList());
+        "kinds",
+        room.articles().stream().map(a -> List.<Object>of(a.kind(), a.heightM())).toList());
     json.put("calibration", calibrated());
     return json;
   }

@@ -40,8 +40,11 @@ final class WaveDrawing {
   /** After so many draws in vain another pair is tried, or an unknown by itself. */
   private static final int OTHER_PAIR = 60;
 
-  /** After so many draws in vain a robot may be tried for a bench, or a bench for a robot. */
-  private static final int OTHER_KIND = 30;
+  /** After so many grounds in vain a robot may be tried for a bench, or a bench for a robot. */
+  private static final int OTHER_KIND = 25;
+
+  private static final int GROUNDS = 2000;
+  private static final String ROBOT = "run";
 
   private static final int CHECK_REPEATS = 80;
 
@@ -53,7 +56,6 @@ final class WaveDrawing {
   private final SplittableRandom random;
   private List<String> names;
   private String kind = "";
-  private int otherKindAt;
   private int draws;
 
   WaveDrawing(Plan.Assignment assignment, Order order) {
@@ -86,28 +88,34 @@ final class WaveDrawing {
   private record Changes(List<WaveEffect> effects, List<Double> sizes) {}
 
   WaveCase draw() {
-    while (draws < DRAWS) {
-      if (draws >= otherKindAt) {
-        // Not at every draw: benches hear more than robots, and few robots would be left.
-        kind = Design.kinds().get(random.nextInt(Design.kinds().size()));
-        otherKindAt = draws + OTHER_KIND;
+    for (int grounds = 0; grounds < GROUNDS && draws < DRAWS; grounds++) {
+      if (grounds % OTHER_KIND == 0) {
+        // Not for every ground: benches hear more than robots, and few robots would be left.
+        kind = kind();
       }
       Ground ground = ground();
       double[] plain = ground.unchanged.read(random.nextLong());
       List<Double> heard = Site.heard(plain);
       double share = (double) heard.size() / plain.length;
       boolean fits = share >= LEAST_ECHO_SHARE && share <= MOST_ECHO_SHARE;
-      for (int tries = 0; tries < TRIES; tries++) {
+      for (int tries = 0; fits && tries < TRIES; tries++) {
         draws++;
         names = draws % OTHER_PAIR == 0 ? easier() : names;
-        Optional<WaveCase> drawn = fits ? findChanged(ground, plain, heard) : Optional.empty();
+        Optional<WaveCase> drawn = findChanged(ground, plain, heard);
         if (drawn.isPresent()) {
           return drawn.get();
         }
       }
     }
     throw new IllegalStateException(
-        "no case with " + assignment.names() + " that shows, in " + DRAWS + " draws");
+        "no case with " + assignment.names() + " that shows, in " + draws + " draws");
+  }
+
+  private String kind() {
+    List<String> kinds = Design.kinds();
+    return names.stream().anyMatch(WaveVocabulary::needsRobot)
+        ? ROBOT
+        : kinds.get(random.nextInt(kinds.size()));
   }
 
   /** The ground with changes that show, or without any where none are asked for. */
@@ -140,8 +148,7 @@ final class WaveDrawing {
   private Ground ground() {
     Design design = Design.draw(kind, random.split());
     Room room = Room.draw(random.split());
-    User.Calibration calibration =
-        new User(room, random.split()).calibrate(design.periodS());
+    User.Calibration calibration = new User(room, random.split()).calibrate(design.periodS());
     WaveWorld.Parts day = room.onSomeDay(random).with(calibration.counter());
     Recording recording = design.record(calibration.scene(), rows(), random.split());
     Repeats unchanged = new WaveWorld(day, List.of()).at(recording);
@@ -153,7 +160,7 @@ final class WaveDrawing {
   }
 
   private Site site(Ground ground, List<Double> heard, double size) {
-    boolean driven = ground.design.kind().equals("run");
+    boolean driven = ground.design.kind().equals(ROBOT);
     return new Site(
         ground.room,
         ground.day,
@@ -188,18 +195,17 @@ final class WaveDrawing {
   }
 
   /** The least evidence for any one effect beside the others, in standard errors. */
-  private double z(
-      Ground ground, List<WaveEffect> effects, Repeats altered, double[] readings) {
+  private double z(Ground ground, List<WaveEffect> effects, Repeats altered, double[] readings) {
     double least = Double.POSITIVE_INFINITY;
     double noEcho = ground.scene().noEchoM();
     Forecast whole = Forecast.of(altered, noEcho, CHECK_REPEATS, random.nextLong());
     for (WaveEffect effect : effects) {
-      List<WaveEffect> others = effects.stream().filter(other -> !other.name().equals(effect.name())).toList();
+      List<WaveEffect> others =
+          effects.stream().filter(other -> !other.name().equals(effect.name())).toList();
       Repeats rest =
           others.isEmpty() ? ground.unchanged : ground.world(others).at(ground.recording);
       Forecast without = Forecast.of(rest, noEcho, CHECK_REPEATS, random.nextLong());
-      least =
-          Math.min(least, Evidence.of(whole, without, readings, noEcho).standardErrors());
+      least = Math.min(least, Evidence.of(whole, without, readings, noEcho).standardErrors());
     }
     return least;
   }

@@ -38,8 +38,7 @@ public record Graded(Truth truth, Optional<Answer> answer) {
 
   /** True when the names concluded are one of the sets that the truth accepts. */
   private boolean accepted() {
-    return answer.isPresent()
-        && truth.accept().contains(new HashSet<>(answer.get().explanation()));
+    return answer.isPresent() && truth.accept().contains(new HashSet<>(answer.get().explanation()));
   }
 
   private boolean explainedAsAccepted() {

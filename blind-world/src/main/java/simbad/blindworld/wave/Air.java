@@ -54,7 +54,9 @@ public record Air(double temperatureC, double humidityPercent, double pressureKP
     double h = moleShare();
     double oxygen = pressure * (24 + 4.04e4 * h * (0.02 + h) / (0.391 + h));
     double nitrogen =
-        pressure / Math.sqrt(warmth) * (9 + 280 * h * Math.exp(-4.17 * (Math.cbrt(1 / warmth) - 1)));
+        pressure
+            / Math.sqrt(warmth)
+            * (9 + 280 * h * Math.exp(-4.17 * (Math.cbrt(1 / warmth) - 1)));
     double square = frequencyHz * frequencyHz;
     double classical = 1.84e-11 / pressure * Math.sqrt(warmth);
     double relaxing =

@@ -9,8 +9,7 @@ import simbad.blindworld.world.Pose;
  * @param excessDb its level over the threshold at that time
  * @param restlessDb by which that scatters from ping to ping
  */
-public record FixedEcho(double distanceM, double excessDb, double restlessDb)
-    implements Reflector {
+public record FixedEcho(double distanceM, double excessDb, double restlessDb) implements Reflector {
 
   @Override
   public Trace arrivals(Pose pose, Medium medium, double tS) {

@@ -89,8 +89,7 @@ public final class Outline {
       Point b = corners.get((i + 1) % corners.size());
       Point c = corners.get((i + 2) % corners.size());
       area += a.xM() * b.zM() - b.xM() * a.zM();
-      double bend =
-          (b.xM() - a.xM()) * (c.zM() - b.zM()) - (b.zM() - a.zM()) * (c.xM() - b.xM());
+      double bend = (b.xM() - a.xM()) * (c.zM() - b.zM()) - (b.zM() - a.zM()) * (c.xM() - b.xM());
       left |= bend > 1e-12;
       right |= bend < -1e-12;
     }

@@ -62,8 +62,7 @@ final class Sum {
     double back = in.distanceTo(x, z);
     double slant = 0.5 * (cosine(outline, e, out) + cosine(outline, e, in));
     Complex height = vertical.at(2 * there * back / (there + back));
-    double size =
-        medium.perM() / (2 * Math.PI) * slant * aim * outline.lengthM[e] / (there * back);
+    double size = medium.perM() / (2 * Math.PI) * slant * aim * outline.lengthM[e] / (there * back);
     size *= medium.leftAfter(there + back);
     double phase = -medium.perM() * (there + back) - medium.delayPhaseRad();
     double re = size * Math.cos(phase);

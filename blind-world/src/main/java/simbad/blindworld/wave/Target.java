@@ -26,8 +26,7 @@ public final class Target implements Reflector {
 
   /** The same target moved by so much. */
   public Target moved(double byXM, double byZM) {
-    return new Target(
-        outline, upright, new Point(place.xM() + byXM, place.zM() + byZM), turnRad);
+    return new Target(outline, upright, new Point(place.xM() + byXM, place.zM() + byZM), turnRad);
   }
 
   /** The same target turned by so much, counter-clockwise. */

@@ -15,7 +15,8 @@ public record Upright(double bottomM, double topM) {
   /** Refuses an upper end that is not above the lower one. */
   public Upright {
     if (!(topM > bottomM)) {
-      throw new IllegalArgumentException("height: " + bottomM + " to " + topM + ", expected rising");
+      throw new IllegalArgumentException(
+          "height: " + bottomM + " to " + topM + ", expected rising");
     }
   }
 }

@@ -63,7 +63,6 @@ final class VerticalSum {
     double place = place(distanceM);
     int i = (int) place;
     double share = place - i;
-    return new Complex(
-        re[i] + share * (re[i + 1] - re[i]), im[i] + share * (im[i + 1] - im[i]));
+    return new Complex(re[i] + share * (re[i + 1] - re[i]), im[i] + share * (im[i + 1] - im[i]));
   }
 }

@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 import simbad.blindworld.world.Pose;
-import simbad.blindworld.world.Repeats;
 import simbad.blindworld.world.Recording;
+import simbad.blindworld.world.Repeats;
 import simbad.blindworld.world.Row;
 import simbad.blindworld.world.Track;
 
@@ -123,8 +123,7 @@ public final class WaveWorld {
     return new Listening(recording);
   }
 
-  private double arrivalS(
-      Sound sound, Detector detector, double louderDb, RandomGenerator random) {
+  private double arrivalS(Sound sound, Detector detector, double louderDb, RandomGenerator random) {
     double alarm = detector.falseAlarmS(random);
     if (sound.size() == 0) {
       return alarm;

@@ -71,9 +71,7 @@ final class OutsideChanges {
     double db = site.sized(7);
     double power = site.between(1.5, 4);
     return drifting(
-        "supply-voltage",
-        Map.of("db", db, "power", power),
-        share -> -db * Math.pow(share, power));
+        "supply-voltage", Map.of("db", db, "power", power), share -> -db * Math.pow(share, power));
   }
 
   /** The transmitter's coupling comes and goes. */
@@ -92,9 +90,7 @@ final class OutsideChanges {
 
   private static WaveEffect drifting(String name, Map<String, Object> parameters, Course course) {
     return WaveEffect.of(
-            name,
-            parameters,
-            Alterations.louder(0, (zero, ping) -> course.db(ping.share())))
+            name, parameters, Alterations.louder(0, (zero, ping) -> course.db(ping.share())))
         .near(List.of(Set.of(GAIN), Set.of("dropout"), Set.of("absorption")));
   }
 
@@ -141,7 +137,9 @@ final class OutsideChanges {
         Alterations.gear(g -> g.with(g.pistons().receiverTurned(Math.toRadians(deg))));
     double half = Math.sin(Math.toRadians(Math.min(90, Math.abs(deg) / 2)));
     double ka =
-        2 * Math.PI * site.parts().gear().burst().frequencyHz()
+        2
+            * Math.PI
+            * site.parts().gear().burst().frequencyHz()
             / site.parts().air().soundSpeedMPerS()
             * site.parts().gear().pistons().receiverRadiusM();
     // A piston is about a Gaussian, exp(-(ka sin)^2 / 8), and two of them aside are one, weaker.
@@ -177,10 +175,14 @@ final class OutsideChanges {
     return WaveEffect.of(
             "foam",
             Map.of(
-                "obstacle", index,
-                "centre", Math.toDegrees(centre),
-                "half", Math.toDegrees(half),
-                "db", db),
+                "obstacle",
+                index,
+                "centre",
+                Math.toDegrees(centre),
+                "half",
+                Math.toDegrees(half),
+                "db",
+                db),
             Alterations.instead(index, r -> r instanceof Target t ? t.with(outline) : r))
         .near(List.of(Set.of("obstacle-turn"), Set.of(GAIN)));
   }

@@ -36,6 +36,7 @@ final class ReadingChanges {
   private static WaveForm pose(String name, String form, List<Set<String>> also) {
     return new WaveForm(
         name,
+        true,
         Site::driven,
         site -> {
           Effect effect = Vocabulary.draw(name, form, site.circumstances());
@@ -106,8 +107,7 @@ final class ReadingChanges {
 
   /** Broadband noise, as of compressed air, that is now and then over the threshold by itself. */
   private static WaveEffect hiss(Site site) {
-    double ratio =
-        site.parts().gear().receiver().floor() / site.parts().gear().receiver().noise();
+    double ratio = site.parts().gear().receiver().floor() / site.parts().gear().receiver().noise();
     // Of so many standard deviations the threshold is when one ping in seven is false.
     double over = 3.6 / Math.pow(site.size(), 0.1);
     double times = Math.max(1, ratio / over);
@@ -161,8 +161,6 @@ final class ReadingChanges {
     boolean asNought = site.random().nextBoolean() || site.scene().noEchoM() == maxM;
     double m = asNought ? 0 : maxM;
     return WaveEffect.of(
-        "no-echo-code",
-        Map.of("m", m),
-        Alterations.report(() -> (r, ping) -> isEcho(r) ? r : m));
+        "no-echo-code", Map.of("m", m), Alterations.report(() -> (r, ping) -> isEcho(r) ? r : m));
   }
 }

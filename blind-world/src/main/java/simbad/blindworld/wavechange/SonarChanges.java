@@ -43,8 +43,7 @@ final class SonarChanges {
     Air other = air.warmer(kelvin);
     double hz = site.parts().gear().burst().frequencyHz();
     Map<String, Object> parameters =
-        Map.of(
-            "kelvin", kelvin, "c", other.soundSpeedMPerS(), "alpha", other.absorptionDbPerM(hz));
+        Map.of("kelvin", kelvin, "c", other.soundSpeedMPerS(), "alpha", other.absorptionDbPerM(hz));
     WaveEffect effect =
         WaveEffect.of("sound-speed", parameters, Alterations.air(a -> a.warmer(kelvin)));
     return effect
@@ -71,7 +70,12 @@ final class SonarChanges {
     double percent = best;
     Map<String, Object> parameters =
         Map.of(
-            "rh", percent, "alpha", air.withHumidity(percent).absorptionDbPerM(hz), "before", before);
+            "rh",
+            percent,
+            "alpha",
+            air.withHumidity(percent).absorptionDbPerM(hz),
+            "before",
+            before);
     return lost(
         WaveEffect.of(ABSORPTION, parameters, Alterations.air(a -> a.withHumidity(percent))), site);
   }
@@ -80,8 +84,7 @@ final class SonarChanges {
   static WaveEffect lost(WaveEffect effect, Site site) {
     List<Set<String>> same = Rivals.of(effect, site);
     List<Set<String>> others =
-        new ArrayList<>(
-            List.of(Set.of(GAIN), Set.of(ABSORPTION), Set.of("early-timeout")));
+        new ArrayList<>(List.of(Set.of(GAIN), Set.of(ABSORPTION), Set.of("early-timeout")));
     others.removeAll(same);
     others.remove(Set.of(effect.name()));
     return effect.accepting(same).near(others);
@@ -89,8 +92,7 @@ final class SonarChanges {
 
   private static WaveEffect amplifier(Site site) {
     double db = site.random().nextInt(10) < 7 ? -site.sized(3.5) : site.sized(3.5);
-    return lost(
-        WaveEffect.of(GAIN, Map.of("db", db), Alterations.gear(g -> g.louder(db))), site);
+    return lost(WaveEffect.of(GAIN, Map.of("db", db), Alterations.gear(g -> g.louder(db))), site);
   }
 
   private static WaveEffect timeout(Site site) {
@@ -117,8 +119,7 @@ final class SonarChanges {
   /** Another opening before the membranes: a wider or narrower beam of the same level ahead. */
   private static WaveEffect membrane(String name, Site site) {
     double times = Math.max(0.3, Math.min(3, Math.exp(site.eitherWay(0.3))));
-    Alteration alteration =
-        Alterations.gear((Gear g) -> g.with(g.pistons().scaled(times)));
+    Alteration alteration = Alterations.gear((Gear g) -> g.with(g.pistons().scaled(times)));
     String other = name.equals("beam-width") ? "beam-pattern" : "beam-width";
     return WaveEffect.of(name, Map.of("ka_times", times), alteration)
         .accepting(List.of(Set.of(other), Set.of(name, other)));
@@ -162,12 +163,9 @@ final class SonarChanges {
     return WaveEffect.of(
             "wave-hop",
             Map.of("most", most),
-            Alterations.arrival(
-                () -> (t, ping) -> t + periodS * ping.random().nextInt(most + 1)))
+            Alterations.arrival(() -> (t, ping) -> t + periodS * ping.random().nextInt(most + 1)))
         .accepting(
-            List.of(
-                Set.of("wave-hop", "range-offset"),
-                Set.of("range-noise", "range-offset")));
+            List.of(Set.of("wave-hop", "range-offset"), Set.of("range-noise", "range-offset")));
   }
 
   private static WaveEffect coarse(Site site) {

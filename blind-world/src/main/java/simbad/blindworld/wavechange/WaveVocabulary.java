@@ -8,8 +8,7 @@ import simbad.blindworld.effect.Vocabulary;
 public final class WaveVocabulary {
 
   private static final List<WaveForm> FORMS =
-      Stream.of(
-              ReadingChanges.all(), SceneChanges.all(), SonarChanges.all(), OutsideChanges.all())
+      Stream.of(ReadingChanges.all(), SceneChanges.all(), SonarChanges.all(), OutsideChanges.all())
           .flatMap(List::stream)
           .toList();
 
@@ -27,6 +26,11 @@ public final class WaveVocabulary {
 
   private static Stream<String> all() {
     return FORMS.stream().map(WaveForm::name).distinct().sorted();
+  }
+
+  /** True when the change can only happen to a robot. */
+  public static boolean needsRobot(String name) {
+    return FORMS.stream().anyMatch(f -> f.name().equals(name) && f.driven());
   }
 
   /** True when the change can happen here. */

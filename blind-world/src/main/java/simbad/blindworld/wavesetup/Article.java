@@ -21,8 +21,18 @@ public record Article(String kind, List<Point> corners, Outline outline, double 
 
   private static final List<String> KINDS =
       List.of(
-          "round", "round", "round", "pole", "pole", "square", "box", "strip", "angle", "channel",
-          "triangle", "bar");
+          "round",
+          "round",
+          "round",
+          "pole",
+          "pole",
+          "square",
+          "box",
+          "strip",
+          "angle",
+          "channel",
+          "triangle",
+          "bar");
 
   private static final List<Double> HEIGHTS_M = List.of(0.25, 0.6, 1.2);
 

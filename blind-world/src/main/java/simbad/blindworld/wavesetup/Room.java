@@ -69,7 +69,11 @@ public record Room(
     }
     WaveWorld.Parts parts =
         new WaveWorld.Parts(
-            gear, air, new Counter(air.soundSpeedMPerS(), 0, tick(random), 0), SCATTER_DB, List.copyOf(targets));
+            gear,
+            air,
+            new Counter(air.soundSpeedMPerS(), 0, tick(random), 0),
+            SCATTER_DB,
+            List.copyOf(targets));
     return new Room(parts, articles, targets, turns, mount, maxRange);
   }
 
@@ -124,15 +128,10 @@ public record Room(
   /** The pressure of a pole's echo. */
   private static double poleAt(double distanceM, Gear gear, Air air) {
     Target pole =
-        new Target(
-            Outline.round(0.03),
-            new Upright(-0.15, 1),
-            new Point(distanceM, 0),
-            0);
+        new Target(Outline.round(0.03), new Upright(-0.15, 1), new Point(distanceM, 0), 0);
     Counter counter = new Counter(air.soundSpeedMPerS(), 0, 0, 0);
     WaveWorld.Parts parts = new WaveWorld.Parts(gear, air, counter, SCATTER_DB, List.of(pole));
-    double excess =
-        new WaveWorld(parts, List.of()).standing(new Pose(0, 0, 0)).excessDb();
+    double excess = new WaveWorld(parts, List.of()).standing(new Pose(0, 0, 0)).excessDb();
     return gear.receiver().floor() * Math.pow(10, excess / 20);
   }
 

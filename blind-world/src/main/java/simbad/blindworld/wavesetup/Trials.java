@@ -77,8 +77,7 @@ final class Trials {
     int count = 0;
     for (int which = 0; which < best.size(); which++) {
       for (double share : new double[] {0.3, 0.5, 0.7}) {
-        Stand.Place place =
-            stand.at(bearing(which), Math.max(NEAR_M, share * threshold(which)), 0);
+        Stand.Place place = stand.at(bearing(which), Math.max(NEAR_M, share * threshold(which)), 0);
         for (int ping = 0; ping < 20; ping++) {
           double off = place.rangeM() - place.surfaceM();
           if (Math.abs(off) < 0.1) {
@@ -100,7 +99,9 @@ final class Trials {
     return (double) (pings - place.heard(pings)) / pings;
   }
 
-  /** The nearest distance to the surface that is still read rightly, coming nearer by centimetres. */
+  /**
+   * The nearest distance to the surface that is still read rightly, coming nearer by centimetres.
+   */
   double minRangeM() {
     double radius = stand.article().outline().radiusM();
     double least = 0.25;

@@ -56,8 +56,7 @@ public final class User {
     Stand first = stand(0, today);
     double late = lateS(first);
     Counter counter =
-        new Counter(
-            today.counter().soundSpeedMPerS(), late, today.counter().tickS(), resolutionM);
+        new Counter(today.counter().soundSpeedMPerS(), late, today.counter().tickS(), resolutionM);
     List<Stand> stands = new ArrayList<>();
     for (int i = 0; i < room.articles().size(); i++) {
       stands.add(stand(i, today.with(counter)));
@@ -110,7 +109,9 @@ public final class User {
     return IntStream.range(0, BEARINGS).mapToObj(i -> thresholdM(stand, bearing(i))).toList();
   }
 
-  /** Outwards in steps until two pings running are silent; half way between the last and the next. */
+  /**
+   * Outwards in steps until two pings running are silent; half way between the last and the next.
+   */
   private double thresholdM(Stand stand, double bearingRad) {
     double begin = Math.ceil((stand.article().outline().radiusM() + 0.1) / stepM) * stepM;
     double last = begin - stepM / 2;

@@ -189,8 +189,7 @@ class ScoresTest {
   /** What physics cannot tell apart may be called either way, and nothing else may. */
   @Test
   void acceptedNames_areRight() {
-    Truth either =
-        accepting(truth("gain"), List.of(Set.of("gain"), Set.of("absorption", "wrap")));
+    Truth either = accepting(truth("gain"), List.of(Set.of("gain"), Set.of("absorption", "wrap")));
     checkStanding(Graded.Standing.RIGHT, either, Verdict.EXPLAINED, "wrap", "absorption");
     checkStanding(Graded.Standing.WRONG, either, Verdict.EXPLAINED, "absorption");
     checkStanding(Graded.Standing.CAUTIOUS, either, Verdict.PARTLY, "absorption", "wrap");

@@ -42,7 +42,10 @@ class EchoTest {
   private static Target wall(double distanceM, double halfM) {
     List<Point> corners =
         List.of(
-            new Point(0, -halfM), new Point(0, halfM), new Point(0.05, halfM), new Point(0.05, -halfM));
+            new Point(0, -halfM),
+            new Point(0, halfM),
+            new Point(0.05, halfM),
+            new Point(0.05, -halfM));
     return new Target(Outline.of(corners), Upright.ENDLESS, new Point(distanceM, 0), 0);
   }
 
@@ -61,8 +64,7 @@ class EchoTest {
   @CsvSource({"0.1, 0.5", "0.1, 2", "0.3, 1", "0.05, 1.5"})
   void largeCylinder_spreadsByItsCurvature(double radiusM, double distanceM) {
     Target cylinder =
-        new Target(
-            Outline.round(radiusM), Upright.ENDLESS, new Point(distanceM + radiusM, 0), 0.7);
+        new Target(Outline.round(radiusM), Upright.ENDLESS, new Point(distanceM + radiusM, 0), 0.7);
     double expected = Math.sqrt(radiusM / (radiusM + distanceM)) / (2 * distanceM);
     Medium medium = new Medium(gear(0.004, 120), AIR);
     Trace trace = medium.drawn(cylinder.arrivals(ORIGIN, medium, 0));
@@ -131,7 +133,9 @@ class EchoTest {
     Target pin = new Target(Outline.round(0.004), Upright.ENDLESS, new Point(1, 0), 0);
     double ahead = level(pin, ORIGIN, 0.007);
     double aside = level(pin, ORIGIN.turned(Math.toRadians(20)), 0.007);
-    double once = new Piston(0.007, 2 * Math.PI * 40_000 / AIR.soundSpeedMPerS()).at(Math.sin(Math.toRadians(20)));
+    double once =
+        new Piston(0.007, 2 * Math.PI * 40_000 / AIR.soundSpeedMPerS())
+            .at(Math.sin(Math.toRadians(20)));
     assertEquals(once * once, aside / ahead, 0.01);
   }
 
@@ -143,7 +147,9 @@ class EchoTest {
     Medium straight = new Medium(gear, AIR);
     Medium crooked = new Medium(turned, AIR);
     double ahead = pin.arrivals(ORIGIN, straight, 0).most();
-    double once = new Piston(0.007, 2 * Math.PI * 40_000 / AIR.soundSpeedMPerS()).at(Math.sin(Math.toRadians(20)));
+    double once =
+        new Piston(0.007, 2 * Math.PI * 40_000 / AIR.soundSpeedMPerS())
+            .at(Math.sin(Math.toRadians(20)));
     assertEquals(once, pin.arrivals(ORIGIN, crooked, 0).most() / ahead, 0.02);
   }
 
@@ -155,11 +161,7 @@ class EchoTest {
   void envelope_ringsUpAndDown() {
     Burst burst =
         new Burst(
-            40_000,
-            400,
-            new Burst.Resonance(40_000, 20),
-            new Burst.Resonance(40_000, 0.01),
-            0);
+            40_000, 400, new Burst.Resonance(40_000, 20), new Burst.Resonance(40_000, 0.01), 0);
     double rate = Math.PI * 40_000 / 20;
     for (double tS : new double[] {1e-4, 3e-4, 1e-3}) {
       assertEquals(1 - Math.exp(-rate * tS), burst.envelope(tS).size(), 2e-3);

@@ -66,7 +66,9 @@ class WaveWorldTest {
     assertTrue(arrivals[99] < begins + 20 * PERIOD_S, arrivals[99] + " after " + begins);
   }
 
-  /** With the same echo at a higher threshold it is found later, by whole periods of the carrier. */
+  /**
+   * With the same echo at a higher threshold it is found later, by whole periods of the carrier.
+   */
   @Test
   void fainterEcho_isFoundWholePeriodsLater() {
     Gear.Receiver r = GEAR.receiver();
@@ -99,7 +101,9 @@ class WaveWorldTest {
     assertEquals(20, arrivals(world(early, pole(0.7)), 20).length);
   }
 
-  /** Two equal echoes half a wave of way apart take each other away; a whole wave apart they add. */
+  /**
+   * Two equal echoes half a wave of way apart take each other away; a whole wave apart they add.
+   */
   @Test
   void echoesAddCoherently() {
     double wave = AIR.soundSpeedMPerS() / 40_000;

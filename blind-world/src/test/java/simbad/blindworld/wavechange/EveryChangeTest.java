@@ -29,7 +29,11 @@ class EveryChangeTest {
   private static final int ROWS = 500;
 
   private record Ground(
-      Room room, User.Calibration found, WaveWorld.Parts parts, Recording rows, List<Double> readings) {
+      Room room,
+      User.Calibration found,
+      WaveWorld.Parts parts,
+      Recording rows,
+      List<Double> readings) {
 
     double[] plain() {
       return readings.stream().mapToDouble(Double::doubleValue).toArray();
@@ -48,15 +52,13 @@ class EveryChangeTest {
               && room.articles().stream().anyMatch(a -> !a.isRound());
       if (mixed) {
         User.Calibration found = new User(room, random.split()).calibrate(0.1);
-        boolean uniform =
-            found.scene().obstacles().stream().anyMatch(o -> o.shadow().isUniform());
+        boolean uniform = found.scene().obstacles().stream().anyMatch(o -> o.shadow().isUniform());
         Recording rows =
             Design.draw("bench", random.split()).record(found.scene(), ROWS, random.split());
         WaveWorld.Parts parts = room.parts().with(found.counter());
         double[] plain = new WaveWorld(parts, List.of()).at(rows).read(1);
         if (uniform && Site.heard(plain).size() > plain.length / 4) {
-          return new Ground(
-              room, found, parts, rows, Arrays.stream(plain).boxed().toList());
+          return new Ground(room, found, parts, rows, Arrays.stream(plain).boxed().toList());
         }
       }
     }

@@ -195,7 +195,8 @@ final class BlindCheckCommand extends Subcommand {
           "--level: of cases that are drawn it is known; expected " + WAVE + ", or --foreign");
     }
     if (level != null && (off || reference != null)) {
-      throw wrongUsage("--level wave: every case has a reference, expected no --reference or --off");
+      throw wrongUsage(
+          "--level wave: every case has a reference, expected no --reference or --off");
     }
     if (level == null && sizes != null) {
       throw wrongUsage("--sizes: expected --level wave with it");
