@@ -2,17 +2,17 @@ package simbad.blindworld.wavechange;
 
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import simbad.blindworld.wave.Alteration;
 
 /**
  * A change with what the truth says of it.
  *
  * @param name from the vocabulary, or this world's own where the vocabulary has none
- * @param parameters in the order in which the truth lists them
+ * @param parameters by name, sorted
  * @param alteration what it does
  * @param accept the sets of names by which physics allows to call it
  * @param also sets of names that do nearly the same and are not right
@@ -24,9 +24,9 @@ public record WaveEffect(
     List<Set<String>> accept,
     List<Set<String>> also) {
 
-  /** Copies the collections and keeps their order. */
+  /** Copies the collections; parameters are sorted, for maps have no order of their own. */
   public WaveEffect {
-    parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
+    parameters = Collections.unmodifiableMap(new TreeMap<>(parameters));
     accept = List.copyOf(accept);
     also = List.copyOf(also);
   }
