@@ -82,7 +82,9 @@ record WaveCase(
     json.put("public", named.keySet().stream().filter(Vocabulary::contains).toList());
     json.put("unknown", outside);
     json.put("accept", lists(together(true)));
-    json.put("also", lists(effects.isEmpty() ? List.of() : together(false)));
+    Set<Set<String>> also = new LinkedHashSet<>(effects.isEmpty() ? Set.of() : together(false));
+    also.removeAll(together(true));
+    json.put("also", lists(also));
     json.put("design", design);
     json.put("reference", true);
     json.put("rows", sheets.readings().recording().size());

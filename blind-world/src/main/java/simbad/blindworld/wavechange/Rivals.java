@@ -6,13 +6,22 @@ import java.util.Set;
 import simbad.blindworld.wave.WaveWorld;
 
 /**
- * Which of gain, absorption and early-timeout lose the same echoes as a change does, row by row: by
- * levels over the threshold without noise, with the best size of each. What differs on fewer rows
- * than one in 200 no data of this size could tell.
+ * Which of gain, absorption and early-timeout lose the same echoes as a change does, with the best
+ * size of each: those against which an observer who knew both worlds by heart would expect odds of
+ * less than 100 to 1 from the rows that are heard and lost. Each is heard by chance, by its level
+ * over the threshold.
  */
 final class Rivals {
 
-  private static final double SAME = 0.005;
+  private static final double SAME_NATS = Math.log(100);
+
+  /** By which levels scatter at the threshold, by noise and by the air. */
+  private static final double SCATTER_DB = 0.7;
+
+  /** No row is sure. */
+  private static final double LEAST_CHANCE = 0.01;
+
+  private static final double SILENT_DB = -99;
 
   /** Rows further under the threshold in both worlds say nothing. */
   private static final double CONCERNED_DB = -6;
@@ -24,9 +33,9 @@ final class Rivals {
     this.site = site;
   }
 
-  /** A size of a law: whether a row is heard by it. */
+  /** A size of a law: the level of a row over the threshold by it, in decibels. */
   private interface Law {
-    boolean hears(double excessDb, double distanceM, double size);
+    double excessDb(double excessDb, double distanceM, double size);
   }
 
   /** Names whose law loses the same echoes as the effect; its own name is not among them. */
@@ -34,9 +43,10 @@ final class Rivals {
     Rivals rivals = new Rivals(site);
     rivals.listen(effect);
     List<Set<String>> same = new ArrayList<>();
-    rivals.add(same, effect, "gain", sizes(-20, 15, 0.1), (e, r, g) -> e + g > 0);
-    rivals.add(same, effect, "absorption", sizes(-3, 8, 0.02), (e, r, a) -> e - 2 * a * r > 0);
-    rivals.add(same, effect, "early-timeout", sizes(0.2, 4, 0.01), (e, r, x) -> e > 0 && r < x);
+    rivals.add(same, effect, "gain", sizes(-20, 15, 0.1), (e, r, g) -> e + g);
+    rivals.add(same, effect, "absorption", sizes(-3, 8, 0.02), (e, r, a) -> e - 2 * a * r);
+    rivals.add(
+        same, effect, "early-timeout", sizes(0.2, 4, 0.01), (e, r, x) -> r < x ? e : SILENT_DB);
     return same;
   }
 
@@ -48,7 +58,7 @@ final class Rivals {
       double was = before.excessDb(row);
       double is = after.excessDb(row);
       if (Math.max(was, is) > CONCERNED_DB) {
-        rows.add(new double[] {was, is > 0 ? 1 : 0, distances[row]});
+        rows.add(new double[] {was, chance(is), distances[row]});
       }
     }
   }
@@ -64,19 +74,28 @@ final class Rivals {
 
   private void add(
       List<Set<String>> same, WaveEffect effect, String name, double[] sizes, Law law) {
-    if (!effect.name().equals(name) && leastDifference(sizes, law) <= SAME * rows.size()) {
+    if (!effect.name().equals(name) && leastNats(sizes, law) <= SAME_NATS) {
       same.add(Set.of(name));
     }
   }
 
-  private int leastDifference(double[] sizes, Law law) {
-    int least = Integer.MAX_VALUE;
+  /** The chance that an echo of a level over the threshold is heard: a logistic of its scatter. */
+  private static double chance(double excessDb) {
+    double heard = 1 / (1 + Math.exp(-1.7 * excessDb / SCATTER_DB));
+    return Math.max(LEAST_CHANCE, Math.min(1 - LEAST_CHANCE, heard));
+  }
+
+  /** The least expected log odds against the law, over its sizes (Kullback and Leibler 1951). */
+  private double leastNats(double[] sizes, Law law) {
+    double least = Double.POSITIVE_INFINITY;
     for (double size : sizes) {
-      int differ = 0;
+      double sum = 0;
       for (double[] row : rows) {
-        differ += law.hears(row[0], row[2], size) == row[1] > 0 ? 0 : 1;
+        double so = row[1];
+        double by = chance(law.excessDb(row[0], row[2], size));
+        sum += so * Math.log(so / by) + (1 - so) * Math.log((1 - so) / (1 - by));
       }
-      least = Math.min(least, differ);
+      least = Math.min(least, sum);
     }
     return least;
   }
