@@ -8,6 +8,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import simbad.blindworld.effect.Vocabulary;
@@ -15,6 +16,7 @@ import simbad.blindworld.file.FormatException;
 import simbad.blindworld.generate.Generator;
 import simbad.blindworld.generate.Kind;
 import simbad.blindworld.generate.Order;
+import simbad.blindworld.generate.Worlds;
 
 /** {@code generate --cases N --seed S --out DIR ...}. */
 final class GenerateCommand {
@@ -30,8 +32,9 @@ final class GenerateCommand {
           "--withheld",
           "--rows",
           "--repeats",
+          "--level",
+          "--sizes",
           "--progress");
-  private static final String DEFAULT_MIX = "none:0.375,single:0.375,pair:0.125,unknown:0.125";
   private static final String WITHHELD_MIX =
       "none:0.2,single:0.2,pair:0.1,unknown:0.1,withheld:0.4";
   private static final int PROGRESS_STEP = 25;
@@ -55,13 +58,14 @@ final class GenerateCommand {
   }
 
   private static Order order(Options options) throws FormatException {
-    List<String> withheld = withheld(options.text("--withheld").orElse(""));
+    Worlds worlds = worlds(options);
+    List<String> withheld = withheld(options.text("--withheld").orElse(""), worlds);
     Map<Kind, Double> mix =
-        mix(options.text("--mix").orElse(withheld.isEmpty() ? DEFAULT_MIX : WITHHELD_MIX));
+        mix(options.text("--mix").orElse(withheld.isEmpty() ? worlds.mix() : WITHHELD_MIX));
     if (mix.getOrDefault(Kind.WITHHELD, 0.0) > 0 && withheld.isEmpty()) {
       throw new FormatException("--mix: withheld cases, expected --withheld with their effects");
     }
-    List<String> effects = effects(options.text("--effects").orElse(""));
+    List<String> effects = effects(options.text("--effects").orElse(""), worlds);
     if (!effects.isEmpty()) {
       checkChoice(effects, mix);
     }
@@ -72,8 +76,37 @@ final class GenerateCommand {
         options.number("--reference", 0, 0, 1),
         effects,
         withheld,
-        rows(options.text("--rows").orElse("2000-4500")),
-        (int) options.number("--repeats", 400, 40, 100_000));
+        rows(options.text("--rows").orElse(worlds == Worlds.WAVE ? "700-2500" : "2000-4500")),
+        (int) options.number("--repeats", 400, 40, 100_000),
+        worlds,
+        sizes(options.text("--sizes"), worlds));
+  }
+
+  /** Waves have no other levels, and always come with a reference. */
+  private static Worlds worlds(Options options) throws FormatException {
+    String level = options.text("--level").orElse("");
+    if (!level.isEmpty() && !level.equals("wave")) {
+      throw new FormatException("--level: '" + level + "', expected wave");
+    }
+    if (!level.isEmpty() && options.text("--reference").isPresent()) {
+      throw new FormatException(
+          "--reference: every case of --level wave comes with one, expected none of the two");
+    }
+    return level.isEmpty() ? Worlds.EQUATIONS : Worlds.WAVE;
+  }
+
+  private static Optional<Order.Sizes> sizes(Optional<String> text, Worlds worlds)
+      throws FormatException {
+    if (text.isEmpty()) {
+      return Optional.empty();
+    }
+    if (worlds != Worlds.WAVE) {
+      throw new FormatException("--sizes: expected --level wave with it");
+    }
+    String[] ends = text.get().split("-", -1);
+    double least = Options.inside("--sizes", ends[0], 0.01, 100);
+    return Optional.of(
+        new Order.Sizes(least, Options.inside("--sizes", ends[ends.length - 1], least, 100)));
   }
 
   private static Map<Kind, Double> mix(String text) throws FormatException {
@@ -101,9 +134,9 @@ final class GenerateCommand {
     return mix;
   }
 
-  private static List<String> effects(String text) throws FormatException {
+  private static List<String> effects(String text, Worlds worlds) throws FormatException {
     List<String> names = text.isEmpty() ? List.of() : List.of(text.split(",", -1));
-    Set<String> strange = Vocabulary.unknownAmong(names);
+    Set<String> strange = worlds.unknownAmong(names);
     if (!strange.isEmpty()) {
       throw new FormatException("--effects: no such effect: " + String.join(", ", strange));
     }
@@ -131,10 +164,10 @@ final class GenerateCommand {
     }
   }
 
-  private static List<String> withheld(String text) throws FormatException {
+  private static List<String> withheld(String text, Worlds worlds) throws FormatException {
     List<String> names = text.isEmpty() ? List.of() : List.of(text.split(",", -1));
     for (String name : names) {
-      if (!Vocabulary.contains(name)) {
+      if (!worlds.names().contains(name)) {
         throw new FormatException("--withheld: no such effect: " + name);
       }
     }

@@ -36,9 +36,9 @@ final class ScoreCommand {
     Optional<String> manifest = options.text("--manifest");
     String seal = manifest.isPresent() ? sealed(folder, Path.of(manifest.get())) : "not checked";
     List<Truth> truths = folder.read();
-    Optional<String> level =
-        manifest.isPresent() ? level(Path.of(manifest.get())) : Optional.empty();
-    Scoring scoring = new Scoring(truths, level);
+    Optional<Scoring.Origin> origin =
+        manifest.isPresent() ? origin(Path.of(manifest.get())) : Optional.empty();
+    Scoring scoring = new Scoring(truths, origin);
     scoring.add("diagnosis", answers.read(truths));
     Optional<String> baseline = options.text("--baseline");
     if (baseline.isPresent()) {
@@ -59,9 +59,15 @@ final class ScoreCommand {
     }
   }
 
-  private static Optional<String> level(Path manifest) throws FormatException, IOException {
+  private static Optional<Scoring.Origin> origin(Path manifest)
+      throws FormatException, IOException {
     JsonObject json = JsonObject.read(manifest);
-    return json.has("level") ? Optional.of(json.text("level")) : Optional.empty();
+    if (json.has("worlds")) {
+      return Optional.of(Scoring.Origin.WAVE);
+    }
+    return json.has("level")
+        ? Optional.of(Scoring.Origin.foreign(json.text("level")))
+        : Optional.empty();
   }
 
   private static String sealed(Truths folder, Path manifest) throws IOException, FormatException {

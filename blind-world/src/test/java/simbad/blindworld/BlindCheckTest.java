@@ -16,6 +16,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -271,6 +272,75 @@ class BlindCheckTest {
     return run(all.toArray(String[]::new));
   }
 
+  private static Done waves(Path to, String... more) {
+    return run(
+        "generate --level wave --cases 2 --seed 6 --repeats 40 --mix single:1".split(" "),
+        Stream.concat(Stream.of("--out", to + ""), Arrays.stream(more)).toArray(String[]::new));
+  }
+
+  /** Worlds of waves: the same tree, a reference each, and a truth that says what may be said. */
+  @Test
+  void waves_areDrawnSealedAndScored() throws Exception {
+    Path first = folder.resolve("waves");
+    Done done = waves(first, "--effects", "range-offset,dropout", "--rows", "1200-1300");
+    assertEquals(0, done.status, done.err);
+    try (var paths = Files.list(first.resolve("cases"))) {
+      for (Path one : paths.toList()) {
+        checkRows(one.resolve("readings.csv"));
+        checkRows(one.resolve("reference.csv"));
+        checkWave(
+            JsonObject.read(
+                first.resolve("truth").resolve(one.getFileName()).resolve("truth.json")));
+      }
+    }
+    Path answers = folder.resolve("wave answers");
+    String[] baseline = {
+      "baseline", "--cases", first + "/cases", "--rows", first + "/rows", "--out", answers + ""
+    };
+    assertEquals(0, run(baseline).status);
+    Done scored = scoreForeign(first, answers);
+    assertEquals(0, scored.status, scored.err);
+    assertTrue(scored.out.contains("2 verified against manifest.json"), scored.out);
+    assertTrue(scored.out.contains("worlds of waves (L2w)"), scored.out);
+    assertTrue(scored.out.contains("all wrongly explained"), scored.out);
+    Path truth = first.resolve("truth");
+    try (var paths = Files.list(truth)) {
+      Path sealed = paths.sorted().findFirst().orElseThrow().resolve("truth.json");
+      Files.writeString(sealed, Files.readString(sealed).replaceFirst("single", "none"));
+    }
+    assertEquals(2, scoreForeign(first, answers).status);
+  }
+
+  private static void checkWave(JsonObject truth) throws Exception {
+    String name = truth.object("effects").fields().keySet().iterator().next();
+    assertTrue(truth.textLists("accept").contains(List.of(name)));
+    assertEquals(List.of(name), truth.texts("public"));
+    assertEquals(List.of(), truth.texts("unknown"));
+    assertTrue(truth.number("z") >= 5);
+    assertTrue(truth.number("sealed_gap_oracle_m") < truth.number("sealed_gap_unchanged_m"));
+    assertTrue(truth.number("setup_floor_m") < truth.number("setup_gap_m"));
+    assertTrue(truth.numbers("sizes").get(0) >= 0.5);
+  }
+
+  /** Sizes that are asked for are drawn as they are, whether they show or not. */
+  @Test
+  void sizesAskedFor_needNotShow() throws Exception {
+    Path to = folder.resolve("sizes");
+    String[] small = {"--effects", "gain", "--sizes", "0.1-0.2", "--rows", "300-350"};
+    Done done = waves(to, small);
+    assertEquals(0, done.status, done.err);
+    Path again = folder.resolve("sizes again");
+    assertEquals(0, waves(again, small).status);
+    assertEquals(contents(to), contents(again));
+    try (var paths = Files.list(to.resolve("truth"))) {
+      for (Path one : paths.toList()) {
+        JsonObject truth = JsonObject.read(one.resolve("truth.json"));
+        double size = truth.numbers("sizes").get(0);
+        assertTrue(size >= 0.1 && size <= 0.2, "size " + size);
+      }
+    }
+  }
+
   /** Data sets of others are sealed as they are, and scored under the level that they state. */
   @Test
   void foreignSets_areSealedAndScored() throws Exception {
@@ -389,6 +459,17 @@ class BlindCheckTest {
     checkMix("all are of the vocabulary", "gain", "unknown:1");
     check("expected --withheld", "generate", "--mix", "withheld:1", "--out", "x");
     check("--rows: '9'", "generate", "--rows", "9", "--out", "x");
+    check("--level: 'L9', expected wave", "generate", "--level", "L9", "--out", "x");
+    check("--reference: every case", "generate", "--level", "wave", "--reference", "1");
+    check("--sizes: expected --level wave", "generate", "--sizes", "1-2", "--out", "x");
+    check("--sizes: '0'", "generate", "--level", "wave", "--sizes", "0-2", "--out", "x");
+    check(
+        "no such effect: latency-of-mine",
+        "generate",
+        "--level",
+        "wave",
+        "--effects",
+        "latency-of-mine");
     check("--what: expected one of".replace("--what", "'--what'"), "generate", "--what", "9");
     check("--cases: expected a value after it", "generate", "--cases");
     check("no such folder", "score", "--answers", folder + "/nowhere", "--truth", "x");

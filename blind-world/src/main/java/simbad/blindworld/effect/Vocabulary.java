@@ -3,8 +3,6 @@ package simbad.blindworld.effect;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** The names of effects, with the stage at which each acts, and every form of each. */
@@ -53,7 +51,14 @@ public final class Vocabulary {
           Map.entry("early-timeout", Stage.ARRIVAL),
           Map.entry("near-clamp", Stage.OUTPUT),
           Map.entry("previous-ping", Stage.ARRIVAL),
-          Map.entry("orientation-shadow", Stage.ENERGY));
+          Map.entry("orientation-shadow", Stage.ENERGY),
+          Map.entry("no-echo-code", Stage.OUTPUT),
+          Map.entry("wrap", Stage.OUTPUT),
+          Map.entry("placement-error", Stage.POSE),
+          Map.entry("wave-hop", Stage.RANGE),
+          Map.entry("range-walk", Stage.RANGE),
+          Map.entry("vertical-beam", Stage.ENERGY),
+          Map.entry("range-drift", Stage.RANGE));
 
   /** In the order in which they act when several do. */
   private static final List<Form> FORMS =
@@ -72,9 +77,9 @@ public final class Vocabulary {
 
   private Vocabulary() {}
 
-  /** The 26 names, sorted. */
+  /** The names of the vocabulary that have a form here, sorted: the 26 of its first version. */
   public static List<String> names() {
-    return STAGES.keySet().stream().sorted().toList();
+    return FORMS.stream().map(Form::effect).distinct().filter(n -> contains(n)).sorted().toList();
   }
 
   /** The names of changes that the vocabulary does not cover, sorted. */
@@ -82,7 +87,7 @@ public final class Vocabulary {
     return FORMS.stream().map(Form::effect).distinct().filter(n -> !contains(n)).sorted().toList();
   }
 
-  /** True for one of the 26 names. */
+  /** True for one of the vocabulary's 33 names. */
   public static boolean contains(String name) {
     return STAGES.containsKey(name);
   }
@@ -133,11 +138,5 @@ public final class Vocabulary {
   public static List<Effect> inOrder(List<Effect> effects) {
     List<String> order = FORMS.stream().map(Form::effect).distinct().toList();
     return effects.stream().sorted(Comparator.comparingInt(e -> order.indexOf(e.name()))).toList();
-  }
-
-  /** Names out of a list that are not known here at all. */
-  public static Set<String> unknownAmong(List<String> names) {
-    Set<String> known = FORMS.stream().map(Form::effect).collect(Collectors.toSet());
-    return names.stream().filter(n -> !known.contains(n)).collect(Collectors.toSet());
   }
 }

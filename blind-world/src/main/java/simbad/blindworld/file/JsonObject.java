@@ -116,6 +116,15 @@ public record JsonObject(String where, Map<String, Object> fields) {
     return lists;
   }
 
+  /** A field's list of lists of texts. */
+  public List<List<String>> textLists(String name) throws FormatException {
+    List<List<String>> lists = new ArrayList<>();
+    for (Object each : field(name, List.class, "a list of lists")) {
+      lists.add(new JsonObject(where, Map.of(name, each)).texts(name));
+    }
+    return lists;
+  }
+
   private <T> List<T> listOf(String name, Class<T> kind, String expected) throws FormatException {
     List<T> values = new ArrayList<>();
     for (Object each : field(name, List.class, expected)) {

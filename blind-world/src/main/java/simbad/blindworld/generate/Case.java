@@ -1,8 +1,12 @@
 package simbad.blindworld.generate;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import simbad.blindworld.effect.Effect;
+import simbad.blindworld.effect.Vocabulary;
 import simbad.blindworld.world.Forecast;
 import simbad.blindworld.world.Recording;
 import simbad.blindworld.world.Scene;
@@ -35,6 +39,36 @@ record Case(
     Forecast oracle,
     Gaps gaps,
     int draws) {
+
+  /** What is written of it. */
+  CaseFiles.Content content() {
+    return new CaseFiles.Content(assignment, scene, readings, reference, sealed, oracle, truth());
+  }
+
+  private Map<String, Object> truth() {
+    Map<String, Object> named = new LinkedHashMap<>();
+    for (Effect effect : effects) {
+      named.put(effect.name(), effect.parameters());
+    }
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put("case", assignment.id());
+    json.put("kind", assignment.kind().name().toLowerCase(Locale.ROOT));
+    json.put("effects", named);
+    json.put(
+        "outside_vocabulary",
+        named.keySet().stream().filter(n -> !Vocabulary.contains(n)).toList());
+    json.put("design", design);
+    json.put("reference", reference.isPresent());
+    json.put("rows", readings.recording().size());
+    json.put("echo_share", readings.echoShare());
+    json.put("no_echo_m", scene.noEchoM());
+    json.put("draws", draws);
+    json.put("setup", setup.toString());
+    json.put("sealed_gap_nominal_cm", gaps.nominalCm());
+    json.put("sealed_gap_setup_cm", gaps.setupCm());
+    json.put("sealed_gap_oracle_cm", gaps.oracleCm());
+    return json;
+  }
 
   /** Rows with what was read on them; an infinite reading is a no-echo. */
   record Sheet(Recording recording, List<Double> rangesM) {

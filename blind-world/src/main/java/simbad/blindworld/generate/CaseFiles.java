@@ -8,15 +8,14 @@ import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.SplittableRandom;
-import simbad.blindworld.effect.Effect;
-import simbad.blindworld.effect.Vocabulary;
 import simbad.blindworld.file.Decimals;
 import simbad.blindworld.file.Json;
 import simbad.blindworld.file.Output;
 import simbad.blindworld.file.Seal;
+import simbad.blindworld.world.Forecast;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Row;
 import simbad.blindworld.world.Scene;
@@ -36,8 +35,28 @@ final class CaseFiles {
     this.directory = directory;
   }
 
+  /**
+   * What is written of a case.
+   *
+   * @param assignment what was asked
+   * @param scene what the simulator believes
+   * @param readings the rows of the data set
+   * @param reference rows of the same set-up without the effects, where there are any
+   * @param sealed fresh rows of the same world
+   * @param oracle the world's own forecast of them
+   * @param truth what is sealed, less the hashes of the files beside it
+   */
+  record Content(
+      Plan.Assignment assignment,
+      Scene scene,
+      Case.Sheet readings,
+      Optional<Case.Sheet> reference,
+      Case.Sheet sealed,
+      Forecast oracle,
+      Map<String, Object> truth) {}
+
   /** What the manifest says of a case. */
-  Map<String, Object> write(Case drawn) throws IOException {
+  Map<String, Object> write(Content drawn) throws IOException {
     String id = drawn.assignment().id();
     Path open = Files.createDirectories(directory.resolve("cases").resolve(id));
     Path sealed = Files.createDirectories(directory.resolve("truth").resolve(id));
@@ -47,7 +66,7 @@ final class CaseFiles {
     if (drawn.reference().isPresent()) {
       files.put("reference.csv", put(open, "reference.csv", sheet(drawn.reference().get(), true)));
     }
-    Map<String, Object> truth = truth(drawn);
+    Map<String, Object> truth = new LinkedHashMap<>(drawn.truth());
     truth.put("sealed_sha256", put(sealed, "sealed.csv", sheet(drawn.sealed(), true)));
     truth.put("oracle_sha256", put(sealed, "oracle.csv", drawn.oracle().csv()));
     String text = Json.write(truth);
@@ -121,31 +140,6 @@ final class CaseFiles {
     } else {
       json.put("thresholds_m", obstacle.shadow().radiiM());
     }
-    return json;
-  }
-
-  private static Map<String, Object> truth(Case drawn) {
-    Map<String, Object> effects = new LinkedHashMap<>();
-    for (Effect effect : drawn.effects()) {
-      effects.put(effect.name(), effect.parameters());
-    }
-    Map<String, Object> json = new LinkedHashMap<>();
-    json.put("case", drawn.assignment().id());
-    json.put("kind", drawn.assignment().kind().name().toLowerCase(Locale.ROOT));
-    json.put("effects", effects);
-    json.put(
-        "outside_vocabulary",
-        effects.keySet().stream().filter(n -> !Vocabulary.contains(n)).toList());
-    json.put("design", drawn.design());
-    json.put("reference", drawn.reference().isPresent());
-    json.put("rows", drawn.readings().recording().size());
-    json.put("echo_share", drawn.readings().echoShare());
-    json.put("no_echo_m", drawn.scene().noEchoM());
-    json.put("draws", drawn.draws());
-    json.put("setup", drawn.setup().toString());
-    json.put("sealed_gap_nominal_cm", drawn.gaps().nominalCm());
-    json.put("sealed_gap_setup_cm", drawn.gaps().setupCm());
-    json.put("sealed_gap_oracle_cm", drawn.gaps().oracleCm());
     return json;
   }
 

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
@@ -33,7 +34,11 @@ public final class Generator {
             .parallel()
             .mapToObj(i -> make(plan.get(i), order, files, done, i))
             .toList();
-    write(directory, manifest(entries));
+    Map<String, Object> manifest = manifest(entries);
+    if (order.worlds() != Worlds.EQUATIONS) {
+      manifest.put("worlds", order.worlds().name().toLowerCase(Locale.ROOT));
+    }
+    write(directory, manifest);
   }
 
   static void write(Path directory, Map<String, Object> manifest) throws IOException {
@@ -55,7 +60,11 @@ public final class Generator {
   private static Map<String, Object> make(
       Plan.Assignment assignment, Order order, CaseFiles files, IntConsumer done, int number) {
     try {
-      Map<String, Object> entry = files.write(new Drawing(assignment, order).draw());
+      CaseFiles.Content content =
+          order.worlds() == Worlds.WAVE
+              ? new WaveDrawing(assignment, order).draw().content()
+              : new Drawing(assignment, order).draw().content();
+      Map<String, Object> entry = files.write(content);
       done.accept(number);
       return entry;
     } catch (IOException e) {

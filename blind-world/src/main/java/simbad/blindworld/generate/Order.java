@@ -2,6 +2,7 @@ package simbad.blindworld.generate;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * What to generate.
@@ -14,6 +15,8 @@ import java.util.Map;
  * @param withheld names of the vocabulary that are put in by kind WITHHELD and by no other
  * @param rows least and most rows of a data set
  * @param repeats how many simulated repeats make an oracle's forecast
+ * @param worlds of which kind they are
+ * @param sizes of what is put in; where they are asked for nothing has to show
  */
 public record Order(
     int cases,
@@ -23,7 +26,12 @@ public record Order(
     List<String> effects,
     List<String> withheld,
     Rows rows,
-    int repeats) {
+    int repeats,
+    Worlds worlds,
+    Optional<Sizes> sizes) {
+
+  /** Least and most size of an effect, 1 for a practical one; drawn log-uniform between. */
+  public record Sizes(double least, double most) {}
 
   /** Least and most rows of a data set. */
   public record Rows(int least, int most) {}

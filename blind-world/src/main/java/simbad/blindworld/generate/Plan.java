@@ -35,8 +35,8 @@ final class Plan {
     SplittableRandom random = new SplittableRandom(order.seed());
     List<List<String>> contents = new ArrayList<>();
     List<Kind> kinds = new ArrayList<>();
-    Wheel inside = wheel(order, Vocabulary.names(), random);
-    Wheel outside = wheel(order, Vocabulary.outside(), random);
+    Wheel inside = wheel(order, order.worlds().names(), random);
+    Wheel outside = wheel(order, order.worlds().outside(), random);
     // Drawn last, so that orders without it keep their bytes.
     Wheel withheld = new Wheel(order.withheld(), withheldChance(order, random));
     for (Map.Entry<Kind, Integer> part : counts(order).entrySet()) {
@@ -112,7 +112,7 @@ final class Plan {
 
   /** A pair of an effect with any other that is fair beside it. */
   static List<String> otherPair(Order order, String first, SplittableRandom random) {
-    Wheel wheel = wheel(order, Vocabulary.names(), random);
+    Wheel wheel = wheel(order, order.worlds().names(), random);
     String second = wheel.next();
     while (!Vocabulary.isFairPair(first, second)) {
       second = wheel.next();

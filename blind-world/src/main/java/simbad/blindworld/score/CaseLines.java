@@ -3,6 +3,7 @@ package simbad.blindworld.score;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 
@@ -62,8 +63,17 @@ final class CaseLines {
     if (!graded.says(Verdict.EXPLAINED)) {
       return graded.answer().get().verdict().word();
     }
-    boolean right = !graded.truth().isStrange() && graded.named();
+    boolean right = !graded.wronglyExplained();
     return right ? "explained, named rightly" : "explained, named otherwise";
+  }
+
+  /** How often answers to each kind are right, cautious and wrong. */
+  static Map<String, Object> standings(List<Graded> cases) {
+    Map<String, Map<String, Object>> table = new TreeMap<>();
+    for (Graded g : cases) {
+      count(table, g.truth().kind(), g.standing().name().toLowerCase(Locale.ROOT));
+    }
+    return new LinkedHashMap<>(table);
   }
 
   /** What was said, by what was so. */

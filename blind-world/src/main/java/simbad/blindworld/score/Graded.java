@@ -28,12 +28,59 @@ public record Graded(Truth truth, Optional<Answer> answer) {
 
   /** True when the verdict is the right one; what has no name may stand beside names. */
   public boolean verdictRight() {
-    return truth.isStrange() ? leavesSomething() : says(truth.verdict());
+    return truth.isStrange() ? leavesSomething() || explainedAsAccepted() : says(truth.verdict());
   }
 
   /** True when names are concluded to be all that is at work, and they are not. */
   public boolean wronglyExplained() {
-    return says(Verdict.EXPLAINED) && (truth.isStrange() || !named());
+    return says(Verdict.EXPLAINED) && (truth.isStrange() ? !accepted() : !named());
+  }
+
+  /** True when the names concluded are one of the sets that the truth accepts. */
+  private boolean accepted() {
+    return answer.isPresent() && truth.accept().contains(new HashSet<>(answer.get().explanation()));
+  }
+
+  private boolean explainedAsAccepted() {
+    return says(Verdict.EXPLAINED) && accepted();
+  }
+
+  /** How an answer stands before the truth. */
+  public enum Standing {
+    /** It says what is so. */
+    RIGHT,
+    /** It says less than is so, and nothing that is not. */
+    CAUTIOUS,
+    /** It says what is not so, or nothing. */
+    WRONG
+  }
+
+  /** By the format's table of verdicts; no answer is wrong. */
+  public Standing standing() {
+    if (right()) {
+      return withKnown() ? Standing.RIGHT : Standing.CAUTIOUS;
+    }
+    boolean named = !truth.isStrange() && !truth.effects().isEmpty();
+    boolean cautious = says(Verdict.UNDECIDED) || (named && leavesSomething() && holdsTheNames());
+    return cautious ? Standing.CAUTIOUS : Standing.WRONG;
+  }
+
+  /** False where it says "partly" of a known effect beside something strange and leaves it out. */
+  private boolean withKnown() {
+    List<String> known =
+        truth.effects().stream().filter(e -> !truth.strange().contains(e)).toList();
+    return !truth.isStrange()
+        || !says(Verdict.PARTLY)
+        || known.isEmpty()
+        || known.stream()
+            .allMatch(e -> answer.orElseThrow().explanation().stream().anyMatch(n -> covers(n, e)));
+  }
+
+  /** True when the names that the truth accepts are among those concluded. */
+  private boolean holdsTheNames() {
+    List<String> said = answer.map(Answer::explanation).orElse(List.of());
+    return truth.accept().stream().anyMatch(said::containsAll)
+        || truth.effects().stream().allMatch(e -> said.stream().anyMatch(n -> covers(n, e)));
   }
 
   /** True when the verdict is right and, but for what is strange, so are the names. */
@@ -54,12 +101,13 @@ public record Graded(Truth truth, Optional<Answer> answer) {
 
   /**
    * True when each name concluded stands for one true effect and each of them has one; a tie of two
-   * may stand for either.
+   * may stand for either, and whatever set of names the truth accepts for all of them.
    */
   public boolean named() {
-    return answer.isPresent()
-        && answer.get().explanation().size() == truth.effects().size()
-        && matches(truth.effects(), answer.get().explanation());
+    return accepted()
+        || (answer.isPresent()
+            && answer.get().explanation().size() == truth.effects().size()
+            && matches(truth.effects(), answer.get().explanation()));
   }
 
   /** Whether names can be dealt out to the effects, each once, by going through all ways. */

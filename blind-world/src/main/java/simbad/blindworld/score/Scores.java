@@ -62,8 +62,15 @@ final class Scores {
     shares.put("all verdicts right", share(cases, Graded::verdictRight));
     shares.put("all undecided", share(cases, g -> g.says(Verdict.UNDECIDED)));
     shares.put("all wrongly explained", share(cases, Graded::wronglyExplained));
+    shares.put("all right", standing(Graded.Standing.RIGHT));
+    shares.put("all cautious", standing(Graded.Standing.CAUTIOUS));
+    shares.put("all wrong", standing(Graded.Standing.WRONG));
     shares.put("shrinkage interval covers", shrinkCovered());
     return shares;
+  }
+
+  private Proportion standing(Graded.Standing standing) {
+    return share(cases, g -> g.standing() == standing);
   }
 
   private static Proportion unexplained(List<Graded> of) {
@@ -127,7 +134,7 @@ final class Scores {
       for (Answer a : answersOf(g)) {
         if (!a.effects().isEmpty()) {
           Answer.Named first = a.effects().get(0);
-          claims.add(new Claim(first.probability(), g.truth().effects().contains(first.name())));
+          claims.add(new Claim(first.probability(), g.truth().mayBeCalled(first.name())));
         }
       }
     }
@@ -235,6 +242,7 @@ final class Scores {
     json.put("share_of_oracle_removal", Spread.json(removals()));
     json.put("effects_worst_first", Effects.json(cases));
     json.put("kinds", CaseLines.byKind(cases));
+    json.put("standings", CaseLines.standings(cases));
     json.put("confusion", CaseLines.byEffects(cases));
     return json;
   }

@@ -13,7 +13,7 @@ import java.util.function.Predicate;
 public final class Scoring {
 
   private final List<Truth> truths;
-  private final Optional<String> level;
+  private final Optional<Origin> origin;
   private final Map<String, Map<String, Answer>> answersBySort = new LinkedHashMap<>();
 
   /** A scoring of answers to these truths. */
@@ -22,15 +22,35 @@ public final class Scoring {
   }
 
   /**
-   * A scoring of answers to foreign truths.
+   * A scoring of answers to truths of one origin.
    *
    * @param truths what was at work
-   * @param level of independence, as the makers of foreign truths state it; absent for this
-   *     program's own
+   * @param origin of all of them; absent for worlds of equations, which are of two levels
    */
-  public Scoring(List<Truth> truths, Optional<String> level) {
+  public Scoring(List<Truth> truths, Optional<Origin> origin) {
     this.truths = List.copyOf(truths);
-    this.level = level;
+    this.origin = origin;
+  }
+
+  /**
+   * Where truths come from.
+   *
+   * @param what they are
+   * @param level of independence
+   */
+  public record Origin(String what, String level) {
+
+    /** This program's worlds of waves. */
+    public static final Origin WAVE = new Origin("worlds of waves", "L2w");
+
+    /** Data sets of others, with the level that their makers state. */
+    public static Origin foreign(String level) {
+      return new Origin("foreign data sets", level);
+    }
+
+    String part() {
+      return what + " (" + level + ")";
+    }
   }
 
   /** Adds answers under the name of a sort, such as "diagnosis", "baseline", "oracle". */
@@ -52,8 +72,8 @@ public final class Scoring {
           new Part("set-up off, with reference (L2)", Truth::reference));
 
   private List<Part> parts() {
-    if (level.isPresent()) {
-      return List.of(new Part("foreign data sets (" + level.get() + ")", t -> true));
+    if (origin.isPresent()) {
+      return List.of(new Part(origin.get().part(), t -> true));
     }
     boolean mixed =
         truths.stream().anyMatch(Truth::reference) && !truths.stream().allMatch(Truth::reference);
@@ -77,6 +97,7 @@ public final class Scoring {
 
   /** Each case by itself, as the sort answers it. */
   public List<Object> casesJson(String sort) {
+    Optional<String> level = origin.map(Origin::level);
     return CaseLines.json(graded(sort), level.orElse("L1"), level.orElse("L2"));
   }
 

@@ -15,6 +15,7 @@ import simbad.blindworld.effect.Vocabulary;
  * @param countedM the sealed rows' readings, no-echo counted
  * @param nominalCm the nominal gap on the sealed rows, where known
  * @param oracleCm the true world's gap on the sealed rows, where known
+ * @param accept the sets of names by which all that is at work may be called
  */
 public record Truth(
     String id,
@@ -23,7 +24,8 @@ public record Truth(
     boolean reference,
     List<Double> countedM,
     Optional<Double> nominalCm,
-    Optional<Double> oracleCm) {
+    Optional<Double> oracleCm,
+    List<Set<String>> accept) {
 
   private static final double LEAST_REMOVAL_CM = 0.5;
 
@@ -32,6 +34,32 @@ public record Truth(
     effects = List.copyOf(effects);
     strange = Set.copyOf(strange);
     countedM = List.copyOf(countedM);
+    accept = List.copyOf(accept);
+  }
+
+  /** A truth that may be called by its own names only; what is strange has none. */
+  public Truth(
+      String id,
+      List<String> effects,
+      Set<String> strange,
+      boolean reference,
+      List<Double> countedM,
+      Optional<Double> nominalCm,
+      Optional<Double> oracleCm) {
+    this(
+        id,
+        effects,
+        strange,
+        reference,
+        countedM,
+        nominalCm,
+        oracleCm,
+        strange.isEmpty() ? List.of(Set.copyOf(effects)) : List.of());
+  }
+
+  /** True for a name that may stand for something that is at work. */
+  public boolean mayBeCalled(String name) {
+    return effects.contains(name) || accept.stream().anyMatch(names -> names.contains(name));
   }
 
   /** The verdict that is right. */

@@ -72,8 +72,35 @@ public final class Truths {
         strange,
         reference,
         counted(one, noEchoM(one, json)),
-        json.optionalNumber("sealed_gap_nominal_cm"),
-        json.optionalNumber("sealed_gap_oracle_cm"));
+        gapCm(json, "sealed_gap_nominal"),
+        gapCm(json, "sealed_gap_oracle"),
+        accept(json, effects, strange));
+  }
+
+  /** A gap in centimetres, which some truths have in metres. */
+  private static Optional<Double> gapCm(JsonObject truth, String name) throws FormatException {
+    Optional<Double> centimetres = truth.optionalNumber(name + "_cm");
+    return centimetres.isPresent()
+        ? centimetres
+        : truth.optionalNumber(name + "_m").map(m -> 100 * m);
+  }
+
+  /**
+   * The sets of names that a truth accepts, or else its effects' own; none that holds what the
+   * diagnosis has no name for.
+   */
+  private List<Set<String>> accept(JsonObject truth, List<String> effects, Set<String> strange)
+      throws FormatException {
+    if (!truth.has("accept")) {
+      return strange.isEmpty() ? List.of(Set.copyOf(effects)) : List.of();
+    }
+    List<Set<String>> accept = new ArrayList<>();
+    for (List<String> names : truth.textLists("accept")) {
+      if (names.stream().allMatch(n -> Vocabulary.contains(n) && !withheld.contains(n))) {
+        accept.add(Set.copyOf(names));
+      }
+    }
+    return accept;
   }
 
   /** From the truth itself, or from the scene that stands beside it in a foreign data set. */

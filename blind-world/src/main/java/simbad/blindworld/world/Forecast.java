@@ -30,7 +30,7 @@ public final class Forecast {
    * @param repeats how often it is simulated
    * @param seed of the first repeat
    */
-  public static Forecast of(World.Listening listening, double noEchoM, int repeats, long seed) {
+  public static Forecast of(Repeats listening, double noEchoM, int repeats, long seed) {
     SplittableRandom seeds = new SplittableRandom(seed);
     double[][] byRepeat = new double[repeats][];
     for (int i = 0; i < repeats; i++) {

@@ -34,7 +34,7 @@ public final class World {
   }
 
   /** A recording before this world. */
-  public final class Listening {
+  public final class Listening implements Repeats {
 
     private final Recording recording;
     private final List<Ping.Motion> motions;
@@ -79,7 +79,7 @@ public final class World {
       return hearable(sight, believed.tS()) ? chanceAt(threshold, sight) : 0;
     }
 
-    /** One set of readings of all rows; infinite is a no-echo. The same seed gives the same. */
+    @Override
     public double[] read(long seed) {
       SplittableRandom root = new SplittableRandom(seed);
       SplittableRandom chance = root.split();

@@ -144,6 +144,84 @@ class ScoresTest {
     assertEquals(8, scores.json().get("cases"));
   }
 
+  private static Truth accepting(Truth truth, List<Set<String>> accept) {
+    return new Truth(
+        truth.id(),
+        truth.effects(),
+        truth.strange(),
+        true,
+        truth.countedM(),
+        truth.nominalCm(),
+        truth.oracleCm(),
+        accept);
+  }
+
+  private static void checkStanding(
+      Graded.Standing expected, Truth truth, Verdict verdict, String... names) {
+    assertEquals(expected, graded(truth, answer(verdict, 0.5, names)).standing());
+  }
+
+  /** The format's table, row by row. */
+  @Test
+  void standing_isThatOfTheTable() {
+    checkStanding(Graded.Standing.RIGHT, truth(), Verdict.NONE);
+    checkStanding(Graded.Standing.CAUTIOUS, truth(), Verdict.UNDECIDED);
+    checkStanding(Graded.Standing.WRONG, truth(), Verdict.UNEXPLAINED);
+    checkStanding(Graded.Standing.WRONG, truth(), Verdict.PARTLY, "gain");
+    checkStanding(Graded.Standing.RIGHT, truth("gain"), Verdict.EXPLAINED, "gain");
+    checkStanding(Graded.Standing.CAUTIOUS, truth("gain"), Verdict.PARTLY, "gain");
+    checkStanding(Graded.Standing.CAUTIOUS, truth("gain"), Verdict.UNEXPLAINED, "gain", "wrap");
+    checkStanding(Graded.Standing.CAUTIOUS, truth("gain"), Verdict.UNDECIDED);
+    checkStanding(Graded.Standing.WRONG, truth("gain"), Verdict.UNEXPLAINED);
+    checkStanding(Graded.Standing.WRONG, truth("gain"), Verdict.EXPLAINED, "latency");
+    checkStanding(Graded.Standing.WRONG, truth("gain"), Verdict.NONE);
+    checkStanding(Graded.Standing.RIGHT, truth("odd"), Verdict.UNEXPLAINED);
+    checkStanding(Graded.Standing.RIGHT, truth("odd"), Verdict.PARTLY, "gain");
+    checkStanding(Graded.Standing.CAUTIOUS, truth("odd"), Verdict.UNDECIDED);
+    checkStanding(Graded.Standing.WRONG, truth("odd"), Verdict.EXPLAINED, "gain");
+    checkStanding(Graded.Standing.WRONG, truth("odd"), Verdict.NONE);
+    checkStanding(Graded.Standing.RIGHT, truth("gain", "odd"), Verdict.PARTLY, "gain");
+    checkStanding(Graded.Standing.CAUTIOUS, truth("gain", "odd"), Verdict.PARTLY, "wrap");
+    checkStanding(Graded.Standing.RIGHT, truth("gain", "odd"), Verdict.UNEXPLAINED);
+    assertEquals(Graded.Standing.WRONG, new Graded(truth(), Optional.empty()).standing());
+  }
+
+  /** What physics cannot tell apart may be called either way, and nothing else may. */
+  @Test
+  void acceptedNames_areRight() {
+    Truth either = accepting(truth("gain"), List.of(Set.of("gain"), Set.of("absorption", "wrap")));
+    checkStanding(Graded.Standing.RIGHT, either, Verdict.EXPLAINED, "wrap", "absorption");
+    checkStanding(Graded.Standing.WRONG, either, Verdict.EXPLAINED, "absorption");
+    checkStanding(Graded.Standing.CAUTIOUS, either, Verdict.PARTLY, "absorption", "wrap");
+    Truth odd = accepting(truth("odd"), List.of(Set.of("gain")));
+    checkStanding(Graded.Standing.RIGHT, odd, Verdict.EXPLAINED, "gain");
+    checkStanding(Graded.Standing.RIGHT, odd, Verdict.UNEXPLAINED);
+    checkStanding(Graded.Standing.WRONG, odd, Verdict.EXPLAINED, "latency");
+    Graded called = graded(odd, answer(Verdict.EXPLAINED, 0, "gain"));
+    assertFalse(called.wronglyExplained());
+    assertTrue(called.right());
+    assertTrue(graded(odd, answer(Verdict.EXPLAINED, 0, "latency")).wronglyExplained());
+    assertTrue(either.mayBeCalled("absorption"));
+    assertFalse(either.mayBeCalled("latency"));
+  }
+
+  @Test
+  void standings_areCountedByKind() {
+    Scores scores =
+        new Scores(
+            List.of(
+                graded(truth(), answer(Verdict.NONE, 0.1)),
+                graded(truth(), answer(Verdict.UNDECIDED, 0.5)),
+                graded(truth("gain"), answer(Verdict.EXPLAINED, 0.1, "latency"))));
+    assertEquals(
+        Map.of("none", Map.of("right", 1, "cautious", 1), "single", Map.of("wrong", 1)),
+        scores.json().get("standings"));
+    assertEquals(new Proportion(1, 3), scores.shares().get("all right"));
+    assertEquals(new Proportion(1, 3), scores.shares().get("all cautious"));
+    assertEquals(new Proportion(1, 3), scores.shares().get("all wrong"));
+    assertEquals(new Proportion(1, 3), scores.shares().get("all wrongly explained"));
+  }
+
   /** What the vocabulary holds but the diagnosis was not told of is a kind of its own. */
   @Test
   void withheld_isApartFromOutside() {

@@ -52,6 +52,7 @@ public final class CheckFiles {
     writeScores(folder.resolve("scores.csv"), scores);
     writeCalibration(folder.resolve("calibration.csv"), scores);
     writeCounts(folder.resolve("kinds.csv"), "kind", "kinds", scores);
+    writeCounts(folder.resolve("standings.csv"), "kind", "standings", scores);
     writeCounts(folder.resolve("confusion.csv"), "so", "confusion", scores);
     writeEffects(folder.resolve("effects.csv"), scores);
     writeCases(folder.resolve("cases.csv"), scores);

@@ -32,6 +32,11 @@ public record CheckOrder(String version, Source source, List<String> withheld) {
     public Drawn {
       options = List.copyOf(options);
     }
+
+    /** True for worlds of waves, all of which come with a reference. */
+    public boolean isWave() {
+      return options.contains("--level");
+    }
   }
 
   /**
@@ -54,7 +59,9 @@ public record CheckOrder(String version, Source source, List<String> withheld) {
     if (source instanceof Drawn drawn) {
       json.put("cases", drawn.cases());
       json.put("seed", drawn.seed());
-      json.put("reference_share", drawn.referenceShare());
+      if (!drawn.isWave()) {
+        json.put("reference_share", drawn.referenceShare());
+      }
       drawn.options().forEach(json.putArray("options")::add);
     } else if (source instanceof Foreign foreign) {
       json.put("foreign", foreign.folder());
@@ -69,7 +76,9 @@ public record CheckOrder(String version, Source source, List<String> withheld) {
     List<String> words = new ArrayList<>(List.of("./simbad blind-check"));
     if (source instanceof Drawn drawn) {
       words.add("--cases " + drawn.cases() + " --seed " + drawn.seed());
-      words.add("--reference " + drawn.referenceShare());
+      if (!drawn.isWave()) {
+        words.add("--reference " + drawn.referenceShare());
+      }
       words.addAll(drawn.options());
     } else if (source instanceof Foreign foreign) {
       words.add("--foreign " + foreign.folder());

@@ -15,7 +15,8 @@ final class CheckPage {
   private static final String LEVELS =
       """
       <p class="soft">Levels of independence: L0 the checker shares code with what it checks; <b>L1</b> independent code, the same
-      equations; <b>L2</b> besides, other physics in the set-up; L3 a physical log. L1 finds faults of the
+      equations; <b>L2</b> besides, other physics in the set-up; <b>L2w</b> echoes with a wave form and a receiver, and a user who
+      calibrates; L3 a physical log. L1 finds faults of the
       program; only L2 and L3 tell how it will do elsewhere, and where they differ L2 is the one to believe.</p>
       """;
 
@@ -181,8 +182,12 @@ final class CheckPage {
   }
 
   private void addKinds() {
+    page.append(
+        "<h2>Right, cautious, wrong</h2>\n<p>Cautious: undecided, or the names are there and"
+            + " something is said to be left; it claims nothing that is not so.</p>\n");
+    scores.parts().forEach(part -> addCounts(part, "standings"));
     page.append("<h2>What was taken for what</h2>\n");
-    scores.parts().forEach(this::addKinds);
+    scores.parts().forEach(part -> addCounts(part, "kinds"));
   }
 
   private void addConfusion() {
@@ -200,9 +205,9 @@ final class CheckPage {
                         + "</div>\n"));
   }
 
-  private void addKinds(String part) {
+  private void addCounts(String part, String field) {
     diagnosis(part)
-        .map(figures -> figures.figures().path("kinds"))
+        .map(figures -> figures.figures().path(field))
         .ifPresent(counts -> page.append(ConfusionTable.of("kind", Markup.escaped(part), counts)));
   }
 

@@ -25,7 +25,10 @@ final class ConfusionTable {
           "explained, named otherwise",
           "unexplained",
           "partly",
-          "undecided");
+          "undecided",
+          "right",
+          "cautious",
+          "wrong");
 
   private static final String SEVERAL = "several names";
 

@@ -33,6 +33,8 @@ record Measure(
     SHARE,
     /** What is gained of what could be, shown in per cent; more is better. */
     GAIN,
+    /** Of cases that are answered wrongly, shown in per cent; less is better. */
+    FAULT,
     /** From 0 to 1; more is better. */
     AREA,
     /** From 0 to 1; less is better. */
@@ -78,6 +80,10 @@ record Measure(
                       0.9)
                   .from(f -> f.median("share_of_oracle_removal")),
               share("all verdicts right", "all cases: verdict right"),
+              fault("all wrongly explained", "all cases: wrongly explained"),
+              share("all right", "all cases: right, by the table of verdicts"),
+              fault("all cautious", "all cases: cautious, by the table"),
+              fault("all wrong", "all cases: wrong, by the table"),
               share("singles called explained", "one effect: called explained"),
               share("singles detected", "one effect: not called none"),
               share("singles named exactly, of detected", "of these: named by the very name"),
@@ -92,7 +98,7 @@ record Measure(
           .toList();
 
   /** How many of {@link #ALL} stand on the first screen. */
-  static final int FIRST = 13;
+  static final int FIRST = 17;
 
   private static Measure share(String name, String words, double reach) {
     return measure(name, words, Unit.SHARE, reach).from(figures -> figures.share(name));
@@ -101,6 +107,11 @@ record Measure(
   private static Measure share(String name, String words) {
     return new Measure(
         name, words, Unit.SHARE, OptionalDouble.empty(), figures -> figures.share(name));
+  }
+
+  private static Measure fault(String name, String words) {
+    return new Measure(
+        name, words, Unit.FAULT, OptionalDouble.empty(), figures -> figures.share(name));
   }
 
   /** A measure that still lacks where its figure stands. */
@@ -116,7 +127,7 @@ record Measure(
 
   /** True when less is better. */
   boolean isCost() {
-    return unit == Unit.ERROR || unit == Unit.POINTS;
+    return unit == Unit.ERROR || unit == Unit.POINTS || unit == Unit.FAULT;
   }
 
   /** What is to be reached; shares of right answers are a tenth less with a set-up that is off. */
@@ -130,7 +141,7 @@ record Measure(
   /** A figure in this measure's unit, without it. */
   String number(double value) {
     return switch (unit) {
-      case SHARE, GAIN -> fixed(100 * value, 0);
+      case SHARE, FAULT, GAIN -> fixed(100 * value, 0);
       case AREA, ERROR -> fixed(value, 3);
       case POINTS -> fixed(value, 1);
     };
@@ -140,7 +151,7 @@ record Measure(
   String text(double value) {
     return number(value)
         + switch (unit) {
-          case SHARE, GAIN -> "\u00a0%";
+          case SHARE, FAULT, GAIN -> "\u00a0%";
           case POINTS -> "\u00a0points";
           case AREA, ERROR -> "";
         };

@@ -74,7 +74,7 @@ final class ScoreCell {
   private static double share(Measure measure, double value) {
     double full =
         switch (measure.unit()) {
-          case SHARE, GAIN, AREA -> 1;
+          case SHARE, FAULT, GAIN, AREA -> 1;
           case ERROR -> FULL_ERROR;
           case POINTS -> FULL_POINTS;
         };

@@ -102,7 +102,10 @@ final class BlindCheck {
       throws IOException, DataFormatException, InterruptedException {
     List<String> arguments = new ArrayList<>(List.of("generate", "--out", target.toString()));
     arguments.addAll(List.of("--cases", "" + drawn.cases(), "--seed", "" + drawn.seed()));
-    arguments.addAll(List.of("--reference", "" + drawn.referenceShare(), "--progress", "1"));
+    arguments.addAll(List.of("--progress", "1"));
+    if (!drawn.isWave()) {
+      arguments.addAll(List.of("--reference", "" + drawn.referenceShare()));
+    }
     arguments.addAll(drawn.options());
     addWithheld(arguments);
     try (Progress progress = Progress.of("drawing worlds", drawn.cases())) {

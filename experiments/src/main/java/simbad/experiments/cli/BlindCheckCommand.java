@@ -35,6 +35,7 @@ import simbad.sonar.format.OneLine;
       "",
       "Example: simbad blind-check --out check",
       "Example: simbad blind-check --cases 1000 --seed 7 --off --out check-off",
+      "Example: simbad blind-check --level wave --cases 200 --seed 7 --out check-wave",
       "Example: simbad blind-check --withhold latency --out check-latency",
       "Example: simbad blind-check --cases 1000 --seed 7 --spark spark://host:7077 --out"
           + " check-spark",
@@ -46,6 +47,7 @@ final class BlindCheckCommand extends Subcommand {
   private static final int DEFAULT_CASES = 40;
   private static final double DEFAULT_REFERENCES = 0.3;
   private static final double MOST_LIMIT_S = 1e6;
+  private static final String WAVE = "wave";
 
   @Option(
       names = "--out",
@@ -101,8 +103,16 @@ final class BlindCheckCommand extends Subcommand {
   @Option(
       names = "--rows",
       paramLabel = "MIN-MAX",
-      description = "Rows of a data set. Default: 2000-4500.")
+      description = "Rows of a data set. Default: 2000-4500, of waves 700-2500.")
   private @Nullable String rows;
+
+  @Option(
+      names = "--sizes",
+      paramLabel = "MIN-MAX",
+      description =
+          "With --level wave: sizes of what is put in, 1 for a practical one, whether it shows or"
+              + " not. Default: 0.5-2, where it shows.")
+  private @Nullable String sizes;
 
   @Option(
       names = "--foreign",
@@ -114,7 +124,9 @@ final class BlindCheckCommand extends Subcommand {
   @Option(
       names = "--level",
       paramLabel = "TEXT",
-      description = "With --foreign: the level of independence, to stand beside every figure.")
+      description =
+          "Without --foreign: wave, for worlds of waves (level L2w), each with a reference. With"
+              + " --foreign: the level of independence, to stand beside every figure.")
   private @Nullable String level;
 
   @Option(
@@ -169,7 +181,7 @@ final class BlindCheckCommand extends Subcommand {
       return new CheckOrder(BuildVersion.text(), drawn(), withhold);
     }
     boolean drawing =
-        Stream.of(cases, seed, reference, rows).anyMatch(option -> option != null)
+        Stream.of(cases, seed, reference, rows, sizes).anyMatch(option -> option != null)
             || off
             || !mix.isEmpty()
             || !effects.isEmpty();
@@ -190,8 +202,16 @@ final class BlindCheckCommand extends Subcommand {
   }
 
   private Drawn drawn() {
-    if (level != null) {
-      throw wrongUsage("--level: of cases that are drawn it is known; expected --foreign with it");
+    if (level != null && !level.equals(WAVE)) {
+      throw wrongUsage(
+          "--level: of cases that are drawn it is known; expected " + WAVE + ", or --foreign");
+    }
+    if (level != null && (off || reference != null)) {
+      throw wrongUsage(
+          "--level wave: every case has a reference, expected no --reference or --off");
+    }
+    if (level == null && sizes != null) {
+      throw wrongUsage("--sizes: expected --level wave with it");
     }
     if (off && reference != null) {
       throw wrongUsage("--off and --reference exclude each other");
@@ -204,7 +224,18 @@ final class BlindCheckCommand extends Subcommand {
     if (!(share >= 0 && share <= 1)) {
       throw wrongUsage("--reference: " + share + " is not in [0, 1]");
     }
+    return new Drawn(count, seed == null ? 1 : seed, share, passedOn());
+  }
+
+  /** What only the worlds' own program understands. */
+  private List<String> passedOn() {
     List<String> options = new ArrayList<>();
+    if (level != null) {
+      options.addAll(List.of("--level", level));
+    }
+    if (sizes != null) {
+      options.addAll(List.of("--sizes", sizes));
+    }
     if (!mix.isEmpty()) {
       options.addAll(List.of("--mix", String.join(",", mix)));
     }
@@ -214,6 +245,6 @@ final class BlindCheckCommand extends Subcommand {
     if (rows != null) {
       options.addAll(List.of("--rows", rows));
     }
-    return new Drawn(count, seed == null ? 1 : seed, share, options);
+    return options;
   }
 }

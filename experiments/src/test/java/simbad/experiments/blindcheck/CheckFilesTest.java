@@ -39,6 +39,9 @@ class CheckFilesTest {
     assertTrue(
         lines("kinds.csv")
             .contains(SampleScores.ALL + ",oracle,single,\"explained, named rightly\",8"));
+    assertTrue(lines("standings.csv").contains(SampleScores.L1 + ",diagnosis,single,cautious,2"));
+    String wronglyExplained = SampleScores.L1 + ",diagnosis,all wrongly explained,0.1,";
+    assertTrue(lines("scores.csv").stream().anyMatch(line -> line.startsWith(wronglyExplained)));
     assertTrue(lines("confusion.csv").contains(SampleScores.ALL + ",diagnosis,gain,gain+wind,1"));
     assertTrue(
         lines("effects.csv").contains(SampleScores.L1 + ",diagnosis,(wind),0.5,0.1,0.9,1,2"));

@@ -51,6 +51,7 @@ final class SampleScores {
     figures.put("cases", cases);
     ObjectNode shares = figures.putObject("shares");
     share(shares.putObject("all verdicts right"), cases * 9 / 10, cases);
+    share(shares.putObject("all wrongly explained"), cases / 10, cases);
     share(shares.putObject("none called none"), cases / 4, cases / 4);
     share(shares.putObject("singles named and explained"), cases / 5, cases / 4);
     share(shares.putObject("withheld called unexplained"), 0, 0);
@@ -84,6 +85,7 @@ final class SampleScores {
     ObjectNode kinds = figures.putObject("kinds");
     kinds.putObject("single").put("explained, named rightly", 8).put("none", 2);
     kinds.putObject("none").put("none", 10);
+    figures.putObject("standings").putObject("single").put("right", 8).put("cautious", 2);
     ObjectNode confusion = figures.putObject("confusion");
     confusion.putObject("gain").put("gain", 3).put("gain+latency", 1).put("gain+wind", 1);
     confusion.putObject("gain+latency").put("gain+latency", 4);

@@ -195,6 +195,25 @@ class BlindCheckCommandTest {
     assertEquals(4, Files.readAllLines(out().resolve("cases.csv")).size());
   }
 
+  /** Waves are drawn, diagnosed and scored as all others are, under a level of their own. */
+  @Test
+  void waves_haveALevelOfTheirOwn() throws IOException {
+    Shell shell =
+        check(
+            "--level wave --cases 1 --seed 4 --rows 300-320 --mix single:1 --effects range-offset --sizes 1-2"
+                .split(" "));
+    assertEquals(0, shell.status(), shell.err());
+    assertTrue(shell.out().contains("worlds of waves (L2w)"), shell.out());
+    assertEquals("--level", json("order.json").at("/options/0").asText());
+    assertTrue(json("order.json").at("/reference_share").isMissingNode());
+    JsonNode scores = json("check.json").at("/scores/worlds of waves (L2w)/oracle");
+    assertEquals(1, scores.at("/shares/all right/hits").asInt());
+    assertEquals("L2w", json("check.json").at("/cases/0/level").asText());
+    String page = Files.readString(out().resolve("report.html"));
+    assertTrue(page.contains("Right, cautious, wrong"), "the table of verdicts");
+    assertTrue(page.contains("--level wave --sizes 1-2"), "the command that repeats it");
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
@@ -212,6 +231,10 @@ class BlindCheckCommandTest {
         "--level L3 | --level: of cases that are drawn it is known",
         "--foreign sets --cases 3 | --foreign: nothing is drawn then",
         "--foreign sets --off | --foreign: nothing is drawn then",
+        "--level wave --off | --level wave: every case has a reference",
+        "--level wave --reference 0.5 | --level wave: every case has a reference",
+        "--sizes 0.1-10 | --sizes: expected --level wave with it",
+        "--level wave --sizes 0-1 | --sizes: '0'",
         "--mix odd:1 | --mix: 'odd:1'",
         "--mix withheld:1 | --mix: withheld cases, expected --withheld",
         "--effects magic | --effects: no such effect: magic",

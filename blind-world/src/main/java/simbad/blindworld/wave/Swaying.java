@@ -1,0 +1,21 @@
+package simbad.blindworld.wave;
+
+import simbad.blindworld.world.Pose;
+
+/**
+ * A target that hangs and swings about its place.
+ *
+ * @param target at rest
+ * @param swingXM the most by which it swings, to the right
+ * @param swingZM down the page
+ * @param periodS of its swing
+ */
+public record Swaying(Target target, double swingXM, double swingZM, double periodS)
+    implements Reflector {
+
+  @Override
+  public Trace arrivals(Pose pose, Medium medium, double tS) {
+    double now = Math.sin(2 * Math.PI * tS / periodS);
+    return target.moved(swingXM * now, swingZM * now).arrivals(pose, medium, tS);
+  }
+}

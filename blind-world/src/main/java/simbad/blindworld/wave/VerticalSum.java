@@ -1,0 +1,68 @@
+package simbad.blindworld.wave;
+
+/**
+ * The sum over a target's height of what a point at a horizontal distance sends back: directivity
+ * in the vertical out and back, and the phase k z^2 / distance of the longer way. For a target
+ * without ends before a small piston it is sqrt(pi distance / k), turned by an eighth.
+ */
+final class VerticalSum {
+
+  private static final int STEPS = 400;
+  private static final double NEAREST_M = 0.02;
+  private static final double FURTHEST_M = 8;
+  private static final double SLICE_M = 0.001;
+
+  /** Further up or down than so many times the distance nothing is sent. */
+  private static final double STEEPEST = 1.2;
+
+  private final double perStep;
+  private final double[] re = new double[STEPS + 2];
+  private final double[] im = new double[STEPS + 2];
+
+  VerticalSum(Upright upright, Medium medium) {
+    perStep = Math.log(FURTHEST_M / NEAREST_M) / STEPS;
+    for (int i = 0; i < re.length; i++) {
+      double distanceM = NEAREST_M * Math.exp(i * perStep);
+      Complex sum = sum(upright, medium, distanceM);
+      re[i] = sum.re();
+      im[i] = sum.im();
+    }
+  }
+
+  private static Complex sum(Upright upright, Medium medium, double distanceM) {
+    double from = Math.max(upright.bottomM(), -STEEPEST * distanceM);
+    double to = Math.min(upright.topM(), STEEPEST * distanceM);
+    int slices = (int) Math.ceil(Math.max(0, to - from) / SLICE_M);
+    double sumRe = 0;
+    double sumIm = 0;
+    for (int s = 0; s < slices; s++) {
+      double z = from + (s + 0.5) * (to - from) / slices;
+      double sine = z / Math.sqrt(z * z + distanceM * distanceM);
+      double weight = medium.sent(sine) * medium.received(sine) * taper(z / distanceM);
+      double phase = -medium.perM() * z * z / distanceM;
+      sumRe += weight * Math.cos(phase);
+      sumIm += weight * Math.sin(phase);
+    }
+    double slice = slices == 0 ? 0 : (to - from) / slices;
+    return new Complex(sumRe * slice, sumIm * slice);
+  }
+
+  /** Where the sum is broken off it fades, so that no end shows that is none. */
+  private static double taper(double steepness) {
+    double beyond = Math.abs(steepness) / STEEPEST;
+    return beyond < 0.7 ? 1 : 0.5 * (1 + Math.cos(Math.PI * (beyond - 0.7) / 0.3));
+  }
+
+  private double place(double distanceM) {
+    double within = Math.max(NEAREST_M, Math.min(FURTHEST_M, distanceM));
+    return Math.log(within / NEAREST_M) / perStep;
+  }
+
+  /** The sum at a distance, in metres. */
+  Complex at(double distanceM) {
+    double place = place(distanceM);
+    int i = (int) place;
+    double share = place - i;
+    return new Complex(re[i] + share * (re[i + 1] - re[i]), im[i] + share * (im[i + 1] - im[i]));
+  }
+}
