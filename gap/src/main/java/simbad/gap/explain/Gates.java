@@ -2,12 +2,15 @@ package simbad.gap.explain;
 
 import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import simbad.gap.fit.Evidence;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Parameter;
 import simbad.sonar.effect.PingLog;
 import simbad.sonar.effect.Scenes;
 import simbad.sonar.scene.Obstacle;
@@ -36,7 +39,13 @@ final class Gates {
   /** Steps and noise that hide a wave of 4 mm. */
   private static final double HIDES_WAVES_M = 0.003;
 
+  /** Fewer readings of one value are a coincidence. */
+  private static final int LEAST_CODES = 3;
+
+  private static final double MILLIMETRE = 1e-3;
+
   private final SensingSetup setup;
+  private final PingLog log;
   private final boolean repeated;
   private final boolean noisier;
   private final boolean ghosts;
@@ -44,6 +53,7 @@ final class Gates {
 
   private Gates(Evidence evidence) {
     setup = evidence.setup();
+    log = evidence.log();
     Placements placements = new Placements(evidence.log());
     repeated = placements.areRepeated();
     noisier = !repeated || PlacementScatter.isNoisier(evidence, placements);
@@ -73,12 +83,33 @@ final class Gates {
       case RANGE_NOISE -> noisier;
       // An offset that scatters is one that is put in place anew.
       case RANGE_OFFSET -> !repeated || form.parameters().size() == 1;
+      case NO_ECHO_CODE -> isRead(form.parameters().get(0));
       case WAVE_HOP ->
           setup.sensor().resolutionM() <= HIDES_WAVES_M
               && setup.sensor().rangeNoiseM() <= HIDES_WAVES_M;
       case ORIENTATION_SHADOW, OBSTACLE_TURN -> !isOfRoundOnes(form);
       default -> true;
     };
+  }
+
+  /**
+   * Whether one number is read at least as often as no echo is. A number that stands for "no echo"
+   * stands for most of them; with a rarer one beside it the form would be one of lost echoes.
+   */
+  private boolean isRead(Parameter code) {
+    Map<Long, Integer> readings = new HashMap<>();
+    int silent = 0;
+    int most = 0;
+    for (int ping = 0; ping < log.size(); ping++) {
+      if (!log.echo(ping)) {
+        silent++;
+      } else if (code.permits(log.rangeM(ping))) {
+        most =
+            Math.max(
+                most, readings.merge(Math.round(log.rangeM(ping) / MILLIMETRE), 1, Integer::sum));
+      }
+    }
+    return most >= Math.max(LEAST_CODES, silent);
   }
 
   /** Whether a form turns or shades nothing but what looks the same from all sides. */

@@ -91,7 +91,7 @@ public record Weighed(
    * @param worthNats what a further effect must gain to be as probable as its absence
    */
   public Optional<Weighed> confirmed(Evidence evidence, List<Scored> sets, double worthNats) {
-    return new Confirmed(sets, SOAK_UP, worthNats)
+    return new Confirmed(sets, SOAK_UP, worthNats, new Placements(evidence.log()).areRepeated())
         .best()
         .map(sure -> new Weighed(probabilities, sure, gainOf(evidence, sure), enlarging))
         .filter(sure -> sure.gain.afterM() < sure.gain.beforeM());

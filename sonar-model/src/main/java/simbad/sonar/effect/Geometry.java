@@ -127,6 +127,7 @@ public final class Geometry {
         || change instanceof BeamWidth
         || change instanceof LevelRule
         || change instanceof LevelStrength
+        || change instanceof EchoPath
         || change instanceof BeamEdge;
   }
 

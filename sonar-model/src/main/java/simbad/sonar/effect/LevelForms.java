@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.IntToDoubleFunction;
+import java.util.stream.Stream;
 import simbad.sonar.level.Curve;
 import simbad.sonar.level.LevelDefaults;
 import simbad.sonar.level.LevelFigures;
@@ -39,6 +40,9 @@ public final class LevelForms {
   /** Radius of a ranger's piston that is not known: between SRF04 and HC-SR04, metres. */
   public static final double APERTURE_M = 0.007;
 
+  /** No ranger hears further than so many times what is said of it. */
+  private static final double FURTHEST_TIMES = 5;
+
   /** Name of the law's form. */
   public static final String LAW = "level";
 
@@ -57,6 +61,7 @@ public final class LevelForms {
   private static final double LEAST_SOFT_M = 0.002;
   private static final double MOST_DB = StrengthTable.GREATEST_DB;
   private static final double MOST_RECEIVER_DB = 60;
+  private static final double MOST_PATH_M = 0.25;
 
   private LevelForms() {}
 
@@ -83,6 +88,12 @@ public final class LevelForms {
     for (double at : NOISE_DB) {
       parameters.add(Parameter.of(at("noise_m", at), stated.noiseM().at(at), 0, 1));
     }
+    SonarSpec sensor = setup.sensor();
+    double least = sensor.minRangeM();
+    double most = sensor.maxRangeM();
+    parameters.add(Parameter.of("min_range_m", least, 0, least).asClosed());
+    parameters.add(Parameter.of("max_range_m", most, most, FURTHEST_TIMES * most).asClosed());
+    parameters.add(Parameter.of("range_scale", 1, 0.5, 2));
     double wavenumber = wavenumberPerM(setup);
     return form(LAW, v -> rule(stated, wavenumber, v), parameters);
   }
@@ -117,7 +128,9 @@ public final class LevelForms {
             curve(WALK_DB, i -> v[walk + i]),
             curve(NOISE_DB, i -> v[noise + i]),
             stated.pulseLengthM());
-    return new LevelRule(law, toRadians(v[4]), v[7], v[3], toRadians(v[5]));
+    int limits = noise + NOISE_DB.size();
+    return new LevelRule(
+        law, toRadians(v[4]), v[7], v[3], toRadians(v[5]), v[limits], v[limits + 1], v[limits + 2]);
   }
 
   private static Curve curve(List<Double> x, IntToDoubleFunction y) {
@@ -184,6 +197,28 @@ public final class LevelForms {
         parameters);
   }
 
+  /**
+   * Returns the form of an obstacle's echo path: what is added at all bearings, and how far that
+   * may be off.
+   */
+  public static Form path(String label) {
+    List<Parameter> parameters = new ArrayList<>();
+    for (int i = 0; i < BEARINGS; i++) {
+      parameters.add(Parameter.of(at("added_m", bearingDeg(i)), 0, -MOST_PATH_M, MOST_PATH_M));
+    }
+    for (int i = 0; i < BEARINGS; i++) {
+      parameters.add(Parameter.of(at("deviation_m", bearingDeg(i)), 0, 0, MOST_PATH_M));
+    }
+    return form(
+        "path:" + label,
+        v ->
+            new EchoPath(
+                Optional.of(label),
+                EchoPath.round(Arrays.copyOf(v, BEARINGS)),
+                EchoPath.round(Arrays.copyOfRange(v, BEARINGS, 2 * BEARINGS))),
+        parameters);
+  }
+
   private static StrengthTable table(double[] v, int number) {
     return StrengthTable.of(Arrays.copyOfRange(v, number * BEARINGS, (number + 1) * BEARINGS));
   }
@@ -198,7 +233,7 @@ public final class LevelForms {
       return Optional.of(law(setup));
     }
     return Scenes.labels(setup.scene()).stream()
-        .map(LevelForms::strength)
+        .flatMap(label -> Stream.of(strength(label), path(label)))
         .filter(form -> form.name().equals(name))
         .findFirst();
   }
@@ -224,7 +259,7 @@ public final class LevelForms {
             Effect.RANGE_OFFSET,
             "gated",
             List.of(Parameter.of("offset_m", 0, -1, 1, -0.1, -0.03, 0.03, 0.1)),
-            v -> new GatedOffset(new RangeOffset(v[0]), sensor.minRangeM(), soft)));
+            v -> new GatedOffset(new RangeOffset(v[0]), soft)));
   }
 
   /** Puts the forms of effects that change the law in the place of those that change thresholds. */

@@ -126,6 +126,28 @@ public record SonarSpec(
   }
 
   /**
+   * Returns the same sensor with other limits of what it hears.
+   *
+   * @param leastM nearer echoes are not heard, at least 0
+   * @param mostM further ones are not, above that, finite
+   */
+  public SonarSpec withRange(double leastM, double mostM) {
+    return new SonarSpec(
+        name,
+        coneHalfAngleRad,
+        leastM,
+        mostM,
+        mountHeightM,
+        assumedSoundSpeedMPerS,
+        resolutionM,
+        rangeNoiseM,
+        missRate,
+        edgeWidthM,
+        updatePeriodS,
+        law);
+  }
+
+  /**
    * Returns the same sensor with another scatter.
    *
    * @param noiseM standard deviation of a range, at least 0
