@@ -125,9 +125,9 @@ public final class Unknown {
     return LEAST + (MOST - LEAST) / (1 + Math.exp(-logit));
   }
 
-  /** Whether the gap that is left is hardly more than the model expects of itself. */
+  /** Whether the gap before is hardly more than the set-up expects of itself. */
   private static boolean isWithinItself(Gain gain) {
-    return gain.afterM() < WITHIN_ITSELF * mean(gain.after().expectedM());
+    return gain.beforeM() < WITHIN_ITSELF * mean(gain.before().expectedM());
   }
 
   /**
