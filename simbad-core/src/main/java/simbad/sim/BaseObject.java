@@ -249,6 +249,11 @@ public abstract class BaseObject {
     return false;
   }
 
+  /** Returns true if a habit is wanted in this object's world; notes that something depends on it. */
+  boolean meets(Compatibility habit) {
+    return world != null && world.meets(habit);
+  }
+
   /** Returns true if a habit of the original is wanted in this object's world. */
   boolean restores(Compatibility habit) {
     return world != null && world.restores(habit);

@@ -48,27 +48,36 @@ public class PhysicalEngine {
     if (agent.getMass() <= 0 || agent.detachedFromSceneGraph) {
       return;
     }
-    double weight = agent.restores(Compatibility.GRAVITY_GROWS_WITH_MASS) ? agent.getMass() : 1;
-    if (agent.isAboveGround()) {
+    boolean falls = agent.isAboveGround();
+    double weight = falls || slides(agent) ? weight(agent) : 1;
+    if (falls) {
       agent.linearAcceleration.y = -g * weight;
-    } else if (!agent.hasMotors()) {
+    }
+    if (slides(agent) && !(falls && !agent.meets(Compatibility.FRICTION_IN_THE_AIR))) {
       slow(agent, g * weight * agent.frictionCoefficient(), elapsedSecond);
     }
   }
 
+  private static double weight(SimpleAgent agent) {
+    boolean tells = agent.getMass() != 1;
+    return tells && agent.meets(Compatibility.GRAVITY_GROWS_WITH_MASS) ? agent.getMass() : 1;
+  }
+
+  private static boolean slides(SimpleAgent agent) {
+    Vector3d velocity = agent.linearVelocity;
+    boolean moves = velocity.lengthSquared() > 0;
+    return moves && !agent.hasMotors() && agent.frictionCoefficient() > 0;
+  }
+
   private static void slow(SimpleAgent agent, double brakingMPerS2, double elapsedSecond) {
     Vector3d velocity = agent.linearVelocity;
-    double speedMPerS = Math.hypot(velocity.x, velocity.z);
-    if (speedMPerS == 0) {
-      return;
-    }
-    double most =
-        agent.restores(Compatibility.FRICTION_NEVER_STOPS)
-            ? Double.POSITIVE_INFINITY
-            : speedMPerS / elapsedSecond;
-    double share = Math.min(brakingMPerS2, most) / speedMPerS;
-    agent.linearAcceleration.x = -velocity.x * share;
-    agent.linearAcceleration.z = -velocity.z * share;
+    // What lies on the floor has no speed upwards; of what falls, the original slowed that, too.
+    double speedMPerS = velocity.length();
+    double stopping = speedMPerS / elapsedSecond;
+    boolean stops =
+        brakingMPerS2 > stopping && !agent.meets(Compatibility.FRICTION_NEVER_STOPS);
+    double share = (stops ? stopping : brakingMPerS2) / speedMPerS;
+    agent.linearAcceleration.scaleAdd(-share, velocity, agent.linearAcceleration);
   }
 
   /** Lets agents that would sink below the floor in this step come down on it. */
@@ -119,7 +128,10 @@ public class PhysicalEngine {
     boolean met = pushing && solid && impact.apply(one, other, elapsed);
     if (met || (stopping && AgentPair.touchAfter(one, other))) {
       one.veryNear(other);
-      other.veryNear(one);
+      boolean isLast = higher == agents.size() - 1;
+      if (isLast || !other.meets(Compatibility.NEARNESS_IS_ONE_SIDED)) {
+        other.veryNear(one);
+      }
     }
     if (stopping && solid) {
       stop(one, other);
@@ -130,7 +142,7 @@ public class PhysicalEngine {
   private void stop(SimpleAgent agent, SimpleAgent other) {
     boolean stopped =
         pushing ? AgentPair.runsInto(agent, other) : AgentPair.isStopped(agent, other);
-    if (stopped && !agent.restores(Compatibility.ROBOTS_PASS_ROBOTS)) {
+    if (stopped && !agent.meets(Compatibility.ROBOTS_PASS_ROBOTS)) {
       agent.setStoppedByAgent(true);
     }
   }

@@ -10,6 +10,7 @@ import javax.vecmath.Vector3d;
 import org.jspecify.annotations.Nullable;
 import simbad.kernel.drawing.Facets;
 import simbad.kernel.geometry.CylinderShape;
+import simbad.kernel.geometry.PrismShape;
 import simbad.kernel.geometry.Shape;
 import simbad.kernel.scene.Ball;
 import simbad.kernel.scene.Clearance;
@@ -25,6 +26,8 @@ public class SimpleAgent extends BaseObject {
 
   /** Room for the rounding of a floating-point height. */
   private static final double ON_GROUND_M = 1e-6;
+
+  private static final int PRISM_SIDES = 15;
 
   /** The agent's name. */
   protected String name;
@@ -111,7 +114,10 @@ public class SimpleAgent extends BaseObject {
 
   @Override
   protected List<Shape> bodyShapes() {
-    return List.of(new CylinderShape(radius, height));
+    return List.of(
+        restores(Compatibility.ROBOTS_ARE_PRISMS)
+            ? PrismShape.regular(PRISM_SIDES, radius, height)
+            : new CylinderShape(radius, height));
   }
 
   /**
@@ -200,7 +206,7 @@ public class SimpleAgent extends BaseObject {
    */
   protected void integratesPositionChange(double elapsedSecond) {
     instantTranslation.scale(elapsedSecond, linearVelocity);
-    if (!restores(Compatibility.GRAVITY_GROWS_WITH_MASS)) {
+    if (linearAcceleration.lengthSquared() > 0 && !meets(Compatibility.GRAVITY_GROWS_WITH_MASS)) {
       instantTranslation.scaleAdd(
           -elapsedSecond * elapsedSecond / 2, linearAcceleration, instantTranslation);
     }
@@ -215,8 +221,9 @@ public class SimpleAgent extends BaseObject {
   /** Moves by this step's displacement, unless the agent has collided, and turns. */
   protected void updatePosition() {
     boolean moves = !collided && instantTranslation.lengthSquared() != 0;
-    boolean mayTurn = !collided || !restores(Compatibility.BLOCKED_ROBOTS_DO_NOT_TURN);
-    boolean turns = mayTurn && instantRotation.y != 0;
+    boolean turns =
+        instantRotation.y != 0
+            && !(collided && meets(Compatibility.BLOCKED_ROBOTS_DO_NOT_TURN));
     positionChanged = moves || turns;
     if (moves) {
       placement().moveBy(instantTranslation.x, instantTranslation.y, instantTranslation.z);
@@ -280,10 +287,12 @@ public class SimpleAgent extends BaseObject {
     return dynamicFrictionCoefficient > 0 ? dynamicFrictionCoefficient : staticFrictionCoefficient;
   }
 
-  /** Ends this step's way down at the floor. */
+  /** Ends this step's way down at the floor, and lifts what is below it. */
   void land() {
-    if (distanceToGround() >= 0 && distanceToGround() + instantTranslation.y < 0) {
-      instantTranslation.y = -distanceToGround();
+    double above = distanceToGround();
+    boolean sinks = instantTranslation.y < 0 || above < -ON_GROUND_M;
+    if (sinks && above + instantTranslation.y < 0) {
+      instantTranslation.y = -above;
       linearVelocity.y = 0;
       linearAcceleration.y = 0;
     }
@@ -476,6 +485,15 @@ public class SimpleAgent extends BaseObject {
   /** Forgets that another agent was near. */
   protected void clearVeryNear() {
     veryNearAgent = null;
+  }
+
+  /** Returns true if a habit of the original keeps the agent that was near in this step, too. */
+  boolean staysNear(boolean isLast) {
+    return isLast
+        && veryNearAgent != null
+        && !positionChanged
+        && !detachedFromSceneGraph
+        && meets(Compatibility.NEARNESS_IS_ONE_SIDED);
   }
 
   /** Notes that another agent's sphere touches this one's; of several, the last counts. */

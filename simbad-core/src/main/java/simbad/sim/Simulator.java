@@ -100,7 +100,9 @@ public class Simulator {
     }
     for (int i = 0; i < agents.size(); i++) {
       SimpleAgent agent = agents.get(i);
-      agent.clearVeryNear();
+      if (!agent.staysNear(i == agents.size() - 1)) {
+        agent.clearVeryNear();
+      }
       agent.setMotorsAcceleration(elapsedSecond);
       if (usePhysics) {
         engine.computeForces(elapsedSecond, agent);
@@ -113,9 +115,7 @@ public class Simulator {
       engine.checkAgentObjectPairs(agents, noObjects, true, false);
     }
     engine.checkAgentAgentPairs(elapsedSecond, agents, usePhysics, true);
-    if (usePhysics) {
-      engine.land(agents);
-    }
+    engine.land(agents);
     engine.checkAgentObjectPairs(agents, noObjects, false, false);
     for (int i = 0; i < agents.size(); i++) {
       SimpleAgent agent = agents.get(i);

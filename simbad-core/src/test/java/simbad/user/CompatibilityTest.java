@@ -59,7 +59,10 @@ class CompatibilityTest {
   @Test
   void property_switches() {
     assertEquals(EnumSet.noneOf(Compatibility.class), Compatibility.parse(""));
-    assertEquals(EnumSet.allOf(Compatibility.class), Compatibility.parse("released-1.4"));
+    assertEquals(
+        EnumSet.complementOf(EnumSet.of(Compatibility.LIGHT_SENSORS_SIT_NEARER)),
+        Compatibility.parse("released-1.4"));
+    assertTrue(Compatibility.parse("1.7").contains(Compatibility.LIGHT_SENSORS_SIT_NEARER));
     assertEquals(
         EnumSet.of(Compatibility.ROBOTS_PASS_ROBOTS, Compatibility.NO_ECHO_IS_INFINITE),
         Compatibility.parse("robots-pass-robots, no-echo-is-infinite"));
