@@ -60,10 +60,22 @@ final class AgentImpact {
     if (closingMPerS <= 0) {
       return false;
     }
-    double impulse = 2 * closingMPerS / (1.0 / one.getMass() + 1.0 / other.getMass());
+    double impulse =
+        (1 + restitution(one, other))
+            * closingMPerS
+            / (1.0 / one.getMass() + 1.0 / other.getMass());
     push(one, -impulse / one.getMass(), elapsedSecond);
     push(other, impulse / other.getMass(), elapsedSecond);
     return true;
+  }
+
+  /**
+   * What has motors pushes and does not kick: a ball between a wall and a robot that comes nearer
+   * would get faster with each bounce.
+   */
+  private static double restitution(SimpleAgent one, SimpleAgent other) {
+    boolean driven = one.hasMotors() || other.hasMotors();
+    return driven && !one.meets(Compatibility.IMPACTS_LEAVE_OVERLAPS) ? 0 : 1;
   }
 
   private void push(SimpleAgent agent, double changeMPerS, double elapsedSecond) {

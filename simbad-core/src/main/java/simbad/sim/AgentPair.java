@@ -32,7 +32,21 @@ final class AgentPair {
         && (touchAfter(agent, other) || (touchStanding(agent, other) && other.runsIntoObject()));
   }
 
-  private static boolean approaches(SimpleAgent agent, SimpleAgent other) {
+  /** Returns true if the spheres overlap after this step, and more than now. */
+  static boolean sinks(SimpleAgent one, SimpleAgent other) {
+    double dx = other.placement().xM() - one.placement().xM();
+    double dy = other.placement().yM() - one.placement().yM();
+    double dz = other.placement().zM() - one.placement().zM();
+    double before = dx * dx + dy * dy + dz * dz;
+    dx += other.wayX() - one.wayX();
+    dy += other.wayY() - one.wayY();
+    dz += other.wayZ() - one.wayZ();
+    double after = dx * dx + dy * dy + dz * dz;
+    double reach = reach(one, other);
+    return after < reach * reach && after < before;
+  }
+
+  static boolean approaches(SimpleAgent agent, SimpleAgent other) {
     Placement from = agent.placement();
     Placement to = other.placement();
     return agent.instantTranslation.x * (to.xM() - from.xM())

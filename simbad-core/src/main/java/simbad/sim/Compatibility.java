@@ -36,6 +36,12 @@ public enum Compatibility {
   /** With physics on, friction drives a body back and forth instead of stopping it. */
   FRICTION_NEVER_STOPS,
 
+  /**
+   * With physics on, what a robot hits flies off twice as fast as the robot, and what is pinched
+   * may end up within another body.
+   */
+  IMPACTS_LEAVE_OVERLAPS,
+
   /** With physics on, friction slows what is in the air, too. */
   FRICTION_IN_THE_AIR,
 

@@ -24,6 +24,7 @@ public class PhysicalEngine {
   private final NearPairs pairs = new NearPairs();
   private final NearPairs.Receiver receiver = this::near;
   private final AgentImpact impact = new AgentImpact();
+  private final Settling settling = new Settling();
   private final WallImpact wallImpact = new WallImpact(this);
   private ArrayList<SimpleAgent> agents = new ArrayList<>();
   private double elapsed;
@@ -78,6 +79,11 @@ public class PhysicalEngine {
         brakingMPerS2 > stopping && !agent.meets(Compatibility.FRICTION_NEVER_STOPS);
     double share = (stops ? stopping : brakingMPerS2) / speedMPerS;
     agent.linearAcceleration.scaleAdd(-share, velocity, agent.linearAcceleration);
+  }
+
+  /** Lets agents stay where they are that this step would lead into others. */
+  void settle(List<SimpleAgent> all, double elapsedSecond) {
+    settling.apply(all, elapsedSecond);
   }
 
   /** Lets agents that would sink below the floor in this step come down on it. */

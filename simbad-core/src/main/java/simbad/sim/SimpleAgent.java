@@ -321,6 +321,43 @@ public class SimpleAgent extends BaseObject {
     return placement().zM() + instantTranslation.z;
   }
 
+  /** Returns the displacement that this step brings, x, then y and z: none for who is stopped. */
+  double wayX() {
+    return collided ? 0 : instantTranslation.x;
+  }
+
+  double wayY() {
+    return collided ? 0 : instantTranslation.y;
+  }
+
+  double wayZ() {
+    return collided ? 0 : instantTranslation.z;
+  }
+
+  /** Returns true if neither agent may pass the other. */
+  boolean meetsBodily(SimpleAgent other) {
+    boolean solid = !getCanBeTraversed() && !other.getCanBeTraversed();
+    return solid && !detachedFromSceneGraph && !other.detachedFromSceneGraph;
+  }
+
+  /**
+   * Stays where it is in this step; what it falls or rolls with is as at the step's start.
+   *
+   * @return false if it does not move anyway
+   */
+  boolean stay(double elapsedSecond) {
+    if (wayX() == 0 && wayY() == 0 && wayZ() == 0) {
+      return false;
+    }
+    if (hasMotors()) {
+      collided = true;
+    } else {
+      linearVelocity.scaleAdd(-elapsedSecond, linearAcceleration, linearVelocity);
+      instantTranslation.set(0, 0, 0);
+    }
+    return true;
+  }
+
   /** Counts a step. */
   protected void updateCounters(double elapsedSecond) {
     counter++;
@@ -371,6 +408,24 @@ public class SimpleAgent extends BaseObject {
   public void moveToPosition(double x, double z) {
     v1.set(x, placement().yM(), z);
     resetPositionAt(v1);
+  }
+
+  /**
+   * Puts the agent's middle above a point of the floor, with a heading; height and velocities stay.
+   *
+   * @param x metres
+   * @param z metres
+   * @param headingRad radians, 0 along +x, pi/2 along -z
+   */
+  public void setPose(double x, double z, double headingRad) {
+    moveToPosition(x, z);
+    rotateY(headingRad);
+  }
+
+  /** Turns the agent on the spot to a heading in radians, 0 along +x, pi/2 along -z. */
+  public void setHeadingRad(double headingRad) {
+    placement().resetTurn();
+    rotateY(headingRad);
   }
 
   /**

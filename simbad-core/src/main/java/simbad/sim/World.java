@@ -154,6 +154,11 @@ public class World {
     }
   }
 
+  /** Returns the side of the drawn floor, metres. */
+  public float getWorldSize() {
+    return worldSize;
+  }
+
   /** Returns the bodies that rays and collisions meet; for sensors of one's own. */
   public Scene getScene() {
     return scene;
