@@ -4,8 +4,13 @@ import javax.vecmath.Vector3d;
 
 /** Lets two agents that meet in a step exchange momentum, as elastic spheres do. */
 final class AgentImpact {
+  private final PhysicalEngine engine;
   private final Vector3d between = new Vector3d();
   private final Vector3d approach = new Vector3d();
+
+  AgentImpact(PhysicalEngine engine) {
+    this.engine = engine;
+  }
 
   /**
    * Changes velocities and displacements of two agents if they meet in this step.
@@ -55,7 +60,10 @@ final class AgentImpact {
 
   private boolean exchange(SimpleAgent one, SimpleAgent other, double elapsedSecond) {
     between.normalize();
+    // The velocities before weight and friction act: these differ between the floor and the air.
     approach.sub(other.linearVelocity, one.linearVelocity);
+    approach.scaleAdd(elapsedSecond, one.linearAcceleration, approach);
+    approach.scaleAdd(-elapsedSecond, other.linearAcceleration, approach);
     double closingMPerS = -approach.dot(between);
     if (closingMPerS <= 0) {
       return false;
@@ -79,7 +87,11 @@ final class AgentImpact {
   }
 
   private void push(SimpleAgent agent, double changeMPerS, double elapsedSecond) {
-    agent.linearVelocity.scaleAdd(changeMPerS, between, agent.linearVelocity);
+    Vector3d velocity = agent.linearVelocity;
+    velocity.scaleAdd(-elapsedSecond, agent.linearAcceleration, velocity);
+    velocity.scaleAdd(changeMPerS, between, velocity);
+    engine.computeForces(elapsedSecond, agent);
+    velocity.scaleAdd(elapsedSecond, agent.linearAcceleration, velocity);
     agent.integratesPositionChange(elapsedSecond);
     agent.setInteracted(true);
   }

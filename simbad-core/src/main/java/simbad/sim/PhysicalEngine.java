@@ -23,7 +23,7 @@ public class PhysicalEngine {
 
   private final NearPairs pairs = new NearPairs();
   private final NearPairs.Receiver receiver = this::near;
-  private final AgentImpact impact = new AgentImpact();
+  private final AgentImpact impact = new AgentImpact(this);
   private final Settling settling = new Settling();
   private final WallImpact wallImpact = new WallImpact(this);
   private ArrayList<SimpleAgent> agents = new ArrayList<>();
