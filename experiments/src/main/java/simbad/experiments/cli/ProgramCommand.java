@@ -1,5 +1,6 @@
 package simbad.experiments.cli;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -53,7 +54,7 @@ final class ProgramCommand extends Subcommand {
   @Option(
       names = "--class-path",
       paramLabel = "PATHS",
-      description = "Other people's jars and folders that it needs, with : in between.")
+      description = "Other people's jars and folders, of classes or sources, with : in between.")
   private String classPath = "";
 
   @Option(
@@ -117,7 +118,7 @@ final class ProgramCommand extends Subcommand {
     if (steps < 1) {
       throw wrongUsage("--steps: " + steps + " is not in [1, infinity)");
     }
-    ProgramFile file = ProgramFile.read(program, libraries());
+    ProgramFile file = ProgramFile.read(program, libraries(), err()::println);
     file.notes().forEach(out()::println);
     RunPlan plan = plan(file);
     if (window) {
@@ -159,7 +160,7 @@ final class ProgramCommand extends Subcommand {
   }
 
   private List<Path> libraries() {
-    return Arrays.stream(classPath.split(java.io.File.pathSeparator, -1))
+    return Arrays.stream(classPath.split(File.pathSeparator, -1))
         .filter(entry -> !entry.isEmpty())
         .map(Path::of)
         .toList();

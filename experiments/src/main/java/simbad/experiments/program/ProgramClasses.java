@@ -9,9 +9,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
 import java.util.stream.Stream;
+import java.util.zip.ZipException;
+import org.objectweb.asm.ClassReader;
 import simbad.sonar.format.DataFormatException;
 
 /**
@@ -28,19 +31,28 @@ record ProgramClasses(Map<String, byte[]> bytes, List<URL> places, List<String> 
    * Reads a program.
    *
    * @param program a jar, a folder of classes or a folder of sources
-   * @param libraries other people's jars and folders
+   * @param libraries other people's jars, folders of classes and folders of sources
+   * @param errors is told each error in sources
    * @throws DataFormatException if it is none of these, or its sources do not compile
    * @throws IOException if it cannot be read
    */
-  static ProgramClasses read(Path program, List<Path> libraries)
+  static ProgramClasses read(Path program, List<Path> libraries, Consumer<String> errors)
       throws DataFormatException, IOException {
     Map<String, byte[]> found = new TreeMap<>();
+    List<Path> compiled = new ArrayList<>();
+    List<Path> sources = new ArrayList<>();
+    for (Path library : libraries) {
+      if (!Files.exists(library)) {
+        throw DataFormatException.inFile(library, "no such jar or folder");
+      }
+      (isOfSources(library) ? sources : compiled).add(library);
+    }
     if (Files.isRegularFile(program)) {
       readJar(program, found);
     } else if (Files.isDirectory(program)) {
       readFolder(program, found);
       if (found.isEmpty()) {
-        found.putAll(SourceCompiler.compile(program, libraries));
+        found.putAll(SourceCompiler.compile(program, sources, compiled, errors));
       }
     } else {
       throw DataFormatException.inFile(program, "no such jar or folder");
@@ -55,6 +67,14 @@ record ProgramClasses(Map<String, byte[]> bytes, List<URL> places, List<String> 
     String file = name.replace('.', '/') + ENDING;
     return name.startsWith("simbad.")
         && ProgramClasses.class.getClassLoader().getResource(file) != null;
+  }
+
+  private static boolean isOfSources(Path folder) throws IOException {
+    try (Stream<Path> files = Files.walk(folder)) {
+      List<String> names = files.map(Path::toString).toList();
+      return names.stream().noneMatch(name -> name.endsWith(ENDING))
+          && names.stream().anyMatch(name -> name.endsWith(".java"));
+    }
   }
 
   private static List<URL> places(Path program, List<Path> libraries)
@@ -72,7 +92,7 @@ record ProgramClasses(Map<String, byte[]> bytes, List<URL> places, List<String> 
       for (JarEntry entry : jar.stream().filter(e -> e.getName().endsWith(ENDING)).toList()) {
         found.put(name(entry.getName()), jar.getInputStream(entry).readAllBytes());
       }
-    } catch (java.util.zip.ZipException e) {
+    } catch (ZipException e) {
       throw DataFormatException.inFile(file, "is no jar");
     }
   }
@@ -82,7 +102,7 @@ record ProgramClasses(Map<String, byte[]> bytes, List<URL> places, List<String> 
       for (Path file : files.filter(path -> path.toString().endsWith(ENDING)).sorted().toList()) {
         byte[] bytes = Files.readAllBytes(file);
         // A project's folder of classes stands deeper than its packages say.
-        found.put(new org.objectweb.asm.ClassReader(bytes).getClassName().replace('/', '.'), bytes);
+        found.put(new ClassReader(bytes).getClassName().replace('/', '.'), bytes);
       }
     }
   }

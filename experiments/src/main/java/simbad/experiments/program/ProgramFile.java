@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import simbad.sonar.format.DataFormatException;
 
@@ -26,12 +27,13 @@ public final class ProgramFile {
    *
    * @param path a jar, a folder of classes or a folder of sources
    * @param libraries what it needs besides
+   * @param errors is told each error in sources
    * @throws DataFormatException if it is none of these, or its sources do not compile
    * @throws IOException if it cannot be read
    */
-  public static ProgramFile read(Path path, List<Path> libraries)
+  public static ProgramFile read(Path path, List<Path> libraries, Consumer<String> errors)
       throws DataFormatException, IOException {
-    return new ProgramFile(path, ProgramClasses.read(path, libraries));
+    return new ProgramFile(path, ProgramClasses.read(path, libraries, errors));
   }
 
   /** Returns what its user should know before it runs, a line each. */

@@ -16,6 +16,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -34,7 +35,6 @@ import simbad.sonar.format.DataFormatException;
 /** Compiles a folder of sources into memory, each file in the encoding that it is written in. */
 final class SourceCompiler {
   private static final String ENDING = ".java";
-  private static final int MOST_ERRORS = 10;
   private static final Pattern PACKAGE = Pattern.compile("(?m)^\\s*package\\s+([\\w.]+)\\s*;");
 
   private SourceCompiler() {}
@@ -42,16 +42,24 @@ final class SourceCompiler {
   /**
    * Compiles all sources below a folder, less those of classes that this Simbad has.
    *
+   * @param folder of the program
+   * @param more folders of sources that it needs
+   * @param libraries jars and folders of classes that it needs
+   * @param errors is told each error, by file and line
    * @return class files by the classes' names
-   * @throws DataFormatException with the errors, by file and line, if they do not compile
+   * @throws DataFormatException with the first error, if they do not compile
    */
-  static Map<String, byte[]> compile(Path folder, List<Path> libraries)
+  static Map<String, byte[]> compile(
+      Path folder, List<Path> more, List<Path> libraries, Consumer<String> errors)
       throws DataFormatException, IOException {
     JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
     if (compiler == null) {
       throw new IOException("sources need a JDK; this Java has no compiler");
     }
     List<Source> sources = sources(folder);
+    for (Path other : more) {
+      sources.addAll(sources(other));
+    }
     if (sources.isEmpty()) {
       throw DataFormatException.inFile(folder, "has neither classes nor Java sources");
     }
@@ -60,19 +68,18 @@ final class SourceCompiler {
     List<String> options =
         List.of("-nowarn", "-proc:none", "-g", "-cp", classPath(libraries), "-Xmaxerrs", "1000");
     if (!compiler.getTask(null, memory, said, options, null, sources).call()) {
-      throw DataFormatException.inFile(folder, "does not compile\n" + errors(said));
+      List<String> lines = errors(said);
+      lines.forEach(errors);
+      String first = lines.isEmpty() ? "" : ", the first: " + lines.get(0);
+      throw DataFormatException.inFile(
+          folder, "does not compile: " + lines.size() + " errors" + first);
     }
     return memory.bytes();
   }
 
-  private static String classPath(List<Path> libraries) throws IOException {
+  private static String classPath(List<Path> libraries) {
     List<String> entries = new ArrayList<>();
-    for (Path library : libraries) {
-      if (!Files.exists(library)) {
-        throw new IOException(library + ": there is no such jar or folder");
-      }
-      entries.add(library.toString());
-    }
+    libraries.forEach(library -> entries.add(library.toString()));
     entries.add(System.getProperty("surefire.test.class.path", ""));
     entries.add(System.getProperty("java.class.path"));
     return String.join(File.pathSeparator, entries);
@@ -113,16 +120,12 @@ final class SourceCompiler {
     throw new IllegalStateException("ISO-8859-1 decodes every byte");
   }
 
-  private static String errors(DiagnosticCollector<JavaFileObject> said) {
-    List<String> lines =
-        said.getDiagnostics().stream()
-            .filter(d -> d.getKind() == Diagnostic.Kind.ERROR)
-            .map(SourceCompiler::line)
-            .distinct()
-            .toList();
-    String shown = lines.stream().limit(MOST_ERRORS).collect(Collectors.joining("\n"));
-    int more = lines.size() - MOST_ERRORS;
-    return more > 0 ? shown + "\nand " + more + " more" : shown;
+  private static List<String> errors(DiagnosticCollector<JavaFileObject> said) {
+    return said.getDiagnostics().stream()
+        .filter(d -> d.getKind() == Diagnostic.Kind.ERROR)
+        .map(SourceCompiler::line)
+        .distinct()
+        .toList();
   }
 
   private static String line(Diagnostic<? extends JavaFileObject> error) {
