@@ -1,5 +1,6 @@
 package simbad.experiments.program;
 
+import com.sun.j3d.utils.geometry.Cylinder;
 import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
@@ -11,6 +12,7 @@ import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.CodeSource;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -21,6 +23,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import javax.media.j3d.Transform3D;
 import javax.tools.Diagnostic;
 import javax.tools.DiagnosticCollector;
 import javax.tools.FileObject;
@@ -30,6 +33,8 @@ import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
 import javax.tools.ToolProvider;
+import javax.vecmath.Vector3d;
+import simbad.sim.Agent;
 import simbad.sonar.format.DataFormatException;
 
 /** Compiles a folder of sources into memory, each file in the encoding that it is written in. */
@@ -80,7 +85,13 @@ final class SourceCompiler {
   private static String classPath(List<Path> libraries) {
     List<String> entries = new ArrayList<>();
     libraries.forEach(library -> entries.add(library.toString()));
-    entries.add(System.getProperty("surefire.test.class.path", ""));
+    // Where the classes are that programs ask for, however they were loaded.
+    for (Class<?> asked : List.of(Agent.class, Vector3d.class, Transform3D.class, Cylinder.class)) {
+      CodeSource source = asked.getProtectionDomain().getCodeSource();
+      if (source != null) {
+        entries.add(Path.of(URI.create(source.getLocation().toString())).toString());
+      }
+    }
     entries.add(System.getProperty("java.class.path"));
     return String.join(File.pathSeparator, entries);
   }
