@@ -249,7 +249,9 @@ public abstract class BaseObject {
     return false;
   }
 
-  /** Returns true if a habit is wanted in this object's world; notes that something depends on it. */
+  /**
+   * Returns true if a habit is wanted in this object's world; notes that something depends on it.
+   */
   boolean meets(Compatibility habit) {
     return world != null && world.meets(habit);
   }

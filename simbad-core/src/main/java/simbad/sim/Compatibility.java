@@ -100,8 +100,7 @@ public enum Compatibility {
       case "released-1.4" -> EnumSet.complementOf(EnumSet.of(LIGHT_SENSORS_SIT_NEARER));
       case "upstream" ->
           EnumSet.complementOf(EnumSet.of(LIGHT_SENSORS_SIT_NEARER, NO_ECHO_IS_INFINITE));
-      case "1.7" ->
-          EnumSet.complementOf(EnumSet.of(TRAVERSABLE_OBJECTS_STOP, NO_ECHO_IS_INFINITE));
+      case "1.7" -> EnumSet.complementOf(EnumSet.of(TRAVERSABLE_OBJECTS_STOP, NO_ECHO_IS_INFINITE));
       default ->
           Arrays.stream(values())
               .filter(value -> value.switchName().equals(name))

@@ -67,9 +67,7 @@ public class Line extends BlockWorldObject {
 
   @Override
   protected List<Facets> drawing() {
-    return super.drawing().stream()
-        .map(strip -> strip.movedBy(0, 0, length / 2))
-        .toList();
+    return super.drawing().stream().map(strip -> strip.movedBy(0, 0, length / 2)).toList();
   }
 
   @Override

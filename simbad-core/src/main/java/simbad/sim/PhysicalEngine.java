@@ -75,8 +75,7 @@ public class PhysicalEngine {
     // What lies on the floor has no speed upwards; of what falls, the original slowed that, too.
     double speedMPerS = velocity.length();
     double stopping = speedMPerS / elapsedSecond;
-    boolean stops =
-        brakingMPerS2 > stopping && !agent.meets(Compatibility.FRICTION_NEVER_STOPS);
+    boolean stops = brakingMPerS2 > stopping && !agent.meets(Compatibility.FRICTION_NEVER_STOPS);
     double share = (stops ? stopping : brakingMPerS2) / speedMPerS;
     agent.linearAcceleration.scaleAdd(-share, velocity, agent.linearAcceleration);
   }

@@ -116,8 +116,7 @@ public class RobotFactory extends Factory {
   }
 
   private static LightSensor addLightSensorAside(Agent agent, double angle, String label) {
-    boolean nearer =
-        Compatibility.fromProperty().contains(Compatibility.LIGHT_SENSORS_SIT_NEARER);
+    boolean nearer = Compatibility.fromProperty().contains(Compatibility.LIGHT_SENSORS_SIT_NEARER);
     Vector3d position = aside(agent.getRadius(), angle, nearer);
     LightSensor sensor = addLightSensor(agent, position, angle, "Light Sensor " + label);
     sensor.setAside(angle);

@@ -6,8 +6,8 @@ import simbad.kernel.scene.NearPairs;
 
 /**
  * The last word on a step under physics: who would end it deeper within another body than it begins
- * it stays where it is. So bodies that do not overlap never will, whatever impacts, walls and motors
- * have made of their displacements.
+ * it stays where it is. So bodies that do not overlap never will, whatever impacts, walls and
+ * motors have made of their displacements.
  *
  * <p>Who stays may be in the way of who counted on its going; so pairs are looked at until nobody
  * more has to stay, which ends at the latest when all do.

@@ -222,8 +222,7 @@ public class SimpleAgent extends BaseObject {
   protected void updatePosition() {
     boolean moves = !collided && instantTranslation.lengthSquared() != 0;
     boolean turns =
-        instantRotation.y != 0
-            && !(collided && meets(Compatibility.BLOCKED_ROBOTS_DO_NOT_TURN));
+        instantRotation.y != 0 && !(collided && meets(Compatibility.BLOCKED_ROBOTS_DO_NOT_TURN));
     positionChanged = moves || turns;
     if (moves) {
       placement().moveBy(instantTranslation.x, instantTranslation.y, instantTranslation.z);

@@ -1,6 +1,8 @@
 package simbad.sim;
 
-/** Is told of every simulator of a process and of all its steps; see {@link Simulator#setListener}. */
+/**
+ * Is told of every simulator of a process and of all its steps; see {@link Simulator#setListener}.
+ */
 public interface StepListener {
   /**
    * A simulator was made; its agents stand at their start.

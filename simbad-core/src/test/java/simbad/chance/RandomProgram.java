@@ -108,8 +108,7 @@ record RandomProgram(List<Thing> things, boolean physics, int resetEvery, int st
   }
 
   boolean hasMotors() {
-    return things.stream()
-        .anyMatch(t -> t.moves() && t.kind != Kind.BALL && t.kind != Kind.CHERRY);
+    return things.stream().anyMatch(t -> t.moves() && t.kind != Kind.BALL && t.kind != Kind.CHERRY);
   }
 
   /** Runs it with some switches. */

@@ -87,8 +87,7 @@ class RandomProgramsTest {
     forAll(
         program -> {
           double[] deepest = {0};
-          program.run(
-              NONE, (step, agents) -> deepest[0] = Math.max(deepest[0], depth(agents)));
+          program.run(NONE, (step, agents) -> deepest[0] = Math.max(deepest[0], depth(agents)));
           return deepest[0] < DEEPEST_M;
         });
   }

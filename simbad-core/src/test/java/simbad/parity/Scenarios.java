@@ -182,7 +182,8 @@ final class Scenarios {
               new Driver(new Vector3d(-2, 0, 0), "r") {
                 @Override
                 void drive(int n) {
-                  if (anOtherAgentIsVeryNear() && getVeryNearAgent() instanceof CherryAgent cherry) {
+                  if (anOtherAgentIsVeryNear()
+                      && getVeryNearAgent() instanceof CherryAgent cherry) {
                     cherry.detach();
                   }
                   vel(0.5, 0);

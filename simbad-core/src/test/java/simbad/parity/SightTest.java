@@ -127,8 +127,7 @@ class SightTest {
   void camera_isAsBright() throws IOException {
     Scenario scenario = new Scenario();
     scenario.box(3, 0, 0, 1, 1, 1);
-    scenario.add(
-        new Box(new Vector3d(0, 0, -3), new Vector3f(1, 2, 1), scenario, scenario.green));
+    scenario.add(new Box(new Vector3d(0, 0, -3), new Vector3f(1, 2, 1), scenario, scenario.green));
     scenario.add(new Wall(new Vector3d(0, 0, 4), 6, 1, scenario));
     Driver robot = scenario.addAgent(turning(0, Math.PI / 6, 240, 0, 0));
     CameraSensor camera = RobotFactory.addCameraSensor(robot);
@@ -143,8 +142,7 @@ class SightTest {
           }
           return new double[] {sum / matrix.getArray().length};
         };
-    double off =
-        off("07-camera.csv", Pattern.compile("mean=([0-9.]+)"), scenario, sight);
+    double off = off("07-camera.csv", Pattern.compile("mean=([0-9.]+)"), scenario, sight);
     assertTrue(off < 0.02, "off by " + off);
   }
 }

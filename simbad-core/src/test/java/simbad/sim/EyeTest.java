@@ -210,7 +210,9 @@ class EyeTest {
     assertEquals(0.299 * red / 255, sensor.getAverageLuminance(), EPS);
   }
 
-  /** The mean over the lamps that are on, whatever is in between, at the height of the sensor alone. */
+  /**
+   * The mean over the lamps that are on, whatever is in between, at the height of the sensor alone.
+   */
   @Test
   void lux_isTheLampsByTheirDistanceSquared() {
     environment.light1SetPosition(0, 0.5, -4);

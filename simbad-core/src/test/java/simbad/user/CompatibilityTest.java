@@ -210,7 +210,8 @@ class CompatibilityTest {
   void resets_letSensorsSenseAtOnce_andTheSameEachTime() {
     assertEquals(List.of(1, 14, 1, 14), updatesInTwoEpisodes());
     environment.compatibility.add(Compatibility.RESETS_KEEP_THE_PHASE);
-    // After 15 steps 0.75 s less two thirds are left, so that the second update comes 2 steps sooner.
+    // After 15 steps 0.75 s less two thirds are left, so that the second update comes 2 steps
+    // sooner.
     assertEquals(List.of(1, 14, 1, 12), updatesInTwoEpisodes());
   }
 

@@ -101,8 +101,9 @@ final class ProgramCommand extends Subcommand {
 
   @Option(
       names = "--window",
-      description = "In the window, for as long as it is open; no other option but --compat,"
-          + " --seed, --main and --class-path counts.")
+      description =
+          "In the window, for as long as it is open; no other option but --compat,"
+              + " --seed, --main and --class-path counts.")
   private boolean window;
 
   private @Nullable Path trace;
@@ -201,7 +202,8 @@ final class ProgramCommand extends Subcommand {
             touched.isEmpty()
                 ? "no compatibility switch would have changed anything"
                 : touched.stream()
-                    .collect(Collectors.joining(", ", "depended on: ", "; see docs/compatibility.md")));
+                    .collect(
+                        Collectors.joining(", ", "depended on: ", "; see docs/compatibility.md")));
   }
 
   private void compare(RunPlan plan, ProgramRun run) throws ProgramException {

@@ -91,11 +91,11 @@ final class ClassRewriter {
         int opcode, String owner, String name, String descriptor, boolean isInterface) {
       if (opcode == Opcodes.INVOKESTATIC && STATIC.containsKey(owner + "." + name + descriptor)) {
         super.visitMethodInsn(opcode, STAND_INS, name, descriptor, false);
-      } else if (opcode == Opcodes.INVOKESPECIAL
-          && owner.equals(RANDOM)
-          && name.equals("<init>")) {
+      } else if (opcode == Opcodes.INVOKESPECIAL && owner.equals(RANDOM) && name.equals("<init>")) {
         super.visitMethodInsn(opcode, CHANCE, name, descriptor, false);
-      } else if (headless && opcode == Opcodes.INVOKEVIRTUAL && isOfWindow(owner, name, descriptor)) {
+      } else if (headless
+          && opcode == Opcodes.INVOKEVIRTUAL
+          && isOfWindow(owner, name, descriptor)) {
         leaveOut(descriptor);
       } else {
         super.visitMethodInsn(opcode, owner, name, descriptor, isInterface);

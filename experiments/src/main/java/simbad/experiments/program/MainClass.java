@@ -73,7 +73,10 @@ public record MainClass(List<String> mains, List<String> environments) {
       boolean isStatic = (access & Opcodes.ACC_STATIC) != 0;
       boolean isPublic = (access & Opcodes.ACC_PUBLIC) != 0;
       hasMain |=
-          isStatic && isPublic && name.equals("main") && descriptor.equals("([Ljava/lang/String;)V");
+          isStatic
+              && isPublic
+              && name.equals("main")
+              && descriptor.equals("([Ljava/lang/String;)V");
       hasConstructor |= !isAbstract && name.equals("<init>") && descriptor.equals("()V");
       return null;
     }

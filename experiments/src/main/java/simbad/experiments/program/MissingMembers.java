@@ -33,7 +33,9 @@ final class MissingMembers {
 
   private MissingMembers() {}
 
-  /** Returns a line for each place: file, line, and what is missing there; in the order of names. */
+  /**
+   * Returns a line for each place: file, line, and what is missing there; in the order of names.
+   */
   static List<String> of(ProgramClasses classes) {
     MissingMembers found = new MissingMembers();
     classes.bytes().values().forEach(bytes -> found.visit(bytes, false));
@@ -168,8 +170,7 @@ final class MissingMembers {
   private static boolean hasMethod(Class<?> owner, String name, String descriptor) {
     for (Class<?> c = owner; c != null; c = c.getSuperclass()) {
       for (Method method : c.getDeclaredMethods()) {
-        if (method.getName().equals(name)
-            && Type.getMethodDescriptor(method).equals(descriptor)) {
+        if (method.getName().equals(name) && Type.getMethodDescriptor(method).equals(descriptor)) {
           return true;
         }
       }

@@ -58,8 +58,7 @@ public final class PoseTrace {
 
   /** Returns the trace as a table. */
   public String csv() {
-    StringBuilder text =
-        new StringBuilder("world,step,agent,x_m,y_m,z_m,heading_rad,collision\n");
+    StringBuilder text = new StringBuilder("world,step,agent,x_m,y_m,z_m,heading_rad,collision\n");
     for (Row row : rows) {
       String agent = row.agent.replaceAll("[,\"\\r\\n]", " ");
       text.append(

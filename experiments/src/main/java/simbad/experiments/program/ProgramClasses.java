@@ -77,8 +77,7 @@ record ProgramClasses(Map<String, byte[]> bytes, List<URL> places, List<String> 
     }
   }
 
-  private static List<URL> places(Path program, List<Path> libraries)
-      throws MalformedURLException {
+  private static List<URL> places(Path program, List<Path> libraries) throws MalformedURLException {
     List<URL> places = new ArrayList<>(List.of(program.toUri().toURL()));
     for (Path library : libraries) {
       places.add(library.toUri().toURL());

@@ -65,7 +65,8 @@ public final class ProgramRun implements StepListener {
       System.setProperty(Compatibility.PROPERTY, before);
     }
     if (run.numbers.isEmpty()) {
-      throw new ProgramException(plan.mainClass() + " makes no world: no Simbad, no Simbatch", null);
+      throw new ProgramException(
+          plan.mainClass() + " makes no world: no Simbad, no Simbatch", null);
     }
     run.numbers.keySet().forEach(simulator -> run.touched.addAll(simulator.getWorld().touched()));
     return run;

@@ -12,7 +12,9 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Programs as people have them: sources in a package, in another encoding, that open the window. */
+/**
+ * Programs as people have them: sources in a package, in another encoding, that open the window.
+ */
 class ProgramCommandTest {
   private static final String WANDERER = "../data/programs/wanderer";
   private static final String DICE = "../data/programs/dice";
@@ -103,7 +105,13 @@ class ProgramCommandTest {
     Shell shell =
         checkDone(
             Shell.simbad(
-                "program", sources.toString(), "Emil", "--steps", "20", "--trace", trace.toString()));
+                "program",
+                sources.toString(),
+                "Emil",
+                "--steps",
+                "20",
+                "--trace",
+                trace.toString()));
     assertTrue(shell.out().contains("no compatibility switch"), shell.out());
     List<String> rows = Files.readAllLines(trace);
     assertEquals("1,20,Emil,1.000000000,0.250000000,0.000000000,0.000000000,0", rows.get(21));
@@ -146,7 +154,8 @@ class ProgramCommandTest {
   @Test
   void wrongUsage_isRefused() {
     checkRefused("no such jar or folder", 2, Shell.simbad("program", "not-there"));
-    checkRefused("no such jar or folder", 2, Shell.simbad("program", WANDERER, "--class-path", "x"));
+    checkRefused(
+        "no such jar or folder", 2, Shell.simbad("program", WANDERER, "--class-path", "x"));
     checkRefused("--picture: 'each:1'", 2, wanderer("--picture", "each:1"));
     checkRefused("--compat: simbad.compat = 1.3", 2, wanderer("--compat", "1.3"));
     checkRefused("--steps: 0", 2, Shell.simbad("program", WANDERER, "--steps", "0"));

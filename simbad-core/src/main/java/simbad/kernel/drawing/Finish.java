@@ -16,7 +16,9 @@ public record Finish(Rgb colour, Rgb ambient, boolean lit) {
     return new Finish(colour, GRAY, true);
   }
 
-  /** Returns this surface with another answer to the light from everywhere: a share of its colour. */
+  /**
+   * Returns this surface with another answer to the light from everywhere: a share of its colour.
+   */
   public Finish reflecting(float share) {
     Rgb some = new Rgb(share * colour.red(), share * colour.green(), share * colour.blue());
     return new Finish(colour, some, lit);

@@ -10,10 +10,11 @@ import java.util.List;
  * min(1, R A + C sum over the lamps of L max(0, n.d) / {@value #ATTENUATION})
  * </pre>
  *
- * <p>with R the surface's ambient reflectance, A the ambient light, L a lamp's colour, n the vertex' normal and d the direction to the
- * lamp; between vertices it is interpolated. This is the fixed pipeline of OpenGL 1.x, which Java
- * 3D uses, with a material of ambient reflectance R, diffuse reflectance C, no specular reflectance, and lamps of constant attenuation {@value #ATTENUATION}.
- * Nothing casts a shadow.
+ * <p>with R the surface's ambient reflectance, A the ambient light, L a lamp's colour, n the
+ * vertex' normal and d the direction to the lamp; between vertices it is interpolated. This is the
+ * fixed pipeline of OpenGL 1.x, which Java 3D uses, with a material of ambient reflectance R,
+ * diffuse reflectance C, no specular reflectance, and lamps of constant attenuation {@value
+ * #ATTENUATION}. Nothing casts a shadow.
  *
  * @param ambient light from everywhere
  * @param lamps the lamps that are on; copied
