@@ -5,10 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -160,5 +162,58 @@ class ProgramCommandTest {
     checkRefused("--compat: simbad.compat = 1.3", 2, wanderer("--compat", "1.3"));
     checkRefused("--steps: 0", 2, Shell.simbad("program", WANDERER, "--steps", "0"));
     checkRefused("has no class Other", 2, wanderer("--main", "Other"));
+  }
+
+  /** Classes that were compiled against an edited Simbad, which stands beside them. */
+  @Test
+  void membersOfAnEditedSimbad_areListed_withFileAndLine() throws IOException {
+    Path agent = Files.createDirectories(folder.resolve("edited/simbad/sim")).resolve("Agent.java");
+    Files.writeString(
+        agent,
+        """
+        package simbad.sim;
+        public class Agent extends SimpleAgent {
+          public Agent(javax.vecmath.Vector3d p, String n) { super(p, n); }
+          public void setMyPose(double x) {}
+        }
+        """);
+    Path program =
+        program(
+                "Asking",
+                """
+                public class Asking extends simbad.sim.EnvironmentDescription {
+                  public Asking() {
+                    add(new simbad.sim.Agent(new javax.vecmath.Vector3d(), "r") {
+                      public void performBehavior() {
+                        if (getCounter() > 5000) {
+                          setMyPose(3);
+                        }
+                      }
+                    });
+                  }
+                }
+                """)
+            .resolve("Asking.java");
+    Path classes = Files.createDirectories(folder.resolve("classes"));
+    String classPath =
+        System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"));
+    int status =
+        ToolProvider.getSystemJavaCompiler()
+            .run(
+                null,
+                OutputStream.nullOutputStream(),
+                OutputStream.nullOutputStream(),
+                "-g",
+                "-d",
+                classes.toString(),
+                "-cp",
+                classPath,
+                agent.toString(),
+                program.toString());
+    assertEquals(0, status);
+    String said = checkDone(Shell.simbad("program", classes.toString(), "--steps", "3")).out();
+    assertTrue(said.contains("passed over: 1 classes of a Simbad of its own"), said);
+    assertTrue(said.contains("not there: Asking.java:6: simbad.sim.Agent.setMyPose(double)"), said);
+    assertTrue(said.contains("3 steps, 1 world, 1 agents"), said);
   }
 }
