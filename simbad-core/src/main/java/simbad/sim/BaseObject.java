@@ -196,6 +196,12 @@ public abstract class BaseObject {
     return placement.headingRad();
   }
 
+  /** Turns the object on the spot to a heading in radians, 0 along +x, pi/2 along -z. */
+  public void setHeadingRad(double headingRad) {
+    placement.resetTurn();
+    rotateY(headingRad);
+  }
+
   /** Puts the object and its parts into a world. */
   protected void setWorld(World newWorld) {
     world = newWorld;

@@ -21,6 +21,9 @@ public class PhysicalEngine {
   /** Acceleration of a falling body, metres per second squared. */
   protected static final float g = 9.8f;
 
+  /** Room for the rounding of a floating-point height. */
+  private static final double ON_GROUND_M = 1e-6;
+
   private final NearPairs pairs = new NearPairs();
   private final NearPairs.Receiver receiver = this::near;
   private final AgentImpact impact = new AgentImpact(this);
@@ -55,7 +58,7 @@ public class PhysicalEngine {
       agent.linearAcceleration.y = -g * weight;
     }
     if (slides(agent) && !(falls && !agent.meets(Compatibility.FRICTION_IN_THE_AIR))) {
-      slow(agent, g * weight * agent.frictionCoefficient(), elapsedSecond);
+      slow(agent, g * weight * friction(agent), elapsedSecond);
     }
   }
 
@@ -64,10 +67,28 @@ public class PhysicalEngine {
     return tells && agent.meets(Compatibility.GRAVITY_GROWS_WITH_MASS) ? agent.getMass() : 1;
   }
 
+  /** The dynamic coefficient, or the static one where that is 0. */
+  private static double friction(SimpleAgent agent) {
+    return agent.dynamicFrictionCoefficient > 0
+        ? agent.dynamicFrictionCoefficient
+        : agent.staticFrictionCoefficient;
+  }
+
+  /** Ends a step's way down at the floor, and lifts what is below it. */
+  private static void land(SimpleAgent agent) {
+    double above = agent.distanceToGround();
+    boolean sinks = agent.instantTranslation.y < 0 || above < -ON_GROUND_M;
+    if (sinks && above + agent.instantTranslation.y < 0) {
+      agent.instantTranslation.y = -above;
+      agent.linearVelocity.y = 0;
+      agent.linearAcceleration.y = 0;
+    }
+  }
+
   private static boolean slides(SimpleAgent agent) {
     Vector3d velocity = agent.linearVelocity;
     boolean moves = velocity.lengthSquared() > 0;
-    return moves && !agent.hasMotors() && agent.frictionCoefficient() > 0;
+    return moves && !agent.hasMotors() && friction(agent) > 0;
   }
 
   private static void slow(SimpleAgent agent, double brakingMPerS2, double elapsedSecond) {
@@ -88,7 +109,7 @@ public class PhysicalEngine {
   /** Lets agents that would sink below the floor in this step come down on it. */
   void land(List<SimpleAgent> all) {
     for (int i = 0; i < all.size(); i++) {
-      all.get(i).land();
+      land(all.get(i));
     }
   }
 

@@ -2,6 +2,7 @@ package simbad.sim;
 
 import java.util.Arrays;
 import java.util.List;
+import javax.vecmath.Vector3d;
 import simbad.kernel.scene.NearPairs;
 
 /**
@@ -42,7 +43,7 @@ final class Settling {
   private void keep(int lower, int higher) {
     SimpleAgent one = agents.get(lower);
     SimpleAgent other = agents.get(higher);
-    if (one.meetsBodily(other)) {
+    if (AgentPair.meetBodily(one, other)) {
       if (count + 2 > kept.length) {
         kept = Arrays.copyOf(kept, 2 * kept.length);
       }
@@ -55,8 +56,27 @@ final class Settling {
     if (!AgentPair.sinks(one, other) || one.meets(Compatibility.IMPACTS_LEAVE_OVERLAPS)) {
       return false;
     }
-    boolean stays = AgentPair.approaches(one, other) && one.stay(elapsedSecond);
-    stays |= AgentPair.approaches(other, one) && other.stay(elapsedSecond);
+    boolean stays = AgentPair.approaches(one, other) && stay(one, elapsedSecond);
+    stays |= AgentPair.approaches(other, one) && stay(other, elapsedSecond);
     return stays;
+  }
+
+  /**
+   * Lets an agent stay where it is in this step; what it falls or rolls with is as at its start.
+   *
+   * @return false if it does not move anyway
+   */
+  private static boolean stay(SimpleAgent agent, double elapsedSecond) {
+    if (agent.isStopped() || agent.instantTranslation.lengthSquared() == 0) {
+      return false;
+    }
+    if (agent.hasMotors()) {
+      agent.setStopped();
+    } else {
+      Vector3d velocity = agent.linearVelocity;
+      velocity.scaleAdd(-elapsedSecond, agent.linearAcceleration, velocity);
+      agent.instantTranslation.set(0, 0, 0);
+    }
+    return true;
   }
 }

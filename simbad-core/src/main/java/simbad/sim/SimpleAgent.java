@@ -154,7 +154,8 @@ public class SimpleAgent extends BaseObject {
 
   /** Returns to the start position, heading along +x. */
   protected void resetPosition() {
-    stop();
+    linearVelocity.set(0, 0, 0);
+    angularVelocity.set(0, 0, 0);
     v1.set(startPosition);
     v1.y += height / 2;
     resetPositionAt(v1);
@@ -166,12 +167,6 @@ public class SimpleAgent extends BaseObject {
     placement().resetTurn();
     collided = false;
     placementChanged();
-  }
-
-  /** Takes away the speed that physics gave. */
-  private void stop() {
-    linearVelocity.set(0, 0, 0);
-    angularVelocity.set(0, 0, 0);
   }
 
   /** Resets every device. */
@@ -281,22 +276,6 @@ public class SimpleAgent extends BaseObject {
     return simulator != null && simulator.getUsePhysics();
   }
 
-  /** Returns the coefficient of friction on the floor. */
-  double frictionCoefficient() {
-    return dynamicFrictionCoefficient > 0 ? dynamicFrictionCoefficient : staticFrictionCoefficient;
-  }
-
-  /** Ends this step's way down at the floor, and lifts what is below it. */
-  void land() {
-    double above = distanceToGround();
-    boolean sinks = instantTranslation.y < 0 || above < -ON_GROUND_M;
-    if (sinks && above + instantTranslation.y < 0) {
-      instantTranslation.y = -above;
-      linearVelocity.y = 0;
-      linearAcceleration.y = 0;
-    }
-  }
-
   /** Says whether the agent has pushed something or bounced in this step. */
   void setInteracted(boolean newInteracted) {
     interacted = newInteracted;
@@ -320,41 +299,14 @@ public class SimpleAgent extends BaseObject {
     return placement().zM() + instantTranslation.z;
   }
 
-  /** Returns the displacement that this step brings, x, then y and z: none for who is stopped. */
-  double wayX() {
-    return collided ? 0 : instantTranslation.x;
+  /** Returns true if the agent does not move in this step, because something is in its way. */
+  boolean isStopped() {
+    return collided;
   }
 
-  double wayY() {
-    return collided ? 0 : instantTranslation.y;
-  }
-
-  double wayZ() {
-    return collided ? 0 : instantTranslation.z;
-  }
-
-  /** Returns true if neither agent may pass the other. */
-  boolean meetsBodily(SimpleAgent other) {
-    boolean solid = !getCanBeTraversed() && !other.getCanBeTraversed();
-    return solid && !detachedFromSceneGraph && !other.detachedFromSceneGraph;
-  }
-
-  /**
-   * Stays where it is in this step; what it falls or rolls with is as at the step's start.
-   *
-   * @return false if it does not move anyway
-   */
-  boolean stay(double elapsedSecond) {
-    if (wayX() == 0 && wayY() == 0 && wayZ() == 0) {
-      return false;
-    }
-    if (hasMotors()) {
-      collided = true;
-    } else {
-      linearVelocity.scaleAdd(-elapsedSecond, linearAcceleration, linearVelocity);
-      instantTranslation.set(0, 0, 0);
-    }
-    return true;
+  /** Says that a body is in the agent's way. */
+  void setStopped() {
+    collided = true;
   }
 
   /** Counts a step. */
@@ -409,21 +361,9 @@ public class SimpleAgent extends BaseObject {
     resetPositionAt(v1);
   }
 
-  /**
-   * Puts the agent's middle above a point of the floor, with a heading; height and velocities stay.
-   *
-   * @param x metres
-   * @param z metres
-   * @param headingRad radians, 0 along +x, pi/2 along -z
-   */
+  /** Puts the middle above a point in metres and heads there, radians; height, velocities stay. */
   public void setPose(double x, double z, double headingRad) {
     moveToPosition(x, z);
-    rotateY(headingRad);
-  }
-
-  /** Turns the agent on the spot to a heading in radians, 0 along +x, pi/2 along -z. */
-  public void setHeadingRad(double headingRad) {
-    placement().resetTurn();
     rotateY(headingRad);
   }
 
@@ -539,15 +479,6 @@ public class SimpleAgent extends BaseObject {
   /** Forgets that another agent was near. */
   protected void clearVeryNear() {
     veryNearAgent = null;
-  }
-
-  /** Returns true if a habit of the original keeps the agent that was near in this step, too. */
-  boolean staysNear(boolean isLast) {
-    return isLast
-        && veryNearAgent != null
-        && !positionChanged
-        && !detachedFromSceneGraph
-        && meets(Compatibility.NEARNESS_IS_ONE_SIDED);
   }
 
   /** Notes that another agent's sphere touches this one's; of several, the last counts. */

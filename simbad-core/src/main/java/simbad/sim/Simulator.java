@@ -159,6 +159,15 @@ public class Simulator {
     }
   }
 
+  /** Returns true if a habit of the original keeps the agent that was near in this step, too. */
+  private static boolean staysNear(SimpleAgent agent, boolean isLast) {
+    return isLast
+        && agent.anOtherAgentIsVeryNear()
+        && !agent.positionChanged
+        && !agent.detachedFromSceneGraph
+        && agent.meets(Compatibility.NEARNESS_IS_ONE_SIDED);
+  }
+
   private void step(double elapsedSecond) {
     for (int i = 0; i < agents.size(); i++) {
       SimpleAgent agent = agents.get(i);
@@ -172,7 +181,7 @@ public class Simulator {
     }
     for (int i = 0; i < agents.size(); i++) {
       SimpleAgent agent = agents.get(i);
-      if (!agent.staysNear(i == agents.size() - 1)) {
+      if (!staysNear(agent, i == agents.size() - 1)) {
         agent.clearVeryNear();
       }
       agent.setMotorsAcceleration(elapsedSecond);
