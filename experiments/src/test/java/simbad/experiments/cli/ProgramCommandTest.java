@@ -21,7 +21,9 @@ class ProgramCommandTest {
   private static final String WANDERER = "../data/programs/wanderer";
   private static final String DICE = "../data/programs/dice";
 
-  @TempDir private Path folder;
+  @TempDir
+  @SuppressWarnings("NullAway.Init")
+  private Path folder;
 
   private Shell wanderer(String... more) {
     return Shell.simbad(
