@@ -62,7 +62,10 @@ final class Complaints {
     }
     // The raw arguments, because a line that does not parse can be traced as well.
     CommandLine.ParseResult parsed = root.getParseResult();
-    boolean asked = parsed != null && parsed.originalArgs().contains(TRACE_OPTION);
+    List<String> words = parsed == null ? List.of() : parsed.originalArgs();
+    // Of this command it is another option, with a file.
+    boolean takesFile = !words.isEmpty() && words.get(0).equals("program");
+    boolean asked = !takesFile && words.contains(TRACE_OPTION);
     return asked || isSet(System.getenv(), "SIMBAD_TRACE");
   }
 

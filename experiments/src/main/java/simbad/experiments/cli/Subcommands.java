@@ -12,6 +12,7 @@ final class Subcommands {
         new RunCommand(),
         new ViewCommand(),
         new DemoCommand(),
+        new ProgramCommand(),
         new TableCommand(),
         new BenchCommand(),
         new SensorCommand(),
