@@ -15,6 +15,7 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import simbad.obstacles.Catalogue;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
@@ -46,7 +47,7 @@ class EffectsPageTest {
         new SensingSetup(
             Catalogue.srf04(), new Scene(List.of(uniform("one", 0), uniform("two", 2))), 6);
     Map<String, Set<String>> all = new TreeMap<>();
-    for (Effect effect : Effect.values()) {
+    for (Effect effect : Definitions.effects()) {
       all.put(effect.word(), new TreeSet<>());
     }
     for (Form form : Forms.all(setup, List.of("left", "right"))) {
