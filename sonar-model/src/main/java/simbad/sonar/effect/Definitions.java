@@ -1,6 +1,7 @@
 package simbad.sonar.effect;
 
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -9,30 +10,32 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
 /** The definitions of all effects: those of this program, and those of the jars beside it. */
 public final class Definitions {
+  /** Loaded once: a definition has no state, and all threads shall see the same ones. */
+  private static volatile List<Definition> all = List.of();
+
   private Definitions() {}
 
-  /** Loads once: a definition has no state, and all threads shall see the same ones. */
-  private static final class Loaded {
-    private static final List<Definition> ALL = load();
-
-    private static List<Definition> load() {
-      // Threads may have a class loader of their own that knows a jar, or one that knows nothing.
+  private static synchronized List<Definition> loaded() {
+    if (all.isEmpty()) {
+      // A thread may have a class loader of its own that knows a jar, or one that knows nothing.
       Stream<Definition> own = of(Definitions.class.getClassLoader());
       Stream<Definition> others = of(Thread.currentThread().getContextClassLoader());
       Set<Effect> seen = new HashSet<>();
-      return Stream.concat(own, others)
-          .filter(definition -> seen.add(definition.effect()))
-          .sorted((one, other) -> one.effect().compareTo(other.effect()))
-          .toList();
+      all =
+          Stream.concat(own, others)
+              .filter(definition -> seen.add(definition.effect()))
+              .sorted(Comparator.comparing(Definition::effect))
+              .toList();
     }
+    return all;
+  }
 
-    private static Stream<Definition> of(ClassLoader loader) {
-      return ServiceLoader.load(Definition.class, loader).stream()
-          .map(ServiceLoader.Provider::get);
-    }
+  private static Stream<Definition> of(@Nullable ClassLoader loader) {
+    return ServiceLoader.load(Definition.class, loader).stream().map(ServiceLoader.Provider::get);
   }
 
   /**
@@ -42,7 +45,8 @@ public final class Definitions {
    * @throws java.util.ServiceConfigurationError if a jar names a definition that it does not hold
    */
   public static List<Definition> all() {
-    return Loaded.ALL;
+    List<Definition> known = all;
+    return known.isEmpty() ? loaded() : known;
   }
 
   /** Returns the effects that are defined, in the same order. */
