@@ -1,6 +1,7 @@
 package simbad.experiments.site;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -29,16 +30,26 @@ import simbad.sonar.scene.UniformDetection;
 class EffectsPageTest {
   private static final Path PAGE = Path.of("..", "docs", "method", "sonar-model.md");
   private static final Pattern ROW =
-      Pattern.compile("(?m)^\\| ([a-z-]+) \\| [^|]+ \\| (`[^|]*`) \\|$");
+      Pattern.compile("(?m)^\\| ([a-z-]+) \\| ([^|]+) \\| (`[^|]*`) \\|$");
 
   @Test
   void table_hasEveryEffect_withItsForms() throws IOException {
     Map<String, Set<String>> shown = new TreeMap<>();
     for (MatchResult row : ROW.matcher(Files.readString(PAGE)).results().toList()) {
-      List<String> forms = Arrays.stream(row.group(2).split("`(, `)?")).skip(1).toList();
+      List<String> forms = Arrays.stream(row.group(3).split("`(, `)?")).skip(1).toList();
       shown.put(row.group(1), new TreeSet<>(forms));
     }
     assertEquals(formsOfTheProgram(), shown);
+  }
+
+  /** The sentence of the definition, and perhaps how the forms differ. */
+  @Test
+  void table_saysWhatHappens_asTheDefinitionDoes() throws IOException {
+    for (MatchResult row : ROW.matcher(Files.readString(PAGE)).results().toList()) {
+      String happens =
+          Definitions.of(Effect.find(row.group(1)).orElseThrow()).happens();
+      assertTrue(row.group(2).startsWith(happens), row.group(1) + ": " + happens);
+    }
   }
 
   /** Of two obstacles and two transducers, since some forms are of one among several. */
