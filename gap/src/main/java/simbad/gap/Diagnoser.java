@@ -154,7 +154,8 @@ public final class Diagnoser {
     double least = Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size());
     double worth = least * calibration.clumping() * (data.reference().isEmpty() ? 1 : OFF);
     // In one block nothing is left to test on what is fitted: too few rows to name anything.
-    Set<Effect> excluded = new Blocks(log).canBeHeldOut() ? withheld : Set.copyOf(Definitions.effects());
+    Set<Effect> excluded =
+        new Blocks(log).canBeHeldOut() ? withheld : Set.copyOf(Definitions.effects());
     return Inquiry.of(evidence, calibration, worth, new Search(evidence, excluded, worth));
   }
 

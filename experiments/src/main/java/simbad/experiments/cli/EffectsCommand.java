@@ -109,10 +109,7 @@ final class EffectsCommand extends Subcommand {
     ObstacleType square = Catalogue.find("square").orElseThrow();
     Obstacle obstacle =
         new Obstacle(
-            "obstacle",
-            new Placement(0, 0, 0),
-            square.outline(),
-            new UniformDetection(UNIFORM_M));
+            "obstacle", new Placement(0, 0, 0), square.outline(), new UniformDetection(UNIFORM_M));
     return new SensingSetup(sensor, new Scene(List.of(obstacle)), sensor.maxRangeM());
   }
 }

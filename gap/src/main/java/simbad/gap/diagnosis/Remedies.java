@@ -19,8 +19,7 @@ public final class Remedies {
   public static String of(EffectFinding finding, SonarSpec sensor) {
     Map<String, Double> values =
         finding.parameters().stream()
-            .collect(
-                Collectors.toMap(FittedParameter::name, FittedParameter::value, (a, b) -> a));
+            .collect(Collectors.toMap(FittedParameter::name, FittedParameter::value, (a, b) -> a));
     return Definitions.of(finding.effect()).remedy(new FittedValues(values, sensor));
   }
 }

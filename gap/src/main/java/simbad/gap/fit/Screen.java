@@ -54,9 +54,7 @@ public final class Screen {
     Map<Effect, List<Form>> byEffect =
         forms.stream()
             .filter(form -> !base.hypothesis().has(form.effect()))
-            .collect(
-                Collectors.groupingBy(
-                    Form::effect, TreeMap::new, Collectors.toList()));
+            .collect(Collectors.groupingBy(Form::effect, TreeMap::new, Collectors.toList()));
     Map<Effect, List<Fit>> rough = new TreeMap<>();
     byEffect.entrySet().parallelStream()
         .map(entry -> Map.entry(entry.getKey(), bestOf(entry.getValue())))

@@ -34,8 +34,8 @@ final class TableSearch {
   private final double uniformM;
 
   /**
-   * The tables of some obstacles by their indices, one behind the other. Of several, each is
-   * read off what the others leave, once with what is believed of them and once with theirs.
+   * The tables of some obstacles by their indices, one behind the other. Of several, each is read
+   * off what the others leave, once with what is believed of them and once with theirs.
    */
   static double[] tables(LogClues clues, int... obstacles) {
     Map<Integer, double[]> found = new TreeMap<>();

@@ -53,7 +53,8 @@ record Showing(Probe probe) {
     for (int i = 1; i <= WIDENINGS; i++) {
       double size = i == WIDENINGS ? most() : probe.practical() * Math.pow(ratio, i);
       if (shows(size, fall, nats)) {
-        return OptionalDouble.of(between(probe.practical() * Math.pow(ratio, i - 1), size, fall, nats));
+        return OptionalDouble.of(
+            between(probe.practical() * Math.pow(ratio, i - 1), size, fall, nats));
       }
     }
     return OptionalDouble.empty();

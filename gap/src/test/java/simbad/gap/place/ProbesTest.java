@@ -27,12 +27,13 @@ class ProbesTest {
   /** The values that a probe tries at its practical size. */
   private static List<Double> tried(Probe probe) {
     List<Double> values = new ArrayList<>();
-    new Showing(probe).showsInPractice(
-        added -> {
-          values.add(added.values()[probe.index()]);
-          return 0;
-        },
-        1);
+    new Showing(probe)
+        .showsInPractice(
+            added -> {
+              values.add(added.values()[probe.index()]);
+              return 0;
+            },
+            1);
     return values;
   }
 
@@ -50,8 +51,7 @@ class ProbesTest {
   /** 3 m/s more or less; half a metre for a time-out that was none. */
   @Test
   void size_isADepartureEitherWay_orTheValueWhereNeutralIsInfinite() {
-    assertEquals(
-        List.of(346.0, 340.0), tried(probe(Effect.SOUND_SPEED)));
+    assertEquals(List.of(346.0, 340.0), tried(probe(Effect.SOUND_SPEED)));
     // Three quarters of the threshold of 1.5 m.
     assertEquals(List.of(1.125), tried(probe(Effect.EARLY_TIMEOUT)));
   }
@@ -62,13 +62,14 @@ class ProbesTest {
     Probe probe = probe(Effect.ORIENTATION_SHADOW);
     assertEquals(List.of(0.1), tried(probe));
     List<ThresholdTable> tables = new ArrayList<>();
-    new Showing(probe).showsInPractice(
-        added -> {
-          OrientationShadow shadow = (OrientationShadow) added.changes().get(0);
-          tables.add(shadow.table());
-          return 0;
-        },
-        1);
+    new Showing(probe)
+        .showsInPractice(
+            added -> {
+              OrientationShadow shadow = (OrientationShadow) added.changes().get(0);
+              tables.add(shadow.table());
+              return 0;
+            },
+            1);
     for (int degrees = 0; degrees < 360; degrees += 15) {
       double swing = 1.5 * (1 + 0.1 * Math.cos(2 * Math.toRadians(degrees)));
       assertEquals(swing, tables.get(0).thresholdM(Math.toRadians(degrees)), 1e-3, "at " + degrees);

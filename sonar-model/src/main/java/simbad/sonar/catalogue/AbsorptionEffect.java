@@ -53,7 +53,11 @@ public final class AbsorptionEffect implements Definition {
   @Override
   public List<Form> levelForms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "level", v -> new LevelAbsorption(v[0]), Parameter.of("added_db_per_m", 0, -1.3, 6, -0.8, -0.4, 0.4, 0.8, 1.5, 3)));
+        Form.of(
+            effect(),
+            "level",
+            v -> new LevelAbsorption(v[0]),
+            Parameter.of("added_db_per_m", 0, -1.3, 6, -0.8, -0.4, 0.4, 0.8, 1.5, 3)));
   }
 
   /** 0.05 for each metre is a tenth at two; a fifth of a decibel per metre. */

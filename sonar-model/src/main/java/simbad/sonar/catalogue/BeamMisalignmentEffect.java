@@ -61,7 +61,8 @@ public final class BeamMisalignmentEffect implements Definition {
   /** An axis that is a degree off. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.alone(Forms.find(effect(), "all", setup, log.sensors()).orElseThrow(), 0, 1));
+    return List.of(
+        Probe.alone(Forms.find(effect(), "all", setup, log.sensors()).orElseThrow(), 0, 1));
   }
 
   /** A quarter of a degree on a protractor. */

@@ -72,7 +72,11 @@ public final class BeamPatternEffect implements Definition {
   @Override
   public List<Form> levelForms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "aperture", v -> new LevelAperture(v[0]), Parameter.of("aperture_factor", 1, 0.3, 3, 0.6, 0.75, 0.9, 1.1, 1.3, 1.7)));
+        Form.of(
+            effect(),
+            "aperture",
+            v -> new LevelAperture(v[0]),
+            Parameter.of("aperture_factor", 1, 0.3, 3, 0.6, 0.75, 0.9, 1.1, 1.3, 1.7)));
   }
 
   /** A taper that takes 6 % at the cone's edge; a tenth of a beam. */
@@ -80,7 +84,9 @@ public final class BeamPatternEffect implements Definition {
   public List<Probe> probes(SensingSetup setup, PingLog log) {
     boolean level = setup.sensor().law().isLevel();
     List<Form> forms = Forms.of(this, setup, log.sensors());
-    return List.of(Probe.alone(forms.get(0), 0, level ? 0.1 : 4 * Math.toDegrees(setup.sensor().coneHalfAngleRad())));
+    return List.of(
+        Probe.alone(
+            forms.get(0), 0, level ? 0.1 : 4 * Math.toDegrees(setup.sensor().coneHalfAngleRad())));
   }
 
   @Override

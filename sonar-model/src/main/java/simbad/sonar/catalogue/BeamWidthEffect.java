@@ -59,7 +59,11 @@ public final class BeamWidthEffect implements Definition {
   @Override
   public List<Form> levelForms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "aperture", v -> new LevelAperture(v[0]), Parameter.of("aperture_factor", 1, 0.3, 3, 0.6, 0.75, 0.9, 1.1, 1.3, 1.7)));
+        Form.of(
+            effect(),
+            "aperture",
+            v -> new LevelAperture(v[0]),
+            Parameter.of("aperture_factor", 1, 0.3, 3, 0.6, 0.75, 0.9, 1.1, 1.3, 1.7)));
   }
 
   /** A cone that is a degree off; a tenth of a beam. */

@@ -44,8 +44,7 @@ public final class CoarseResolutionEffect implements Definition {
                     effect(),
                     reported.name().toLowerCase(Locale.ROOT),
                     v -> new CoarseResolution(v[0], reported),
-                    Parameter.of(
-                        "step_m", 0, 0, 0.5, 0.02, 0.025, 0.03, 0.04, 0.05, 0.08, 0.1)))
+                    Parameter.of("step_m", 0, 0, 0.5, 0.02, 0.025, 0.03, 0.04, 0.05, 0.08, 0.1)))
         .toList();
   }
 
@@ -57,7 +56,11 @@ public final class CoarseResolutionEffect implements Definition {
   /** Steps of 2 cm are what cheap sensors are specified to. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.alone(Forms.find(effect(), "start", setup, log.sensors()).orElseThrow(), 0, Math.max(0.02, 2 * setup.sensor().resolutionM())));
+    return List.of(
+        Probe.alone(
+            Forms.find(effect(), "start", setup, log.sensors()).orElseThrow(),
+            0,
+            Math.max(0.02, 2 * setup.sensor().resolutionM())));
   }
 
   @Override

@@ -110,7 +110,8 @@ public final class CrosstalkEffect implements Definition {
   /** A fiftieth of the readings. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.tried(Forms.find(effect(), "any", setup, log.sensors()).orElseThrow(), 0, 0.02));
+    return List.of(
+        Probe.tried(Forms.find(effect(), "any", setup, log.sensors()).orElseThrow(), 0, 0.02));
   }
 
   @Override

@@ -40,11 +40,15 @@ public final class DeadZoneEffect implements Definition {
 
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
-    Parameter end =
-        Parameter.of("end_m", 0, 0, setup.sensor().maxRangeM(), 0.15, 0.3, 0.5, 0.8);
+    Parameter end = Parameter.of("end_m", 0, 0, setup.sensor().maxRangeM(), 0.15, 0.3, 0.5, 0.8);
     return List.of(
-      Form.of(effect(), "sharp", v -> new DeadZone(v[0], 0), end),
-      Form.of(effect(), "soft", v -> new DeadZone(v[0], v[1]), end, Parameter.of("soft_m", 0, 0, 0.3, 0.02)));
+        Form.of(effect(), "sharp", v -> new DeadZone(v[0], 0), end),
+        Form.of(
+            effect(),
+            "soft",
+            v -> new DeadZone(v[0], v[1]),
+            end,
+            Parameter.of("soft_m", 0, 0, 0.3, 0.02)));
   }
 
   @Override
@@ -55,7 +59,11 @@ public final class DeadZoneEffect implements Definition {
   /** Sensors are specified to be blind up to 0.3 m. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.alone(Forms.find(effect(), "sharp", setup, log.sensors()).orElseThrow(), 0, Math.max(0.3, 1.5 * setup.sensor().minRangeM())));
+    return List.of(
+        Probe.alone(
+            Forms.find(effect(), "sharp", setup, log.sensors()).orElseThrow(),
+            0,
+            Math.max(0.3, 1.5 * setup.sensor().minRangeM())));
   }
 
   @Override

@@ -37,14 +37,24 @@ public final class DropoutEffect implements Definition {
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "single", v -> new Dropout(v[0]), Parameter.of("share", 0, 0, 1, 0.05, 0.2, 0.5).asClosed()),
-      Form.of(effect(), "bursts", v -> new Burst(v[0], v[1], 1), Parameter.of("share", 0, 0, 0.9, 0.1, 0.3), Parameter.of("length_pings", 1, 1, Burst.LONGEST_PINGS, 3, 8)));
+        Form.of(
+            effect(),
+            "single",
+            v -> new Dropout(v[0]),
+            Parameter.of("share", 0, 0, 1, 0.05, 0.2, 0.5).asClosed()),
+        Form.of(
+            effect(),
+            "bursts",
+            v -> new Burst(v[0], v[1], 1),
+            Parameter.of("share", 0, 0, 0.9, 0.1, 0.3),
+            Parameter.of("length_pings", 1, 1, Burst.LONGEST_PINGS, 3, 8)));
   }
 
   /** A twentieth of the echoes. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.alone(Forms.find(effect(), "single", setup, log.sensors()).orElseThrow(), 0, 0.05));
+    return List.of(
+        Probe.alone(Forms.find(effect(), "single", setup, log.sensors()).orElseThrow(), 0, 0.05));
   }
 
   @Override

@@ -44,8 +44,7 @@ public final class EarlyTimeoutEffect implements Definition {
     Parameter start = start(setup);
     Parameter soft = Parameter.of("soft_m", 0, 0, 0.3, 0.02);
     return List.of(
-        sharp(start),
-        Form.of(effect(), "soft", v -> new EarlyTimeout(v[0], v[1]), start, soft));
+        sharp(start), Form.of(effect(), "soft", v -> new EarlyTimeout(v[0], v[1]), start, soft));
   }
 
   /** A time-out is a clock's; one that is soft is a receiver that asks more, as air does. */

@@ -74,7 +74,8 @@ public final class FloorEchoEffect implements Definition {
   /** A tenth of the pings that nothing nearer answers. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.tried(Forms.find(effect(), "fixed", setup, log.sensors()).orElseThrow(), 2, 0.1));
+    return List.of(
+        Probe.tried(Forms.find(effect(), "fixed", setup, log.sensors()).orElseThrow(), 2, 0.1));
   }
 
   @Override

@@ -42,13 +42,21 @@ public final class GainEffect implements Definition {
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "factor", v -> new Gain(v[0]), Parameter.of("factor", 1, 0.2, 3, 0.7, 0.85, 0.95, 1.05, 1.15, 1.3)));
+        Form.of(
+            effect(),
+            "factor",
+            v -> new Gain(v[0]),
+            Parameter.of("factor", 1, 0.2, 3, 0.7, 0.85, 0.95, 1.05, 1.15, 1.3)));
   }
 
   @Override
   public List<Form> levelForms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "level", v -> new LevelGain(v[0]), Parameter.of("gain_db", 0, -40, 40, -10, -5, -2, 2, 5, 10)));
+        Form.of(
+            effect(),
+            "level",
+            v -> new LevelGain(v[0]),
+            Parameter.of("gain_db", 0, -40, 40, -10, -5, -2, 2, 5, 10)));
   }
 
   /** 3 %, as well as thresholds repeat on a bench; half a decibel. */

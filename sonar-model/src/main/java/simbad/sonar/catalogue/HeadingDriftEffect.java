@@ -45,16 +45,26 @@ public final class HeadingDriftEffect implements Definition {
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "heading", v -> new HeadingDrift(toRadians(v[0]), false), DRIFT),
-      Form.of(effect(), "reckoned", v -> new HeadingDrift(toRadians(v[0]), true), DRIFT),
-      Form.of(effect(), "settling", v -> new HeadingDrift(toRadians(v[0] / v[1]), v[1], false), Parameter.of("turn_deg", 0, -60, 60, -15, -5, 5, 15), Parameter.of("settling_s", 10, 0.1, 1000, 1, 10, 40).asClosed()),
-      Form.of(effect(), "way", v -> new HeadingDriftByWay(toRadians(v[0])), Parameter.of("rate_deg_m", 0, -60, 60, -8, -3, -1, 1, 3, 8)));
+        Form.of(effect(), "heading", v -> new HeadingDrift(toRadians(v[0]), false), DRIFT),
+        Form.of(effect(), "reckoned", v -> new HeadingDrift(toRadians(v[0]), true), DRIFT),
+        Form.of(
+            effect(),
+            "settling",
+            v -> new HeadingDrift(toRadians(v[0] / v[1]), v[1], false),
+            Parameter.of("turn_deg", 0, -60, 60, -15, -5, 5, 15),
+            Parameter.of("settling_s", 10, 0.1, 1000, 1, 10, 40).asClosed()),
+        Form.of(
+            effect(),
+            "way",
+            v -> new HeadingDriftByWay(toRadians(v[0])),
+            Parameter.of("rate_deg_m", 0, -60, 60, -8, -3, -1, 1, 3, 8)));
   }
 
   /** A degree in ten seconds. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.alone(Forms.find(effect(), "heading", setup, log.sensors()).orElseThrow(), 0, 0.1));
+    return List.of(
+        Probe.alone(Forms.find(effect(), "heading", setup, log.sensors()).orElseThrow(), 0, 0.1));
   }
 
   @Override

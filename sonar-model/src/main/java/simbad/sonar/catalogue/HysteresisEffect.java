@@ -39,16 +39,21 @@ public final class HysteresisEffect implements Definition {
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "pick-up", v -> new Hysteresis(1 - v[0], 1), GAP),
-      Form.of(effect(), "hold", v -> new Hysteresis(1, 1 + v[0]), GAP),
-      Form.of(effect(), "metres", v -> new Hysteresis(1, 1, v[0]), Parameter.of("pick_up_m", 0, 0, 2, 0.05, 0.15, 0.4)),
-      Form.of(effect(), "both", v -> new Hysteresis(1 - v[0] / 2, 1 + v[0] / 2), GAP));
+        Form.of(effect(), "pick-up", v -> new Hysteresis(1 - v[0], 1), GAP),
+        Form.of(effect(), "hold", v -> new Hysteresis(1, 1 + v[0]), GAP),
+        Form.of(
+            effect(),
+            "metres",
+            v -> new Hysteresis(1, 1, v[0]),
+            Parameter.of("pick_up_m", 0, 0, 2, 0.05, 0.15, 0.4)),
+        Form.of(effect(), "both", v -> new Hysteresis(1 - v[0] / 2, 1 + v[0] / 2), GAP));
   }
 
   /** A twentieth between pick-up and loss. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.alone(Forms.find(effect(), "both", setup, log.sensors()).orElseThrow(), 0, 0.05));
+    return List.of(
+        Probe.alone(Forms.find(effect(), "both", setup, log.sensors()).orElseThrow(), 0, 0.05));
   }
 
   @Override

@@ -59,7 +59,8 @@ public final class LatencyEffect implements Definition {
   /** 50 ms. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.alone(Forms.find(effect(), "time", setup, log.sensors()).orElseThrow(), 0, 0.05));
+    return List.of(
+        Probe.alone(Forms.find(effect(), "time", setup, log.sensors()).orElseThrow(), 0, 0.05));
   }
 
   @Override

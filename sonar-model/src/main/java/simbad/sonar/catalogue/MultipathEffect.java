@@ -62,10 +62,23 @@ public final class MultipathEffect implements Definition {
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "added", v -> added(v[0], v[1], v[2]), SMALL_SHARE, EXTRA, SPREAD),
-      Form.of(effect(), "factor", v -> scaled(v[0], v[1], v[2]), SMALL_SHARE, FACTOR, SPREAD),
-      Form.of(effect(), "tail", v -> new TailedMultipath(v[0], v[1]), SMALL_SHARE, Parameter.of("mean_extra_m", 0, 0.05, 1, 0.08, 0.2, 0.5)),
-      Form.of(effect(), "both", v -> new MixedMultipath(added(v[0], v[1], v[4]), scaled(v[2], v[3], v[4])), SMALL_SHARE, EXTRA, Parameter.of("scaled_share", 0, 0, 0.7, 0.1), FACTOR, SPREAD));
+        Form.of(effect(), "added", v -> added(v[0], v[1], v[2]), SMALL_SHARE, EXTRA, SPREAD),
+        Form.of(effect(), "factor", v -> scaled(v[0], v[1], v[2]), SMALL_SHARE, FACTOR, SPREAD),
+        Form.of(
+            effect(),
+            "tail",
+            v -> new TailedMultipath(v[0], v[1]),
+            SMALL_SHARE,
+            Parameter.of("mean_extra_m", 0, 0.05, 1, 0.08, 0.2, 0.5)),
+        Form.of(
+            effect(),
+            "both",
+            v -> new MixedMultipath(added(v[0], v[1], v[4]), scaled(v[2], v[3], v[4])),
+            SMALL_SHARE,
+            EXTRA,
+            Parameter.of("scaled_share", 0, 0, 0.7, 0.1),
+            FACTOR,
+            SPREAD));
   }
 
   private static Multipath added(double share, double extraM, double spread) {
@@ -107,7 +120,8 @@ public final class MultipathEffect implements Definition {
   /** A twentieth of the echoes. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.tried(Forms.find(effect(), "added", setup, log.sensors()).orElseThrow(), 0, 0.05));
+    return List.of(
+        Probe.tried(Forms.find(effect(), "added", setup, log.sensors()).orElseThrow(), 0, 0.05));
   }
 
   @Override

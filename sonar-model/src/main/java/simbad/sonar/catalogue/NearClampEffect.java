@@ -43,7 +43,11 @@ public final class NearClampEffect implements Definition {
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "clamp", v -> new NearClamp(v[0]), Parameter.of("least_m", 0, 0, setup.sensor().maxRangeM(), 0.1, 0.2, 0.35, 0.6)));
+        Form.of(
+            effect(),
+            "clamp",
+            v -> new NearClamp(v[0]),
+            Parameter.of("least_m", 0, 0, setup.sensor().maxRangeM(), 0.1, 0.2, 0.35, 0.6)));
   }
 
   /** At the least reading there is. */
@@ -66,12 +70,17 @@ public final class NearClampEffect implements Definition {
   /** Sensors are specified to be blind up to 0.3 m. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.alone(Forms.find(effect(), "clamp", setup, log.sensors()).orElseThrow(), 0, Math.max(0.3, 1.5 * setup.sensor().minRangeM())));
+    return List.of(
+        Probe.alone(
+            Forms.find(effect(), "clamp", setup, log.sensors()).orElseThrow(),
+            0,
+            Math.max(0.3, 1.5 * setup.sensor().minRangeM())));
   }
 
   @Override
   public String remedy(FittedValues values) {
     return text(
-        "take readings of %.3f m for nearer than that, not for a distance", values.value("least_m"));
+        "take readings of %.3f m for nearer than that, not for a distance",
+        values.value("least_m"));
   }
 }

@@ -74,7 +74,8 @@ public final class NoEchoCodeEffect implements Definition {
   /** A number for half of the silent pings. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.tried(Forms.find(effect(), "far", setup, log.sensors()).orElseThrow(), 1, 0.5));
+    return List.of(
+        Probe.tried(Forms.find(effect(), "far", setup, log.sensors()).orElseThrow(), 1, 0.5));
   }
 
   @Override

@@ -35,14 +35,23 @@ public final class OdometryScaleEffect implements Definition {
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "path", v -> new OdometryScale(v[0]), Parameter.of("factor", 1, 0.5, 1.6, 0.9, 0.96, 1.04, 1.1)),
-      Form.of(effect(), "along", v -> new PathScale(v[0]), Parameter.of("factor", 1, 0.5, 1, 0.86, 0.9, 0.94, 0.98)));
+        Form.of(
+            effect(),
+            "path",
+            v -> new OdometryScale(v[0]),
+            Parameter.of("factor", 1, 0.5, 1.6, 0.9, 0.96, 1.04, 1.1)),
+        Form.of(
+            effect(),
+            "along",
+            v -> new PathScale(v[0]),
+            Parameter.of("factor", 1, 0.5, 1, 0.86, 0.9, 0.94, 0.98)));
   }
 
   /** 2 % of the path. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.alone(Forms.find(effect(), "path", setup, log.sensors()).orElseThrow(), 0, 0.02));
+    return List.of(
+        Probe.alone(Forms.find(effect(), "path", setup, log.sensors()).orElseThrow(), 0, 0.02));
   }
 
   @Override

@@ -45,13 +45,18 @@ public final class PlacementErrorEffect implements Definition {
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "range", v -> new RangeNoise(v[0], 0), Parameter.of("deviation_m", 0, 0, MOST_MISPLACED_M, 0.002, 0.01, 0.03)));
+        Form.of(
+            effect(),
+            "range",
+            v -> new RangeNoise(v[0], 0),
+            Parameter.of("deviation_m", 0, 0, MOST_MISPLACED_M, 0.002, 0.01, 0.03)));
   }
 
   /** 1 cm, as a tape is read in passing. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.alone(Forms.find(effect(), "range", setup, log.sensors()).orElseThrow(), 0, 0.01));
+    return List.of(
+        Probe.alone(Forms.find(effect(), "range", setup, log.sensors()).orElseThrow(), 0, 0.01));
   }
 
   /** It is looked for where things were put in place and read again and again. */

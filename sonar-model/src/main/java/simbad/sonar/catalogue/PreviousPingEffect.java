@@ -58,12 +58,39 @@ public final class PreviousPingEffect implements Definition {
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "shift", v -> new PreviousPing(v[0], 1, v[1], v[2]), GHOSTS, Parameter.of("shift_m", 0, 0.02, 5, 0.2, 0.5, 1), SPREAD),
-      Form.of(effect(), "factor", v -> new PreviousPing(v[0], v[1], 0, v[2]), GHOSTS, Parameter.of("factor", 1, 0.05, 0.96, 0.3, 0.5, 0.8), SPREAD),
-      Form.of(effect(), "line", v -> new PreviousPing(v[0], v[1], v[2], v[3]), GHOSTS, Parameter.of("factor", 1, 0.05, 2.2, 0.3, 0.5, 0.8, 2), SHIFT, SPREAD),
-      Form.of(effect(), "nearer", v -> new NearerByPrevious(v[0], v[1], v[2], v[3], v[4]), GHOSTS, Parameter.of("own_factor", 1, 0.5, 2.2, 1, 2), Parameter.of("before_factor", 0, -1.5, 1, -0.3, -1), Parameter.of("shift_m", 0, -1, 3, 0, 0.2), SPREAD),
-      read("read-nearer", true),
-      read("read", false));
+        Form.of(
+            effect(),
+            "shift",
+            v -> new PreviousPing(v[0], 1, v[1], v[2]),
+            GHOSTS,
+            Parameter.of("shift_m", 0, 0.02, 5, 0.2, 0.5, 1),
+            SPREAD),
+        Form.of(
+            effect(),
+            "factor",
+            v -> new PreviousPing(v[0], v[1], 0, v[2]),
+            GHOSTS,
+            Parameter.of("factor", 1, 0.05, 0.96, 0.3, 0.5, 0.8),
+            SPREAD),
+        Form.of(
+            effect(),
+            "line",
+            v -> new PreviousPing(v[0], v[1], v[2], v[3]),
+            GHOSTS,
+            Parameter.of("factor", 1, 0.05, 2.2, 0.3, 0.5, 0.8, 2),
+            SHIFT,
+            SPREAD),
+        Form.of(
+            effect(),
+            "nearer",
+            v -> new NearerByPrevious(v[0], v[1], v[2], v[3], v[4]),
+            GHOSTS,
+            Parameter.of("own_factor", 1, 0.5, 2.2, 1, 2),
+            Parameter.of("before_factor", 0, -1.5, 1, -0.3, -1),
+            Parameter.of("shift_m", 0, -1, 3, 0, 0.2),
+            SPREAD),
+        read("read-nearer", true),
+        read("read", false));
   }
 
   private Form read(String name, boolean onlyNearer) {
@@ -131,8 +158,7 @@ public final class PreviousPingEffect implements Definition {
                   i -> own * clues.nearestM(i) + before * log.rangeM(i - 1) - log.rangeM(i));
       List<Double> shift = Modes.of(shifts, WIDTH, 1);
       starts.addAll(
-          Tries.product(
-              form, tries.get(0), List.of(own), List.of(before), shift, tries.get(4)));
+          Tries.product(form, tries.get(0), List.of(own), List.of(before), shift, tries.get(4)));
     }
     return starts;
   }
@@ -148,12 +174,13 @@ public final class PreviousPingEffect implements Definition {
   /** A twentieth of the readings. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.tried(Forms.find(effect(), "shift", setup, log.sensors()).orElseThrow(), 0, 0.05));
+    return List.of(
+        Probe.tried(Forms.find(effect(), "shift", setup, log.sensors()).orElseThrow(), 0, 0.05));
   }
 
   /**
-   * Beyond four times the range at which the best target is just heard no echo of the ping before is
-   * left: at four times that range spreading takes 12 dB or more of a wall's echo and air of 1.3
+   * Beyond four times the range at which the best target is just heard no echo of the ping before
+   * is left: at four times that range spreading takes 12 dB or more of a wall's echo and air of 1.3
    * dB/m, over the way there and back from 4 m on, another 31 dB.
    */
   @Override

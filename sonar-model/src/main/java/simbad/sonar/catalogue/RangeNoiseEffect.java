@@ -36,15 +36,30 @@ public final class RangeNoiseEffect implements Definition {
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "constant", v -> new RangeNoise(v[0], 0), Parameter.of("added_m", 0, 0, 0.5, 0.01, 0.03, 0.1)),
-      Form.of(effect(), "growing", v -> new RangeNoise(v[0], v[1]), Parameter.of("added_m", 0, 0, 0.5, 0.002, 0.02), Parameter.of("added_per_m", 0, 0, 0.3, 0.01, 0.04)),
-      Form.of(effect(), "tails", v -> new NoiseTails(v[0], v[1]), Parameter.of("share", 0, 0, 1, 0.1, 0.4).asClosed(), Parameter.of("deviation_m", 0, 0, 0.25, 0.03, 0.1)));
+        Form.of(
+            effect(),
+            "constant",
+            v -> new RangeNoise(v[0], 0),
+            Parameter.of("added_m", 0, 0, 0.5, 0.01, 0.03, 0.1)),
+        Form.of(
+            effect(),
+            "growing",
+            v -> new RangeNoise(v[0], v[1]),
+            Parameter.of("added_m", 0, 0, 0.5, 0.002, 0.02),
+            Parameter.of("added_per_m", 0, 0, 0.3, 0.01, 0.04)),
+        Form.of(
+            effect(),
+            "tails",
+            v -> new NoiseTails(v[0], v[1]),
+            Parameter.of("share", 0, 0, 1, 0.1, 0.4).asClosed(),
+            Parameter.of("deviation_m", 0, 0, 0.25, 0.03, 0.1)));
   }
 
   /** 1 cm of scatter is what cheap sensors are specified to. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.alone(Forms.find(effect(), "constant", setup, log.sensors()).orElseThrow(), 0, 0.01));
+    return List.of(
+        Probe.alone(Forms.find(effect(), "constant", setup, log.sensors()).orElseThrow(), 0, 0.01));
   }
 
   /** What scatters from placement to placement alone is no noise. */

@@ -49,8 +49,13 @@ public final class RangeOffsetEffect implements Definition {
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "constant", v -> new RangeOffset(v[0]), OFFSET),
-      Form.of(effect(), "scattered", v -> new ScatteredOffset(new RangeOffset(v[0]), v[1]), OFFSET, Parameter.of("scatter_share", 0, 0, MOST_SCATTER, 0.1)));
+        Form.of(effect(), "constant", v -> new RangeOffset(v[0]), OFFSET),
+        Form.of(
+            effect(),
+            "scattered",
+            v -> new ScatteredOffset(new RangeOffset(v[0]), v[1]),
+            OFFSET,
+            Parameter.of("scatter_share", 0, 0, MOST_SCATTER, 0.1)));
   }
 
   /** An offset under the level law may leave what the near gate cuts off. */
@@ -71,7 +76,8 @@ public final class RangeOffsetEffect implements Definition {
   /** 1 cm is what cheap sensors are specified to. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.alone(Forms.find(effect(), "constant", setup, log.sensors()).orElseThrow(), 0, 0.01));
+    return List.of(
+        Probe.alone(Forms.find(effect(), "constant", setup, log.sensors()).orElseThrow(), 0, 0.01));
   }
 
   /** An offset that scatters is one that is put in place anew. */

@@ -70,8 +70,16 @@ public final class SoundSpeedEffect implements Definition {
     double assumed = setup.sensor().assumedSoundSpeedMPerS();
     double resolution = setup.sensor().resolutionM();
     return List.of(
-      Form.of(effect(), "scale", v -> new SoundSpeed(assumed / v[0]), speed(assumed, 0.94, 0.98, 1.02, 1.06)),
-      Form.of(effect(), "reading", v -> new ReadingScale(assumed / v[0], resolution), speed(assumed, UNITS)));
+        Form.of(
+            effect(),
+            "scale",
+            v -> new SoundSpeed(assumed / v[0]),
+            speed(assumed, 0.94, 0.98, 1.02, 1.06)),
+        Form.of(
+            effect(),
+            "reading",
+            v -> new ReadingScale(assumed / v[0], resolution),
+            speed(assumed, UNITS)));
   }
 
   private static Parameter speed(double assumed, double... shares) {
@@ -101,7 +109,8 @@ public final class SoundSpeedEffect implements Definition {
   /** 3 m/s is 5 degrees of the air. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.alone(Forms.find(effect(), "scale", setup, log.sensors()).orElseThrow(), 0, 3));
+    return List.of(
+        Probe.alone(Forms.find(effect(), "scale", setup, log.sensors()).orElseThrow(), 0, 3));
   }
 
   /** Half a kelvin is 0.3 m/s. */

@@ -65,7 +65,8 @@ public final class StaleReadingEffect implements Definition {
   /** One ping. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.alone(Forms.find(effect(), "count", setup, log.sensors()).orElseThrow(), 0, 1));
+    return List.of(
+        Probe.alone(Forms.find(effect(), "count", setup, log.sensors()).orElseThrow(), 0, 1));
   }
 
   @Override

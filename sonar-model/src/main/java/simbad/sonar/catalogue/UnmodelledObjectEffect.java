@@ -67,7 +67,9 @@ public final class UnmodelledObjectEffect implements Definition {
         Form.of(
             effect(),
             "face",
-            v -> new UnmodelledObject(v[0], v[1], toRadians(v[2]), v[3], toRadians(v[5]), v[6], v[4]),
+            v ->
+                new UnmodelledObject(
+                    v[0], v[1], toRadians(v[2]), v[3], toRadians(v[5]), v[6], v[4]),
             X,
             Z,
             NORMAL,

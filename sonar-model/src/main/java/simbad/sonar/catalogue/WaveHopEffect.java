@@ -37,13 +37,19 @@ public final class WaveHopEffect implements Definition {
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "later", v -> new WaveHop(v[0], v[1]), Parameter.of("share", 0, 0, 1, 0.1, 0.4).asClosed(), Parameter.of("step_m", 0, 0.002, 0.009, 0.0043, 0.0086)));
+        Form.of(
+            effect(),
+            "later",
+            v -> new WaveHop(v[0], v[1]),
+            Parameter.of("share", 0, 0, 1, 0.1, 0.4).asClosed(),
+            Parameter.of("step_m", 0, 0.002, 0.009, 0.0043, 0.0086)));
   }
 
   /** A fifth of the echoes. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.tried(Forms.find(effect(), "later", setup, log.sensors()).orElseThrow(), 0, 0.2));
+    return List.of(
+        Probe.tried(Forms.find(effect(), "later", setup, log.sensors()).orElseThrow(), 0, 0.2));
   }
 
   /** It is looked for where steps and noise do not hide it. */

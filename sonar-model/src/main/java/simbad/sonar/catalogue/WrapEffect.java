@@ -40,7 +40,19 @@ public final class WrapEffect implements Definition {
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
     return List.of(
-      Form.of(effect(), "modulus", v -> new Wrap(v[0]), Parameter.of("modulus_m", Double.POSITIVE_INFINITY, 0.1, setup.sensor().maxRangeM(), 0.256, 1.28, 2.55, 2.56)));
+        Form.of(
+            effect(),
+            "modulus",
+            v -> new Wrap(v[0]),
+            Parameter.of(
+                "modulus_m",
+                Double.POSITIVE_INFINITY,
+                0.1,
+                setup.sensor().maxRangeM(),
+                0.256,
+                1.28,
+                2.55,
+                2.56)));
   }
 
   /** What readings that are too near are too near by. */
@@ -61,12 +73,15 @@ public final class WrapEffect implements Definition {
   /** A quarter of what the sensor reaches. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(Probe.alone(Forms.find(effect(), "modulus", setup, log.sensors()).orElseThrow(), 0, 0.75 * setup.sensor().maxRangeM()));
+    return List.of(
+        Probe.alone(
+            Forms.find(effect(), "modulus", setup, log.sensors()).orElseThrow(),
+            0,
+            0.75 * setup.sensor().maxRangeM()));
   }
 
   @Override
   public String remedy(FittedValues values) {
-    return text(
-        "use a wider number: readings begin again after %.3f m", values.value("modulus_m"));
+    return text("use a wider number: readings begin again after %.3f m", values.value("modulus_m"));
   }
 }

@@ -3,6 +3,7 @@ package simbad.sonar.effect;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import simbad.sonar.check.Checks;
 
 /**
  * What a log shows that a hypothesis leaves unexplained, for an effect to say where its fit starts.
@@ -44,7 +45,13 @@ public interface Clues {
    * @param shiftM what is taken from that, metres
    * @param votes echoes that lie on it
    */
-  record Line(double slope, double shiftM, int votes) {}
+  record Line(double slope, double shiftM, int votes) {
+    /** Refuses what is no number. */
+    public Line {
+      Checks.finite("slope", slope);
+      Checks.finite("shiftM", shiftM);
+    }
+  }
 
   /** Returns the lines that most of some echoes lie on, best first. */
   List<Line> lines(int... echoes);

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Every range is read too long or too short by the same amount, and the sensor's least range is one
  * of what it reads: echoes that would read less are lost.
@@ -10,6 +12,12 @@ package simbad.sonar.effect;
  */
 public record GatedOffset(RangeOffset offset, double leastM, double softM)
     implements RangeChange, EchoChange {
+  /** Checks the figures; NaN is refused. */
+  public GatedOffset {
+    Checks.notNegative("leastM", leastM);
+    Checks.positive("softM", softM);
+  }
+
   @Override
   public int order() {
     return offset.order();

@@ -16,7 +16,9 @@ import simbad.sonar.level.PistonBeam;
 import simbad.sonar.level.StrengthTable;
 import simbad.sonar.scene.SensingSetup;
 
-/** The level law as a calibration of the set-up. Names and order of the values are those of files. */
+/**
+ * The level law as a calibration of the set-up. Names and order of the values are those of files.
+ */
 public final class LevelForms {
   /** Bearings of a calibrated strength: half the spacing of the thesis's tables. */
   public static final int BEARINGS = 144;

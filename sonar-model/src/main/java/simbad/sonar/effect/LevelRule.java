@@ -1,5 +1,6 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
 import simbad.sonar.level.LevelLaw;
 import simbad.sonar.scene.SonarSpec;
 
@@ -19,6 +20,14 @@ public record LevelRule(
     double apertureDeviation,
     double squintDeviationRad)
     implements SensorChange {
+  /** Checks the figures; NaN is refused. */
+  public LevelRule {
+    Checks.finite("squintRad", squintRad);
+    Checks.share("missRate", missRate);
+    Checks.notNegative("apertureDeviation", apertureDeviation);
+    Checks.notNegative("squintDeviationRad", squintDeviationRad);
+  }
+
   /** Creates one whose beam is known. */
   public LevelRule(LevelLaw law, double squintRad, double missRate) {
     this(law, squintRad, missRate, 0, 0);

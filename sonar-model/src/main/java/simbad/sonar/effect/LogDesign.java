@@ -3,6 +3,7 @@ package simbad.sonar.effect;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import simbad.sonar.check.Checks;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.UniformDetection;
 
@@ -18,8 +19,9 @@ import simbad.sonar.scene.UniformDetection;
  */
 public record LogDesign(
     SensingSetup setup, boolean isRepeated, boolean isNoisier, double wayM, Set<String> round) {
-  /** Copies the set. */
+  /** Checks the way and copies the set. */
   public LogDesign {
+    Checks.number("wayM", wayM);
     round = Set.copyOf(round);
   }
 

@@ -2,6 +2,7 @@ package simbad.sonar.effect;
 
 import java.util.Arrays;
 import java.util.List;
+import simbad.sonar.check.Checks;
 
 /**
  * A parameter of a form of an effect.
@@ -21,6 +22,7 @@ public record Parameter(
 
   /** Checks the interval and copies the tries. */
   public Parameter {
+    Checks.number(name + ": neutral", neutral);
     if (!(low < high)) {
       throw new IllegalArgumentException(name + ": [" + low + ", " + high + "] is no interval");
     }
@@ -44,8 +46,9 @@ public record Parameter(
    * @param high greatest value that makes sense
    * @param tries values from which a search may start
    */
-  public static Parameter of(String name, double neutral, double low, double high, double... tries) {
-    double most = high > low ? high : Math.nextUp(low);
+  public static Parameter of(
+      String name, double neutral, double low, double high, double... tries) {
+    double most = Checks.number(name + ": high", high) > low ? high : Math.nextUp(low);
     return new Parameter(
         name,
         neutral,

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * When an echo is missed, the last reading is repeated for a while.
  *
@@ -9,6 +11,13 @@ package simbad.sonar.effect;
  */
 public record StaleReading(double pings, double forS, double chance) implements MemoryChange {
   private static final double FOREVER_S = 1e9;
+
+  /** Checks the figures; NaN is refused. */
+  public StaleReading {
+    Checks.notNegative("pings", pings);
+    Checks.notNegativeOrInfinite("forS", forS);
+    Checks.share("chance", chance);
+  }
 
   /** Returns one that repeats a reading so many times. */
   public static StaleReading ofPings(double pings) {

@@ -1,8 +1,8 @@
 package simbad.sonar.model;
 
 /**
- * A sensor model with a name for the command line: {@code --sensor NAME} of every command that takes
- * one, and {@code "sensors"} of a batch.
+ * A sensor model with a name for the command line: {@code --sensor NAME} of every command that
+ * takes one, and {@code "sensors"} of a batch.
  *
  * <p>Found with {@link java.util.ServiceLoader}: a class that implements this interface, is public,
  * has a public constructor without parameters and stands in {@code

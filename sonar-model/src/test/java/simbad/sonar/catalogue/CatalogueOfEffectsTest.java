@@ -72,8 +72,7 @@ class CatalogueOfEffectsTest {
   @ParameterizedTest
   @MethodSource("definitions")
   void words_areSentencesWithoutAFullStop(Definition definition) {
-    for (String words :
-        List.of(definition.happens(), definition.briefly(), definition.cause())) {
+    for (String words : List.of(definition.happens(), definition.briefly(), definition.cause())) {
       assertTrue(words.matches("[a-z].*[a-z0-9]"), definition.effect() + ": " + words);
       assertFalse(words.contains("|"), "a table shows it: " + words);
     }
@@ -91,8 +90,7 @@ class CatalogueOfEffectsTest {
     forms.addAll(definition.levelForms(SETUP, SENSORS));
     for (Form form : forms) {
       assertEquals(definition.effect(), form.effect());
-      assertEquals(
-          form, Forms.find(form.effect(), form.name(), SETUP, SENSORS).orElseThrow());
+      assertEquals(form, Forms.find(form.effect(), form.name(), SETUP, SENSORS).orElseThrow());
     }
   }
 
@@ -100,8 +98,7 @@ class CatalogueOfEffectsTest {
   @MethodSource("definitions")
   void probes_areOfTheEffect(Definition definition) {
     PingLog log =
-        new PingLog(
-            List.of(new ReadingRow("r", "left", 0, Pose.of(-1, 0, 0), new Echo(0.9))));
+        new PingLog(List.of(new ReadingRow("r", "left", 0, Pose.of(-1, 0, 0), new Echo(0.9))));
     List<Probe> probes = definition.probes(SETUP, log);
     assertFalse(probes.isEmpty());
     for (Probe probe : probes) {

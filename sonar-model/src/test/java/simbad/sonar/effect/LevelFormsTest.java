@@ -172,8 +172,7 @@ class LevelFormsTest {
     Random random = new Random(3);
     List<FittedForm> calibration =
         List.of(drawn(LevelForms.law(plain), random), drawn(LevelForms.strength("post"), random));
-    List<FittedForm> effects =
-        ofLevels(plain).stream().map(form -> drawn(form, random)).toList();
+    List<FittedForm> effects = ofLevels(plain).stream().map(form -> drawn(form, random)).toList();
     FittedModel model = new FittedModel(plain, List.of("s"), calibration, effects);
     Path file = folder.resolve("model.json");
     ModelFile.write(file, model);

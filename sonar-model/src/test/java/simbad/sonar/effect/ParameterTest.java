@@ -12,7 +12,6 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.Scale;
 import org.junit.jupiter.api.Test;
-import simbad.sonar.effect.Definitions;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Point;
 import simbad.sonar.scene.Obstacle;
