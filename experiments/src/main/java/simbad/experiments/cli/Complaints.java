@@ -7,6 +7,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.NoSuchFileException;
 import java.util.List;
 import java.util.Map;
+import java.util.ServiceConfigurationError;
 import java.util.regex.Pattern;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
@@ -83,6 +84,9 @@ final class Complaints {
     }
     if (fault instanceof IOException io) {
       return inputOutput(io);
+    }
+    if (fault instanceof ServiceConfigurationError) {
+      return "a jar of the class path: " + textOf(fault);
     }
     boolean isForeseen = ExitStatus.rules().of(fault) == ExitStatus.BAD_INPUT;
     if (!isForeseen && (fault instanceof RuntimeException || fault instanceof Error)) {

@@ -22,6 +22,7 @@ final class Subcommands {
         new DatasetCommand(),
         new DiagnoseCommand(),
         new PredictCommand(),
+        new EffectsCommand(),
         new BlindCheckCommand(),
         new BatchCommand(),
         new BatchPlotCommand(),

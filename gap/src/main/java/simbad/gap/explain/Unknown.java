@@ -6,7 +6,9 @@ import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Burst;
 import simbad.sonar.effect.Change;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.Trait;
 import simbad.sonar.effect.UnmodelledPost;
 import simbad.sonar.frame.Point;
 import simbad.sonar.scene.Obstacle;
@@ -46,14 +48,7 @@ public final class Unknown {
   private static final double TWO_FOR_LITTLE = 2.5;
 
   /** What hangs on no place takes up a little of anything. */
-  static final Set<Effect> SOAK =
-      Set.of(
-          Effect.DROPOUT,
-          Effect.RANGE_NOISE,
-          Effect.CROSSTALK,
-          Effect.MULTIPATH,
-          Effect.PREVIOUS_PING,
-          Effect.UNMODELLED_OBJECT);
+  static final Set<Effect> SOAK = Definitions.with(Trait.SOAKS_UP);
 
   /** What is left of a gap over what an explanation expects of itself: bounds of what counts. */
   private static final double LEAST_LEFT = 0.5;

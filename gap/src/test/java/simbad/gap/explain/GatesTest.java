@@ -3,15 +3,16 @@ package simbad.gap.explain;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fixture.Ladders;
 import simbad.gap.fixture.Worlds;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
@@ -32,7 +33,7 @@ import simbad.sonar.shape.Outline;
 class GatesTest {
   private static Set<Effect> closed(SensingSetup setup, List<ReadingRow> rows) {
     Evidence evidence = new Evidence(setup, List.of(), new PingLog(rows));
-    Set<Effect> closed = EnumSet.allOf(Effect.class);
+    Set<Effect> closed = new TreeSet<>(Definitions.effects());
     Gates.open(evidence, Forms.all(setup, List.of("s"))).stream()
         .map(Form::effect)
         .forEach(closed::remove);

@@ -25,6 +25,11 @@ public record EchoPath(Optional<String> only, Curve addedM, Curve deviationM)
     return Curve.of(points);
   }
 
+  @Override
+  public boolean changesGeometry() {
+    return true;
+  }
+
   /** It moves echoes and makes none stronger. */
   @Override
   public double addedDb(LevelEars ears, Geometry geometry, int line) {

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Every range is read too long or too short by the same amount, and the sensor's least range is one
  * of what it reads: echoes that would read less are lost.
@@ -8,6 +10,11 @@ package simbad.sonar.effect;
  * @param softM how much readings scatter there, metres; positive
  */
 public record GatedOffset(RangeOffset offset, double softM) implements RangeChange, EchoChange {
+  /** Checks the figures; NaN is refused. */
+  public GatedOffset {
+    Checks.positive("softM", softM);
+  }
+
   @Override
   public int order() {
     return offset.order();

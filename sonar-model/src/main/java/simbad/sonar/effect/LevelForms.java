@@ -7,7 +7,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.Stream;
 import simbad.sonar.level.Curve;
@@ -20,8 +19,7 @@ import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
 
 /**
- * The level law as a calibration of the set-up, and the forms that effects have under it. Names and
- * order of the values are those of files.
+ * The level law as a calibration of the set-up. Names and order of the values are those of files.
  */
 public final class LevelForms {
   /** Bearings of a calibrated strength: half the spacing of the thesis's tables. */
@@ -49,16 +47,6 @@ public final class LevelForms {
   /** Among the values of the law, the first of the receiver's departures. */
   private static final int RECEIVER = 8;
 
-  /** Of a shadow there is nothing left to find: strengths are by bearing. */
-  private static final Set<Effect> THRESHOLDS =
-      Set.of(
-          Effect.GAIN,
-          Effect.ABSORPTION,
-          Effect.BEAM_PATTERN,
-          Effect.BEAM_WIDTH,
-          Effect.ORIENTATION_SHADOW);
-
-  private static final double LEAST_SOFT_M = 0.002;
   private static final double MOST_DB = StrengthTable.GREATEST_DB;
   private static final double MOST_RECEIVER_DB = 60;
   private static final double MOST_PATH_M = 0.25;
@@ -236,41 +224,6 @@ public final class LevelForms {
         .flatMap(label -> Stream.of(strength(label), path(label)))
         .filter(form -> form.name().equals(name))
         .findFirst();
-  }
-
-  /** Returns the forms of effects that change the law. */
-  static List<Form> effects(SonarSpec sensor) {
-    double soft = Math.max(LEAST_SOFT_M, sensor.rangeNoiseM());
-    Parameter aperture = Parameter.of("aperture_factor", 1, 0.3, 3, 0.6, 0.75, 0.9, 1.1, 1.3, 1.7);
-    return List.of(
-        new Form(
-            Effect.GAIN,
-            "level",
-            List.of(Parameter.of("gain_db", 0, -40, 40, -10, -5, -2, 2, 5, 10)),
-            v -> new LevelGain(v[0])),
-        new Form(
-            Effect.ABSORPTION,
-            "level",
-            List.of(Parameter.of("added_db_per_m", 0, -1.3, 6, -0.8, -0.4, 0.4, 0.8, 1.5, 3)),
-            v -> new LevelAbsorption(v[0])),
-        new Form(Effect.BEAM_PATTERN, "aperture", List.of(aperture), v -> new LevelAperture(v[0])),
-        new Form(Effect.BEAM_WIDTH, "aperture", List.of(aperture), v -> new LevelAperture(v[0])),
-        new Form(
-            Effect.RANGE_OFFSET,
-            "gated",
-            List.of(Parameter.of("offset_m", 0, -1, 1, -0.1, -0.03, 0.03, 0.1)),
-            v -> new GatedOffset(new RangeOffset(v[0]), soft)));
-  }
-
-  /** Puts the forms of effects that change the law in the place of those that change thresholds. */
-  static void replace(List<Form> forms, SonarSpec sensor) {
-    forms.removeIf(form -> THRESHOLDS.contains(form.effect()) || isReceiver(form));
-    forms.addAll(effects(sensor));
-  }
-
-  /** A time-out is a clock's; one that is soft is a receiver that asks more, as air does. */
-  private static boolean isReceiver(Form form) {
-    return form.effect() == Effect.EARLY_TIMEOUT && form.name().equals("soft");
   }
 
   private static String at(String name, double place) {

@@ -1,5 +1,6 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
 import simbad.sonar.level.LevelLaw;
 import simbad.sonar.scene.SonarSpec;
 
@@ -26,6 +27,17 @@ public record LevelRule(
     double maxRangeM,
     double rangeScale)
     implements SensorChange {
+  /** Checks the figures; NaN is refused. */
+  public LevelRule {
+    Checks.finite("squintRad", squintRad);
+    Checks.share("missRate", missRate);
+    Checks.notNegative("apertureDeviation", apertureDeviation);
+    Checks.notNegative("squintDeviationRad", squintDeviationRad);
+    Checks.notNegative("minRangeM", minRangeM);
+    Checks.above("maxRangeM", maxRangeM, minRangeM);
+    Checks.positive("rangeScale", rangeScale);
+  }
+
   /** Returns a rule whose beam is known, of a sensor whose range is as believed. */
   public static LevelRule of(SonarSpec sensor) {
     return new LevelRule(

@@ -154,6 +154,15 @@ class LevelFormsTest {
     }
   }
 
+  /** The forms that effects have under the level law alone. */
+  private static List<Form> ofLevels(SensingSetup setup) {
+    List<Form> others = Forms.all(setup, List.of("s"));
+    return Definitions.all().stream()
+        .flatMap(definition -> definition.levelForms(setup, List.of("s")).stream())
+        .filter(form -> !others.contains(form))
+        .toList();
+  }
+
   /** A scene that believes in thresholds reads the model of a diagnosis by levels. */
   @Test
   void aModelFileGivesEveryFormBack() throws Exception {
@@ -166,8 +175,7 @@ class LevelFormsTest {
             drawn(LevelForms.law(plain), random),
             drawn(LevelForms.strength("post"), random),
             drawn(LevelForms.path("post"), random));
-    List<FittedForm> effects =
-        LevelForms.effects(plain.sensor()).stream().map(form -> drawn(form, random)).toList();
+    List<FittedForm> effects = ofLevels(plain).stream().map(form -> drawn(form, random)).toList();
     FittedModel model = new FittedModel(plain, List.of("s"), calibration, effects);
     Path file = folder.resolve("model.json");
     ModelFile.write(file, model);
