@@ -76,9 +76,13 @@ public final class BeamWidthEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return text(
-        "let cone_half_angle_deg be %.1f",
-        Math.toDegrees(values.sensor().coneHalfAngleRad()) + values.value("added_deg"));
+    return values.has("aperture_factor")
+        ? text(
+            "let sensor.level.aperture_radius_m be %.2f times as large",
+            values.value("aperture_factor"))
+        : text(
+            "let cone_half_angle_deg be %.1f",
+            Math.toDegrees(values.sensor().coneHalfAngleRad()) + values.value("added_deg"));
   }
 
   @Override

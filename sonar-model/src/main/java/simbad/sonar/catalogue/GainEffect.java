@@ -75,9 +75,13 @@ public final class GainEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return text(
-        "multiply all thresholds by %.2f, or restore the sensor's drive voltage",
-        values.value("factor"));
+    return values.has("gain_db")
+        ? text(
+            "restore the sensor's drive voltage, or calibrate anew: echoes are %.1f dB too %s",
+            Math.abs(values.value("gain_db")), values.value("gain_db") < 0 ? "weak" : "strong")
+        : text(
+            "multiply all thresholds by %.2f, or restore the sensor's drive voltage",
+            values.value("factor"));
   }
 
   @Override

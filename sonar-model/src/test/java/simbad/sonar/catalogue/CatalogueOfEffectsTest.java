@@ -109,7 +109,9 @@ class CatalogueOfEffectsTest {
   @ParameterizedTest
   @MethodSource("definitions")
   void remedy_hasTheNumbersOfEveryForm(Definition definition) {
-    for (Form form : definition.forms(SETUP, SENSORS)) {
+    List<Form> forms = new ArrayList<>(definition.forms(SETUP, SENSORS));
+    forms.addAll(definition.levelForms(SETUP, SENSORS));
+    for (Form form : forms) {
       Map<String, Double> values = new HashMap<>();
       for (Parameter parameter : form.parameters()) {
         values.put(parameter.name(), parameter.high());
