@@ -15,6 +15,7 @@ import picocli.CommandLine.Option;
 import simbad.experiments.blindcheck.CheckOrder;
 import simbad.experiments.blindcheck.CheckOrder.Drawn;
 import simbad.experiments.blindcheck.CheckOrder.Foreign;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.format.OneLine;
 
@@ -174,7 +175,7 @@ final class BlindCheckCommand extends Subcommand {
 
   private CheckOrder order() throws IOException {
     for (String word : withhold) {
-      if (Effect.find(word).isEmpty()) {
+      if (Definitions.find(word).isEmpty()) {
         throw wrongUsage("--withhold: '" + word + "' is the name of no effect");
       }
     }

@@ -25,6 +25,7 @@ import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Provenance;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.format.DataFormatException;
 
@@ -168,7 +169,7 @@ final class DiagnoseCommand extends Subcommand {
     Set<Effect> effects = new LinkedHashSet<>();
     for (String word : withhold) {
       effects.add(
-          Effect.find(word)
+          Definitions.find(word)
               .orElseThrow(
                   () -> wrongUsage("--withhold: '" + word + "' is the name of no effect")));
     }

@@ -52,7 +52,7 @@ final class EffectsCommand extends Subcommand {
   protected void run() {
     List<Definition> asked = new ArrayList<>();
     for (String word : words) {
-      asked.add(Definitions.of(Effect.find(word).orElseThrow(() -> unknown(word))));
+      asked.add(Definitions.of(Definitions.find(word).orElseThrow(() -> unknown(word))));
     }
     if (asked.isEmpty()) {
       Definitions.all().forEach(this::list);

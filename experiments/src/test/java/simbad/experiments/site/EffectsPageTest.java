@@ -46,7 +46,7 @@ class EffectsPageTest {
   @Test
   void table_saysWhatHappens_asTheDefinitionDoes() throws IOException {
     for (MatchResult row : ROW.matcher(Files.readString(PAGE)).results().toList()) {
-      String happens = Definitions.of(Effect.find(row.group(1)).orElseThrow()).happens();
+      String happens = Definitions.of(Definitions.find(row.group(1)).orElseThrow()).happens();
       assertTrue(row.group(2).startsWith(happens), row.group(1) + ": " + happens);
     }
   }

@@ -1,5 +1,8 @@
 package simbad.sonar.effect;
 
+import java.util.ArrayList;
+import java.util.List;
+
 /**
  * One departure of the world from the nominal model, with its parameters.
  *
@@ -28,5 +31,16 @@ public sealed interface Change
    */
   default boolean changesGeometry() {
     return false;
+  }
+
+  /** Returns the changes of one kind, in a list that may be changed. */
+  static <T> List<T> only(Class<T> kind, List<? extends Change> changes) {
+    List<T> some = new ArrayList<>();
+    for (Change change : changes) {
+      if (kind.isInstance(change)) {
+        some.add(kind.cast(change));
+      }
+    }
+    return some;
   }
 }

@@ -64,6 +64,11 @@ public final class Definitions {
         .orElseThrow(() -> new IllegalArgumentException("nothing defines the effect " + effect));
   }
 
+  /** Finds an effect that has a definition by its name in files. */
+  public static Optional<Effect> find(String word) {
+    return effects().stream().filter(effect -> effect.word().equals(word)).findFirst();
+  }
+
   private static Optional<Definition> find(Effect effect) {
     return all().stream().filter(definition -> definition.effect() == effect).findFirst();
   }

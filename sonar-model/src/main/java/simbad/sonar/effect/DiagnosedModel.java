@@ -41,7 +41,7 @@ public final class DiagnosedModel {
     this.believed = believed;
     this.changes = List.copyOf(changes);
     sensor = Geometry.changedSensor(believed.sensor(), changes);
-    report = report(PingModel.of(OutputChange.class, changes));
+    report = report(Change.only(OutputChange.class, changes));
     memory = Memory.of(changes);
   }
 

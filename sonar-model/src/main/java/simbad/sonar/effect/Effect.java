@@ -2,7 +2,6 @@ package simbad.sonar.effect;
 
 import java.util.Comparator;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Pattern;
 
@@ -136,11 +135,6 @@ public final class Effect implements Comparable<Effect> {
           "an effect's name has small letters, digits and single hyphens, not '" + word + "'");
     }
     return BY_WORD.computeIfAbsent(word, name -> new Effect(name, OF_A_JAR));
-  }
-
-  /** Finds an effect that has a definition by its name in files. */
-  public static Optional<Effect> find(String word) {
-    return Definitions.effects().stream().filter(effect -> effect.word.equals(word)).findFirst();
   }
 
   /** Returns the name as it stands in files. */

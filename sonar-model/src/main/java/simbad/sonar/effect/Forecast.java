@@ -49,7 +49,7 @@ final class Forecast {
   }
 
   private static Mixture[][] states() {
-    Mixture[][] states = new Mixture[2][HiddenState.MOST + 2];
+    Mixture[][] states = new Mixture[2][StaleReading.MOST_REPEATS + 2];
     for (Mixture[] some : states) {
       for (int slot = 0; slot < some.length; slot++) {
         some[slot] = new Mixture();
@@ -85,7 +85,7 @@ final class Forecast {
         advance(ping, inBurst, slot);
       }
     }
-    slots = memory.stale() == null ? 2 : Math.min(slots + 1, HiddenState.MOST + 2);
+    slots = memory.stale() == null ? 2 : Math.min(slots + 1, StaleReading.MOST_REPEATS + 2);
     if (onEachReading) {
       blur();
     }
@@ -188,7 +188,7 @@ final class Forecast {
   }
 
   private void miss(int inBurst, int slot, int part, double missed, double repeats) {
-    if (repeats > 0 && slot < HiddenState.MOST + 1) {
+    if (repeats > 0 && slot < StaleReading.MOST_REPEATS + 1) {
       next[inBurst][slot + 1].addPart(state[inBurst][slot], part, missed * repeats);
       nextNothing[inBurst] += missed * (1 - repeats);
     } else {

@@ -10,13 +10,10 @@ import java.util.Arrays;
  * been repeated n times, so that slot 1 is a true echo.
  */
 final class HiddenState {
-  /** A reading that is repeated more often than this is not waited for. */
-  static final int MOST = 40;
-
   /** The slot of a true echo. */
   static final int ECHO = 1;
 
-  private final double[][] probability = new double[2][MOST + 2];
+  private final double[][] probability = new double[2][StaleReading.MOST_REPEATS + 2];
   private int slots = 1;
 
   /** Nothing is known, nothing has been read. */
@@ -41,7 +38,7 @@ final class HiddenState {
   }
 
   void add(int inBurst, int slot, double more) {
-    if (slot <= MOST + 1) {
+    if (slot <= StaleReading.MOST_REPEATS + 1) {
       probability[inBurst][slot] += more;
       slots = Math.max(slots, slot + 1);
     }

@@ -44,10 +44,10 @@ public final class LevelEars {
     strength = new LevelStrength[labels.size()];
     path = new EchoPath[labels.size()];
     for (int i = 0; i < strength.length; i++) {
-      for (LevelStrength one : PingModel.of(LevelStrength.class, changes)) {
+      for (LevelStrength one : Change.only(LevelStrength.class, changes)) {
         strength[i] = one.isOf(labels.get(i)) ? one : strength[i];
       }
-      for (EchoPath one : PingModel.of(EchoPath.class, changes)) {
+      for (EchoPath one : Change.only(EchoPath.class, changes)) {
         path[i] = one.isOf(labels.get(i)) ? one : path[i];
       }
     }
@@ -72,7 +72,7 @@ public final class LevelEars {
 
   /** Those of a sensor under its changes; null where it hears by thresholds. */
   static @Nullable LevelEars of(List<? extends Change> changes, Scene scene, List<String> labels) {
-    List<LevelRule> rules = PingModel.of(LevelRule.class, changes);
+    List<LevelRule> rules = Change.only(LevelRule.class, changes);
     return rules.isEmpty() ? null : new LevelEars(rules.get(0), scene, labels, changes);
   }
 

@@ -43,7 +43,7 @@ final class LevelHearing {
     ears = java.util.Objects.requireNonNull(geometry.ears());
     law = ears.law();
     this.changes =
-        PingModel.of(LevelChange.class, changes).stream()
+        Change.only(LevelChange.class, changes).stream()
             .filter(change -> !(change instanceof LevelStrength || change instanceof EchoPath))
             .toArray(LevelChange[]::new);
     minRangeM = sensor.minRangeM();

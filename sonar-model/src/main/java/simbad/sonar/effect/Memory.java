@@ -21,15 +21,15 @@ record Memory(
 
   static Memory of(List<? extends Change> changes) {
     boolean asRead =
-        PingModel.of(GhostReading.class, changes).stream().anyMatch(ghost -> ghost.share() > 0)
-            || PingModel.of(NearerByPrevious.class, changes).stream()
+        Change.only(GhostReading.class, changes).stream().anyMatch(ghost -> ghost.share() > 0)
+            || Change.only(NearerByPrevious.class, changes).stream()
                 .anyMatch(ghost -> ghost.share() > 0);
     return new Memory(
         only(Burst.class, changes),
         only(Hysteresis.class, changes),
         only(StaleReading.class, changes),
         asRead
-            || PingModel.of(PreviousPing.class, changes).stream()
+            || Change.only(PreviousPing.class, changes).stream()
                 .anyMatch(ping -> ping.share() > 0),
         asRead);
   }
@@ -37,7 +37,7 @@ record Memory(
   private static <T extends MemoryChange> @Nullable T only(
       Class<T> kind, List<? extends Change> changes) {
     List<T> active =
-        PingModel.of(kind, changes).stream().filter(change -> !change.isNeutral()).toList();
+        Change.only(kind, changes).stream().filter(change -> !change.isNeutral()).toList();
     if (active.size() > 1) {
       throw new IllegalArgumentException(
           "changes hold " + active.get(0) + " and " + active.get(1) + "; at most one of a kind");

@@ -2,7 +2,6 @@ package simbad.sonar.effect;
 
 import java.util.Arrays;
 import java.util.List;
-import simbad.sonar.check.Checks;
 
 /**
  * A parameter of a form of an effect.
@@ -22,7 +21,7 @@ public record Parameter(
 
   /** Checks the interval and copies the tries. */
   public Parameter {
-    Checks.number(name + ": neutral", neutral);
+    number(name + ": neutral", neutral);
     if (!(low < high)) {
       throw new IllegalArgumentException(name + ": [" + low + ", " + high + "] is no interval");
     }
@@ -48,7 +47,7 @@ public record Parameter(
    */
   public static Parameter of(
       String name, double neutral, double low, double high, double... tries) {
-    double most = Checks.number(name + ": high", high) > low ? high : Math.nextUp(low);
+    double most = number(name + ": high", high) > low ? high : Math.nextUp(low);
     return new Parameter(
         name,
         neutral,
@@ -56,6 +55,13 @@ public record Parameter(
         most,
         Arrays.stream(tries).map(v -> Math.max(low, Math.min(most, v))).boxed().distinct().toList(),
         false);
+  }
+
+  private static double number(String name, double value) {
+    if (Double.isNaN(value)) {
+      throw new IllegalArgumentException(name + " = " + value + " is not a number");
+    }
+    return value;
   }
 
   /** Returns the same with ends beyond which there is nothing. */

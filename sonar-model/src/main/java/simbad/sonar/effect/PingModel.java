@@ -1,6 +1,5 @@
 package simbad.sonar.effect;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
@@ -44,21 +43,21 @@ final class PingModel {
     this.geometry = geometry;
     noiseM = sensor.rangeNoiseM();
     nominal = new NominalModel(sensor, new Scene(List.of()));
-    thresholds = of(ThresholdChange.class, changes).toArray(ThresholdChange[]::new);
+    thresholds = Change.only(ThresholdChange.class, changes).toArray(ThresholdChange[]::new);
     levels = geometry.ears() == null ? null : new LevelHearing(geometry, sensor, changes);
-    echoes = of(EchoChange.class, changes).toArray(EchoChange[]::new);
-    arrivalChanges = of(ArrivalChange.class, changes).toArray(ArrivalChange[]::new);
-    losses = of(LossChange.class, changes).toArray(LossChange[]::new);
+    echoes = Change.only(EchoChange.class, changes).toArray(EchoChange[]::new);
+    arrivalChanges = Change.only(ArrivalChange.class, changes).toArray(ArrivalChange[]::new);
+    losses = Change.only(LossChange.class, changes).toArray(LossChange[]::new);
     detours =
-        of(MixtureChange.class, changes).stream()
+        Change.only(MixtureChange.class, changes).stream()
             .filter(MixtureChange::beforeRange)
             .toArray(MixtureChange[]::new);
     strangers =
-        of(MixtureChange.class, changes).stream()
+        Change.only(MixtureChange.class, changes).stream()
             .filter(change -> !change.beforeRange())
             .toArray(MixtureChange[]::new);
     ranges =
-        of(RangeChange.class, changes).stream()
+        Change.only(RangeChange.class, changes).stream()
             .sorted(Comparator.comparingInt(RangeChange::order))
             .toArray(RangeChange[]::new);
     Memory memory = Memory.of(changes);
@@ -66,16 +65,6 @@ final class PingModel {
     fromOrigin = memory.ghosts() && !memory.asRead();
     moment = new Moment(geometry);
     heardShare = new double[geometry.obstacles()];
-  }
-
-  static <T> List<T> of(Class<T> kind, List<? extends Change> changes) {
-    List<T> some = new ArrayList<>();
-    for (Change change : changes) {
-      if (kind.isInstance(change)) {
-        some.add(kind.cast(change));
-      }
-    }
-    return some;
   }
 
   Geometry geometry() {

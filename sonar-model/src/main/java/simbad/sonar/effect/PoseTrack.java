@@ -10,7 +10,7 @@ final class PoseTrack {
 
   /** Starts to follow one sensor through one run. */
   PoseTrack(List<? extends Change> changes, String sensor, double runStartS) {
-    List<PoseChange> moves = PingModel.of(PoseChange.class, changes);
+    List<PoseChange> moves = Change.only(PoseChange.class, changes);
     tracks = new PoseChange.Track[moves.size()];
     if (tracks.length > 0) {
       moves.sort(Comparator.comparingInt(PoseChange::order));

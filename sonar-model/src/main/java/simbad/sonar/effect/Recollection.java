@@ -71,7 +71,7 @@ final class Recollection {
 
   private double miss(double timeS, RandomGenerator random) {
     double repeats = memory.repeats(slot, timeS - lastEchoS);
-    if (slot <= HiddenState.MOST && repeats > 0 && random.nextDouble() < repeats) {
+    if (slot <= StaleReading.MOST_REPEATS && repeats > 0 && random.nextDouble() < repeats) {
       slot++;
       return lastM;
     }

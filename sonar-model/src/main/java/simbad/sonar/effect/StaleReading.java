@@ -10,6 +10,9 @@ import simbad.sonar.check.Checks;
  * @param chance that it is repeated each time, in [0, 1]; 0 is neutral
  */
 public record StaleReading(double pings, double forS, double chance) implements MemoryChange {
+  /** A reading that is repeated more often than this is not waited for. */
+  public static final int MOST_REPEATS = 40;
+
   private static final double FOREVER_S = 1e9;
 
   /** Checks the figures; NaN is refused. */
@@ -26,12 +29,12 @@ public record StaleReading(double pings, double forS, double chance) implements 
 
   /** Returns one that repeats a reading for so many seconds. */
   public static StaleReading ofTime(double forS) {
-    return new StaleReading(HiddenState.MOST, forS, 1);
+    return new StaleReading(MOST_REPEATS, forS, 1);
   }
 
   /** Returns one that repeats a reading with such a chance each time. */
   public static StaleReading ofChance(double chance) {
-    return new StaleReading(HiddenState.MOST, FOREVER_S, chance);
+    return new StaleReading(MOST_REPEATS, FOREVER_S, chance);
   }
 
   @Override

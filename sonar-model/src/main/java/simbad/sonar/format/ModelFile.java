@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.FittedForm;
 import simbad.sonar.effect.FittedModel;
@@ -96,7 +97,7 @@ public final class ModelFile {
   }
 
   private static Effect effect(JsonInput name) throws DataFormatException {
-    return Effect.find(name.text()).orElseThrow(() -> name.isNot("the name of an effect"));
+    return Definitions.find(name.text()).orElseThrow(() -> name.isNot("the name of an effect"));
   }
 
   private FittedForm fitted(JsonInput item, Optional<Effect> effect) throws DataFormatException {

@@ -171,7 +171,7 @@ class CatalogueOfEffectsTest {
     assertTrue(jar.compareTo(Effect.named("another")) < 0);
     assertEquals(jar, Effect.named("a-jar-brings-it"));
     assertEquals(Effect.GAIN, Effect.named("gain"));
-    assertTrue(Effect.find("a-jar-brings-it").isEmpty(), "nothing defines it");
+    assertTrue(Definitions.find("a-jar-brings-it").isEmpty(), "nothing defines it");
     assertThrows(IllegalArgumentException.class, () -> Definitions.of(jar));
   }
 
