@@ -39,11 +39,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simbad.definition.Effect;
 import simbad.experiments.cli.Main;
 import simbad.gui.AgentInspector;
 import simbad.gui.Console;
 import simbad.sim.Agent;
-import simbad.sonar.effect.Effect;
 import simbad.sonar.format.WholeFile;
 
 /** The arrows of docs/architecture.md, over all modules, and who may do what. */
@@ -54,6 +54,14 @@ class ArchitectureTest {
           .importPackages("simbad");
 
   private static final String MODEL = "simbad.sonar..";
+  private static final String DEFINITION = "simbad.definition..";
+  private static final String[] EFFECTS = {
+    "simbad.sonar.effect..",
+    "simbad.sonar.ping..",
+    "simbad.sonar.change..",
+    "simbad.sonar.predict..",
+    "simbad.sonar.catalogue.."
+  };
   private static final String KERNEL = "simbad.kernel..";
   private static final String BENCH = "simbad.bench..";
   private static final String OBSTACLES = "simbad.obstacles..";
@@ -76,6 +84,9 @@ class ArchitectureTest {
   @ValueSource(
       strings = {
         "simbad.sonar, 40",
+        "simbad.definition, 3",
+        "simbad.sonar.change, 40",
+        "simbad.sonar.catalogue, 30",
         "simbad.kernel, 20",
         "simbad.sim, 20",
         "simbad.gui, 15",
@@ -169,6 +180,36 @@ class ArchitectureTest {
                 access ->
                     access.getTargetOwner().isEquivalentTo(Effect.class)
                         && access.getTarget().getRawType().isEquivalentTo(Effect.class)))
+        .check(CLASSES);
+  }
+
+  /** The sonar model knows no effects, and what a definition is knows neither. */
+  @Test
+  void effects_areAboveTheSonarModel() {
+    noClasses()
+        .that()
+        .resideInAPackage(MODEL)
+        .and()
+        .resideOutsideOfPackages(EFFECTS)
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage(EFFECTS)
+        .check(CLASSES);
+    noClasses()
+        .that()
+        .resideInAPackage(MODEL)
+        .and()
+        .resideOutsideOfPackages(EFFECTS)
+        .should()
+        .dependOnClassesThat()
+        .resideInAPackage(DEFINITION)
+        .check(CLASSES);
+    classes()
+        .that()
+        .resideInAPackage(DEFINITION)
+        .should()
+        .onlyDependOnClassesThat(
+            resideInAnyPackage("java..", "org.jspecify.annotations", DEFINITION))
         .check(CLASSES);
   }
 

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import simbad.definition.Effect;
+import simbad.definition.Parameter;
 import simbad.gap.diagnosis.AtBound;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Place;
@@ -13,9 +15,7 @@ import simbad.gap.explain.Gain;
 import simbad.gap.explain.Probabilities;
 import simbad.gap.explain.Weighed;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
-import simbad.sonar.effect.Parameter;
 
 /**
  * What is concluded of a log. What holds whatever the probabilities say: nothing is explained by a

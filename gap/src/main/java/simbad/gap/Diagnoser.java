@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import simbad.definition.Effect;
+import simbad.definition.Parameter;
 import simbad.gap.audit.Audit;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.DataSet;
@@ -36,10 +38,8 @@ import simbad.gap.place.Experiments;
 import simbad.gap.place.Places;
 import simbad.gap.place.Undetectables;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
-import simbad.sonar.effect.Parameter;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.PingLog;
 
 /** Diagnoses data sets. Deterministic: the same data set and seed give the same diagnosis. */
 public final class Diagnoser {

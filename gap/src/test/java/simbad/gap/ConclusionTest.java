@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import simbad.definition.Effect;
 import simbad.gap.diagnosis.GapKind;
 import simbad.gap.diagnosis.Place;
 import simbad.gap.diagnosis.Verdict;
@@ -17,8 +18,7 @@ import simbad.gap.explain.Scored;
 import simbad.gap.explain.Weighed;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
-import simbad.sonar.effect.Effect;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.PingLog;
 
 /** What holds of a verdict whatever the probabilities say. */
 class ConclusionTest {

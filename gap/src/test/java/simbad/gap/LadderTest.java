@@ -9,6 +9,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simbad.definition.Effect;
 import simbad.gap.audit.Audit;
 import simbad.gap.audit.AuditCheck;
 import simbad.gap.audit.AuditFinding;
@@ -18,7 +19,6 @@ import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fixture.Ladders;
-import simbad.sonar.effect.Effect;
 import simbad.sonar.sensing.Reading;
 import simbad.sonar.sensing.ReadingRow;
 

@@ -7,10 +7,10 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import simbad.experiments.run.SensorKind;
 import simbad.sonar.effect.FittedForm;
-import simbad.sonar.effect.FittedModel;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.JsonInput;
-import simbad.sonar.format.ModelFile;
+import simbad.sonar.predict.FittedModel;
+import simbad.sonar.predict.ModelFile;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
 

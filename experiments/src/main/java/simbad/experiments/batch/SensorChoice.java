@@ -3,11 +3,11 @@ package simbad.experiments.batch;
 import java.nio.file.Path;
 import java.util.Optional;
 import simbad.experiments.run.SensorKind;
-import simbad.sonar.effect.FittedModel;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.JsonInput;
-import simbad.sonar.format.ModelFile;
 import simbad.sonar.format.SceneFile;
+import simbad.sonar.predict.FittedModel;
+import simbad.sonar.predict.ModelFile;
 import simbad.sonar.scene.SonarSpec;
 
 /**

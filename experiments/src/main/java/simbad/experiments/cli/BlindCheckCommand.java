@@ -16,7 +16,6 @@ import simbad.experiments.blindcheck.CheckOrder;
 import simbad.experiments.blindcheck.CheckOrder.Drawn;
 import simbad.experiments.blindcheck.CheckOrder.Foreign;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Effect;
 import simbad.sonar.format.OneLine;
 
 /** {@code simbad blind-check}: the withheld check of the diagnosis. */

@@ -17,6 +17,7 @@ import java.util.concurrent.Future;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import simbad.definition.Effect;
 import simbad.experiments.diagnosis.DiagnosisFolder;
 import simbad.gap.Diagnoser;
 import simbad.gap.audit.Audit;
@@ -26,7 +27,6 @@ import simbad.gap.diagnosis.DataSetFolder;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Provenance;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Effect;
 import simbad.sonar.format.DataFormatException;
 
 /** {@code simbad diagnose}: where simulation and reality part, why, how far the gap shrinks. */

@@ -6,12 +6,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import simbad.definition.Effect;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.AuditJson;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.Verdict;
-import simbad.sonar.effect.Effect;
 
 /**
  * A diagnosis in one line.

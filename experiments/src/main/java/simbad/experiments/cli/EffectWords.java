@@ -1,8 +1,8 @@
 package simbad.experiments.cli;
 
 import java.util.Iterator;
+import simbad.definition.Effect;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Effect;
 
 /** The names of effects, for the shell to complete. */
 final class EffectWords implements Iterable<String> {

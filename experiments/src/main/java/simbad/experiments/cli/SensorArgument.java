@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import simbad.experiments.run.SensorKind;
 import simbad.sonar.format.DataFormatException;
-import simbad.sonar.format.ModelFile;
 import simbad.sonar.format.SceneFile;
+import simbad.sonar.predict.ModelFile;
 import simbad.sonar.scene.SensingSetup;
 
 /** A sensor on the command line: a name, or a diagnosis' folder. */

@@ -15,12 +15,12 @@ import simbad.gap.diagnosis.DiagnosisJson;
 import simbad.gap.diagnosis.Provenance;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.FittedForm;
-import simbad.sonar.effect.FittedModel;
-import simbad.sonar.effect.PingLog;
-import simbad.sonar.format.ModelFile;
 import simbad.sonar.format.ReadingsWriter;
 import simbad.sonar.format.TextFile;
 import simbad.sonar.format.WholeFile;
+import simbad.sonar.ping.PingLog;
+import simbad.sonar.predict.FittedModel;
+import simbad.sonar.predict.ModelFile;
 import simbad.sonar.scene.SensorPoses;
 
 /** Writes a diagnosis's folder. */

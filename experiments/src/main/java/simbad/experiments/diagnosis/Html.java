@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Collection;
 import java.util.List;
-import simbad.sonar.effect.Effect;
+import simbad.definition.Effect;
 
 /** Words and numbers for the page. */
 final class Html {

@@ -8,10 +8,10 @@ import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import simbad.gap.diagnosis.ForecastGap;
-import simbad.sonar.effect.Change;
-import simbad.sonar.effect.DiagnosedModel;
-import simbad.sonar.effect.PingLog;
 import simbad.sonar.model.ReadingDistribution;
+import simbad.sonar.ping.Change;
+import simbad.sonar.ping.PingLog;
+import simbad.sonar.predict.DiagnosedModel;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.ReadingRow;
 

@@ -2,13 +2,13 @@ package simbad.experiments.diagnosis;
 
 import java.util.Comparator;
 import java.util.List;
+import simbad.definition.Effect;
 import simbad.experiments.markup.Markup;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.GapFigures;
 import simbad.gap.diagnosis.Verdict;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Effect;
 
 /** The verdict in one sentence, and those that follow from it. */
 final class VerdictWords {

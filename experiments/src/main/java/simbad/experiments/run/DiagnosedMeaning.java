@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import simbad.sonar.effect.FittedForm;
-import simbad.sonar.effect.FittedModel;
+import simbad.sonar.predict.FittedModel;
 
 /** What a fitted model holds, in a line. */
 final class DiagnosedMeaning {

@@ -10,10 +10,10 @@ import java.util.stream.Stream;
 import simbad.experiments.plot.SeriesRole;
 import simbad.obstacles.SonarBelt;
 import simbad.sim.RangeSensorBelt;
-import simbad.sonar.effect.FittedModel;
 import simbad.sonar.model.DetectionRule;
 import simbad.sonar.model.NamedSensorModel;
 import simbad.sonar.model.SensorModel;
+import simbad.sonar.predict.FittedModel;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.sensing.Sensor;
 

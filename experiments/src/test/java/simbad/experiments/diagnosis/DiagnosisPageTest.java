@@ -11,12 +11,12 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simbad.definition.Effect;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.GapFigures;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.Effect;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
 

@@ -6,8 +6,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import simbad.definition.Effect;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Effect;
 
 class HtmlTest {
   @ParameterizedTest

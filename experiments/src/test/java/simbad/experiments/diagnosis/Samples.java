@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
+import simbad.definition.Effect;
 import simbad.experiments.dataset.MadeDataSet;
 import simbad.experiments.dataset.TableGrid;
 import simbad.gap.diagnosis.BudgetEntry;
@@ -24,7 +25,6 @@ import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fit.Hypothesis;
 import simbad.obstacles.Catalogue;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 

@@ -3,7 +3,7 @@ package simbad.gap.calibrate;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import simbad.sonar.effect.LevelForms;
+import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.frame.Angles;
 import simbad.sonar.level.LevelLaw;
 import simbad.sonar.scene.Detection;

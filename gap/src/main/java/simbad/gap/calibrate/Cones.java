@@ -5,7 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
 import simbad.gap.calibrate.Trials.Trial;
-import simbad.sonar.effect.LevelForms;
+import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.frame.Angles;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;

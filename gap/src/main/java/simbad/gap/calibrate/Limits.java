@@ -1,8 +1,8 @@
 package simbad.gap.calibrate;
 
 import simbad.gap.fit.Fold;
-import simbad.sonar.effect.Geometry;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SonarSpec;
 
 /**

@@ -2,7 +2,7 @@ package simbad.gap.calibrate;
 
 import java.util.Arrays;
 import java.util.List;
-import simbad.sonar.effect.LevelForms;
+import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.level.LevelLaw;
 
 /**

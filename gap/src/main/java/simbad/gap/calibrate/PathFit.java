@@ -6,7 +6,7 @@ import org.hipparchus.linear.ArrayRealVector;
 import org.hipparchus.linear.CholeskyDecomposition;
 import org.hipparchus.linear.MatrixUtils;
 import org.hipparchus.linear.RealMatrix;
-import simbad.sonar.effect.LevelForms;
+import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.frame.Angles;
 
 /**

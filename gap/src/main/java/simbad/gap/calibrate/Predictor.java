@@ -1,11 +1,11 @@
 package simbad.gap.calibrate;
 
 import java.util.List;
-import simbad.sonar.effect.LevelEars;
-import simbad.sonar.effect.LevelForms;
+import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.frame.Angles;
 import simbad.sonar.level.LevelLaw;
 import simbad.sonar.level.PistonBeam;
+import simbad.sonar.ping.LevelEars;
 
 /** The excess of trials under values of the level law, and how it changes with each value. */
 final class Predictor {

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.hipparchus.linear.MatrixUtils;
 import org.hipparchus.linear.RealMatrix;
-import simbad.sonar.effect.LevelForms;
+import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.level.LevelFigures;
 import simbad.sonar.scene.SonarSpec;
 

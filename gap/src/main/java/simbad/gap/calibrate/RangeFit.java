@@ -5,7 +5,7 @@ import java.util.List;
 import org.hipparchus.linear.ArrayRealVector;
 import org.hipparchus.linear.MatrixUtils;
 import org.hipparchus.linear.RealMatrix;
-import simbad.sonar.effect.LevelForms;
+import simbad.sonar.catalogue.LevelForms;
 
 /**
  * By how much echoes read long, and how much their ranges scatter, over their excess: curves

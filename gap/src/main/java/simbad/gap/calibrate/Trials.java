@@ -3,9 +3,9 @@ package simbad.gap.calibrate;
 import java.util.ArrayList;
 import java.util.List;
 import simbad.gap.fit.Fold;
-import simbad.sonar.effect.Change;
-import simbad.sonar.effect.Geometry;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.Change;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SonarSpec;
 
 /**

@@ -1,6 +1,6 @@
 package simbad.gap.diagnosis;
 
-import simbad.sonar.effect.Effect;
+import simbad.definition.Effect;
 
 /**
  * A fitted parameter that stands at an end of what was searched: a better value may lie beyond it,

@@ -2,10 +2,10 @@ package simbad.gap.diagnosis;
 
 import java.util.List;
 import java.util.Optional;
+import simbad.definition.Effect;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.Effect;
-import simbad.sonar.effect.LevelForms;
+import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.scene.SensorLaw;
 
 /**

@@ -11,9 +11,9 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Collection;
 import java.util.List;
+import simbad.definition.Effect;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 
 /**

@@ -2,7 +2,7 @@ package simbad.gap.diagnosis;
 
 import java.util.List;
 import java.util.Optional;
-import simbad.sonar.effect.Effect;
+import simbad.definition.Effect;
 
 /**
  * What a diagnosis found of one effect of the vocabulary.

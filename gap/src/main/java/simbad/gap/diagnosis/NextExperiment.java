@@ -1,7 +1,7 @@
 package simbad.gap.diagnosis;
 
 import java.util.List;
-import simbad.sonar.effect.Effect;
+import simbad.definition.Effect;
 import simbad.sonar.sensing.ReadingRow;
 
 /**

@@ -1,7 +1,7 @@
 package simbad.gap.diagnosis;
 
 import java.util.OptionalDouble;
-import simbad.sonar.effect.Effect;
+import simbad.definition.Effect;
 
 /**
  * An effect that these data could not have shown.

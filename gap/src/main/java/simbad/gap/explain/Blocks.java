@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import simbad.gap.fit.Fold;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.PingLog;
 
 /**
  * A log cut into blocks that belong together: neighbouring pings share what is not modelled, so

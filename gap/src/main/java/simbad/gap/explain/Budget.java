@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import simbad.definition.Effect;
 import simbad.gap.diagnosis.BudgetEntry;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.Refit;
-import simbad.sonar.effect.Effect;
 
 /**
  * How the gap before is made up. An effect's share is what the gap grows by when it is left out,

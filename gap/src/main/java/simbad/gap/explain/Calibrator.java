@@ -7,8 +7,8 @@ import java.util.stream.Stream;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Hypothesis;
+import simbad.sonar.catalogue.SetupForms;
 import simbad.sonar.effect.Form;
-import simbad.sonar.effect.SetupForms;
 import simbad.sonar.scene.SensingSetup;
 
 /**

@@ -4,8 +4,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import simbad.definition.Effect;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.Effect;
 
 /**
  * Effects that are at work beyond doubt, though something is left over beside them. A near clamp

@@ -1,9 +1,9 @@
 package simbad.gap.explain;
 
 import simbad.gap.fit.Hypothesis;
+import simbad.sonar.catalogue.SetupForms;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
-import simbad.sonar.effect.SetupForms;
 
 /**
  * What differs from one day to the next though nothing was changed: the air's temperature by half a

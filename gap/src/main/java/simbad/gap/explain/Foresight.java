@@ -5,9 +5,9 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.DiagnosedModel;
-import simbad.sonar.effect.Geometry;
 import simbad.sonar.model.ReadingDistribution;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.predict.DiagnosedModel;
 
 /**
  * How many echoes a hypothesis with memory expects where no reading is known, and how far that

@@ -6,9 +6,9 @@ import java.util.stream.IntStream;
 import simbad.gap.diagnosis.ForecastGap;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.DiagnosedModel;
-import simbad.sonar.effect.PingLog;
 import simbad.sonar.model.ReadingDistribution;
+import simbad.sonar.ping.PingLog;
+import simbad.sonar.predict.DiagnosedModel;
 
 /**
  * Measures the gap of each ping, as {@link ForecastGap} says. Predictions never look at readings.

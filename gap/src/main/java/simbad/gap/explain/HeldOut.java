@@ -9,12 +9,12 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
+import simbad.definition.Effect;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.Refit;
-import simbad.sonar.effect.Effect;
 
 /**
  * Scores sets of effects on rows that they were not fitted on: values fitted on every other block

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.PingLog;
 
 /** How far a hypothesis is off in any slice of a log. */
 public final class Misfit {

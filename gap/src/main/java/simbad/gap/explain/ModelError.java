@@ -7,7 +7,7 @@ import simbad.gap.diagnosis.SetupError;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 
 /**

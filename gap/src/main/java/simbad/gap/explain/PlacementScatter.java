@@ -9,8 +9,8 @@ import java.util.stream.IntStream;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.Robust;
-import simbad.sonar.effect.Geometry;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SonarSpec;
 
 /**

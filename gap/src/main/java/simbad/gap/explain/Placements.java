@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BinaryOperator;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.PingLog;
 
 /**
  * Readings that were taken without anything being moved: those of one word in the column placement,

@@ -3,6 +3,8 @@ package simbad.gap.explain;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
+import simbad.definition.Effect;
+import simbad.definition.Trait;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
@@ -10,9 +12,7 @@ import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.Screen;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
-import simbad.sonar.effect.Trait;
 
 /**
  * The plain causes, which are the commonest: a scale (a wrong constant, a wrong unit), an offset

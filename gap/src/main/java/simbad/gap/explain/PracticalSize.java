@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import simbad.definition.Effect;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.Effect;
 
 /**
  * Which effects of an explanation do not show in the gap: with many rows an effect is found long

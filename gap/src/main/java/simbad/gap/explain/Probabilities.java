@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import simbad.definition.Effect;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.Effect;
 
 /** How probable each set of effects is among those that were fitted, and each effect. */
 public final class Probabilities {

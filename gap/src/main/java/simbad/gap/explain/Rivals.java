@@ -6,7 +6,7 @@ import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SensorLaw;
 

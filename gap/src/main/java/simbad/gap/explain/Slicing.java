@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
-import simbad.sonar.effect.Geometry;
-import simbad.sonar.effect.PingLog;
 import simbad.sonar.frame.Angles;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.ping.PingLog;
 
 /** Ways to cut a log into slices, declared before any reading is looked at. */
 final class Slicing {

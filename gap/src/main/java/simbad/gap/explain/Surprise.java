@@ -4,10 +4,10 @@ import org.hipparchus.special.Erf;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.DiagnosedModel;
-import simbad.sonar.effect.Expectation;
-import simbad.sonar.effect.Geometry;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.ping.PingLog;
+import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.Expectation;
 
 /**
  * What a hypothesis got wrong, ping by ping, given all readings before: whether there was an echo,

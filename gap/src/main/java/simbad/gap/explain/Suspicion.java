@@ -1,14 +1,14 @@
 package simbad.gap.explain;
 
 import java.util.Arrays;
+import simbad.definition.Effect;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.Effect;
+import simbad.sonar.catalogue.SetupForms;
 import simbad.sonar.effect.Form;
-import simbad.sonar.effect.SetupForms;
 
 /** Whether what explains a log was there already when the reference was taken. */
 final class Suspicion {

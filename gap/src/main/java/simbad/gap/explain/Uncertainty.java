@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.hipparchus.linear.Array2DRowRealMatrix;
 import org.hipparchus.linear.EigenDecompositionSymmetric;
+import simbad.definition.Parameter;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Form;
-import simbad.sonar.effect.Parameter;
 
 /** How well a log bounds fitted values: from the curvature of the likelihood at the fit. */
 public final class Uncertainty {

@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import simbad.definition.Effect;
+import simbad.definition.Trait;
 import simbad.gap.fit.Evidence;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Effect;
-import simbad.sonar.effect.Trait;
 
 /**
  * Sets of effects weighed against each other. A set that makes the gap of rows larger that it was

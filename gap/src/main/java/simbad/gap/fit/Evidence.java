@@ -1,10 +1,10 @@
 package simbad.gap.fit;
 
 import java.util.List;
-import simbad.sonar.effect.Change;
-import simbad.sonar.effect.DiagnosedModel;
-import simbad.sonar.effect.Geometry;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.Change;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.ping.PingLog;
+import simbad.sonar.predict.DiagnosedModel;
 import simbad.sonar.scene.SensingSetup;
 
 /**

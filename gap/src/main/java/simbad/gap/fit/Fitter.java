@@ -13,10 +13,10 @@ import org.hipparchus.optim.nonlinear.scalar.GoalType;
 import org.hipparchus.optim.nonlinear.scalar.ObjectiveFunction;
 import org.hipparchus.optim.nonlinear.scalar.noderiv.NelderMeadSimplex;
 import org.hipparchus.optim.nonlinear.scalar.noderiv.SimplexOptimizer;
-import simbad.sonar.effect.Change;
-import simbad.sonar.effect.DiagnosedModel;
-import simbad.sonar.effect.Geometry;
-import simbad.sonar.effect.Parameter;
+import simbad.definition.Parameter;
+import simbad.sonar.ping.Change;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.predict.DiagnosedModel;
 
 /** Finds the values of a hypothesis that make the readings most probable. For one thread. */
 public class Fitter {

@@ -1,7 +1,7 @@
 package simbad.gap.fit;
 
 import java.util.List;
-import simbad.sonar.effect.OrientationShadow;
+import simbad.sonar.change.OrientationShadow;
 
 /**
  * What each reading is worth when an obstacle is heard and when it is not: with the chance of being

@@ -5,10 +5,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import simbad.sonar.effect.Change;
-import simbad.sonar.effect.Effect;
+import simbad.definition.Effect;
+import simbad.definition.Parameter;
 import simbad.sonar.effect.Form;
-import simbad.sonar.effect.Parameter;
+import simbad.sonar.ping.Change;
 
 /**
  * Forms of effects with values for all their parameters: one explanation of a log.

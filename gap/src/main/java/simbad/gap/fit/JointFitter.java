@@ -1,8 +1,8 @@
 package simbad.gap.fit;
 
 import java.util.List;
-import simbad.sonar.effect.Change;
-import simbad.sonar.effect.MemoryChange;
+import simbad.sonar.ping.Change;
+import simbad.sonar.ping.MemoryChange;
 
 /**
  * Fits a set-up to its reference and to a log together, while the log's effects stay as they are.

@@ -6,7 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import simbad.sonar.effect.Clues.Line;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.PingLog;
 
 /**
  * Looks for lines on which echoes lie over the readings before them: for each slope the shift that

@@ -3,7 +3,7 @@ package simbad.gap.fit;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.PingLog;
 
 /** Steps that the readings of a log may be multiples of, by how well they keep the beat. */
 final class Rhythm {

@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import simbad.sonar.change.OrientationShadow;
 import simbad.sonar.effect.Forms;
-import simbad.sonar.effect.Geometry;
-import simbad.sonar.effect.OrientationShadow;
+import simbad.sonar.ping.Geometry;
 import simbad.sonar.shape.ThresholdTable;
 
 /**

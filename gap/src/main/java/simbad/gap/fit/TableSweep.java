@@ -3,7 +3,7 @@ package simbad.gap.fit;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import simbad.sonar.effect.Geometry;
+import simbad.sonar.ping.Geometry;
 import simbad.sonar.shape.ThresholdTable;
 
 /**

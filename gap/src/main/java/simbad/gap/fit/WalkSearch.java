@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import simbad.definition.Parameter;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Modes;
-import simbad.sonar.effect.Parameter;
 
 /**
  * Looks for ranges that walk by the same step from ping to ping: the step that most strange echoes

@@ -3,9 +3,9 @@ package simbad.gap.place;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
-import simbad.sonar.effect.Geometry;
-import simbad.sonar.effect.PingLog;
 import simbad.sonar.frame.Placement;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.Obstacle;
 
 /**

@@ -9,13 +9,13 @@ import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import simbad.definition.Effect;
 import simbad.gap.diagnosis.NextExperiment;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.DiagnosedModel;
-import simbad.sonar.effect.Effect;
-import simbad.sonar.effect.PingLog;
 import simbad.sonar.model.ReadingDistribution;
+import simbad.sonar.ping.PingLog;
+import simbad.sonar.predict.DiagnosedModel;
 import simbad.sonar.sensing.ReadingRow;
 
 /**

@@ -5,8 +5,8 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import simbad.gap.diagnosis.GapKind;
-import simbad.sonar.effect.PingLog;
 import simbad.sonar.model.ReadingDistribution;
+import simbad.sonar.ping.PingLog;
 
 /**
  * Tells in what way simulation and reality part in a place.

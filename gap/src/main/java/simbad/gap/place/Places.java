@@ -12,9 +12,9 @@ import simbad.gap.explain.GapMeter;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.DiagnosedModel;
-import simbad.sonar.effect.Geometry;
 import simbad.sonar.model.ReadingDistribution;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.predict.DiagnosedModel;
 
 /**
  * Finds the places of a gap: the fewest slices of a log that hold what the nominal model's gap is

@@ -2,8 +2,8 @@ package simbad.gap.place;
 
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
+import simbad.definition.Parameter;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.Parameter;
 import simbad.sonar.effect.Probe;
 
 /**

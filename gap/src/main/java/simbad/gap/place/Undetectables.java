@@ -3,13 +3,13 @@ package simbad.gap.place;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import simbad.definition.Effect;
 import simbad.gap.diagnosis.Undetectable;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Effect;
 
 /**
  * Tells which effects a log could not have shown: those that could be at work at a size that

@@ -13,10 +13,10 @@ import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.LevelWorlds;
 import simbad.gap.fixture.Worlds;
+import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.effect.Form;
-import simbad.sonar.effect.LevelForms;
-import simbad.sonar.effect.LevelRule;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.LevelRule;
+import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.ReadingRow;
 

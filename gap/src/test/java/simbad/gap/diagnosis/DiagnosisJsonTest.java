@@ -23,8 +23,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import simbad.definition.Effect;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Effect;
 
 class DiagnosisJsonTest {
   private static final Path SCHEMA = Path.of("..", "docs", "schema", "diagnosis.schema.json");

@@ -7,15 +7,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import simbad.definition.Effect;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
-import simbad.sonar.effect.Effect;
+import simbad.sonar.catalogue.SetupForms;
 import simbad.sonar.effect.Form;
-import simbad.sonar.effect.PingLog;
-import simbad.sonar.effect.SetupForms;
+import simbad.sonar.ping.PingLog;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
 

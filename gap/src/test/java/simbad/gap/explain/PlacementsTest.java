@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fixture.Ladders;
 import simbad.gap.fixture.Worlds;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.PingLog;
 import simbad.sonar.sensing.ReadingRow;
 
 /** Ladders and drives: what was put in place, and how far its readings hang together. */

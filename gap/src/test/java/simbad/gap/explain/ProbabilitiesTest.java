@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import simbad.definition.Effect;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
-import simbad.sonar.effect.Effect;
 
 class ProbabilitiesTest {
   private static final Hypothesis GAIN = Worlds.effect(Effect.GAIN, "factor", 0.8);

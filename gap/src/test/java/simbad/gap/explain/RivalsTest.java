@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.LevelWorlds;
 import simbad.gap.fixture.Worlds;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensorLaw;
 import simbad.sonar.sensing.ReadingRow;
 

@@ -5,11 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import simbad.definition.Effect;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
-import simbad.sonar.effect.Effect;
-import simbad.sonar.effect.SetupForms;
+import simbad.sonar.catalogue.SetupForms;
 
 /** What a reference says of the explanation of a log that came later. */
 class SuspicionTest {

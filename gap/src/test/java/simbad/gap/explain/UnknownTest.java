@@ -7,11 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import simbad.definition.Effect;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
-import simbad.sonar.effect.Burst;
-import simbad.sonar.effect.Effect;
+import simbad.sonar.change.Burst;
 import simbad.sonar.effect.Forms;
 
 class UnknownTest {

@@ -9,11 +9,11 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import simbad.definition.Effect;
 import simbad.gap.fixture.Worlds;
-import simbad.sonar.effect.Effect;
+import simbad.sonar.catalogue.SetupForms;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
-import simbad.sonar.effect.SetupForms;
 import simbad.sonar.sensing.ReadingRow;
 
 /** Logs that a model drew are fitted by that model. */

@@ -10,9 +10,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import simbad.definition.Effect;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 
 /** A search that starts far from the truth does not find it: some start is near it. */

@@ -9,12 +9,12 @@ import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import simbad.definition.Effect;
 import simbad.gap.fixture.Worlds;
+import simbad.sonar.change.OrientationShadow;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Effect;
-import simbad.sonar.effect.OrientationShadow;
-import simbad.sonar.effect.PingLog;
 import simbad.sonar.effect.Probe;
+import simbad.sonar.ping.PingLog;
 import simbad.sonar.shape.ThresholdTable;
 
 class ProbesTest {

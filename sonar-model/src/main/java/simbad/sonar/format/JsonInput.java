@@ -48,7 +48,12 @@ public final class JsonInput {
     this.node = node;
   }
 
-  static JsonInput read(Path file) throws DataFormatException {
+  /**
+   * Reads a file.
+   *
+   * @throws DataFormatException if it cannot be read or is no JSON
+   */
+  public static JsonInput read(Path file) throws DataFormatException {
     return parse(file, TextFile.read(file));
   }
 
@@ -169,7 +174,8 @@ public final class JsonInput {
     return name;
   }
 
-  boolean isText(String text) {
+  /** Tells whether this is a certain text. */
+  public boolean isText(String text) {
     return text.equals(node.textValue());
   }
 

@@ -127,7 +127,7 @@ record Door(Executable way) {
     String types =
         String.join(
             ", ", Arrays.stream(way.getParameterTypes()).map(Class::getSimpleName).toList());
-    String name = way.getDeclaringClass().getName().replace("simbad.sonar.", "");
+    String name = way.getDeclaringClass().getName().replace("simbad.", "").replace("sonar.", "");
     return name + (way instanceof Method ? "." + way.getName() : "") + "(" + types + ")";
   }
 }

@@ -16,13 +16,14 @@ import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
 
 /** Values that arguments of each type may have. */
-final class Samples {
+public final class Samples {
   /** As many as the least table has. */
   private static final int MANY = 24;
 
   private final Map<Type, Object> known = new HashMap<>();
 
-  Samples() {
+  /** Knows plain types only. */
+  public Samples() {
     known.put(boolean.class, false);
     known.put(long.class, 1L);
     known.put(String.class, "post");
@@ -50,7 +51,7 @@ final class Samples {
   }
 
   /** Adds a value of a type that cannot be made of nothing. */
-  Samples with(Class<?> type, Object value) {
+  public Samples with(Class<?> type, Object value) {
     known.put(type, value);
     return this;
   }

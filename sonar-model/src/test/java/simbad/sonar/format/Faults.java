@@ -10,7 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /** Bad files are refused in one line that says where and what. */
-final class Faults {
+public final class Faults {
   /** More than a terminal's few lines helps nobody, and a bad file may hold megabytes. */
   private static final int LONGEST = 500;
 
@@ -18,15 +18,15 @@ final class Faults {
 
   /** Any of the readers. */
   @FunctionalInterface
-  interface Reader {
+  public interface Reader {
     Object read(Path file) throws DataFormatException;
   }
 
-  static Path file(Path directory, String text) throws IOException {
+  public static Path file(Path directory, String text) throws IOException {
     return file(directory, text.getBytes(StandardCharsets.UTF_8));
   }
 
-  static Path file(Path directory, byte[] bytes) throws IOException {
+  public static Path file(Path directory, byte[] bytes) throws IOException {
     return Files.write(directory.resolve("input.txt"), bytes);
   }
 
@@ -36,7 +36,7 @@ final class Faults {
    * @param where what stands between the file's name and the problem, such as ":3: threshold_m: "
    * @param parts of the problem
    */
-  static void check(Reader reader, Path file, String where, String... parts) {
+  public static void check(Reader reader, Path file, String where, String... parts) {
     DataFormatException fault =
         assertThrows(DataFormatException.class, () -> reader.read(file), () -> "expected " + where);
     String message = String.valueOf(fault.getMessage());
@@ -47,7 +47,7 @@ final class Faults {
     }
   }
 
-  static void checkForm(String message, Path file) {
+  public static void checkForm(String message, Path file) {
     assertTrue(message.startsWith(file + ":"), message + " names its file");
     assertEquals(0, message.chars().filter(Faults::breaksLine).count(), "one line: " + message);
     assertTrue(message.length() < LONGEST + file.toString().length(), message);

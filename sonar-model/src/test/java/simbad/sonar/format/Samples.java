@@ -6,8 +6,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Objects;
 
 /** Good files that tests spoil. */
-final class Samples {
-  static final String TABLE =
+public final class Samples {
+  public static final String TABLE =
       """
       # object: post
       # provenance: captured
@@ -18,7 +18,7 @@ final class Samples {
       270,4
       """;
 
-  static final String READINGS =
+  public static final String READINGS =
       """
       run,sensor,t_s,x_m,z_m,heading_deg,range_m
       a,left,0.00,1.5,-0.25,90,0.42
@@ -27,7 +27,7 @@ final class Samples {
       """;
 
   /** A model for the scene of {@link #scene()}. */
-  static final String MODEL =
+  public static final String MODEL =
       """
       {
         "format": "sonar-model/1",
@@ -49,14 +49,14 @@ final class Samples {
 
   private Samples() {}
 
-  static String scene() throws IOException {
+  public static String scene() throws IOException {
     try (InputStream in = Samples.class.getResourceAsStream("/format/scene.json")) {
       return new String(Objects.requireNonNull(in).readAllBytes(), StandardCharsets.UTF_8);
     }
   }
 
   /** The object of the scene's field "sensor". */
-  static String sensor() throws IOException {
+  public static String sensor() throws IOException {
     String scene = scene();
     int from = scene.indexOf('{', 1);
     return scene.substring(from, scene.indexOf('}') + 1);

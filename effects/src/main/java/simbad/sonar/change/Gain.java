@@ -1,0 +1,22 @@
+package simbad.sonar.change;
+
+import simbad.sonar.check.Checks;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.ping.ThresholdChange;
+
+/**
+ * Every echo is weaker or stronger: all thresholds shrink or grow in proportion.
+ *
+ * @param factor of the thresholds; 1 is neutral
+ */
+public record Gain(double factor) implements ThresholdChange {
+  /** Checks the figure; NaN is refused. */
+  public Gain {
+    Checks.notNegative("factor", factor);
+  }
+
+  @Override
+  public double factor(Geometry geometry, int line) {
+    return factor;
+  }
+}

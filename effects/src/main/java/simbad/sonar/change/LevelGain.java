@@ -1,0 +1,23 @@
+package simbad.sonar.change;
+
+import simbad.sonar.check.Checks;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.ping.LevelChange;
+import simbad.sonar.ping.LevelEars;
+
+/**
+ * Every echo is weaker or stronger by the same level.
+ *
+ * @param gainDb decibels; 0 is neutral
+ */
+public record LevelGain(double gainDb) implements LevelChange {
+  /** Checks the figure; NaN is refused. */
+  public LevelGain {
+    Checks.finite("gainDb", gainDb);
+  }
+
+  @Override
+  public double addedDb(LevelEars ears, Geometry geometry, int line) {
+    return gainDb;
+  }
+}

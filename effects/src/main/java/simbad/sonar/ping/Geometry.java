@@ -1,0 +1,430 @@
+package simbad.sonar.ping;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import simbad.sonar.frame.Angles;
+import simbad.sonar.frame.Placement;
+import simbad.sonar.model.NominalModel;
+import simbad.sonar.model.SightLine;
+import simbad.sonar.model.TransducerPose;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.shape.Outline;
+
+/**
+ * Where every ping's sensor and the obstacles really are, and what the sensor sees of each: all
+ * that costs time and that most changes leave alone. Line of sight {@code ping * obstacles() + o}
+ * leads from a ping to obstacle o. That of a log is immutable and safe for use by several threads.
+ */
+public final class Geometry {
+  private static final double SAME_POINT_M = 1e-9;
+  private static final double SAME_ANGLE_RAD = 1e-9;
+
+  private final PingLog log;
+  private final Scene scene;
+  private final SonarSpec sensor;
+  private final NominalModel model;
+  private final int obstacles;
+  private final List<String> labels;
+  private final List<Outline> outlines;
+  private final double[] xM;
+  private final double[] zM;
+  private final double[] headingRad;
+  private final double[] nearestM;
+
+  /** Of pings of no log: what {@link #nearestM} was when the transducer looked before. */
+  private final double[] formerM;
+
+  private final double[] centreDistanceM;
+  private final double[] bearingRad;
+  private final double[] thresholdM;
+
+  /** Not a number until it is asked for; two threads that compute it find the same. */
+  private final double[] offAxisRad;
+
+  private final double[] outlineOffAxisRad;
+
+  private final double[] nearestOffAxisRad;
+
+  /** Of lines under the level law: not a number until it is asked for. */
+  private final double[] excessDb;
+
+  private final double[] excessDeviationDb;
+
+  private final boolean[] empty;
+
+  private final @Nullable LevelEars ears;
+
+  /** Of pings of no log: how often each transducer has looked. */
+  private final int[] sent;
+
+  private final SightLine sight = new SightLine();
+  private final TransducerPose from = new TransducerPose();
+
+  /**
+   * Computes the geometry.
+   *
+   * @param log the pings
+   * @param believed the set-up
+   * @param changes of which those that act on poses, the scene and the cone count here
+   */
+  public Geometry(PingLog log, SensingSetup believed, List<? extends Change> changes) {
+    this(log, log.size(), believed, changes);
+    PoseTrack track = new PoseTrack(changes, "", 0);
+    TruePose pose = new TruePose();
+    for (int ping = 0; ping < log.size(); ping++) {
+      if (log.sequenceStart(ping) == ping) {
+        String label = log.sensors().get(log.sensor(ping));
+        track = new PoseTrack(changes, label, log.runStartS(ping));
+      }
+      pose.set(log.xM(ping), log.zM(ping), log.headingRad(ping));
+      track.next(log.timeS(ping), pose);
+      look(ping, pose);
+    }
+  }
+
+  /** Of pings that are yet to be sent, and of no log: {@link #look} makes each as it is sent. */
+  public Geometry(int pings, SensingSetup believed, List<? extends Change> changes) {
+    this(new PingLog(List.of()), pings, believed, changes);
+  }
+
+  private Geometry(PingLog log, int pings, SensingSetup believed, List<? extends Change> changes) {
+    this.log = log;
+    scene = changedScene(believed.scene(), changes);
+    sensor = changedSensor(believed.sensor(), changes);
+    model = new NominalModel(sensor, scene);
+    obstacles = scene.obstacles().size();
+    labels = Scenes.labels(scene);
+    outlines = scene.obstacles().stream().map(Obstacle::worldOutline).toList();
+    int lines = pings * obstacles;
+    xM = new double[pings];
+    zM = new double[pings];
+    headingRad = new double[pings];
+    nearestM = new double[lines];
+    formerM = new double[log.size() == 0 ? lines : 0];
+    Arrays.fill(formerM, Double.POSITIVE_INFINITY);
+    centreDistanceM = new double[lines];
+    bearingRad = new double[lines];
+    thresholdM = new double[lines];
+    offAxisRad = new double[lines];
+    outlineOffAxisRad = new double[lines];
+    nearestOffAxisRad = new double[lines];
+    ears = LevelEars.of(changes, scene, labels);
+    excessDb = new double[ears == null ? 0 : lines];
+    excessDeviationDb = new double[excessDb.length];
+    empty = new boolean[pings];
+    sent = new int[pings];
+  }
+
+  /** Tells whether a change has to be known before geometry can be computed. */
+  public static boolean dependsOn(Change change) {
+    return change.changesGeometry();
+  }
+
+  static Scene changedScene(Scene believed, List<? extends Change> changes) {
+    Scene scene = believed;
+    for (Change change : changes) {
+      if (change instanceof SceneChange moves) {
+        scene = moves.apply(scene);
+      }
+    }
+    return scene;
+  }
+
+  /** Returns the sensor's figures with all changes of them. */
+  public static SonarSpec changedSensor(SonarSpec believed, List<? extends Change> changes) {
+    SonarSpec sensor = believed;
+    for (Change change : changes) {
+      if (change instanceof SensorChange figures) {
+        sensor = figures.apply(sensor);
+      }
+    }
+    return sensor;
+  }
+
+  /**
+   * Returns how many pings its transducer sent before a ping since the start of the run, of those
+   * that are known.
+   */
+  public int order(int ping) {
+    return ping < log.size() ? ping - log.sequenceStart(ping) : sent[ping] - 1;
+  }
+
+  /** Forgets what transducers of no log saw: another run begins. */
+  public void restart() {
+    Arrays.fill(sent, 0);
+    Arrays.fill(formerM, Double.POSITIVE_INFINITY);
+  }
+
+  /** Looks from a pose, which is where the sensor really is. */
+  public void look(int ping, TruePose pose) {
+    xM[ping] = pose.xM();
+    zM[ping] = pose.zM();
+    headingRad[ping] = pose.headingRad();
+    sent[ping]++;
+    if (ping < log.size() && pose.headingRad() == log.headingRad(ping)) {
+      // A fit looks from the same poses thousands of times.
+      from.aim(xM[ping], zM[ping], log.directionX(ping), log.directionZ(ping));
+    } else {
+      from.aim(xM[ping], zM[ping], headingRad[ping]);
+    }
+    empty[ping] = true;
+    for (int obstacle = 0; obstacle < obstacles; obstacle++) {
+      int line = ping * obstacles + obstacle;
+      model.trace(obstacle, from, sight);
+      if (formerM.length > 0 && sent[ping] > 1) {
+        formerM[line] = nearestM[line];
+      }
+      nearestM[line] = sight.nearestM();
+      empty[ping] &= nearestM[line] == Double.POSITIVE_INFINITY;
+      centreDistanceM[line] = sight.centreDistanceM();
+      bearingRad[line] = sight.bearingRad();
+      thresholdM[line] = sight.thresholdM();
+      offAxisRad[line] = Double.NaN;
+      outlineOffAxisRad[line] = Double.NaN;
+      nearestOffAxisRad[line] = Double.NaN;
+      if (ears != null) {
+        excessDb[line] = Double.NaN;
+      }
+    }
+  }
+
+  /** Returns the pings. */
+  public PingLog log() {
+    return log;
+  }
+
+  /** Returns the scene as it is under the changes. */
+  public Scene scene() {
+    return scene;
+  }
+
+  /** Returns the sensor's figures under the changes. */
+  public SonarSpec sensor() {
+    return sensor;
+  }
+
+  /** Returns the cone's half angle under the changes, radians. */
+  public double coneHalfAngleRad() {
+    return sensor.coneHalfAngleRad();
+  }
+
+  /** By what the sensor hears if not by thresholds; null where it hears by them. */
+  public @Nullable LevelEars ears() {
+    return ears;
+  }
+
+  /** By how much an obstacle's echo exceeds the threshold under the level law, decibels. */
+  public double excessDb(int line) {
+    if (Double.isNaN(excessDb[line])) {
+      LevelEars known = Objects.requireNonNull(ears);
+      excessDeviationDb[line] = known.deviationDb(this, line);
+      excessDb[line] = known.excessDb(this, line);
+    }
+    return excessDb[line];
+  }
+
+  /** How far that may be off, decibels; asked after {@link #excessDb}. */
+  public double excessDeviationDb(int line) {
+    return excessDeviationDb[line];
+  }
+
+  /**
+   * Returns what changes add to the excess of an obstacle's echo, decibels; 0 for a sensor that
+   * hears by thresholds.
+   *
+   * @param changes of which those of the level law count
+   * @param line of sight
+   */
+  public double addedDb(List<? extends Change> changes, int line) {
+    double added = 0;
+    for (Change change : changes) {
+      if (ears != null && change instanceof LevelChange level) {
+        added += level.addedDb(ears, this, line);
+      }
+    }
+    return added;
+  }
+
+  /**
+   * Returns what changes leave of the chance that an obstacle's echo is heard and not lost.
+   *
+   * @param changes of which those of echoes and losses count
+   * @param line of sight
+   */
+  public double share(List<? extends Change> changes, int line) {
+    double share = 1;
+    for (Change change : changes) {
+      if (change instanceof EchoChange echo) {
+        share *= echo.share(this, line);
+      } else if (change instanceof LossChange loss) {
+        share *= 1 - loss.share(this, line / obstacles);
+      }
+    }
+    return share;
+  }
+
+  /** The number of pings that there is room for. */
+  public int pings() {
+    return xM.length;
+  }
+
+  /** Returns the number of obstacles. */
+  public int obstacles() {
+    return obstacles;
+  }
+
+  /** Returns whether no obstacle has a point in the cone. */
+  public boolean isEmpty(int ping) {
+    return empty[ping];
+  }
+
+  /** Returns the sensor's x in metres. */
+  public double xM(int ping) {
+    return xM[ping];
+  }
+
+  /** Returns the sensor's z in metres. */
+  public double zM(int ping) {
+    return zM[ping];
+  }
+
+  /** Returns the sensor's heading in radians. */
+  public double headingRad(int ping) {
+    return headingRad[ping];
+  }
+
+  /** Returns the label of the obstacle that a line leads to. */
+  public String label(int line) {
+    return labels.get(line % obstacles);
+  }
+
+  /** Returns the distance to the obstacle's nearest point in the cone; infinity for none. */
+  public double nearestM(int line) {
+    return nearestM[line];
+  }
+
+  /**
+   * Returns the distance to the obstacle's nearest point in the cone at the ping that the same
+   * transducer sent before in its run; infinity for none.
+   */
+  public double nearestBeforeM(int line) {
+    if (formerM.length > 0) {
+      return formerM[line];
+    }
+    int ping = line / obstacles;
+    return log.sequenceStart(ping) == ping ? Double.POSITIVE_INFINITY : nearestM[line - obstacles];
+  }
+
+  /** Returns the distance to the obstacle's centre, metres. */
+  public double centreDistanceM(int line) {
+    return centreDistanceM[line];
+  }
+
+  /**
+   * Returns the sensor's bearing in the obstacle's own frame, radians in [0, 2 pi); 0 where no
+   * point of the obstacle is in the cone.
+   */
+  public double bearingRad(int line) {
+    return bearingRad[line];
+  }
+
+  /** Returns the believed threshold at that bearing, metres; 0 where none is in the cone. */
+  public double thresholdM(int line) {
+    return thresholdM[line];
+  }
+
+  /**
+   * Returns the angle from the heading to the obstacle's centre, radians in [-pi, pi], positive
+   * counter-clockwise.
+   */
+  public double offAxisRad(int line) {
+    if (Double.isNaN(offAxisRad[line])) {
+      Placement place = scene.obstacles().get(line % obstacles).worldFromObstacle();
+      offAxisRad[line] = offAxis(line / obstacles, place.xM(), place.zM());
+    }
+    return offAxisRad[line];
+  }
+
+  /**
+   * Returns the least angle from the heading to any point of the obstacle's outline, radians in [0,
+   * pi]; 0 where the axis meets it.
+   */
+  public double outlineOffAxisRad(int line) {
+    if (Double.isNaN(outlineOffAxisRad[line])) {
+      outlineOffAxisRad[line] = outlineOffAxis(line);
+    }
+    return outlineOffAxisRad[line];
+  }
+
+  /**
+   * Returns the angle from the heading to the point of the obstacle that is nearest in the cone,
+   * radians in [0, pi]; the cone's half angle where none is.
+   */
+  public double nearestOffAxisRad(int line) {
+    return Math.abs(nearestSignedOffAxisRad(line));
+  }
+
+  /** Returns the same with its sign, positive counter-clockwise. */
+  public double nearestSignedOffAxisRad(int line) {
+    if (Double.isNaN(nearestOffAxisRad[line])) {
+      nearestOffAxisRad[line] = nearestOffAxis(line);
+    }
+    return nearestOffAxisRad[line];
+  }
+
+  private double nearestOffAxis(int line) {
+    int ping = line / obstacles;
+    Outline outline = outlines.get(line % obstacles);
+    int from = outline.size() - 1;
+    for (int to = 0; to < outline.size(); to++) {
+      double edgeX = outline.xM(to) - outline.xM(from);
+      double edgeZ = outline.zM(to) - outline.zM(from);
+      double towards =
+          (xM[ping] - outline.xM(from)) * edgeX + (zM[ping] - outline.zM(from)) * edgeZ;
+      double length2 = edgeX * edgeX + edgeZ * edgeZ;
+      double share = length2 == 0 ? 0 : Math.max(0, Math.min(1, towards / length2));
+      double x = outline.xM(from) + share * edgeX;
+      double z = outline.zM(from) + share * edgeZ;
+      double offM = Math.hypot(x - xM[ping], z - zM[ping]) - nearestM[line];
+      double offAxis = offAxis(ping, x, z);
+      double most = coneHalfAngleRad() + SAME_ANGLE_RAD;
+      if (Math.abs(offM) <= SAME_POINT_M && Math.abs(offAxis) <= most) {
+        return offAxis;
+      }
+      from = to;
+    }
+    // Neither a corner nor the foot of a perpendicular: where the outline leaves the cone.
+    return coneHalfAngleRad();
+  }
+
+  private double outlineOffAxis(int line) {
+    int ping = line / obstacles;
+    Outline outline = outlines.get(line % obstacles);
+    double least = Math.PI;
+    double from = cornerOffAxis(ping, outline, outline.size() - 1);
+    for (int i = 0; i < outline.size(); i++) {
+      double to = cornerOffAxis(ping, outline, i);
+      if (from * to <= 0 && Math.abs(from - to) < Math.PI) {
+        return 0;
+      }
+      least = Math.min(least, Math.abs(to));
+      from = to;
+    }
+    return least;
+  }
+
+  private double cornerOffAxis(int ping, Outline outline, int corner) {
+    return offAxis(ping, outline.xM(corner), outline.zM(corner));
+  }
+
+  /** Of a place, from the heading. */
+  private double offAxis(int ping, double toXM, double toZM) {
+    double direction = Math.atan2(zM[ping] - toZM, toXM - xM[ping]);
+    return Angles.signed(direction - headingRad[ping]);
+  }
+}

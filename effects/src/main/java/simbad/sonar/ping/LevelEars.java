@@ -1,0 +1,195 @@
+package simbad.sonar.ping;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import simbad.sonar.level.Beam;
+import simbad.sonar.level.LevelLaw;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.StrengthDetection;
+
+/**
+ * What the level law makes of lines of sight: by how much an echo exceeds the threshold, and how
+ * surely that is known. Immutable.
+ */
+public final class LevelEars {
+  /** Nothing is fainter off the axis: between its lobes a real transducer hears a little. */
+  private static final double LEAST_BEAM_DB = -60;
+
+  /** Poses are known to a third of a degree or so; on the beam's flank that is a level. */
+  private static final double AIM_RAD = Math.toRadians(0.35);
+
+  /**
+   * After its burst a transducer rings: an echo meets it in any phase. At 10 cm the sum strays by 6
+   * dB, and by a factor e less for each 3.5 cm further.
+   */
+  private static final double RINGING_DB = 6;
+
+  private static final double RINGING_FROM_M = 0.1;
+  private static final double RINGING_FADES_M = 0.035;
+  private static final double MOST_RINGING_DB = 12;
+
+  /** Between the lobes a beam is so steep that no slope says how far it is off. */
+  private static final double MOST_BEAM_DB = 10;
+
+  private final LevelRule rule;
+  private final List<Obstacle> obstacles;
+  private final LevelStrength[] strength;
+  private final EchoPath[] path;
+
+  private LevelEars(
+      LevelRule rule, Scene scene, List<String> labels, List<? extends Change> changes) {
+    this.rule = rule;
+    obstacles = scene.obstacles();
+    strength = new LevelStrength[labels.size()];
+    path = new EchoPath[labels.size()];
+    for (int i = 0; i < strength.length; i++) {
+      for (LevelStrength one : Change.only(LevelStrength.class, changes)) {
+        strength[i] = one.isOf(labels.get(i)) ? one : strength[i];
+      }
+      for (EchoPath one : Change.only(EchoPath.class, changes)) {
+        path[i] = one.isOf(labels.get(i)) ? one : path[i];
+      }
+    }
+  }
+
+  /** What is read of a distance, as a share of it. */
+  public double rangeScale() {
+    return rule.rangeScale();
+  }
+
+  /** By how much an obstacle's echo comes from beyond its nearest point, metres. */
+  public double addedM(Geometry geometry, int line) {
+    EchoPath known = path[line % path.length];
+    return known == null ? 0 : known.addedM().at(geometry.bearingRad(line));
+  }
+
+  /** How far that may be off, metres. */
+  public double addedDeviationM(Geometry geometry, int line) {
+    EchoPath known = path[line % path.length];
+    return known == null ? 0 : known.deviationM().at(geometry.bearingRad(line));
+  }
+
+  /** Those of a sensor under its changes; null where it hears by thresholds. */
+  static @Nullable LevelEars of(List<? extends Change> changes, Scene scene, List<String> labels) {
+    List<LevelRule> rules = Change.only(LevelRule.class, changes);
+    return rules.isEmpty() ? null : new LevelEars(rules.get(0), scene, labels, changes);
+  }
+
+  /** Returns the law. */
+  public LevelLaw law() {
+    return rule.law();
+  }
+
+  /**
+   * Returns what a wider piston adds to the level in the direction of an obstacle's nearest point:
+   * it hears there what this one hears further off its axis.
+   *
+   * @param factor of the radius, positive
+   * @param geometry of all pings
+   * @param line index of a ping's line of sight to an obstacle
+   * @return decibels
+   */
+  public double widenedDb(double factor, Geometry geometry, int line) {
+    double offAxis = geometry.nearestSignedOffAxisRad(line) - rule.squintRad();
+    return widenedDb(law().beam(), offAxis, factor) - beamDb(law().beam(), offAxis);
+  }
+
+  /**
+   * Returns the level of the beam of a piston whose radius is greater by a factor.
+   *
+   * @param beam of the piston
+   * @param offAxisRad angle off the beam's axis
+   * @param factor positive
+   * @return decibels
+   */
+  public static double widenedDb(Beam beam, double offAxisRad, double factor) {
+    // The directivity hangs on the product of radius and sine; no direction has a sine over 1.
+    double sine = Math.max(-1, Math.min(1, factor * Math.sin(offAxisRad)));
+    return beamDb(beam, Math.asin(sine));
+  }
+
+  /**
+   * Returns the level of a beam in a direction; never less than a real transducer hears there.
+   *
+   * @param beam sender and receiver
+   * @param offAxisRad angle off the beam's axis
+   * @return decibels
+   */
+  public static double beamDb(Beam beam, double offAxisRad) {
+    return Math.max(LEAST_BEAM_DB, beam.twoWayDb(offAxisRad));
+  }
+
+  /** By how much the echo of an obstacle exceeds the threshold before any effect, decibels. */
+  double excessDb(Geometry geometry, int line) {
+    double offAxis = geometry.nearestSignedOffAxisRad(line) - rule.squintRad();
+    return strengthDb(line % strength.length, geometry.bearingRad(line))
+        + law().levelDb()
+        + beamDb(law().beam(), offAxis)
+        - law().lossDb(geometry.centreDistanceM(line));
+  }
+
+  private double strengthDb(int obstacle, double bearingRad) {
+    if (strength[obstacle] != null) {
+      return strength[obstacle].strengthDb().strengthDb(bearingRad);
+    }
+    return obstacles.get(obstacle).detection() instanceof StrengthDetection stated
+        ? stated.strength().strengthDb(bearingRad)
+        : law().strengthDb(obstacles.get(obstacle).detection().thresholdM(bearingRad));
+  }
+
+  /** How far that may be off, from ping to ping and for want of knowledge, decibels. */
+  double deviationDb(Geometry geometry, int line) {
+    double own = law().excessSdDb();
+    double offAxis = geometry.nearestSignedOffAxisRad(line) - rule.squintRad();
+    double aim = aimDb(law().beam(), offAxis);
+    double squint = aim * rule.squintDeviationRad() / AIM_RAD;
+    double ringing = ringingDb(geometry.nearestM(line));
+    double unknown = unknownVariance(line % strength.length, geometry.bearingRad(line), offAxis);
+    double known = own * own + aim * aim + ringing * ringing;
+    return Math.sqrt(known + squint * squint + unknown);
+  }
+
+  /** A beam too wide has been taken for a target too weak. */
+  private double unknownVariance(int obstacle, double bearingRad, double offAxisRad) {
+    // A piston hears at an angle what a narrower one hears further off its axis.
+    double turned = Math.tan(offAxisRad) * rule.apertureDeviation();
+    double strayed = turned * slopeDb(law().beam(), offAxisRad);
+    double beam = Math.max(-MOST_BEAM_DB, Math.min(MOST_BEAM_DB, strayed));
+    if (strength[obstacle] == null) {
+      return beam * beam;
+    }
+    double common = strength[obstacle].withApertureDb().strengthDb(bearingRad);
+    double own = strength[obstacle].deviationDb().strengthDb(bearingRad);
+    double apart = Math.max(0, own * own - common * common);
+    return apart + (common + beam) * (common + beam);
+  }
+
+  /**
+   * Returns by how much a level strays because the heading is not known better.
+   *
+   * @param beam sender and receiver
+   * @param offAxisRad angle off the beam's axis
+   * @return decibels, at least 0
+   */
+  public static double aimDb(Beam beam, double offAxisRad) {
+    return Math.abs(slopeDb(beam, offAxisRad)) * AIM_RAD;
+  }
+
+  /** Decibels for each radian. */
+  private static double slopeDb(Beam beam, double offAxisRad) {
+    double rise = beamDb(beam, offAxisRad + AIM_RAD) - beamDb(beam, offAxisRad - AIM_RAD);
+    return rise / (2 * AIM_RAD);
+  }
+
+  /**
+   * Returns by how much the ringing of the sender makes a level stray.
+   *
+   * @param nearestM distance of what answers, metres
+   * @return decibels, at least 0
+   */
+  public static double ringingDb(double nearestM) {
+    double fading = Math.exp((RINGING_FROM_M - nearestM) / RINGING_FADES_M);
+    return Math.min(MOST_RINGING_DB, RINGING_DB * fading);
+  }
+}

@@ -1,0 +1,31 @@
+package simbad.sonar.ping;
+
+/** Every range is read otherwise than it is. */
+public non-sealed interface RangeChange extends Change {
+  /** Which range changes come first: scale, then offset, then scatter. */
+  int order();
+
+  /**
+   * Returns the range that is read on average.
+   *
+   * @param rangeM metres
+   */
+  double meanM(double rangeM);
+
+  /**
+   * Returns the range that is read as another on average: undoes {@link #meanM}.
+   *
+   * @param meanM metres
+   */
+  double rangeM(double meanM);
+
+  /**
+   * Returns the standard deviation of the range.
+   *
+   * @param rangeM metres
+   * @param deviationM of the nominal model, or what changes before this one made of it
+   */
+  default double deviationM(double rangeM, double deviationM) {
+    return deviationM;
+  }
+}

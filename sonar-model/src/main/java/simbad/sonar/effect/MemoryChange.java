@@ -1,7 +1,0 @@
-package simbad.sonar.effect;
-
-/** What is read hangs on what happened in the pings before. */
-public non-sealed interface MemoryChange extends Change {
-  /** Tells whether it changes nothing: such a change is not asked for anything else. */
-  boolean isNeutral();
-}

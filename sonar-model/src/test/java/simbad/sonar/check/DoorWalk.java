@@ -1,0 +1,51 @@
+package simbad.sonar.check;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** Goes through all public constructors and factories of a room with NaN. */
+public final class DoorWalk {
+  private DoorWalk() {}
+
+  /**
+   * Fails when a door takes NaN.
+   *
+   * @param ofRoom any class of the room
+   * @param samples values for what cannot be made of nothing
+   * @param many fewer doors than there are: a walk that finds none proves nothing
+   */
+  public static void refusesNan(Class<?> ofRoom, Samples samples, int many) throws Exception {
+    List<String> faults = new ArrayList<>();
+    List<Door> doors = doors(ofRoom);
+    for (Door door : doors) {
+      Optional<Object[]> sample = door.sample(samples);
+      sample.ifPresentOrElse(
+          arguments -> faults.addAll(door.faults(arguments)),
+          () -> faults.add("no arguments are known that " + door + " takes"));
+    }
+    assertEquals("", String.join("\n", faults));
+    assertTrue(doors.size() > many, doors.size() + " doors");
+  }
+
+  private static List<Door> doors(Class<?> ofRoom) throws Exception {
+    Path classes = Path.of(ofRoom.getProtectionDomain().getCodeSource().getLocation().toURI());
+    List<Door> doors = new ArrayList<>();
+    try (Stream<Path> files = Files.walk(classes)) {
+      for (Path file : files.filter(f -> f.toString().endsWith(".class")).sorted().toList()) {
+        String name = classes.relativize(file).toString().replace('/', '.');
+        if (!name.endsWith("-info.class")) {
+          Class<?> type = Class.forName(name.substring(0, name.length() - ".class".length()));
+          Door.of(type).forEach(doors::add);
+        }
+      }
+    }
+    return doors;
+  }
+}
