@@ -12,11 +12,8 @@ import simbad.experiments.blindcheck.CheckScores.Figures;
 import simbad.experiments.report.CsvFile;
 import simbad.sonar.format.TextFile;
 
-/** Writes a check's results: check.json, tables as csv, the page. */
+/** Writes a check's results: check.json, tables as csv. */
 public final class CheckFiles {
-  /** The name of the page. */
-  public static final String PAGE = "report.html";
-
   private static final List<String> CASE_FIELDS =
       List.of(
           "case",
@@ -56,7 +53,6 @@ public final class CheckFiles {
     writeCounts(folder.resolve("confusion.csv"), "so", "confusion", scores);
     writeEffects(folder.resolve("effects.csv"), scores);
     writeCases(folder.resolve("cases.csv"), scores);
-    TextFile.write(folder.resolve(PAGE), CheckPage.of(order, scores));
   }
 
   private static void keep(ObjectNode check, String name, CheckScores scores) {

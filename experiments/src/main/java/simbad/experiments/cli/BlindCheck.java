@@ -14,11 +14,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import simbad.definition.Effect;
-import simbad.experiments.blindcheck.CheckFiles;
 import simbad.experiments.blindcheck.CheckJson;
 import simbad.experiments.blindcheck.CheckOrder;
 import simbad.experiments.blindcheck.CheckOrder.Drawn;
 import simbad.experiments.blindcheck.CheckOrder.Foreign;
+import simbad.experiments.blindcheck.CheckReport;
 import simbad.experiments.blindcheck.CheckScores;
 import simbad.experiments.blindcheck.CheckSummary;
 import simbad.experiments.workers.Workers;
@@ -209,12 +209,12 @@ final class BlindCheck {
       blindWorld.run(arguments, Optional.of(text), line -> {});
       TextFile.write(folder.resolve("scores.txt"), Files.readString(text));
       CheckScores scores = CheckScores.read(file);
-      CheckFiles.write(folder, order, scores);
+      CheckReport.write(folder, order, scores);
       CheckSummary.lines(scores).forEach(out::println);
     }
     log("scored");
     out.println();
-    out.println("written to " + folder + " (open " + folder.resolve(CheckFiles.PAGE) + ")");
+    out.println("written to " + folder + " (open " + folder.resolve(CheckReport.PAGE) + ")");
   }
 
   /** Has the baseline's answers given, unless they are already. */

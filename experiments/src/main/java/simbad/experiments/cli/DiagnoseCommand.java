@@ -18,7 +18,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.definition.Effect;
-import simbad.experiments.diagnosis.DiagnosisFolder;
+import simbad.experiments.diagnosis.DiagnosisReport;
 import simbad.gap.Diagnoser;
 import simbad.gap.audit.Audit;
 import simbad.gap.audit.AuditFinding;
@@ -110,9 +110,9 @@ final class DiagnoseCommand extends Subcommand {
 
   private void sayWhatToOpen() {
     if (!json && diagnosed.size() == 1) {
-      out().println("report: " + diagnosed.get(0).resolve(DiagnosisFolder.PAGE));
+      out().println("report: " + diagnosed.get(0).resolve(DiagnosisReport.PAGE));
     } else if (!json && !diagnosed.isEmpty()) {
-      out().println("reports: " + out.resolve("DATASET").resolve(DiagnosisFolder.PAGE));
+      out().println("reports: " + out.resolve("DATASET").resolve(DiagnosisReport.PAGE));
     }
   }
 
@@ -154,12 +154,12 @@ final class DiagnoseCommand extends Subcommand {
       Provenance provenance = new Provenance(source.sha256(), version, seed);
       List<AuditFinding> audit = Audit.of(data.setup(), data.readings(), data.reference());
       if (auditOnly || Audit.refuses(audit)) {
-        DiagnosisFolder.write(staged.path(), data, audit, provenance);
+        DiagnosisReport.write(staged.path(), data, audit, provenance);
         staged.publish();
         return new AuditSummary(data.name(), audit, target);
       }
       Diagnosis diagnosis = diagnoser.diagnose(data, audit);
-      DiagnosisFolder.write(staged.path(), folder, data, diagnosis, provenance);
+      DiagnosisReport.write(staged.path(), folder, data, diagnosis, provenance);
       staged.publish();
       return new DiagnoseSummary(data.name(), diagnosis, target);
     }

@@ -11,8 +11,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.fidelity.FidelityLimits;
 import simbad.experiments.fidelity.FidelityVerdict;
-import simbad.experiments.report.RunFiles;
 import simbad.experiments.report.RunOrigin;
+import simbad.experiments.report.RunReport;
 import simbad.experiments.run.Experiment;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.RunSettings;
@@ -66,7 +66,7 @@ final class FidelityCommand extends Subcommand {
     if (out != null) {
       try (StagedDirectory staged = StagedDirectory.beside(out)) {
         RunOrigin origin = new RunOrigin(BuildVersion.text(), settings);
-        RunFiles.write(staged.path(), origin, results, FidelityLimits.STANDARD);
+        RunReport.write(staged.path(), origin, results, FidelityLimits.STANDARD);
         staged.publish();
       }
     }

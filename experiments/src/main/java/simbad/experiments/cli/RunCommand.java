@@ -16,8 +16,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import simbad.experiments.report.RunFiles;
 import simbad.experiments.report.RunOrigin;
+import simbad.experiments.report.RunReport;
 import simbad.experiments.run.Experiment;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.RunSettings;
@@ -94,7 +94,7 @@ final class RunCommand extends Subcommand {
     Path folder = out != null ? out : firstFree();
     try (StagedDirectory staged = StagedDirectory.beside(folder)) {
       List<RunResult> results = experiment(settings);
-      RunFiles.write(staged.path(), new RunOrigin(BuildVersion.text(), settings), results);
+      RunReport.write(staged.path(), new RunOrigin(BuildVersion.text(), settings), results);
       TextFile.write(staged.path().resolve("run.log"), log(begun));
       staged.publish();
       RunSummary.print(out(), results);

@@ -4,9 +4,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import simbad.experiments.plot.SeriesRole;
-import simbad.experiments.run.SensorKind;
+import simbad.experiments.report.SensorRoles;
 
 /**
  * Which colour and pattern each curve of a tuning plot has. A colour is never of two sensors, and a
@@ -37,7 +36,8 @@ final class TuningLooks {
   TuningLooks(Map<String, Integer> curves) {
     List<SeriesRole> free = new ArrayList<>(ROLES);
     curves.keySet().forEach(sensor -> roles.put(sensor, new ArrayList<>()));
-    roles.forEach((sensor, own) -> usual(sensor).filter(free::remove).ifPresent(own::add));
+    roles.forEach(
+        (sensor, own) -> SensorRoles.usual(sensor).filter(free::remove).ifPresent(own::add));
     roles.values().stream().filter(List::isEmpty).forEach(own -> own.add(free.remove(0)));
     int extra = curves.values().stream().mapToInt(count -> count - 1).sum();
     isShared = extra > free.size();
@@ -50,13 +50,6 @@ final class TuningLooks {
     for (int i = 0; i < count; i++) {
       own.add(free.remove(0));
     }
-  }
-
-  private static Optional<SeriesRole> usual(String sensor) {
-    return SensorKind.plain().stream()
-        .filter(kind -> kind.word().equals(sensor))
-        .map(SensorKind::role)
-        .findFirst();
   }
 
   private List<SeriesRole> role(String sensor) {

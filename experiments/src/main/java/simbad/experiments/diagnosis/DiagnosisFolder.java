@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import simbad.gap.audit.AuditFinding;
@@ -23,11 +22,8 @@ import simbad.sonar.predict.FittedModel;
 import simbad.sonar.predict.ModelFile;
 import simbad.sonar.scene.SensorPoses;
 
-/** Writes a diagnosis's folder. */
+/** Writes the files of a diagnosis's folder. */
 public final class DiagnosisFolder {
-  /** The page's name in the folder. */
-  public static final String PAGE = "report.html";
-
   /** The fitted model's name in the folder. */
   public static final String MODEL = "model.json";
 
@@ -41,9 +37,10 @@ public final class DiagnosisFolder {
    * @param data what was diagnosed
    * @param diagnosis of it
    * @param provenance what it was made by
+   * @return the fitted model
    * @throws IOException if something cannot be written
    */
-  public static void write(
+  public static FittedModel write(
       Path folder, Path source, DataSet data, Diagnosis diagnosis, Provenance provenance)
       throws IOException {
     WholeFile.write(
@@ -64,9 +61,7 @@ public final class DiagnosisFolder {
             fitted(diagnosis.calibration()),
             fitted(diagnosis.fitted()));
     ModelFile.write(folder.resolve(MODEL), model);
-    List<RowFinding> rows =
-        RowSurvey.of(data, model.changes(), new SplittableRandom(provenance.seed()));
-    save(folder, PAGE, DiagnosisPage.of(diagnosis, data, rows, provenance));
+    return model;
   }
 
   /**
@@ -82,7 +77,6 @@ public final class DiagnosisFolder {
       Path folder, DataSet data, List<AuditFinding> audit, Provenance provenance)
       throws IOException {
     save(folder, DiagnosisJson.FILE, DiagnosisJson.text(audit, data, provenance));
-    save(folder, PAGE, AuditSection.page(data, audit));
   }
 
   private static List<FittedForm> fitted(Hypothesis hypothesis) {

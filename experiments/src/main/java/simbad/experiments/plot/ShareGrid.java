@@ -14,7 +14,7 @@ import java.util.List;
 public record ShareGrid(int cells, double halfWidthM, List<Double> shares) {
   /** Checks the numbers and copies the list. */
   public ShareGrid {
-    Checks.positive("halfWidthM", halfWidthM);
+    simbad.sonar.check.Checks.positive("halfWidthM", halfWidthM);
     shares = List.copyOf(shares);
     if (cells < 1 || shares.size() != cells * cells) {
       throw new IllegalArgumentException(
@@ -52,7 +52,8 @@ public record ShareGrid(int cells, double halfWidthM, List<Double> shares) {
     return middleM(index, cells, halfWidthM);
   }
 
-  double share(int column, int row) {
+  /** Returns the share at a cell. */
+  public double share(int column, int row) {
     return shares.get(row * cells + column);
   }
 

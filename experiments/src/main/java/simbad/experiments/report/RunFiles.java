@@ -18,7 +18,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
-import simbad.experiments.fidelity.FidelityLimits;
 import simbad.experiments.plot.ShareGrid;
 import simbad.experiments.run.RunResult;
 import simbad.obstacles.ObstacleType;
@@ -26,7 +25,7 @@ import simbad.sonar.format.TableFile;
 import simbad.sonar.format.TextFile;
 import simbad.sonar.shape.ThresholdTable;
 
-/** Writes a run's results into a folder: one folder per obstacle, the errors of all, a page. */
+/** Writes a run's results into a folder: one folder per obstacle, and the errors of all. */
 public final class RunFiles {
   private static final ObjectWriter JSON = jsonWriter();
 
@@ -41,43 +40,19 @@ public final class RunFiles {
   }
 
   /**
-   * Writes everything.
+   * Writes what was measured: per obstacle its table, traces, radial errors and map; the errors of
+   * all.
    *
    * @param folder exists and is empty
    * @param origin what made the results
    * @param results obstacle by obstacle
+   * @return the SHA-256 of each obstacle's table, by its name
    * @throws IOException if something cannot be written
    */
-  public static void write(Path folder, RunOrigin origin, List<RunResult> results)
+  public static Map<String, String> write(Path folder, RunOrigin origin, List<RunResult> results)
       throws IOException {
-    write(folder, origin, results, PageTop.RUN);
-  }
-
-  /**
-   * Writes everything, with the verdict of the fidelity test at the top of the page.
-   *
-   * @param folder exists and is empty
-   * @param origin what made the results
-   * @param results obstacle by obstacle
-   * @param limits by which they are judged
-   * @throws IOException if something cannot be written
-   */
-  public static void write(
-      Path folder, RunOrigin origin, List<RunResult> results, FidelityLimits limits)
-      throws IOException {
-    write(folder, origin, results, PageTop.verdict(results, limits));
-  }
-
-  private static void write(Path folder, RunOrigin origin, List<RunResult> results, PageTop top)
-      throws IOException {
-    Map<String, List<RunResult>> byObstacle = new LinkedHashMap<>();
-    results.forEach(
-        result ->
-            byObstacle
-                .computeIfAbsent(result.type().name(), name -> new ArrayList<>())
-                .add(result));
     Map<String, String> hashes = new LinkedHashMap<>();
-    for (Map.Entry<String, List<RunResult>> entry : byObstacle.entrySet()) {
+    for (Map.Entry<String, List<RunResult>> entry : byObstacle(results).entrySet()) {
       Path own = Files.createDirectory(folder.resolve(entry.getKey()));
       ObstacleType type = entry.getValue().get(0).type();
       TableFile.write(own.resolve("table.csv"), type.thresholds());
@@ -85,12 +60,22 @@ public final class RunFiles {
       writeTraces(own.resolve("trace.csv"), entry.getValue());
       writeRadial(own.resolve("radial.csv"), entry.getValue());
       writeMap(own.resolve("map.csv"), entry.getValue());
-      RunPictures.write(own, entry.getValue());
     }
     List<ErrorRecord> errors = results.stream().map(ErrorRecord::of).toList();
     writeErrorsJson(folder.resolve("errors.json"), origin, hashes, errors);
     writeErrorsCsv(folder.resolve("errors.csv"), errors);
-    ReportPage.write(folder.resolve("report.html"), top, origin, hashes, byObstacle);
+    return hashes;
+  }
+
+  /** Returns the results of each obstacle by its name, in the order in which they come. */
+  public static Map<String, List<RunResult>> byObstacle(List<RunResult> results) {
+    Map<String, List<RunResult>> byObstacle = new LinkedHashMap<>();
+    results.forEach(
+        result ->
+            byObstacle
+                .computeIfAbsent(result.type().name(), name -> new ArrayList<>())
+                .add(result));
+    return byObstacle;
   }
 
   private static String sha256(Path file) throws IOException {

@@ -89,7 +89,7 @@ final class RunPictures {
       series.add(
           new PolarSeries(
               "trace, " + result.sensor().word() + " sensor",
-              result.sensor().role(),
+              SensorRoles.of(result.sensor()),
               SeriesStyle.LINE,
               places(result.trace())));
     }
@@ -106,7 +106,9 @@ final class RunPictures {
     for (RunResult result : results) {
       series.add(
           new ErrorSeries(
-              result.sensor().word() + " sensor", result.sensor().role(), bearingErrors(result)));
+              result.sensor().word() + " sensor",
+              SensorRoles.of(result.sensor()),
+              bearingErrors(result)));
     }
     ObstacleType type = results.get(0).type();
     return new ErrorPlot(

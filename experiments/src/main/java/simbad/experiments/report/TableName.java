@@ -18,7 +18,8 @@ public final class TableName {
     return of(type.name(), type.thresholds());
   }
 
-  static String of(String name, TableDocument table) {
+  /** Returns a name with a table's provenance, in the same way. */
+  public static String of(String name, TableDocument table) {
     String word = table.provenanceWord();
     boolean isSaid = name.toLowerCase(Locale.ROOT).matches("(.*[^a-z])?" + word);
     return isSaid ? name : name + " (" + word + ")";

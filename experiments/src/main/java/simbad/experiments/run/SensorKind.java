@@ -7,7 +7,6 @@ import java.util.ServiceLoader;
 import java.util.random.RandomGenerator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import simbad.experiments.plot.SeriesRole;
 import simbad.obstacles.SonarBelt;
 import simbad.sim.RangeSensorBelt;
 import simbad.sonar.model.DetectionRule;
@@ -27,44 +26,32 @@ public final class SensorKind {
   /** Simbad's sensor as the thesis describes it: every obstacle is heard up to 2.5 m. */
   public static final SensorKind ORIGINAL =
       new SensorKind(
-          "original",
-          SeriesRole.ORIGINAL,
-          "cone, every obstacle heard up to 2.5 m",
-          belt(DetectionRule.ORIGINAL));
+          "original", "cone, every obstacle heard up to 2.5 m", belt(DetectionRule.ORIGINAL));
 
   /** Simbad's sensor as its program has it: thin rays of 2.5 m. */
   public static final SensorKind RAY =
-      new SensorKind("ray", SeriesRole.RAY, "Simbad's thin rays of 2.5 m", SensorKind::rays);
+      new SensorKind("ray", "Simbad's thin rays of 2.5 m", SensorKind::rays);
 
   /** Cone and shadow, the sensor inside the shadow. */
   public static final SensorKind SHADOW =
       new SensorKind(
           "shadow",
-          SeriesRole.SHADOW,
           "obstacle in the cone, sensor in the detection shadow",
           belt(DetectionRule.SHADOW));
 
   /** Cone and shadow overlap anywhere. */
   public static final SensorKind OVERLAP =
-      new SensorKind(
-          "overlap",
-          SeriesRole.OVERLAP,
-          "cone and detection shadow overlap",
-          belt(DetectionRule.OVERLAP));
+      new SensorKind("overlap", "cone and detection shadow overlap", belt(DetectionRule.OVERLAP));
 
   /** The shadow sensor with the nominal model's noise. */
   public static final SensorKind NOISY =
       new SensorKind(
-          "noisy",
-          SeriesRole.NOISY,
-          "nominal model: misses, soft threshold, range noise",
-          belt(DetectionRule.NOISY));
+          "noisy", "nominal model: misses, soft threshold, range noise", belt(DetectionRule.NOISY));
 
   /** The level model without its scatter. */
   public static final SensorKind LEVEL =
       new SensorKind(
           "level",
-          SeriesRole.LEVEL,
           "level model: the echo reaches the receiver's threshold",
           belt(DetectionRule.LEVEL));
 
@@ -72,12 +59,10 @@ public final class SensorKind {
   public static final SensorKind LEVEL_NOISY =
       new SensorKind(
           "level-noisy",
-          SeriesRole.OTHER,
           "level model: misses, excess and range scatter",
           belt(DetectionRule.LEVEL_NOISY));
 
   private final String word;
-  private final SeriesRole role;
   private final String meaning;
   private final BeltMaker maker;
   private final Optional<FittedModel> model;
@@ -88,9 +73,8 @@ public final class SensorKind {
     RangeSensorBelt belt(SonarSpec spec, RandomGenerator random);
   }
 
-  private SensorKind(String word, SeriesRole role, String meaning, BeltMaker maker) {
+  private SensorKind(String word, String meaning, BeltMaker maker) {
     this.word = word;
-    this.role = role;
     this.meaning = meaning;
     this.maker = maker;
     model = Optional.empty();
@@ -98,7 +82,6 @@ public final class SensorKind {
 
   private SensorKind(String word, FittedModel fitted) {
     this.word = word;
-    role = SeriesRole.OTHER;
     meaning = DiagnosedMeaning.of(fitted);
     maker = (spec, random) -> new SonarBelt(SONARS, fitted.setup().sensor(), fitted, random);
     model = Optional.of(fitted);
@@ -141,7 +124,6 @@ public final class SensorKind {
   private static SensorKind of(String name, SensorModel model, String meaning) {
     return new SensorKind(
         name.replaceAll("[^A-Za-z0-9_.-]", "-"),
-        SeriesRole.OTHER,
         meaning,
         (spec, random) -> new SonarBelt(SONARS, spec, model, random));
   }
@@ -154,11 +136,6 @@ public final class SensorKind {
   /** Returns in a few words when this sensor hears an obstacle. */
   public String meaning() {
     return meaning;
-  }
-
-  /** Returns how this sensor's curves are drawn. */
-  public SeriesRole role() {
-    return role;
   }
 
   /** Returns the fitted model of a diagnosed sensor. */

@@ -28,7 +28,7 @@ class CheckFilesTest {
 
   @Test
   void tables_holdTheScorersFigures() throws IOException {
-    CheckFiles.write(folder, SampleScores.order(), SampleScores.scores());
+    CheckReport.write(folder, SampleScores.order(), SampleScores.scores());
     assertEquals("part,answers,score,value,low95,high95,counted", lines("scores.csv").get(0));
     assertTrue(
         lines("scores.csv")
@@ -51,7 +51,7 @@ class CheckFilesTest {
 
   @Test
   void json_holdsOrderAndScores() throws IOException {
-    CheckFiles.write(folder, SampleScores.order("gain"), SampleScores.scores());
+    CheckReport.write(folder, SampleScores.order("gain"), SampleScores.scores());
     JsonNode check = new ObjectMapper().readTree(folder.resolve("check.json").toFile());
     assertEquals("blind-check/1", check.at("/format").asText());
     assertEquals(0.25, check.at("/order/reference_share").asDouble());
@@ -63,10 +63,10 @@ class CheckFilesTest {
 
   @Test
   void sameScores_sameBytes() throws IOException {
-    CheckFiles.write(folder, SampleScores.order(), SampleScores.scores());
-    String first = Files.readString(folder.resolve(CheckFiles.PAGE));
-    CheckFiles.write(folder, SampleScores.order(), SampleScores.scores());
-    assertEquals(first, Files.readString(folder.resolve(CheckFiles.PAGE)));
+    CheckReport.write(folder, SampleScores.order(), SampleScores.scores());
+    String first = Files.readString(folder.resolve(CheckReport.PAGE));
+    CheckReport.write(folder, SampleScores.order(), SampleScores.scores());
+    assertEquals(first, Files.readString(folder.resolve(CheckReport.PAGE)));
   }
 
   @ParameterizedTest
