@@ -53,6 +53,7 @@ class ArchitectureTest {
           .importPackages("simbad");
 
   private static final String MODEL = "simbad.sonar..";
+  private static final String MOTION = "simbad.motion..";
   private static final String KERNEL = "simbad.kernel..";
   private static final String BENCH = "simbad.bench..";
   private static final String OBSTACLES = "simbad.obstacles..";
@@ -75,6 +76,7 @@ class ArchitectureTest {
   @ValueSource(
       strings = {
         "simbad.sonar, 40",
+        "simbad.motion, 20",
         "simbad.kernel, 20",
         "simbad.sim, 20",
         "simbad.gui, 15",
@@ -110,6 +112,10 @@ class ArchitectureTest {
   static Stream<Arguments> arrows() {
     return Stream.of(
         Arguments.of(MODEL, WORLD),
+        Arguments.of(MODEL, new String[] {MOTION}),
+        Arguments.of(MOTION, WORLD),
+        Arguments.of(MOTION, TOOLKITS),
+        Arguments.of(MOTION, new String[] {OBSTACLES, EXPERIMENTS, GAP, SCATTERING, BENCH}),
         Arguments.of(MODEL, new String[] {OBSTACLES, EXPERIMENTS}),
         Arguments.of(MODEL, TOOLKITS),
         Arguments.of(KERNEL, new String[] {"simbad.sim..", "simbad.gui..", "simbad.demo.."}),
@@ -180,6 +186,19 @@ class ArchitectureTest {
             "io.javalin..", "org.eclipse.jetty..", "jakarta..", "kotlin..", "com.sun.net..")
         .check(CLASSES);
     apart(WEB, "simbad.experiments.(bench|cli|report|run|diagnosis)..", "simbad.bench..")
+        .check(CLASSES);
+  }
+
+  /** Of the sonar only the readers of files: a robot moves without hearing. */
+  @Test
+  void motion_knowsOfTheSonarOnlyItsFormats() {
+    classes()
+        .that()
+        .resideInAPackage(MOTION)
+        .should()
+        .onlyDependOnClassesThat(
+            resideInAnyPackage(
+                "java..", "org.jspecify.annotations", MOTION, "simbad.sonar.format"))
         .check(CLASSES);
   }
 
@@ -279,6 +298,7 @@ class ArchitectureTest {
     outsideTheCommandLine().callMethodWhere(callOf(java.time.Instant.class, "now")).check(CLASSES);
     clockless("simbad.sonar..").check(CLASSES);
     clockless("simbad.obstacles..").check(CLASSES);
+    clockless(MOTION).check(CLASSES);
     clockless("simbad.gap..").check(CLASSES);
     clockless(BLIND).check(CLASSES);
     clockless("simbad.scattering..").check(CLASSES);

@@ -59,7 +59,7 @@ public final class MrclamLog {
       throws DataFormatException {
     List<double[]> rows = new ArrayList<>();
     int line = 0;
-    for (String text : text(file).split("\n")) {
+    for (String text : text(file).split("\n", -1)) {
       line++;
       String bare = text.strip();
       if (!bare.isEmpty() && !bare.startsWith("#")) {
@@ -74,7 +74,7 @@ public final class MrclamLog {
 
   private static double[] row(Path file, int line, String text, String columns, int count)
       throws DataFormatException {
-    String[] fields = text.split("\\s+");
+    String[] fields = text.split("\\s+", -1);
     if (fields.length != count) {
       throw DataFormatException.inField(
           file, line, "row", fields.length + " numbers, expected " + columns);
@@ -84,7 +84,7 @@ public final class MrclamLog {
       row[i] = number(fields[i]);
       if (!(Math.abs(row[i]) <= 1e10)) {
         throw DataFormatException.inField(
-            file, line, columns.split(" ")[i], "'" + fields[i] + "' is not a finite number");
+            file, line, columns.split(" ", -1)[i], "'" + fields[i] + "' is not a finite number");
       }
     }
     return row;

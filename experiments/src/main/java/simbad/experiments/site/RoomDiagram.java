@@ -43,17 +43,18 @@ public final class RoomDiagram {
   }
 
   private static final Map<String, Place> PLACES =
-      Map.of(
-          "benchmarks", new Place(0, 0, 2),
-          "cluster", new Place(0, 2, 2),
-          "experiments", new Place(1, 0, 5),
-          "obstacles", new Place(2, 0, 1),
-          "simbad-core", new Place(3, 0, 1),
-          "gap", new Place(3, 1, 1),
-          "scattering", new Place(3, 2, 1),
-          "bench", new Place(3, 3, 1),
-          "sonar-model", new Place(4, 0, 4),
-          "blind-world", new Place(4, 4, 1));
+      Map.ofEntries(
+          Map.entry("benchmarks", new Place(0, 0, 2)),
+          Map.entry("cluster", new Place(0, 2, 2)),
+          Map.entry("experiments", new Place(1, 0, 5)),
+          Map.entry("obstacles", new Place(2, 0, 1)),
+          Map.entry("simbad-core", new Place(3, 0, 1)),
+          Map.entry("gap", new Place(3, 1, 1)),
+          Map.entry("scattering", new Place(3, 2, 1)),
+          Map.entry("bench", new Place(3, 3, 1)),
+          Map.entry("sonar-model", new Place(5, 0, 4)),
+          Map.entry("motion-model", new Place(4, 1, 1)),
+          Map.entry("blind-world", new Place(5, 4, 1)));
 
   private static final String HEAD =
       """
@@ -86,7 +87,7 @@ public final class RoomDiagram {
     List<Room> rooms = Room.readAll(project);
     StringBuilder svg = new StringBuilder();
     int width = 5 * COLUMN + GAP;
-    int height = 4 * ROW + HEIGHT + 2 * GAP;
+    int height = 5 * ROW + HEIGHT + 2 * GAP;
     svg.append(HEAD.formatted(width, height, "The rooms and who uses whom"));
     for (Room room : rooms) {
       Place place = place(room.name());

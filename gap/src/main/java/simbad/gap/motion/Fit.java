@@ -8,4 +8,5 @@ package simbad.gap.motion;
  * @param scatter of the residuals that were fitted
  * @param score sum of the fitted windows' log densities
  */
+@SuppressWarnings("ArrayRecordComponent") // Numbers by window, never compared.
 record Fit(Hypothesis hypothesis, double[][] residuals, Scatter scatter, double score) {}

@@ -32,14 +32,13 @@ final class Fitter {
     for (int round = 0; round < ROUNDS && best.values().length > 0; round++) {
       Hypothesis next = step(best, residuals, scatter, mask, damping);
       double[][] nextResiduals = evidence.residuals(next.chain());
-      Scatter nextScatter = Scatter.of(nextResiduals, mask);
-      double nextScore = score(nextResiduals, nextScatter, mask);
-      double gain = nextScore - score;
+      // With the scales as they were: the median's jumps would hide what a small step gains.
+      double gain = score(nextResiduals, scatter, mask) - score;
       if (gain > 0) {
         best = next;
         residuals = nextResiduals;
-        scatter = nextScatter;
-        score = nextScore;
+        scatter = Scatter.of(residuals, mask);
+        score = score(residuals, scatter, mask);
         damping /= 10;
       } else {
         damping = Math.max(damping, 1e-4) * 30;

@@ -12,6 +12,7 @@ import java.util.stream.IntStream;
  * @param blockScores log score per block, foretold by the fit that left it out
  * @param residuals of every window, by the fit that left it out
  */
+@SuppressWarnings("ArrayRecordComponent") // Numbers by window, never compared.
 record HeldOut(Fit full, List<Fit> folds, double[] blockScores, double[][] residuals) {
 
   static HeldOut of(Evidence evidence, Fit full) {

@@ -13,6 +13,7 @@ import simbad.motion.effect.MotionForm;
  * @param forms that act after it
  * @param values of all forms' parameters, in their order
  */
+@SuppressWarnings("ArrayRecordComponent") // Numbers by window, never compared.
 record Hypothesis(MotionChain base, List<MotionForm> forms, double[] values) {
   MotionChain chain() {
     MotionChain chain = base;

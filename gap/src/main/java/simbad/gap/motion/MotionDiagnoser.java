@@ -60,7 +60,7 @@ public final class MotionDiagnoser {
     Residue.Left filter = residue.of(nominal.residuals(), nominal.full().scatter());
     Residue.Left left = residue.of(best.residuals(), best.full().scatter());
     MotionGap gap = MotionGap.of(evidence, data.robot(), base, best.folds());
-    List<MotionFinding> findings = findings(search, nominal, best);
+    List<MotionFinding> findings = findings(search, best);
     boolean more = left.z() > LEFT_Z && Arrays.stream(left.share()).max().orElse(0) > LEFT_SHARE;
     Verdict verdict = verdict(findings, more);
     return new MotionDiagnosis(
@@ -138,7 +138,7 @@ public final class MotionDiagnoser {
     return share;
   }
 
-  private List<MotionFinding> findings(Search search, HeldOut nominal, HeldOut best) {
+  private List<MotionFinding> findings(Search search, HeldOut best) {
     List<MotionFinding> findings = new ArrayList<>();
     Hypothesis chosen = best.full().hypothesis();
     double[] errors = new Fitter(evidence).standardErrors(chosen);

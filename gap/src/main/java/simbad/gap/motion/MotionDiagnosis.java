@@ -22,6 +22,7 @@ import simbad.gap.diagnosis.Verdict;
  * @param places where the gap is
  * @param windows of half a second that were scored
  */
+@SuppressWarnings("ArrayRecordComponent") // Numbers by window, never compared.
 public record MotionDiagnosis(
     Verdict verdict,
     String headline,

@@ -17,6 +17,7 @@ import simbad.motion.Robot;
  * @param ci95 of the ratio, by leaving out one twentieth of the blocks at a time
  * @param windows of half a second that were scored
  */
+@SuppressWarnings("ArrayRecordComponent") // Numbers by window, never compared.
 record MotionGap(
     double[][] before, double[][] after, double ratio, Interval ci95, int windows) {
   static final int QUANTILES = 19;

@@ -39,6 +39,7 @@ final class Residue {
    * @param share of the absolute residuals that it takes away, by component; below 0 where it harms
    * @param z by how many standard errors, over all components together
    */
+  @SuppressWarnings("ArrayRecordComponent") // Numbers by window, never compared.
   record Left(double[] share, double z) {}
 
   Left of(double[][] residuals, Scatter scatter) {

@@ -8,6 +8,7 @@ import java.util.Arrays;
  *
  * @param scales of along, across (m) and turn (rad); above 0
  */
+@SuppressWarnings("ArrayRecordComponent") // Numbers by window, never compared.
 record Scatter(double[] scales) {
   static final double FREEDOM = 4;
 

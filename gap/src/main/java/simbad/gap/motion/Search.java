@@ -3,6 +3,7 @@ package simbad.gap.motion;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import simbad.motion.MotionChain;
 import simbad.motion.effect.MotionForm;
 import simbad.motion.effect.MotionForms;
@@ -43,24 +44,25 @@ final class Search {
 
   HeldOut search(HeldOut nominal) {
     HeldOut best = nominal;
-    while (best.full().hypothesis().forms().size() < MOST_FORMS) {
-      HeldOut next = next(best);
-      if (next == best) {
-        break;
-      }
-      best = pruned(next);
+    Optional<HeldOut> next = next(best);
+    for (int round = 0; next.isPresent() && round < MOST_FORMS; round++) {
+      best = pruned(next.get());
+      next = next(best);
     }
     return best;
   }
 
-  private HeldOut next(HeldOut now) {
-    HeldOut best = now;
+  private Optional<HeldOut> next(HeldOut now) {
+    Optional<HeldOut> best = Optional.empty();
+    if (now.full().hypothesis().forms().size() >= MOST_FORMS) {
+      return best;
+    }
     double bestGain = 0;
     for (Fit fit : candidates(now.full().hypothesis(), CHECKED)) {
       HeldOut tried = HeldOut.of(evidence, fit);
       double gain = sum(tried) - sum(now);
       if (gain > bestGain && tried.z(now) > TAKEN_Z && matters(fit.hypothesis())) {
-        best = tried;
+        best = Optional.of(tried);
         bestGain = gain;
       }
     }
