@@ -18,7 +18,7 @@ import simbad.motion.TrackPose;
 import simbad.sonar.format.DataFormatException;
 
 class MotionFolderTest {
-  @TempDir Path folder;
+  @TempDir Path folder = Path.of("");
 
   @BeforeEach
   void write() throws IOException {
@@ -76,8 +76,9 @@ class MotionFolderTest {
   private void checkFault(String file, String text, String expected) throws IOException {
     Files.writeString(folder.resolve(file), text);
     String message =
-        assertThrows(DataFormatException.class, () -> new MotionFolder(folder).read("m"))
-            .getMessage();
+        String.valueOf(
+            assertThrows(DataFormatException.class, () -> new MotionFolder(folder).read("m"))
+                .getMessage());
     assertTrue(message.contains(file) && message.contains(expected), message);
   }
 }
