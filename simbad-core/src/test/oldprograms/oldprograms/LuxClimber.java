@@ -31,7 +31,7 @@ public class LuxClimber extends EnvironmentDescription {
 
     public void performBehavior() {
       double lux = center.getLux();
-      float difference = left.getLux() - right.getLux();
+      double difference = left.getLux() - right.getLux();
       arrived = arrived || (getCounter() > 100 && lux < last);
       setTranslationalVelocity(arrived ? 0 : 0.4);
       setRotationalVelocity(arrived ? 0 : 8 * difference / lux);

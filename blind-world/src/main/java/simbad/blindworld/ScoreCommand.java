@@ -22,7 +22,7 @@ import simbad.blindworld.score.Truths;
 final class ScoreCommand {
 
   private static final List<String> OPTIONS =
-      List.of("--truth", "--answers", "--manifest", "--withheld", "--baseline", "--out");
+      List.of("--truth", "--answers", "--manifest", "--withheld", "--known", "--baseline", "--out");
 
   private ScoreCommand() {}
 
@@ -31,8 +31,12 @@ final class ScoreCommand {
     Answers answers = new Answers(Path.of(options.required("--answers")));
     // Answers are hashed before any truth is opened.
     String answersHash = answers.hash();
+    Set<String> known = names(options.text("--known"));
     Truths folder =
-        new Truths(Path.of(options.required("--truth")), withheld(options.text("--withheld")));
+        new Truths(
+            Path.of(options.required("--truth")),
+            withheld(options.text("--withheld"), known),
+            known);
     Optional<String> manifest = options.text("--manifest");
     String seal = manifest.isPresent() ? sealed(folder, Path.of(manifest.get())) : "not checked";
     List<Truth> truths = folder.read();
@@ -74,10 +78,15 @@ final class ScoreCommand {
     return folder.verify(manifest) + " verified against " + manifest.getFileName();
   }
 
-  private static Set<String> withheld(Optional<String> text) throws FormatException {
-    Set<String> names = text.map(t -> Set.of(t.split(",", -1))).orElse(Set.of());
+  private static Set<String> names(Optional<String> text) {
+    return text.map(t -> Set.of(t.split(",", -1))).orElse(Set.of());
+  }
+
+  private static Set<String> withheld(Optional<String> text, Set<String> known)
+      throws FormatException {
+    Set<String> names = names(text);
     for (String name : names) {
-      if (!Vocabulary.contains(name)) {
+      if (!Vocabulary.contains(name) && !known.contains(name)) {
         throw new FormatException("--withheld: no such effect: " + name);
       }
     }

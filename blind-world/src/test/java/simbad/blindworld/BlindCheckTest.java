@@ -410,6 +410,8 @@ class BlindCheckTest {
     assertEquals(
         2,
         run("score", "--truth", truth, "--answers", answers.toString(), "--withheld", "x").status);
+    String line = "score --truth " + truth + " --known x --withheld x --answers " + answers;
+    assertEquals(0, run(line.split(" ", -1)).status);
   }
 
   /** Each of the sealed files, changed by one byte, must be found out. */

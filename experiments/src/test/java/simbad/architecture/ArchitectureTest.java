@@ -43,6 +43,7 @@ import simbad.experiments.cli.Main;
 import simbad.gui.AgentInspector;
 import simbad.gui.Console;
 import simbad.sim.Agent;
+import simbad.sonar.effect.Effect;
 import simbad.sonar.format.WholeFile;
 
 /** The arrows of docs/architecture.md, over all modules, and who may do what. */
@@ -157,6 +158,26 @@ class ArchitectureTest {
   }
 
   /** What checks the diagnosis shares no code with what is checked, nor a library but the JDK. */
+  /** An effect is one file: nothing but its definition speaks of it by name. */
+  @Test
+  void effects_areNamedByTheirDefinitionsOnly() {
+    noClasses()
+        .that()
+        .resideInAPackage("simbad..")
+        .and()
+        .resideOutsideOfPackages("simbad.sonar.catalogue..", BLIND)
+        .and()
+        .doNotHaveFullyQualifiedName(Effect.class.getName())
+        .should()
+        .accessFieldWhere(
+            DescribedPredicate.describe(
+                "it is the name of an effect",
+                access ->
+                    access.getTargetOwner().isEquivalentTo(Effect.class)
+                        && access.getTarget().getRawType().isEquivalentTo(Effect.class)))
+        .check(CLASSES);
+  }
+
   @Test
   void blindWorld_standsAlone() {
     classes()

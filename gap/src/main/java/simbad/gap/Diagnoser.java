@@ -3,12 +3,11 @@ package simbad.gap;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.EnumMap;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import simbad.gap.audit.Audit;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.DataSet;
@@ -36,6 +35,7 @@ import simbad.gap.fit.Hypothesis;
 import simbad.gap.place.Experiments;
 import simbad.gap.place.Places;
 import simbad.gap.place.Undetectables;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Parameter;
@@ -154,7 +154,8 @@ public final class Diagnoser {
     double least = Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size());
     double worth = least * calibration.clumping() * (data.reference().isEmpty() ? 1 : OFF);
     // In one block nothing is left to test on what is fitted: too few rows to name anything.
-    Set<Effect> excluded = new Blocks(log).canBeHeldOut() ? withheld : EnumSet.allOf(Effect.class);
+    Set<Effect> excluded =
+        new Blocks(log).canBeHeldOut() ? withheld : Set.copyOf(Definitions.effects());
     return Inquiry.of(evidence, calibration, worth, new Search(evidence, excluded, worth));
   }
 
@@ -279,7 +280,7 @@ public final class Diagnoser {
       boolean isPartly) {
 
     List<EffectFinding> all() {
-      Map<Effect, Double> probability = new EnumMap<>(Effect.class);
+      Map<Effect, Double> probability = new TreeMap<>();
       weighed.probabilities().ofEffects().forEach((e, p) -> probability.put(e, stated(p)));
       Hypothesis best = weighed.taken().hypothesis();
       if (isPartly) {
@@ -287,7 +288,7 @@ public final class Diagnoser {
       }
       double[] deviations = new Uncertainty(evidence, clumping).deviations(best);
       List<EffectFinding> findings = new ArrayList<>();
-      for (Effect effect : Effect.values()) {
+      for (Effect effect : Definitions.effects()) {
         findings.add(
             best.has(effect)
                 ? named(effect, best, deviations, probability.getOrDefault(effect, 0.0))

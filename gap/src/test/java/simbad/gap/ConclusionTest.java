@@ -3,8 +3,8 @@ package simbad.gap;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import simbad.gap.diagnosis.GapKind;
 import simbad.gap.diagnosis.Place;
@@ -34,7 +34,7 @@ class ConclusionTest {
     Scored only = new Scored(best, 0, 0);
     GapMeter.Gaps gaps = new GapMeter.Gaps(new double[] {gapM}, new double[] {floorM});
     return new Weighed(
-        new Probabilities(List.of(only), 10, 1, EnumSet.noneOf(Effect.class)),
+        new Probabilities(List.of(only), 10, 1, Set.of()),
         only,
         new Gain(gaps, gaps),
         List.of(enlarging));

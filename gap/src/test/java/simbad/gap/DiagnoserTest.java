@@ -18,6 +18,7 @@ import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fixture.Worlds;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.ReadingsFile;
@@ -69,7 +70,7 @@ class DiagnoserTest {
     assertEquals(Verdict.EXPLAINED, diagnosis.verdict());
     assertEquals(List.of(Effect.SOUND_SPEED), diagnosis.explanation());
     assertEquals(353.671, fitted(diagnosis, Effect.SOUND_SPEED), 0.5);
-    assertEquals(Effect.values().length, diagnosis.effects().size());
+    assertEquals(Definitions.effects().size(), diagnosis.effects().size());
     assertTrue(diagnosis.gap().shrink() > 0.3, () -> "shrink " + diagnosis.gap());
     assertTrue(diagnosis.gap().shrinkCi95().low() > 0, () -> "interval " + diagnosis.gap());
   }

@@ -44,7 +44,7 @@ public class ImagerDemo extends Demo {
     private static final double TURN_RAD_PER_S = 0.6;
 
     /** Share of the picture that is yellow when the box is near enough. */
-    private static final double NEAR = 0.3;
+    private static final double NEAR = 0.6;
 
     final CameraSensor camera = RobotFactory.addCameraSensor(this);
     final LampActuator lamp = RobotFactory.addLamp(this);

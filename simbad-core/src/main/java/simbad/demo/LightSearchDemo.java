@@ -29,7 +29,7 @@ public class LightSearchDemo extends Demo {
 
   /** Two light sensors, and sonars for what stands in the way. */
   static final class Robot extends Agent {
-    private static final double BRIGHT_LX = 0.45;
+    private static final double BRIGHT_LX = 0.085;
     private static final double WAY_M = 0.6;
 
     final LampActuator lamp = RobotFactory.addLamp(this);

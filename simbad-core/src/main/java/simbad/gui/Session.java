@@ -45,6 +45,11 @@ final class Session {
     startJava3D();
   }
 
+  /** Returns what steps the agents. */
+  Simulator simulator() {
+    return simulator;
+  }
+
   /** Takes its time, which the event thread then does not lose. */
   private void startJava3D() {
     try {

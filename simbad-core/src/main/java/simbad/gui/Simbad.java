@@ -2,6 +2,7 @@ package simbad.gui;
 
 import java.awt.Dimension;
 import java.awt.Graphics;
+import java.awt.GraphicsEnvironment;
 import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
 import java.awt.event.ActionListener;
@@ -19,7 +20,10 @@ import org.jspecify.annotations.Nullable;
 import simbad.demo.BaseDemo;
 import simbad.demo.Demo;
 import simbad.demo.DemoManager;
+import simbad.scene3d.DisplayException;
 import simbad.sim.EnvironmentDescription;
+import simbad.sim.Simulator;
+import simbad.sim.World;
 
 /**
  * The main window: the world in 3D, an inspector of its agents, and the control of the simulation.
@@ -36,6 +40,7 @@ public class Simbad extends JFrame implements ActionListener {
   private final JDesktopPane desktop = new JDesktopPane();
   private final transient CountDownLatch closed = new CountDownLatch(1);
   private transient @Nullable Session session;
+  private transient volatile Simulator simulator;
 
   /**
    * Opens the window and shows an environment in it.
@@ -43,16 +48,35 @@ public class Simbad extends JFrame implements ActionListener {
    * @param environment what the world contains
    * @param backgroundMode true to step at once, as fast as possible, without controls, and to draw
    *     rarely; false to wait for the user, and then to step in time with the clock
+   * @throws DisplayException if there is no display
    */
   @SuppressWarnings("ThisEscapedInObjectConstruction")
   public Simbad(EnvironmentDescription environment, boolean backgroundMode) {
-    super(TITLE);
+    super(titleWhereThereIsADisplay());
     this.backgroundMode = backgroundMode;
     instance = this;
     // Java 3D takes about a second to start; the frame is there before it has.
     SwingUtilities.invokeLater(this::openFrame);
     Session first = new Session(desktop, environment, backgroundMode);
+    simulator = first.simulator();
     onEventThread(() -> show(first, environment));
+  }
+
+  private static String titleWhereThereIsADisplay() {
+    if (GraphicsEnvironment.isHeadless()) {
+      throw DisplayException.noWindow();
+    }
+    return TITLE;
+  }
+
+  /** Returns what steps the agents of the environment that is shown. */
+  public Simulator getSimulator() {
+    return simulator;
+  }
+
+  /** Returns the world that is shown. */
+  public World getWorld() {
+    return simulator.getWorld();
   }
 
   /**
@@ -106,6 +130,7 @@ public class Simbad extends JFrame implements ActionListener {
 
   private void show(Session opened, EnvironmentDescription environment) {
     closeSession();
+    simulator = opened.simulator();
     if (closed.getCount() == 0) {
       // The window was closed while this world was made.
       Commands.run(opened::dispose);

@@ -26,6 +26,16 @@ public class Simbatch {
     simulator.initBehaviors();
   }
 
+  /** Returns what steps the agents. */
+  public Simulator getSimulator() {
+    return simulator;
+  }
+
+  /** Returns the world. */
+  public World getWorld() {
+    return world;
+  }
+
   /** Does one step. */
   public void step() {
     simulator.simulateOneStep();

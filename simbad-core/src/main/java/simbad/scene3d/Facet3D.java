@@ -9,7 +9,6 @@ import javax.media.j3d.Shape3D;
 import javax.vecmath.Color3f;
 import simbad.kernel.drawing.Facets;
 import simbad.kernel.drawing.Finish;
-import simbad.kernel.drawing.Lighting;
 import simbad.kernel.drawing.Mesh;
 import simbad.kernel.drawing.Rgb;
 
@@ -58,9 +57,7 @@ final class Facet3D {
           new ColoringAttributes(color, ColoringAttributes.SHADE_FLAT));
       return appearance;
     }
-    Color3f ambient = new Color3f(color);
-    ambient.scale((float) Lighting.AMBIENT_REFLECTANCE);
-    Material material = new Material(ambient, NONE, color, NONE, 1);
+    Material material = new Material(color(finish.ambient()), NONE, color, NONE, 1);
     material.setLightingEnable(true);
     appearance.setMaterial(material);
     return appearance;

@@ -68,7 +68,7 @@ public class Agent extends SimpleAgent {
   protected List<Facets> drawing() {
     double[] x = {radius, 0, 0};
     double[] z = {0, -radius / 2, radius / 2};
-    double top = height / 2;
+    double top = restores(Compatibility.NOSES_FLOAT) ? height : height / 2;
     List<Facets> look = new ArrayList<>(super.drawing());
     if (look.isEmpty()) {
       return look;
@@ -159,7 +159,7 @@ public class Agent extends SimpleAgent {
 
   /** Sets over how many steps the step rate is measured; at least 1. */
   protected void setFrameMeterRate(int rate) {
-    frameMeter.setRate(rate);
+    frameMeter.setUpdateRate(rate);
   }
 
   /** Gives the window a panel to show for this agent. */

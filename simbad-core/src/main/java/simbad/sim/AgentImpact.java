@@ -4,8 +4,13 @@ import javax.vecmath.Vector3d;
 
 /** Lets two agents that meet in a step exchange momentum, as elastic spheres do. */
 final class AgentImpact {
+  private final PhysicalEngine engine;
   private final Vector3d between = new Vector3d();
   private final Vector3d approach = new Vector3d();
+
+  AgentImpact(PhysicalEngine engine) {
+    this.engine = engine;
+  }
 
   /**
    * Changes velocities and displacements of two agents if they meet in this step.
@@ -55,19 +60,38 @@ final class AgentImpact {
 
   private boolean exchange(SimpleAgent one, SimpleAgent other, double elapsedSecond) {
     between.normalize();
+    // The velocities before weight and friction act: these differ between the floor and the air.
     approach.sub(other.linearVelocity, one.linearVelocity);
+    approach.scaleAdd(elapsedSecond, one.linearAcceleration, approach);
+    approach.scaleAdd(-elapsedSecond, other.linearAcceleration, approach);
     double closingMPerS = -approach.dot(between);
     if (closingMPerS <= 0) {
       return false;
     }
-    double impulse = 2 * closingMPerS / (1.0 / one.getMass() + 1.0 / other.getMass());
+    double impulse =
+        (1 + restitution(one, other))
+            * closingMPerS
+            / (1.0 / one.getMass() + 1.0 / other.getMass());
     push(one, -impulse / one.getMass(), elapsedSecond);
     push(other, impulse / other.getMass(), elapsedSecond);
     return true;
   }
 
+  /**
+   * What has motors pushes and does not kick: a ball between a wall and a robot that comes nearer
+   * would get faster with each bounce.
+   */
+  private static double restitution(SimpleAgent one, SimpleAgent other) {
+    boolean driven = one.hasMotors() || other.hasMotors();
+    return driven && !one.meets(Compatibility.IMPACTS_LEAVE_OVERLAPS) ? 0 : 1;
+  }
+
   private void push(SimpleAgent agent, double changeMPerS, double elapsedSecond) {
-    agent.linearVelocity.scaleAdd(changeMPerS, between, agent.linearVelocity);
+    Vector3d velocity = agent.linearVelocity;
+    velocity.scaleAdd(-elapsedSecond, agent.linearAcceleration, velocity);
+    velocity.scaleAdd(changeMPerS, between, velocity);
+    engine.computeForces(elapsedSecond, agent);
+    velocity.scaleAdd(elapsedSecond, agent.linearAcceleration, velocity);
     agent.integratesPositionChange(elapsedSecond);
     agent.setInteracted(true);
   }

@@ -32,7 +32,29 @@ final class AgentPair {
         && (touchAfter(agent, other) || (touchStanding(agent, other) && other.runsIntoObject()));
   }
 
-  private static boolean approaches(SimpleAgent agent, SimpleAgent other) {
+  /** Returns true if neither agent may pass the other. */
+  static boolean meetBodily(SimpleAgent one, SimpleAgent other) {
+    boolean solid = !one.getCanBeTraversed() && !other.getCanBeTraversed();
+    return solid && !one.detachedFromSceneGraph && !other.detachedFromSceneGraph;
+  }
+
+  /** Returns true if the spheres overlap after this step, and more than now. */
+  static boolean sinks(SimpleAgent one, SimpleAgent other) {
+    double dx = other.placement().xM() - one.placement().xM();
+    double dy = other.placement().yM() - one.placement().yM();
+    double dz = other.placement().zM() - one.placement().zM();
+    double before = dx * dx + dy * dy + dz * dz;
+    double share = one.isStopped() ? 0 : 1;
+    double otherShare = other.isStopped() ? 0 : 1;
+    dx += otherShare * other.instantTranslation.x - share * one.instantTranslation.x;
+    dy += otherShare * other.instantTranslation.y - share * one.instantTranslation.y;
+    dz += otherShare * other.instantTranslation.z - share * one.instantTranslation.z;
+    double after = dx * dx + dy * dy + dz * dz;
+    double reach = reach(one, other);
+    return after < reach * reach && after < before;
+  }
+
+  static boolean approaches(SimpleAgent agent, SimpleAgent other) {
     Placement from = agent.placement();
     Placement to = other.placement();
     return agent.instantTranslation.x * (to.xM() - from.xM())

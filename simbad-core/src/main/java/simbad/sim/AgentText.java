@@ -28,8 +28,8 @@ final class AgentText {
     return String.join(
         "\n",
         "odometer:  " + text(robot.getOdometer()) + " m",
-        "steps/s:   " + text(meter.framesPerSecond()) + " now",
-        "           " + text(meter.meanFramesPerSecond()) + " on average",
+        "steps/s:   " + text(meter.fps) + " now",
+        "           " + text(meter.fpsSinceStart) + " on average",
         robot.getKinematicModel().toString(threeDigits()));
   }
 

@@ -196,6 +196,12 @@ public abstract class BaseObject {
     return placement.headingRad();
   }
 
+  /** Turns the object on the spot to a heading in radians, 0 along +x, pi/2 along -z. */
+  public void setHeadingRad(double headingRad) {
+    placement.resetTurn();
+    rotateY(headingRad);
+  }
+
   /** Puts the object and its parts into a world. */
   protected void setWorld(World newWorld) {
     world = newWorld;
@@ -247,6 +253,13 @@ public abstract class BaseObject {
   /** Returns true if this object stops agents although they may pass: a habit of the original. */
   boolean stopsThoughTraversable() {
     return false;
+  }
+
+  /**
+   * Returns true if a habit is wanted in this object's world; notes that something depends on it.
+   */
+  boolean meets(Compatibility habit) {
+    return world != null && world.meets(habit);
   }
 
   /** Returns true if a habit of the original is wanted in this object's world. */

@@ -35,7 +35,11 @@ public class Box extends BlockWorldObject {
     sides = new Vector3f(sizes);
     placement().moveTo(position.x, position.y + sizes.y / 2, position.z);
     create3D(environment, color);
-    if (environment.compatibility.contains(Compatibility.ARGUMENTS_CHANGE)) {
+    boolean changes = environment.compatibility.contains(Compatibility.ARGUMENTS_CHANGE);
+    if (environment.isSecondUse(position) && sizes.y != 0) {
+      environment.meets(Compatibility.ARGUMENTS_CHANGE);
+    }
+    if (changes) {
       position.y += sizes.y / 2;
       color.clampMax(BRIGHTEST);
     }

@@ -73,7 +73,12 @@ public abstract class Device extends BaseObject {
     // A device without duties.
   }
 
-  /** Returns to the state at the start. The phase of the updates stays. */
+  /** Lets the device be updated in the next step, as in the first one. */
+  void restartClock() {
+    clock.restart(clock.hasPhase() && meets(Compatibility.RESETS_KEEP_THE_PHASE));
+  }
+
+  /** Returns to the state at the start. */
   protected void reset() {
     // A device without state.
   }

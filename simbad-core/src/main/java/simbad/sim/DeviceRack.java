@@ -20,6 +20,7 @@ final class DeviceRack {
   }
 
   void reset() {
+    sensors.forEach(Device::restartClock);
     sensors.forEach(SensorDevice::reset);
     actuators.forEach(ActuatorDevice::reset);
   }

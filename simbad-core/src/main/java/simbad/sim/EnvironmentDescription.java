@@ -1,6 +1,9 @@
 package simbad.sim;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
 import javax.vecmath.Color3f;
@@ -99,6 +102,8 @@ public class EnvironmentDescription {
    */
   public Set<Compatibility> compatibility = Compatibility.fromProperty();
 
+  private final Set<Compatibility> touched = EnumSet.noneOf(Compatibility.class);
+  private final Set<Object> arguments = Collections.newSetFromMap(new IdentityHashMap<>());
   private final List<Object> objects = new ArrayList<>();
 
   /** Creates an empty environment with Simbad's defaults. */
@@ -110,6 +115,25 @@ public class EnvironmentDescription {
   /** Adds an object. Static objects and agents count, others are kept and ignored. */
   public void add(Object object) {
     objects.add(object);
+  }
+
+  /**
+   * Returns the habits on which anything depended so far: what happened would have gone otherwise
+   * with the other position of the switch. It grows while the environment is simulated.
+   */
+  public Set<Compatibility> touched() {
+    return touched;
+  }
+
+  /** Returns true if a habit is wanted, and notes that something depends on it. */
+  boolean meets(Compatibility habit) {
+    touched.add(habit);
+    return compatibility.contains(habit);
+  }
+
+  /** Returns true if an object that was made took the same vector or colour as this one does. */
+  boolean isSecondUse(Object argument) {
+    return !arguments.add(argument);
   }
 
   /** Returns the static objects and agents, in the order in which they were added. */
@@ -143,8 +167,8 @@ public class EnvironmentDescription {
   }
 
   /**
-   * Adds a box of 1 m side for each '#' of a map. Columns run along x, rows along z, and the map's
-   * middle is at the origin.
+   * Adds a box of 1 m side for each '#' of a map. Columns run along x, rows along z, and the middle
+   * of the map's first row, which says how wide the map is, is at x = 0.
    *
    * @param map the rows
    */
@@ -152,7 +176,7 @@ public class EnvironmentDescription {
     for (int row = 0; row < map.length; row++) {
       for (int column = 0; column < map[row].length(); column++) {
         if (map[row].charAt(column) == '#') {
-          addBlock(column - map[row].length() / 2, row - map.length / 2);
+          addBlock(column - map[0].length() / 2, row - map.length / 2);
         }
       }
     }

@@ -55,7 +55,10 @@ public class Eye extends SensorDevice {
 
   /** Returns a new matrix of zeros into which this eye's image can be copied. */
   public final SensorMatrix createCompatibleSensorMatrix() {
-    return new SensorMatrix(imageWidth, imageHeight);
+    return world == null
+        ? new SensorMatrix(imageWidth, imageHeight)
+        : new SensorMatrix(
+            imageWidth, imageHeight, world.restores(Compatibility.MATRIX_EDGE_THROWS));
   }
 
   /**

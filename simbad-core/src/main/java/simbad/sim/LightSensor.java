@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import javax.swing.JPanel;
 import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
@@ -25,6 +26,7 @@ public class LightSensor extends Eye {
   public Vector3d position = new Vector3d();
 
   private float luminance;
+  private OptionalDouble asideRad = OptionalDouble.empty();
 
   /** Creates a light sensor. */
   public LightSensor() {
@@ -40,30 +42,55 @@ public class LightSensor extends Eye {
   }
 
   /**
-   * Returns the illuminance at the sensor where it is now, in lux, if each lamp that is on shines
-   * with 1 candela times the luminance of its colour: the sum of luminance / distance squared.
-   * Nothing stands in the light's way, and the sensor does not care where the light comes from. A
-   * lamp is not nearer than its globe's radius of 0.2 m. Outside a world it is dark.
+   * Returns how bright the lamps are where the sensor is now, as 1.7 did: the mean over the lamps
+   * that are on of 0.25 / d<sup>2</sup>, with d the distance in metres, at least 0.5. Their colour,
+   * what stands in the light's way and where the sensor looks are of no account. In [0, 1]; 0
+   * without a lamp and outside a world.
    */
-  public float getLux() {
-    if (world == null) {
-      return 0;
+  public double getLux() {
+    return world == null ? 0 : world.lux(getPosition());
+  }
+
+  /**
+   * Returns where the sensor is in the world, metres, as {@link #getGlobalCoords} has it; the
+   * sensor is on an agent.
+   */
+  public Point3d getPosition() {
+    Placement owner = getOwner().placement();
+    return global(owner, position);
+  }
+
+  /**
+   * Returns the place of a sensor in the world as 1.7 did: x and z are turned with the agent and
+   * added to its place, the height is the sensor's own.
+   *
+   * @param agent the sensor's owner
+   * @param local where the sensor sits, metres from the agent's middle
+   */
+  public static Point3d getGlobalCoords(Agent agent, Vector3d local) {
+    return global(agent.placement(), local);
+  }
+
+  private static Point3d global(Placement owner, Vector3d local) {
+    return new Point3d(
+        owner.outerX(local.x, 0, local.z), local.y, owner.outerZ(local.x, 0, local.z));
+  }
+
+  /** Sits aside of its owner, and goes nearer in a world that wants that. */
+  void setAside(double angle) {
+    asideRad = OptionalDouble.of(angle);
+  }
+
+  @Override
+  protected void setWorld(World newWorld) {
+    super.setWorld(newWorld);
+    if (asideRad.isPresent() && newWorld.meets(Compatibility.LIGHT_SENSORS_SIT_NEARER)) {
+      double angle = asideRad.getAsDouble();
+      Vector3d there = RobotFactory.aside(getOwner().getRadius(), angle, true);
+      there.sub(position);
+      translateTo(there);
     }
-    Placement here = new Placement();
-    placeInWorld(here);
-    return Surroundings.illuminanceLx(world.getStage().lighting(), here);
-  }
-
-  /** Returns where the sensor sits, metres from the agent's middle. */
-  public Vector3d getPosition() {
-    return new Vector3d(position);
-  }
-
-  /** Returns where a sensor is in the world now, metres; the sensor is on an agent. */
-  public static Point3d getGlobalCoords(LightSensor sensor) {
-    Placement here = new Placement();
-    sensor.placeInWorld(here);
-    return new Point3d(here.xM(), here.yM(), here.zM());
+    asideRad = OptionalDouble.empty();
   }
 
   @Override

@@ -9,7 +9,10 @@ import simbad.kernel.geometry.Placement;
 import simbad.kernel.geometry.Shape;
 import simbad.kernel.scene.Solid;
 
-/** A line on the floor, 8 cm wide and 5 mm high, for line sensors. It is in nobody's way. */
+/**
+ * A line on the floor, 8 cm wide, for line sensors. It is in nobody's way. It is 5 mm high and half
+ * sunk: its top is 2.5 mm above the floor.
+ */
 public class Line extends BlockWorldObject {
   private static final float WIDTH_M = 0.08f;
   private static final float HEIGHT_M = 0.005f;
@@ -56,7 +59,7 @@ public class Line extends BlockWorldObject {
   @Override
   void addShapesTo(Solid body, Placement bodyFromThis) {
     Placement thisFromMiddle = new Placement();
-    thisFromMiddle.moveTo(0, HEIGHT_M / 2, length / 2);
+    thisFromMiddle.moveTo(0, 0, length / 2);
     Placement bodyFromMiddle = new Placement();
     bodyFromMiddle.compose(bodyFromThis, thisFromMiddle);
     super.addShapesTo(body, bodyFromMiddle);
@@ -64,9 +67,7 @@ public class Line extends BlockWorldObject {
 
   @Override
   protected List<Facets> drawing() {
-    return super.drawing().stream()
-        .map(strip -> strip.movedBy(0, HEIGHT_M / 2, length / 2))
-        .toList();
+    return super.drawing().stream().map(strip -> strip.movedBy(0, 0, length / 2)).toList();
   }
 
   @Override

@@ -21,9 +21,13 @@ public class PhysicalEngine {
   /** Acceleration of a falling body, metres per second squared. */
   protected static final float g = 9.8f;
 
+  /** Room for the rounding of a floating-point height. */
+  private static final double ON_GROUND_M = 1e-6;
+
   private final NearPairs pairs = new NearPairs();
   private final NearPairs.Receiver receiver = this::near;
-  private final AgentImpact impact = new AgentImpact();
+  private final AgentImpact impact = new AgentImpact(this);
+  private final Settling settling = new Settling();
   private final WallImpact wallImpact = new WallImpact(this);
   private ArrayList<SimpleAgent> agents = new ArrayList<>();
   private double elapsed;
@@ -48,33 +52,64 @@ public class PhysicalEngine {
     if (agent.getMass() <= 0 || agent.detachedFromSceneGraph) {
       return;
     }
-    double weight = agent.restores(Compatibility.GRAVITY_GROWS_WITH_MASS) ? agent.getMass() : 1;
-    if (agent.isAboveGround()) {
+    boolean falls = agent.isAboveGround();
+    double weight = falls || slides(agent) ? weight(agent) : 1;
+    if (falls) {
       agent.linearAcceleration.y = -g * weight;
-    } else if (!agent.hasMotors()) {
-      slow(agent, g * weight * agent.frictionCoefficient(), elapsedSecond);
     }
+    if (slides(agent) && !(falls && !agent.meets(Compatibility.FRICTION_IN_THE_AIR))) {
+      slow(agent, g * weight * friction(agent), elapsedSecond);
+    }
+  }
+
+  private static double weight(SimpleAgent agent) {
+    boolean tells = agent.getMass() != 1;
+    return tells && agent.meets(Compatibility.GRAVITY_GROWS_WITH_MASS) ? agent.getMass() : 1;
+  }
+
+  /** The dynamic coefficient, or the static one where that is 0. */
+  private static double friction(SimpleAgent agent) {
+    return agent.dynamicFrictionCoefficient > 0
+        ? agent.dynamicFrictionCoefficient
+        : agent.staticFrictionCoefficient;
+  }
+
+  /** Ends a step's way down at the floor, and lifts what is below it. */
+  private static void land(SimpleAgent agent) {
+    double above = agent.distanceToGround();
+    boolean sinks = agent.instantTranslation.y < 0 || above < -ON_GROUND_M;
+    if (sinks && above + agent.instantTranslation.y < 0) {
+      agent.instantTranslation.y = -above;
+      agent.linearVelocity.y = 0;
+      agent.linearAcceleration.y = 0;
+    }
+  }
+
+  private static boolean slides(SimpleAgent agent) {
+    Vector3d velocity = agent.linearVelocity;
+    boolean moves = velocity.lengthSquared() > 0;
+    return moves && !agent.hasMotors() && friction(agent) > 0;
   }
 
   private static void slow(SimpleAgent agent, double brakingMPerS2, double elapsedSecond) {
     Vector3d velocity = agent.linearVelocity;
-    double speedMPerS = Math.hypot(velocity.x, velocity.z);
-    if (speedMPerS == 0) {
-      return;
-    }
-    double most =
-        agent.restores(Compatibility.FRICTION_NEVER_STOPS)
-            ? Double.POSITIVE_INFINITY
-            : speedMPerS / elapsedSecond;
-    double share = Math.min(brakingMPerS2, most) / speedMPerS;
-    agent.linearAcceleration.x = -velocity.x * share;
-    agent.linearAcceleration.z = -velocity.z * share;
+    // What lies on the floor has no speed upwards; of what falls, the original slowed that, too.
+    double speedMPerS = velocity.length();
+    double stopping = speedMPerS / elapsedSecond;
+    boolean stops = brakingMPerS2 > stopping && !agent.meets(Compatibility.FRICTION_NEVER_STOPS);
+    double share = (stops ? stopping : brakingMPerS2) / speedMPerS;
+    agent.linearAcceleration.scaleAdd(-share, velocity, agent.linearAcceleration);
+  }
+
+  /** Lets agents stay where they are that this step would lead into others. */
+  void settle(List<SimpleAgent> all, double elapsedSecond) {
+    settling.apply(all, elapsedSecond);
   }
 
   /** Lets agents that would sink below the floor in this step come down on it. */
   void land(List<SimpleAgent> all) {
     for (int i = 0; i < all.size(); i++) {
-      all.get(i).land();
+      land(all.get(i));
     }
   }
 
@@ -119,7 +154,10 @@ public class PhysicalEngine {
     boolean met = pushing && solid && impact.apply(one, other, elapsed);
     if (met || (stopping && AgentPair.touchAfter(one, other))) {
       one.veryNear(other);
-      other.veryNear(one);
+      boolean isLast = higher == agents.size() - 1;
+      if (isLast || !other.meets(Compatibility.NEARNESS_IS_ONE_SIDED)) {
+        other.veryNear(one);
+      }
     }
     if (stopping && solid) {
       stop(one, other);
@@ -130,7 +168,7 @@ public class PhysicalEngine {
   private void stop(SimpleAgent agent, SimpleAgent other) {
     boolean stopped =
         pushing ? AgentPair.runsInto(agent, other) : AgentPair.isStopped(agent, other);
-    if (stopped && !agent.restores(Compatibility.ROBOTS_PASS_ROBOTS)) {
+    if (stopped && !agent.meets(Compatibility.ROBOTS_PASS_ROBOTS)) {
       agent.setStoppedByAgent(true);
     }
   }

@@ -36,6 +36,7 @@ public class Plan {
 
   /** Sets the agent's velocities for this step; stops it once, after the last motion. */
   public void doStep() {
+    motions.setLagging(motions.tellsLagging() && agent.meets(Compatibility.PLANS_TIME_BY_PREVIOUS));
     boolean wasRunning = motions.isRunning();
     if (wasRunning || ended) {
       apply(motions.next());

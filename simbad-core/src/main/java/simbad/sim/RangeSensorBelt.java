@@ -152,7 +152,7 @@ public class RangeSensorBelt extends PickSensor {
 
   private double noEcho() {
     boolean finite = (flags & FLAG_RETURN_INFINITY) == 0;
-    return finite && !restores(Compatibility.NO_ECHO_IS_INFINITE)
+    return finite && !meets(Compatibility.NO_ECHO_IS_INFINITE)
         ? maxRange
         : Double.POSITIVE_INFINITY;
   }
@@ -221,7 +221,8 @@ public class RangeSensorBelt extends PickSensor {
 
   /** Returns the mean range over the echoes at angles from one to another, both included. */
   public double getQuadrantMeasurement(double minAngle, double maxAngle) {
-    return sectors.meanRangeM(readings, minAngle, maxAngle, noEcho());
+    boolean heard = sectors.echoes(readings, minAngle, maxAngle) > 0;
+    return sectors.meanRangeM(readings, minAngle, maxAngle, heard ? 0 : noEcho());
   }
 
   /** Returns the number of echoes in both halves of the front. */

@@ -16,6 +16,7 @@ public class RobotFactory extends Factory {
   private static final int CAMERA_SIDE_PX = 100;
   private static final double CAMERA_ABOVE_TOP_M = 0.075;
   private static final double LIGHT_CLEARANCE_M = 0.5;
+  private static final double NEARER_CLEARANCE_M = 0.3;
 
   /** Creates a factory; its methods are static. */
   public RobotFactory() {}
@@ -115,9 +116,17 @@ public class RobotFactory extends Factory {
   }
 
   private static LightSensor addLightSensorAside(Agent agent, double angle, String label) {
-    double away = agent.getRadius() + LIGHT_CLEARANCE_M;
-    Vector3d position = new Vector3d(away * Math.cos(angle), 0, -away * Math.sin(angle));
-    return addLightSensor(agent, position, angle, "Light Sensor " + label);
+    boolean nearer = Compatibility.fromProperty().contains(Compatibility.LIGHT_SENSORS_SIT_NEARER);
+    Vector3d position = aside(agent.getRadius(), angle, nearer);
+    LightSensor sensor = addLightSensor(agent, position, angle, "Light Sensor " + label);
+    sensor.setAside(angle);
+    return sensor;
+  }
+
+  /** Returns where a light sensor sits that looks at an agent's side, metres. */
+  static Vector3d aside(double radius, double angle, boolean nearer) {
+    double away = radius + (nearer ? NEARER_CLEARANCE_M : LIGHT_CLEARANCE_M);
+    return new Vector3d(away * Math.cos(angle), 0, -away * Math.sin(angle));
   }
 
   private static LightSensor addLightSensor(

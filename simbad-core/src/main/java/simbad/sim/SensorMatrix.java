@@ -9,6 +9,7 @@ public class SensorMatrix extends SensorData {
   public int height;
 
   private final float[] values;
+  private final boolean edgeThrows;
 
   /**
    * Creates a matrix of zeros.
@@ -17,8 +18,14 @@ public class SensorMatrix extends SensorData {
    * @param height number of rows; at least 0
    */
   public SensorMatrix(int width, int height) {
+    this(width, height, Compatibility.fromProperty().contains(Compatibility.MATRIX_EDGE_THROWS));
+  }
+
+  /** Creates a matrix of zeros whose right and lower edge can be asked, or not. */
+  SensorMatrix(int width, int height, boolean edgeThrows) {
     this.width = width;
     this.height = height;
+    this.edgeThrows = edgeThrows;
     values = new float[width * height];
   }
 
@@ -26,6 +33,7 @@ public class SensorMatrix extends SensorData {
   public SensorMatrix(SensorMatrix from) {
     width = from.width;
     height = from.height;
+    edgeThrows = from.edgeThrows;
     values = from.values.clone();
   }
 
@@ -49,12 +57,16 @@ public class SensorMatrix extends SensorData {
    *
    * @param x from 0, the left edge, to 1, the right edge
    * @param y from 0, the upper edge, to 1, the lower edge
+   * @throws IndexOutOfBoundsException at an edge, 1, with {@link Compatibility#MATRIX_EDGE_THROWS}
    */
   public float get(float x, float y) {
     return get(index(x, width), index(y, height));
   }
 
-  private static int index(float share, int size) {
+  private int index(float share, int size) {
+    if (edgeThrows && share >= 1) {
+      throw new IndexOutOfBoundsException("share = " + share + " is not in [0, 1)");
+    }
     return Math.min((int) (share * size), size - 1);
   }
 

@@ -10,6 +10,7 @@ import javax.vecmath.Vector3d;
 import org.jspecify.annotations.Nullable;
 import simbad.kernel.drawing.Facets;
 import simbad.kernel.geometry.CylinderShape;
+import simbad.kernel.geometry.PrismShape;
 import simbad.kernel.geometry.Shape;
 import simbad.kernel.scene.Ball;
 import simbad.kernel.scene.Clearance;
@@ -25,6 +26,8 @@ public class SimpleAgent extends BaseObject {
 
   /** Room for the rounding of a floating-point height. */
   private static final double ON_GROUND_M = 1e-6;
+
+  private static final int PRISM_SIDES = 15;
 
   /** The agent's name. */
   protected String name;
@@ -111,7 +114,10 @@ public class SimpleAgent extends BaseObject {
 
   @Override
   protected List<Shape> bodyShapes() {
-    return List.of(new CylinderShape(radius, height));
+    return List.of(
+        restores(Compatibility.ROBOTS_ARE_PRISMS)
+            ? PrismShape.regular(PRISM_SIDES, radius, height)
+            : new CylinderShape(radius, height));
   }
 
   /**
@@ -148,7 +154,8 @@ public class SimpleAgent extends BaseObject {
 
   /** Returns to the start position, heading along +x. */
   protected void resetPosition() {
-    stop();
+    linearVelocity.set(0, 0, 0);
+    angularVelocity.set(0, 0, 0);
     v1.set(startPosition);
     v1.y += height / 2;
     resetPositionAt(v1);
@@ -160,12 +167,6 @@ public class SimpleAgent extends BaseObject {
     placement().resetTurn();
     collided = false;
     placementChanged();
-  }
-
-  /** Takes away the speed that physics gave. */
-  private void stop() {
-    linearVelocity.set(0, 0, 0);
-    angularVelocity.set(0, 0, 0);
   }
 
   /** Resets every device. */
@@ -200,7 +201,7 @@ public class SimpleAgent extends BaseObject {
    */
   protected void integratesPositionChange(double elapsedSecond) {
     instantTranslation.scale(elapsedSecond, linearVelocity);
-    if (!restores(Compatibility.GRAVITY_GROWS_WITH_MASS)) {
+    if (linearAcceleration.lengthSquared() > 0 && !meets(Compatibility.GRAVITY_GROWS_WITH_MASS)) {
       instantTranslation.scaleAdd(
           -elapsedSecond * elapsedSecond / 2, linearAcceleration, instantTranslation);
     }
@@ -215,8 +216,8 @@ public class SimpleAgent extends BaseObject {
   /** Moves by this step's displacement, unless the agent has collided, and turns. */
   protected void updatePosition() {
     boolean moves = !collided && instantTranslation.lengthSquared() != 0;
-    boolean mayTurn = !collided || !restores(Compatibility.BLOCKED_ROBOTS_DO_NOT_TURN);
-    boolean turns = mayTurn && instantRotation.y != 0;
+    boolean turns =
+        instantRotation.y != 0 && !(collided && meets(Compatibility.BLOCKED_ROBOTS_DO_NOT_TURN));
     positionChanged = moves || turns;
     if (moves) {
       placement().moveBy(instantTranslation.x, instantTranslation.y, instantTranslation.z);
@@ -275,20 +276,6 @@ public class SimpleAgent extends BaseObject {
     return simulator != null && simulator.getUsePhysics();
   }
 
-  /** Returns the coefficient of friction on the floor. */
-  double frictionCoefficient() {
-    return dynamicFrictionCoefficient > 0 ? dynamicFrictionCoefficient : staticFrictionCoefficient;
-  }
-
-  /** Ends this step's way down at the floor. */
-  void land() {
-    if (distanceToGround() >= 0 && distanceToGround() + instantTranslation.y < 0) {
-      instantTranslation.y = -distanceToGround();
-      linearVelocity.y = 0;
-      linearAcceleration.y = 0;
-    }
-  }
-
   /** Says whether the agent has pushed something or bounced in this step. */
   void setInteracted(boolean newInteracted) {
     interacted = newInteracted;
@@ -310,6 +297,16 @@ public class SimpleAgent extends BaseObject {
 
   double nextZ() {
     return placement().zM() + instantTranslation.z;
+  }
+
+  /** Returns true if the agent does not move in this step, because something is in its way. */
+  boolean isStopped() {
+    return collided;
+  }
+
+  /** Says that a body is in the agent's way. */
+  void setStopped() {
+    collided = true;
   }
 
   /** Counts a step. */
@@ -362,6 +359,12 @@ public class SimpleAgent extends BaseObject {
   public void moveToPosition(double x, double z) {
     v1.set(x, placement().yM(), z);
     resetPositionAt(v1);
+  }
+
+  /** Puts the middle above a point in metres and heads there, radians; height, velocities stay. */
+  public void setPose(double x, double z, double headingRad) {
+    moveToPosition(x, z);
+    rotateY(headingRad);
   }
 
   /**

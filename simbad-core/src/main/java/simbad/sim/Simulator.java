@@ -18,12 +18,17 @@ import simbad.kernel.run.Pacer;
 public class Simulator {
   private static final int DEFAULT_FRAMES_PER_SECOND = 20;
 
+  private static volatile @Nullable StepListener listener;
+
   private final ArrayList<SimpleAgent> agents;
+  private final List<Runnable> changes = new ArrayList<>();
+  private final World world;
   private final PhysicalEngine engine = new PhysicalEngine();
   private final ArrayList<Object> noObjects = new ArrayList<>();
   private final Lock lock;
   private final Pacer pacer = new Pacer("simulation");
   private boolean usePhysics;
+  private volatile boolean stepping;
   private volatile boolean flatOut;
   private int framesPerSecond = DEFAULT_FRAMES_PER_SECOND;
   private float virtualTimeFactor = 1;
@@ -38,12 +43,70 @@ public class Simulator {
    */
   public Simulator(
       @Nullable JComponent application, World world, EnvironmentDescription environment) {
+    this.world = world;
     applicationComponent = application;
     lock = world.stepLock();
     usePhysics = environment.usePhysics;
     agents = new ArrayList<>(environment.list(SimpleAgent.class));
     agents.forEach(agent -> admit(agent, world));
     keyListeners().forEach(added -> withComponent(c -> c.addKeyListener(added)));
+    StepListener told = listener;
+    if (told != null) {
+      told.made(this, world);
+    }
+  }
+
+  /** Says who is told of all simulators that are made from now on; null for nobody. */
+  public static void setListener(@Nullable StepListener newListener) {
+    listener = newListener;
+  }
+
+  /** Returns what is simulated. */
+  public World getWorld() {
+    return world;
+  }
+
+  /**
+   * Puts an agent into the running simulation, at its start and with its behaviour prepared. Within
+   * a step, it comes before the next one.
+   */
+  public void addAgent(SimpleAgent agent) {
+    change(
+        () -> {
+          admit(agent, world);
+          agents.add(agent);
+          agent.initPreBehavior();
+          agent.initBehavior();
+        });
+  }
+
+  /** Takes an agent out of the simulation and the world; within a step, before the next one. */
+  public void removeAgent(SimpleAgent agent) {
+    change(
+        () -> {
+          if (agents.remove(agent)) {
+            agent.detach();
+            agent.dispose();
+          }
+        });
+  }
+
+  private void change(Runnable change) {
+    synchronized (changes) {
+      changes.add(change);
+    }
+    if (!stepping) {
+      applyChanges();
+    }
+  }
+
+  private synchronized void applyChanges() {
+    List<Runnable> due;
+    synchronized (changes) {
+      due = List.copyOf(changes);
+      changes.clear();
+    }
+    due.forEach(Runnable::run);
   }
 
   private void admit(SimpleAgent agent, World world) {
@@ -79,12 +142,30 @@ public class Simulator {
 
   /** Does one step. */
   public synchronized void simulateOneStep() {
+    if (!changes.isEmpty()) {
+      applyChanges();
+    }
     lock();
+    stepping = true;
     try {
       step(1.0 / framesPerSecond);
     } finally {
+      stepping = false;
       unlock();
     }
+    StepListener told = listener;
+    if (told != null) {
+      told.stepped(this);
+    }
+  }
+
+  /** Returns true if a habit of the original keeps the agent that was near in this step, too. */
+  private static boolean staysNear(SimpleAgent agent, boolean isLast) {
+    return isLast
+        && agent.anOtherAgentIsVeryNear()
+        && !agent.positionChanged
+        && !agent.detachedFromSceneGraph
+        && agent.meets(Compatibility.NEARNESS_IS_ONE_SIDED);
   }
 
   private void step(double elapsedSecond) {
@@ -100,7 +181,9 @@ public class Simulator {
     }
     for (int i = 0; i < agents.size(); i++) {
       SimpleAgent agent = agents.get(i);
-      agent.clearVeryNear();
+      if (!staysNear(agent, i == agents.size() - 1)) {
+        agent.clearVeryNear();
+      }
       agent.setMotorsAcceleration(elapsedSecond);
       if (usePhysics) {
         engine.computeForces(elapsedSecond, agent);
@@ -113,10 +196,11 @@ public class Simulator {
       engine.checkAgentObjectPairs(agents, noObjects, true, false);
     }
     engine.checkAgentAgentPairs(elapsedSecond, agents, usePhysics, true);
-    if (usePhysics) {
-      engine.land(agents);
-    }
+    engine.land(agents);
     engine.checkAgentObjectPairs(agents, noObjects, false, false);
+    if (usePhysics) {
+      engine.settle(agents, elapsedSecond);
+    }
     for (int i = 0; i < agents.size(); i++) {
       SimpleAgent agent = agents.get(i);
       agent.updatePosition();

@@ -37,7 +37,7 @@ public class StaticObject extends BaseObject {
 
   @Override
   boolean stopsThoughTraversable() {
-    return restores(Compatibility.TRAVERSABLE_OBJECTS_STOP);
+    return meets(Compatibility.TRAVERSABLE_OBJECTS_STOP);
   }
 
   /** Asks the hook, so that a subclass decides about collisions with it. */

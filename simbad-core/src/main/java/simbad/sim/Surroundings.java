@@ -3,7 +3,10 @@ package simbad.sim;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import javax.media.j3d.Light;
 import javax.vecmath.Color3f;
+import javax.vecmath.Point3d;
+import javax.vecmath.Point3f;
 import javax.vecmath.Vector3d;
 import simbad.kernel.drawing.Facets;
 import simbad.kernel.drawing.Lighting;
@@ -18,6 +21,8 @@ import simbad.kernel.geometry.Placement;
 /** What of a world's looks belongs to no object: floor, axes, lamps, light and background. */
 final class Surroundings {
   private static final double LAMP_RADIUS_M = 0.2;
+  private static final double NEAREST_LAMP_M = 0.5;
+  private static final double LUX_AT_1_M = 0.25;
   private static final double AXIS_WIDTH_M = 0.02;
   private static final Rgb X_AXIS = new Rgb(0.85f, 0.15f, 0.1f);
   private static final Rgb Y_AXIS = new Rgb(0.1f, 0.6f, 0.1f);
@@ -63,17 +68,32 @@ final class Surroundings {
     return Rgb.nearest(colour.x, colour.y, colour.z);
   }
 
+  /** Returns a lamp as Java 3D has it, on or off; can be made without a display. */
+  static javax.media.j3d.PointLight light(Vector3d at, Color3f colour, boolean on) {
+    var light = new javax.media.j3d.PointLight();
+    light.setPosition((float) at.x, (float) at.y, (float) at.z);
+    light.setColor(colour);
+    light.setEnable(on);
+    light.setCapability(Light.ALLOW_STATE_READ);
+    light.setCapability(Light.ALLOW_STATE_WRITE);
+    light.setCapability(javax.media.j3d.PointLight.ALLOW_POSITION_READ);
+    return light;
+  }
+
   /** See {@link LightSensor#getLux()}. */
-  static float illuminanceLx(Lighting lighting, Placement at) {
+  static double lux(List<javax.media.j3d.PointLight> lights, Point3d at) {
     double sum = 0;
-    for (PointLight lamp : lighting.lamps()) {
-      double dx = lamp.xM() - at.xM();
-      double dy = lamp.yM() - at.yM();
-      double dz = lamp.zM() - at.zM();
-      double squared = dx * dx + dy * dy + dz * dz;
-      sum += lamp.colour().luminance() / Math.max(LAMP_RADIUS_M * LAMP_RADIUS_M, squared);
+    int on = 0;
+    for (javax.media.j3d.PointLight light : lights) {
+      if (light.getEnable()) {
+        Point3f lamp = new Point3f();
+        light.getPosition(lamp);
+        double distance = Math.max(NEAREST_LAMP_M, at.distance(new Point3d(lamp)));
+        sum += LUX_AT_1_M / (distance * distance);
+        on++;
+      }
     }
-    return (float) sum;
+    return on == 0 ? 0 : sum / on;
   }
 
   private static Visual still(List<Facets> facets) {

@@ -4,12 +4,13 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import javax.media.j3d.Canvas3D;
+import javax.media.j3d.Light;
+import javax.media.j3d.PointLight;
+import javax.vecmath.Point3d;
 import org.jspecify.annotations.Nullable;
-import simbad.kernel.drawing.PointLight;
 import simbad.kernel.drawing.Stage;
 import simbad.kernel.geometry.Placement;
 import simbad.kernel.render.Picture;
@@ -40,11 +41,11 @@ public class World {
   protected float worldSize;
 
   private final Set<Compatibility> habits = EnumSet.noneOf(Compatibility.class);
+  private final Set<Compatibility> touched;
   private final Scene scene = new Scene();
   private final Stage stage;
   private final WorldCameras cameras;
-  private final Optional<PointLight> light1;
-  private final Optional<PointLight> light2;
+  private final List<PointLight> lights;
   private final List<StaticObject> standing = new ArrayList<>();
   private final List<BaseObject> objects = new ArrayList<>();
   private final Lock stepLock = new Lock();
@@ -60,10 +61,15 @@ public class World {
     worldSize = environment.worldSize;
     viewPoint = environment.worldViewPoint;
     habits.addAll(environment.compatibility);
+    touched = environment.touched();
     stage = Surroundings.stage(environment);
     cameras = new WorldCameras(stage);
-    light1 = Surroundings.light1(environment);
-    light2 = Surroundings.light2(environment);
+    lights =
+        List.of(
+            Surroundings.light(
+                environment.light1Position, environment.light1Color, environment.light1IsOn),
+            Surroundings.light(
+                environment.light2Position, environment.light2Color, environment.light2IsOn));
     surroundings = stage.visuals().size();
     environment.list(StaticObject.class).forEach(this::enter);
   }
@@ -126,6 +132,17 @@ public class World {
     return staticRevision;
   }
 
+  /** Returns true if a habit is wanted here, and notes that something depends on it. */
+  boolean meets(Compatibility habit) {
+    touched.add(habit);
+    return habits.contains(habit);
+  }
+
+  /** Returns the habits on which anything depended so far; see {@link EnvironmentDescription}. */
+  public Set<Compatibility> touched() {
+    return Collections.unmodifiableSet(touched);
+  }
+
   /** Returns true if a habit of the original is wanted here. */
   boolean restores(Compatibility habit) {
     return habits.contains(habit);
@@ -135,6 +152,11 @@ public class World {
     if (object instanceof StaticObject) {
       staticRevision++;
     }
+  }
+
+  /** Returns the side of the drawn floor, metres. */
+  public float getWorldSize() {
+    return worldSize;
   }
 
   /** Returns the bodies that rays and collisions meet; for sensors of one's own. */
@@ -152,14 +174,22 @@ public class World {
     cameras.take(view != null, worldFromEye, picture);
   }
 
-  /** Returns the first lamp, if it was lit when the world was made. */
-  public Optional<PointLight> getLight1() {
-    return light1;
+  /**
+   * Returns the first lamp. Switching it off or on with {@code setEnable} counts for {@link
+   * LightSensor#getLux()}, not for pictures.
+   */
+  public Light getLight1() {
+    return lights.get(0);
   }
 
-  /** Returns the second lamp, if it was lit when the world was made. */
-  public Optional<PointLight> getLight2() {
-    return light2;
+  /** Returns the second lamp; see {@link #getLight1()}. */
+  public Light getLight2() {
+    return lights.get(1);
+  }
+
+  /** See {@link LightSensor#getLux()}. */
+  double lux(Point3d at) {
+    return Surroundings.lux(lights, at);
   }
 
   /**

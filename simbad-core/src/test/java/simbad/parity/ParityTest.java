@@ -67,7 +67,7 @@ class ParityTest {
     try (BufferedReader index = open("README.md")) {
       assertTrue(index.lines().anyMatch(line -> line.startsWith("| file ")));
     }
-    assertEquals(13, known.size());
+    assertEquals(20, known.size());
   }
 
   @ParameterizedTest
@@ -80,7 +80,8 @@ class ParityTest {
     int agents = scenario.agents.size();
     List<String> rows = lines(name).stream().filter(line -> !line.startsWith("#")).toList();
     for (int i = 0; i < rows.size(); i++) {
-      int step = i / agents;
+      // The trace of lines begins after the first step and names no agent.
+      int step = i / agents + (name.startsWith("08") ? 1 : 0);
       if (step > 0 && i % agents == 0) {
         simulation.step();
       }
@@ -95,16 +96,17 @@ class ParityTest {
   void header_isReproduced(String name) throws IOException {
     Scenario scenario = scenario(name);
     int agent = 0;
+    int belts = 0;
     for (String line : lines(name)) {
       Matcher belt = BELT.matcher(line);
       Matcher body = AGENT.matcher(line);
       if (belt.matches()) {
-        checkBelt(belt, Scenario.belt(scenario.agents.get(0)));
+        checkBelt(belt, Scenario.belt(scenario.agents.get(0), belts++));
       } else if (body.matches()) {
         checkAgent(body, scenario.agents.get(agent++));
       }
     }
-    assertEquals(scenario.agents.size(), agent, name);
+    assertEquals(name.startsWith("08") ? 0 : scenario.agents.size(), agent, name);
   }
 
   private static void checkRow(String file, String line, List<Cell> actual) {

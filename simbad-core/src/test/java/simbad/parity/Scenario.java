@@ -8,6 +8,7 @@ import simbad.sim.Agent;
 import simbad.sim.Box;
 import simbad.sim.EnvironmentDescription;
 import simbad.sim.RangeSensorBelt;
+import simbad.sim.RobotFactory;
 import simbad.sim.SimpleAgent;
 
 /** A recorded scenario: an environment, whose agents appear in the trace in this order. */
@@ -15,8 +16,10 @@ class Scenario extends EnvironmentDescription {
   /** What is recorded beside the state of an agent. */
   enum Extra {
     BELT,
+    BELT_2,
     QUADRANTS,
-    LAMP
+    LAMP,
+    LINES
   }
 
   /** A robot that remembers what it was told last, as the recording driver did. */
@@ -58,6 +61,22 @@ class Scenario extends EnvironmentDescription {
     add(new Box(new Vector3d(x, y, z), new Vector3f(sx, sy, sz), this));
   }
 
+  /** Adds a belt of bumpers and one of sonars, the sonars last or first, of every step. */
+  void addBoth(Driver robot, int first, int second, boolean bumpersFirst) {
+    RangeSensorBelt one =
+        bumpersFirst
+            ? RobotFactory.addBumperBeltSensor(robot, first)
+            : RobotFactory.addSonarBeltSensor(robot, first);
+    RangeSensorBelt other =
+        bumpersFirst
+            ? RobotFactory.addSonarBeltSensor(robot, second)
+            : RobotFactory.addBumperBeltSensor(robot, second);
+    one.setUpdateOnEachFrame(true);
+    other.setUpdateOnEachFrame(true);
+    extras.add(Extra.BELT);
+    extras.add(Extra.BELT_2);
+  }
+
   /** Returns what the controller of an agent commanded last. */
   double[] commands(SimpleAgent agent) {
     return agent instanceof Driver driver
@@ -65,7 +84,7 @@ class Scenario extends EnvironmentDescription {
         : new double[] {0, 0};
   }
 
-  static RangeSensorBelt belt(SimpleAgent agent) {
-    return (RangeSensorBelt) agent.getSensorDevice(0);
+  static RangeSensorBelt belt(SimpleAgent agent, int number) {
+    return (RangeSensorBelt) agent.getSensorDevice(number);
   }
 }

@@ -7,10 +7,12 @@ import javax.vecmath.Vector3d;
 import simbad.parity.Scenario.Driver;
 import simbad.parity.Scenario.Extra;
 import simbad.sim.BallAgent;
+import simbad.sim.CherryAgent;
 import simbad.sim.Compatibility;
 import simbad.sim.DifferentialKinematic;
 import simbad.sim.KheperaRobot;
 import simbad.sim.LampActuator;
+import simbad.sim.Line;
 import simbad.sim.Plan;
 import simbad.sim.RangeSensorBelt;
 import simbad.sim.RobotFactory;
@@ -36,6 +38,13 @@ final class Scenarios {
     all.put("15-spin-room-24", () -> new SpinRoom(24));
     all.put("18-infinity-flag", InfinityFlag::new);
     all.put("19-move-and-reset", MoveAndReset::new);
+    all.put("10-cherries", Cherries::new);
+    all.put("20-addmap", MapWorld::new);
+    all.put("22a-elevated-nophysics", () -> new Elevated(false));
+    all.put("22b-elevated-physics", () -> new Elevated(true));
+    all.put("23-collision-slide", CollisionSlide::new);
+    all.put("24-tall-thin-and-low-boxes", OddBoxes::new);
+    all.put("08-line-sensor-fork", Lines::new);
     return all;
   }
 
@@ -162,6 +171,107 @@ final class Scenarios {
       addAgent(new Steady(new Vector3d(-2, 0, 0), 0.5, 0));
       addAgent(new BallAgent(new Vector3d(0, 0, 0.1), "ball", 0.25f));
       box(3, 0, 0, 0.2f, 1, 4);
+    }
+  }
+
+  private static final class Cherries extends Scenario {
+    Cherries() {
+      compatibility.add(Compatibility.NEARNESS_IS_ONE_SIDED);
+      Driver robot =
+          addAgent(
+              new Driver(new Vector3d(-2, 0, 0), "r") {
+                @Override
+                void drive(int n) {
+                  if (anOtherAgentIsVeryNear()
+                      && getVeryNearAgent() instanceof CherryAgent cherry) {
+                    cherry.detach();
+                  }
+                  vel(0.5, 0);
+                }
+              });
+      RobotFactory.addSonarBeltSensor(robot, 12).setUpdateOnEachFrame(true);
+      extras.add(Extra.BELT);
+      for (int i = 0; i < 3; i++) {
+        addAgent(new CherryAgent(new Vector3d(i - 1, 0, 0.1 * i), "cherry" + i, 0.15f));
+      }
+    }
+  }
+
+  private static final class MapWorld extends Scenario {
+    MapWorld() {
+      addMap(new String[] {"#####", "#   #", "#   ###", "# # #", "#####"});
+      Driver robot =
+          addAgent(
+              new Driver(new Vector3d(-1, 0, -1), "r") {
+                @Override
+                void drive(int n) {
+                  vel(n < 60 ? 0.3 : 0.2, n < 60 ? 0 : -0.5);
+                }
+              });
+      RobotFactory.addSonarBeltSensor(robot, 12).setUpdateOnEachFrame(true);
+      extras.add(Extra.BELT);
+    }
+  }
+
+  private static final class Elevated extends Scenario {
+    Elevated(boolean physics) {
+      setUsePhysics(physics);
+      if (physics) {
+        compatibility.add(Compatibility.GRAVITY_GROWS_WITH_MASS);
+        compatibility.add(Compatibility.FRICTION_IN_THE_AIR);
+      }
+      addAgent(new Steady(new Vector3d(0, 1, 0), 0.2, 0));
+      addAgent(new BallAgent(new Vector3d(0, 1, 2), "ball", 0.25f));
+    }
+  }
+
+  private static final class CollisionSlide extends Scenario {
+    CollisionSlide() {
+      compatibility.add(Compatibility.BLOCKED_ROBOTS_DO_NOT_TURN);
+      box(1.4, 0, 0, 1, 1, 1);
+      Driver robot =
+          addAgent(
+              new Driver(new Vector3d(), "r") {
+                @Override
+                void drive(int n) {
+                  double turn = n < 160 ? 0.5 : -0.2;
+                  vel(0.5, n < 80 ? 0 : turn);
+                }
+              });
+      addBoth(robot, 16, 8, true);
+    }
+  }
+
+  private static final class OddBoxes extends Scenario {
+    OddBoxes() {
+      Steady robot = addAgent(new Steady(new Vector3d(), 0, Math.PI / 10));
+      addBoth(robot, 12, 12, false);
+      box(1, 0, 0, 0.4f, 0.45f, 0.4f);
+      box(-1, 0, 0, 0.4f, 0.55f, 0.4f);
+      box(0, 0.6, 1, 0.4f, 0.4f, 0.4f);
+      box(0, 0.2, -1, 0.4f, 0.4f, 0.4f);
+    }
+  }
+
+  /** Of the derivative of 2011, which alone has lines. */
+  private static final class Lines extends Scenario {
+    Lines() {
+      floorColor = white;
+      add(new Line(new Vector3d(), 4, this));
+      Line other = new Line(new Vector3d(1, 0, 0.2), 3, this);
+      other.rotate90(1);
+      add(other);
+      Driver robot =
+          addAgent(
+              new Driver(new Vector3d(-0.5, 0, 0.5), "r") {
+                @Override
+                void drive(int n) {
+                  double turn = n < 120 ? 0.4 : -0.4;
+                  vel(0.3, n < 60 ? 0 : turn);
+                }
+              });
+      RobotFactory.addLineSensor(robot, 7).setUpdateOnEachFrame(true);
+      extras.add(Extra.LINES);
     }
   }
 

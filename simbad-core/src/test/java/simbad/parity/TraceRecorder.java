@@ -7,6 +7,7 @@ import javax.vecmath.Matrix3d;
 import javax.vecmath.Point3d;
 import simbad.sim.Agent;
 import simbad.sim.LampActuator;
+import simbad.sim.LineSensor;
 import simbad.sim.RangeSensorBelt;
 import simbad.sim.SimpleAgent;
 
@@ -33,6 +34,10 @@ final class TraceRecorder {
   List<Cell> row(int step, SimpleAgent agent) {
     cells.clear();
     add("step", step);
+    if (scenario.extras.contains(Scenario.Extra.LINES)) {
+      addLineRow((Agent) agent);
+      return List.copyOf(cells);
+    }
     cells.add(new Cell("agent", 0, agent.getName()));
     addPose(agent);
     double[] commands = scenario.commands(agent);
@@ -51,6 +56,20 @@ final class TraceRecorder {
     add("counter", agent.getCounter());
     scenario.extras.forEach(extra -> addExtra(extra, agent));
     return List.copyOf(cells);
+  }
+
+  /** The format of the derivative of 2011. */
+  private void addLineRow(Agent agent) {
+    addPose(agent);
+    double[] commands = scenario.commands(agent);
+    add("cmdT", commands[0]);
+    add("cmdR", commands[1]);
+    cells.add(Cell.of("collision", agent.collisionDetected()));
+    LineSensor lines = (LineSensor) agent.getSensorDevice(0);
+    for (int i = 0; i < lines.getNumSensors(); i++) {
+      cells.add(Cell.of("hit" + i, lines.hasHit(i)));
+      add("range" + i, lines.getMeasurement(i));
+    }
   }
 
   private void add(String column, double value) {
@@ -72,13 +91,20 @@ final class TraceRecorder {
 
   private void addExtra(Scenario.Extra extra, SimpleAgent agent) {
     switch (extra) {
-      case BELT -> addBelt(Scenario.belt(agent));
-      case QUADRANTS -> addQuadrants(Scenario.belt(agent));
+      case BELT -> addBelt(agent, 0);
+      case BELT_2 -> addBelt(agent, 1);
+      case QUADRANTS -> addQuadrants(Scenario.belt(agent, 0));
+      case LINES -> throw new IllegalStateException("lines have rows of their own");
       case LAMP -> addLamp((LampActuator) agent.getActuatorDevice(0));
     }
   }
 
-  private void addBelt(RangeSensorBelt belt) {
+  /** Agents without sensors have no columns of their own. */
+  private void addBelt(SimpleAgent agent, int number) {
+    if (agent.getSensorList().isEmpty()) {
+      return;
+    }
+    RangeSensorBelt belt = Scenario.belt(agent, number);
     cells.add(Cell.of("any", belt.oneHasHit()));
     for (int i = 0; i < belt.getNumSensors(); i++) {
       cells.add(Cell.of("hit" + i, belt.hasHit(i)));

@@ -57,7 +57,7 @@ class DevicesTest {
       assertEquals(hits[i], sensor.hasHit(i), "ray " + i);
     }
     // The line is 5 mm high, the rays start at 25 mm.
-    assertEquals(0.02, sensor.getMeasurement(2), 1e-6);
+    assertEquals(0.0225, sensor.getMeasurement(2), 1e-6);
     assertEquals(0.025f, sensor.getMeasurement(0));
     assertTrue(colours(sensor.createInspectorPanel()) >= 3);
     sensor.reset();
@@ -78,10 +78,10 @@ class DevicesTest {
   void line_turnsAboutItsStart() {
     Line line = new Line(new Vector3d(1, 0, 2), 3, environment);
     BoundingBox along = (BoundingBox) line.getTransformedBounds();
-    checkBox(along, new Point3d(0.96, 0, 2), new Point3d(1.04, 0.005, 5));
+    checkBox(along, new Point3d(0.96, -0.0025, 2), new Point3d(1.04, 0.0025, 5));
     line.rotate90(1);
     BoundingBox across = (BoundingBox) line.getTransformedBounds();
-    checkBox(across, new Point3d(1, 0, 1.96), new Point3d(4, 0.005, 2.04));
+    checkBox(across, new Point3d(1, -0.0025, 1.96), new Point3d(4, 0.0025, 2.04));
   }
 
   private static void checkBox(BoundingBox box, Point3d lower, Point3d upper) {

@@ -328,7 +328,8 @@ class PhysicsTest {
       run(simulator, 1);
       assertTrue(robot.getCounter() < 40, "no contact");
     }
-    assertEquals(2 * 50 * 0.5 / 50.25, ball.linearVelocity.x, EXACT);
+    // An impact without a rebound: both go on with the speed of their centre of mass.
+    assertEquals(50 * 0.5 / 50.25, ball.linearVelocity.x, EXACT);
     run(simulator, 1);
     assertEquals(0.5, robot.linearVelocity.x, EXACT);
     assertFalse(robot.collisionDetected());
@@ -384,5 +385,37 @@ class PhysicsTest {
     Vector3d normal = new Vector3d();
     new PhysicalEngine().computeContactNormal(new BoundingSphere(centre, 0.6), box, normal);
     assertTrue(expected.epsilonEquals(normal, EXACT), "normal " + normal);
+  }
+
+  /** A ball between a wall and a robot that comes nearer is not squeezed, and gets no faster. */
+  @Test
+  void pinchedBall_restsBetweenRobotAndWall() {
+    Agent robot = new Agent(new Vector3d(), "robot");
+    environment.add(robot);
+    environment.add(new Box(new Vector3d(2, 0, 0), new Vector3f(1, 1, 4), environment));
+    BallAgent ball = ball(0.9, 0, 0, 0.25f, 0.25f);
+    Simulator simulator = simulator();
+    robot.setTranslationalVelocity(0.5);
+    for (int i = 0; i < 400; i++) {
+      run(simulator, 1);
+      assertTrue(ball.linearVelocity.length() < 0.5 + EXACT, "step " + i);
+      double gap = ball.nextX() - ball.instantTranslation.x - robot.placement().xM();
+      assertTrue(Math.abs(gap) > 0.55 - EXACT, "step " + i + ", gap " + gap);
+    }
+    assertTrue(robot.collisionDetected());
+  }
+
+  @Test
+  void switch_letsRobotsKickBalls() {
+    environment.compatibility.add(Compatibility.IMPACTS_LEAVE_OVERLAPS);
+    Agent robot = new Agent(new Vector3d(), "robot");
+    environment.add(robot);
+    BallAgent ball = ball(1, 0, 0, 0.25f, 0.25f);
+    Simulator simulator = simulator();
+    robot.setTranslationalVelocity(0.5);
+    for (int i = 0; i < 40 && !ball.interactionDetected(); i++) {
+      run(simulator, 1);
+    }
+    assertEquals(2 * 50 * 0.5 / 50.25, ball.linearVelocity.x, EXACT);
   }
 }

@@ -146,15 +146,14 @@ class SimulatorTest {
   @Test
   void frameMeter_measuresSteps() {
     FrameMeter meter = new FrameMeter();
-    meter.setRate(2);
-    assertEquals(0, meter.framesPerSecond());
-    for (int i = 0; i < 3; i++) {
-      meter.countFrame();
-    }
-    assertTrue(meter.framesPerSecond() > 0);
+    meter.setUpdateRate(2);
+    assertEquals(0, meter.fps);
+    assertEquals(2, meter.getUpdateRate());
+    meter.measurePoint(3);
+    assertTrue(meter.fps > 0 && meter.fpsSinceStart > 0);
     meter.reset();
-    assertEquals(0, meter.framesPerSecond());
-    assertThrows(IllegalArgumentException.class, () -> meter.setRate(0));
+    assertEquals(0, meter.fps);
+    assertThrows(IllegalArgumentException.class, () -> meter.setUpdateRate(0));
     agent.setFrameMeterRate(5);
   }
 

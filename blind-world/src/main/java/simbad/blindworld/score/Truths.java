@@ -25,11 +25,23 @@ public final class Truths {
 
   private final Path folder;
   private final Set<String> withheld;
+  private final Set<String> known;
 
   /** Truths below a folder; withheld names count as outside the vocabulary. */
   public Truths(Path folder, Set<String> withheld) {
+    this(folder, withheld, Set.of());
+  }
+
+  /** Truths below a folder, for a diagnosis that knows further names than the vocabulary's. */
+  public Truths(Path folder, Set<String> withheld, Set<String> known) {
     this.folder = folder;
     this.withheld = Set.copyOf(withheld);
+    this.known = Set.copyOf(known);
+  }
+
+  /** Whether the diagnosis has a name and may use it. */
+  private boolean isNamed(String effect) {
+    return (Vocabulary.contains(effect) || known.contains(effect)) && !withheld.contains(effect);
   }
 
   /** All truths, in the order of their names. */
@@ -58,7 +70,7 @@ public final class Truths {
     List<String> effects = List.copyOf(json.object("effects").fields().keySet());
     Set<String> strange = new HashSet<>();
     for (String effect : effects) {
-      if (!Vocabulary.contains(effect) || withheld.contains(effect)) {
+      if (!isNamed(effect)) {
         strange.add(effect);
       }
     }
@@ -96,7 +108,7 @@ public final class Truths {
     }
     List<Set<String>> accept = new ArrayList<>();
     for (List<String> names : truth.textLists("accept")) {
-      if (names.stream().allMatch(n -> Vocabulary.contains(n) && !withheld.contains(n))) {
+      if (names.stream().allMatch(this::isNamed)) {
         accept.add(Set.copyOf(names));
       }
     }

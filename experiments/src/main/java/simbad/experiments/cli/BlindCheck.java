@@ -21,6 +21,8 @@ import simbad.experiments.blindcheck.CheckOrder.Foreign;
 import simbad.experiments.blindcheck.CheckScores;
 import simbad.experiments.blindcheck.CheckSummary;
 import simbad.experiments.workers.Workers;
+import simbad.sonar.effect.Definitions;
+import simbad.sonar.effect.Effect;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TemporaryFolder;
 import simbad.sonar.format.TextFile;
@@ -121,6 +123,10 @@ final class BlindCheck {
     blindWorld.run(arguments, Optional.empty(), line -> {});
   }
 
+  private static List<String> effects() {
+    return Definitions.effects().stream().map(Effect::word).toList();
+  }
+
   private void addWithheld(List<String> arguments) {
     if (!order.withheld().isEmpty()) {
       arguments.addAll(List.of("--withheld", String.join(",", order.withheld())));
@@ -197,6 +203,8 @@ final class BlindCheck {
       arguments.addAll(List.of("--answers", answers.toString(), "--baseline", baseline.toString()));
       arguments.addAll(List.of("--manifest", world.resolve(MANIFEST).toString()));
       arguments.addAll(List.of("--out", file.toString()));
+      // Jars may have brought effects that the other program has not heard of.
+      arguments.addAll(List.of("--known", String.join(",", effects())));
       addWithheld(arguments);
       blindWorld.run(arguments, Optional.of(text), line -> {});
       TextFile.write(folder.resolve("scores.txt"), Files.readString(text));

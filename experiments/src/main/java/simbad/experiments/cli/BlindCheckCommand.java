@@ -80,6 +80,7 @@ final class BlindCheckCommand extends Subcommand {
   @Option(
       names = "--withhold",
       paramLabel = "EFFECT",
+      completionCandidates = EffectWords.class,
       split = ",",
       description =
           "Leave-one-out: the diagnosis is not told of these effects, whose data it must then call"

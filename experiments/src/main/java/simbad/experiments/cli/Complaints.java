@@ -7,6 +7,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.NoSuchFileException;
 import java.util.List;
 import java.util.Map;
+import java.util.ServiceConfigurationError;
 import java.util.regex.Pattern;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
@@ -62,7 +63,10 @@ final class Complaints {
     }
     // The raw arguments, because a line that does not parse can be traced as well.
     CommandLine.ParseResult parsed = root.getParseResult();
-    boolean asked = parsed != null && parsed.originalArgs().contains(TRACE_OPTION);
+    List<String> words = parsed == null ? List.of() : parsed.originalArgs();
+    // Of this command it is another option, with a file.
+    boolean takesFile = !words.isEmpty() && words.get(0).equals("program");
+    boolean asked = !takesFile && words.contains(TRACE_OPTION);
     return asked || isSet(System.getenv(), "SIMBAD_TRACE");
   }
 
@@ -80,6 +84,9 @@ final class Complaints {
     }
     if (fault instanceof IOException io) {
       return inputOutput(io);
+    }
+    if (fault instanceof ServiceConfigurationError) {
+      return "a jar of the class path: " + textOf(fault);
     }
     boolean isForeseen = ExitStatus.rules().of(fault) == ExitStatus.BAD_INPUT;
     if (!isForeseen && (fault instanceof RuntimeException || fault instanceof Error)) {

@@ -84,6 +84,7 @@ final class DiagnoseCommand extends Subcommand {
   @Option(
       names = "--withhold",
       paramLabel = "EFFECT",
+      completionCandidates = EffectWords.class,
       split = ",",
       hidden = true,
       description = "Effects that the diagnosis shall not know, to check what it calls unknown.")

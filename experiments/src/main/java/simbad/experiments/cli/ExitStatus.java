@@ -5,6 +5,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.NoSuchFileException;
 import java.util.Map;
+import java.util.ServiceConfigurationError;
 import java.util.concurrent.ExecutionException;
 import picocli.CommandLine.ParameterException;
 import simbad.obstacles.ObstacleOverlapException;
@@ -39,6 +40,8 @@ final class ExitStatus {
             DataFormatException.class, BAD_INPUT,
             // A world of the user's own demo.
             ObstacleOverlapException.class, BAD_INPUT,
+            // A jar of the user's own that names what it does not hold.
+            ServiceConfigurationError.class, BAD_INPUT,
             // A file that the user named and that cannot be read, or would be overwritten.
             NoSuchFileException.class, BAD_INPUT,
             AccessDeniedException.class, BAD_INPUT,
@@ -57,7 +60,10 @@ final class ExitStatus {
   /** The fault without the wrappers that other threads and streams put round it. */
   static Throwable unwrapped(Throwable fault) {
     Throwable cause = fault.getCause();
-    boolean wrapper = fault instanceof UncheckedIOException || fault instanceof ExecutionException;
+    boolean wrapper =
+        fault instanceof UncheckedIOException
+            || fault instanceof ExecutionException
+            || fault instanceof ExceptionInInitializerError;
     return wrapper && cause != null ? unwrapped(cause) : fault;
   }
 }

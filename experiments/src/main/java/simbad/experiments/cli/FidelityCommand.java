@@ -44,6 +44,7 @@ final class FidelityCommand extends Subcommand {
   @Option(
       names = "--sensor",
       paramLabel = "SENSOR",
+      completionCandidates = SensorWords.class,
       description = "As in simbad run. Default: ${DEFAULT-VALUE}.")
   private String sensor = "shadow";
 

@@ -32,6 +32,7 @@ final class RootCommand extends CommandGroup {
   @Option(
       names = Complaints.TRACE_OPTION,
       scope = ScopeType.INHERIT,
+      preprocessor = TraceFileOption.class,
       description = "With an error, print its stack trace (also: SIMBAD_TRACE=1).")
   @SuppressWarnings("UnusedVariable") // picocli's
   private boolean trace;

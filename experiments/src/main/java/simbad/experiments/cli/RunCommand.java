@@ -55,10 +55,12 @@ final class RunCommand extends Subcommand {
       names = "--sensor",
       paramLabel = "SENSOR",
       split = ",",
+      completionCandidates = SensorWords.class,
       description =
           "original (cone, 2.5 m), ray (Simbad's thin rays), shadow, overlap, noisy, level,"
               + " level-noisy (echoes with strength),"
-              + " diagnosed:DIR (a diagnosis' folder with model.json and scene.json)."
+              + " diagnosed:DIR (a diagnosis' folder with model.json and scene.json),"
+              + " or a model that a jar brings (docs/guide/own-effect.md)."
               + " Default: original,shadow.")
   private List<String> sensors = List.of("original", "shadow");
 

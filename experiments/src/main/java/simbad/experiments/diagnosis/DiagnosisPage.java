@@ -11,7 +11,7 @@ import simbad.gap.diagnosis.DiagnosisJson;
 import simbad.gap.diagnosis.NextExperiment;
 import simbad.gap.diagnosis.Provenance;
 import simbad.gap.diagnosis.SetupError;
-import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -200,7 +200,8 @@ final class DiagnosisPage {
   private void tried() {
     page.append("<h2>What was tried</h2>\n");
     new Tables(page).tried(diagnosis.tried());
-    int all = Effect.values().length * (Effect.values().length - 1) / 2;
+    int effects = Definitions.effects().size();
+    int all = effects * (effects - 1) / 2;
     long pairs = diagnosis.tried().stream().filter(one -> one.effects().size() == 2).count();
     page.append(
         "<p class=\"soft\">"

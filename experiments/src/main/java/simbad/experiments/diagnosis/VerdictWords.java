@@ -7,6 +7,7 @@ import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.GapFigures;
 import simbad.gap.diagnosis.Verdict;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 
 /** The verdict in one sentence, and those that follow from it. */
@@ -151,37 +152,6 @@ final class VerdictWords {
 
   /** What an effect means, in a few words. */
   static String meaning(Effect effect) {
-    return switch (effect) {
-      case SOUND_SPEED -> "sound is faster or slower than assumed";
-      case RANGE_OFFSET -> "every range is too long or too short by the same amount";
-      case COARSE_RESOLUTION -> "readings come in coarser steps than believed";
-      case RANGE_NOISE -> "ranges scatter more than believed";
-      case CROSSTALK -> "now and then a reading has nothing to do with the scene";
-      case MULTIPATH -> "some echoes arrive by a longer way";
-      case DROPOUT -> "echoes are missed, whatever the geometry";
-      case GAIN -> "every echo is weaker or stronger";
-      case ABSORPTION -> "echoes lose strength with the length of their way";
-      case BEAM_PATTERN -> "sensitivity tapers off the axis";
-      case BEAM_WIDTH -> "the cone is wider or narrower than believed";
-      case BEAM_MISALIGNMENT -> "the sensor looks to one side of its heading";
-      case FLOOR_ECHO -> "the floor answers when nothing nearer does";
-      case UNMODELLED_OBJECT -> "something that is not in the scene answers";
-      case LATENCY -> "a reading belongs to an earlier pose";
-      case STALE_READING -> "the last reading is repeated when an echo is missed";
-      case HYSTERESIS -> "picked up at a shorter distance than lost at";
-      case OBSTACLE_TURN -> "an obstacle is turned otherwise than believed";
-      case OBSTACLE_OFFSET -> "an obstacle stands elsewhere than believed";
-      case ODOMETRY_SCALE -> "distances travelled are believed too long or too short";
-      case HEADING_DRIFT -> "the believed heading drifts with time";
-      case DEAD_ZONE -> "near echoes are lost";
-      case EARLY_TIMEOUT -> "far echoes are lost";
-      case NEAR_CLAMP -> "short ranges are reported as one least value";
-      case PREVIOUS_PING -> "an echo of the ping before is taken for one of this";
-      case ORIENTATION_SHADOW -> "the threshold depends on the bearing";
-      case NO_ECHO_CODE -> "a number stands for no echo";
-      case WRAP -> "readings start again from 0 beyond some value";
-      case PLACEMENT_ERROR -> "each placement is a little elsewhere than believed";
-      case WAVE_HOP -> "readings are off by whole periods of the carrier";
-    };
+    return Definitions.of(effect).briefly();
   }
 }

@@ -1,14 +1,18 @@
 package simbad.experiments.run;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.ServiceLoader;
 import java.util.random.RandomGenerator;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import simbad.experiments.plot.SeriesRole;
 import simbad.obstacles.SonarBelt;
 import simbad.sim.RangeSensorBelt;
 import simbad.sonar.effect.FittedModel;
 import simbad.sonar.model.DetectionRule;
+import simbad.sonar.model.NamedSensorModel;
 import simbad.sonar.model.SensorModel;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.sensing.Sensor;
@@ -131,10 +135,14 @@ public final class SensorKind {
    * @param model with the figures of the run's sonar
    */
   public static SensorKind of(String name, SensorModel model) {
+    return of(name, model, "model " + name);
+  }
+
+  private static SensorKind of(String name, SensorModel model, String meaning) {
     return new SensorKind(
         name.replaceAll("[^A-Za-z0-9_.-]", "-"),
         SeriesRole.OTHER,
-        "model " + name,
+        meaning,
         (spec, random) -> new SonarBelt(SONARS, spec, model, random));
   }
 
@@ -159,17 +167,38 @@ public final class SensorKind {
   }
 
   /**
-   * Finds a sensor that needs no further word.
+   * Returns the plain sensors, then those that jars bring, by name. Of two with one name the first
+   * stands.
+   *
+   * @throws java.util.ServiceConfigurationError if a jar names a model that it does not hold
+   */
+  public static List<SensorKind> all() {
+    Stream<SensorKind> ofJars =
+        ServiceLoader.load(NamedSensorModel.class).stream()
+            .map(ServiceLoader.Provider::get)
+            .sorted(Comparator.comparing(NamedSensorModel::name))
+            .map(model -> of(model.name(), model, model.meaning()));
+    return Stream.concat(plain().stream(), ofJars).distinct().toList();
+  }
+
+  /**
+   * Finds a sensor that needs no further word: a plain one, or one that a jar brings.
    *
    * @param word as on the command line
    */
   public static Optional<SensorKind> find(String word) {
-    return plain().stream().filter(kind -> kind.word.equals(word)).findFirst();
+    // A plain one needs no look into jars.
+    Optional<SensorKind> plain = named(word, plain());
+    return plain.isPresent() ? plain : named(word, all());
+  }
+
+  private static Optional<SensorKind> named(String word, List<SensorKind> kinds) {
+    return kinds.stream().filter(kind -> kind.word.equals(word)).findFirst();
   }
 
   /** Returns all names of the command line, separated by commas. */
   public static String words() {
-    return plain().stream().map(SensorKind::word).collect(Collectors.joining(", "))
+    return all().stream().map(SensorKind::word).collect(Collectors.joining(", "))
         + ", diagnosed:DIR";
   }
 

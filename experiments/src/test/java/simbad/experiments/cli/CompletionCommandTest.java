@@ -45,6 +45,14 @@ class CompletionCommandTest {
   }
 
   @Test
+  void bash_offersEffectsAndSensors() throws Exception {
+    String effects = completed("simbad", "effects");
+    assertTrue(effects.contains("gain") && effects.contains("wave-hop"), effects);
+    String sensors = completed("simbad", "run", "--sensor");
+    assertTrue(sensors.contains("shadow") && sensors.contains("level-noisy"), sensors);
+  }
+
+  @Test
   void bash_offersSubcommands() throws Exception {
     String offered = completed("simbad", "table");
     assertTrue(offered.contains("predict") && offered.contains("plot"), offered);

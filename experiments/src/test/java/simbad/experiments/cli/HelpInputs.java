@@ -28,6 +28,26 @@ import simbad.experiments.bench.CaptureFolder;
 final class HelpInputs {
   private static final String POSES =
       "run,sensor,t_s,x_m,z_m,heading_deg\nnext-1,S,0,0,0.5,90\nnext-1,S,1,0,0.6,90\n";
+  private static final String PROGRAM =
+      """
+      import javax.vecmath.Vector3d;
+      import simbad.gui.Simbad;
+      import simbad.sim.*;
+
+      public class MyProgram extends EnvironmentDescription {
+        public MyProgram() {
+          add(new Agent(new Vector3d(), "robot") {
+            public void performBehavior() {
+              setTranslationalVelocity(0.5);
+            }
+          });
+        }
+
+        public static void main(String[] args) {
+          new Simbad(new MyProgram(), false);
+        }
+      }
+      """;
   private static final String TABLE =
       "# object: a post\nbearing_deg,threshold_m\n0,0.9\n90,1.0\n180,1.1\n270,1.0\n";
   private static final Map<String, String> FILES =
@@ -77,6 +97,10 @@ final class HelpInputs {
       } else if (first.equals("AngleRobot.log")) {
         Files.copy(Path.of("src/test/resources/guides", first), folder.resolve(first));
       }
+    }
+    if (words.contains("my-program")) {
+      Path sources = Files.createDirectories(folder.resolve("my-program"));
+      Files.writeString(sources.resolve("MyProgram.java"), PROGRAM);
     }
     String line = String.join(" ", words);
     if (line.contains("diagnose my-bench") || line.contains("mend my-bench")) {

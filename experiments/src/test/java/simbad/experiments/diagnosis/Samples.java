@@ -1,7 +1,6 @@
 package simbad.experiments.diagnosis;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -24,6 +23,7 @@ import simbad.gap.diagnosis.Undetectable;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fit.Hypothesis;
 import simbad.obstacles.Catalogue;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
@@ -140,7 +140,7 @@ final class Samples {
   private static List<EffectFinding> effects(EffectFinding... first) {
     List<EffectFinding> all = new ArrayList<>(List.of(first));
     List<Effect> there = all.stream().map(EffectFinding::effect).toList();
-    Arrays.stream(Effect.values())
+    Definitions.effects().stream()
         .filter(effect -> !there.contains(effect))
         .forEach(effect -> all.add(finding(effect, 0, List.of())));
     return all;

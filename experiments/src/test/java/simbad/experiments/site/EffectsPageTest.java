@@ -1,6 +1,7 @@
 package simbad.experiments.site;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -15,6 +16,7 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import simbad.obstacles.Catalogue;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
@@ -28,16 +30,25 @@ import simbad.sonar.scene.UniformDetection;
 class EffectsPageTest {
   private static final Path PAGE = Path.of("..", "docs", "method", "sonar-model.md");
   private static final Pattern ROW =
-      Pattern.compile("(?m)^\\| ([a-z-]+) \\| [^|]+ \\| (`[^|]*`) \\|$");
+      Pattern.compile("(?m)^\\| ([a-z-]+) \\| ([^|]+) \\| (`[^|]*`) \\|$");
 
   @Test
   void table_hasEveryEffect_withItsForms() throws IOException {
     Map<String, Set<String>> shown = new TreeMap<>();
     for (MatchResult row : ROW.matcher(Files.readString(PAGE)).results().toList()) {
-      List<String> forms = Arrays.stream(row.group(2).split("`(, `)?")).skip(1).toList();
+      List<String> forms = Arrays.stream(row.group(3).split("`(, `)?")).skip(1).toList();
       shown.put(row.group(1), new TreeSet<>(forms));
     }
     assertEquals(formsOfTheProgram(), shown);
+  }
+
+  /** The sentence of the definition, and perhaps how the forms differ. */
+  @Test
+  void table_saysWhatHappens_asTheDefinitionDoes() throws IOException {
+    for (MatchResult row : ROW.matcher(Files.readString(PAGE)).results().toList()) {
+      String happens = Definitions.of(Effect.find(row.group(1)).orElseThrow()).happens();
+      assertTrue(row.group(2).startsWith(happens), row.group(1) + ": " + happens);
+    }
   }
 
   /** Of two obstacles and two transducers, since some forms are of one among several. */
@@ -46,7 +57,7 @@ class EffectsPageTest {
         new SensingSetup(
             Catalogue.srf04(), new Scene(List.of(uniform("one", 0), uniform("two", 2))), 6);
     Map<String, Set<String>> all = new TreeMap<>();
-    for (Effect effect : Effect.values()) {
+    for (Effect effect : Definitions.effects()) {
       all.put(effect.word(), new TreeSet<>());
     }
     for (Form form : Forms.all(setup, List.of("left", "right"))) {

@@ -28,9 +28,18 @@ final class Believed {
   /** And its bearings to so much, which counts where it is steep. */
   private static final double TURNTABLE_DEG = 0.5;
 
+  /**
+   * An echo comes from somewhere on an outline: behind its nearest point, by a part of its size. A
+   * burst's length in the air, 3 cm, is as far as it is still heard as one.
+   */
+  private static final double DEPTH_SHARE = 0.3;
+
+  private static final double MOST_PATH_M = 0.03;
+
   private static final int SIZE = LevelForms.BEARINGS;
 
   private final Symmetry symmetry;
+  private final double reachM;
   private final double[] believed;
   private final double[] thresholdM;
 
@@ -49,6 +58,7 @@ final class Believed {
    */
   Believed(Obstacle obstacle, LevelLaw law) {
     symmetry = Symmetry.of(obstacle.outline());
+    reachM = obstacle.outline().reachM(0, 0);
     believed = Loss.values(law);
     thresholdM = thresholds(obstacle.detection());
     isUniform = obstacle.detection() instanceof UniformDetection;
@@ -127,6 +137,11 @@ final class Believed {
         .mapToDouble(one -> Math.pow(one.decibels(believed) - mean, 2))
         .average()
         .orElse(0);
+  }
+
+  /** How far behind an outline's nearest point an echo may come from: standard deviation. */
+  double pathSpreadM() {
+    return Math.min(MOST_PATH_M, DEPTH_SHARE * reachM);
   }
 
   Symmetry symmetry() {

@@ -21,6 +21,7 @@ import simbad.sonar.effect.Scenes;
 import simbad.sonar.effect.SetupForms;
 import simbad.sonar.level.LevelLaw;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
 
 /**
  * Calibrates the level law of a set-up on a reference log: target strengths, beam, spreading,
@@ -50,7 +51,7 @@ public final class LevelCalibrator {
   public LevelCalibrator(SensingSetup setup, PingLog reference) {
     this.setup = setup;
     believed = setup.sensor().levelLaw();
-    LevelRule rule = new LevelRule(believed, 0, setup.sensor().missRate());
+    LevelRule rule = LevelRule.of(setup.sensor());
     geometry = new Geometry(reference, setup, List.of(rule));
     setup.scene().obstacles().forEach(one -> targets.add(new Believed(one, believed)));
     layout = new Layout(targets);
@@ -63,8 +64,9 @@ public final class LevelCalibrator {
    * @param fold pings that count
    */
   public LevelCalibration fit(Fold fold) {
-    List<Trials.Trial> trials = Trials.of(geometry, setup.sensor(), fold, List.of());
-    return fit(trials, trials);
+    Limits limits = Limits.of(geometry, setup.sensor(), fold);
+    List<Trials.Trial> trials = Trials.of(geometry, limits.of(setup.sensor()), fold, List.of());
+    return fit(limits, trials, trials);
   }
 
   /**
@@ -76,12 +78,14 @@ public final class LevelCalibrator {
    * @param effects at work in the log
    */
   public LevelCalibration fitWith(PingLog log, Hypothesis known, List<? extends Change> effects) {
-    List<Trials.Trial> trials = Trials.of(geometry, setup.sensor(), Fold.ALL, List.of());
+    Limits limits = Limits.of(geometry, setup.sensor(), Fold.ALL);
+    SonarSpec sensor = limits.of(setup.sensor());
+    List<Trials.Trial> trials = Trials.of(geometry, sensor, Fold.ALL, List.of());
     Geometry there = new Geometry(log, setup, DiagnosedModel.changes(known.changes(), effects));
     List<Trials.Trial> both = new ArrayList<>(trials);
-    both.addAll(Trials.of(there, setup.sensor(), Fold.ALL, effects));
+    both.addAll(Trials.of(there, sensor, Fold.ALL, effects));
     boolean sameRanges = effects.stream().allMatch(LevelCalibrator::leavesRanges);
-    return fit(both, sameRanges ? both : trials);
+    return fit(limits, both, sameRanges ? both : trials);
   }
 
   private static boolean leavesRanges(Change effect) {
@@ -90,15 +94,16 @@ public final class LevelCalibrator {
         || (effect instanceof EchoChange && !(effect instanceof RangeChange));
   }
 
-  private LevelCalibration fit(List<Trials.Trial> trials, List<Trials.Trial> ofRanges) {
+  private LevelCalibration fit(
+      Limits limits, List<Trials.Trial> trials, List<Trials.Trial> ofRanges) {
     Predictor predictor =
         new Predictor(layout, believed, targets, LevelForms.wavenumberPerM(setup));
     List<Trials.Trial> cones = Cones.of(setup.scene(), setup.sensor().coneHalfAngleRad());
     LevelFit fit = new LevelFit(prior, predictor, trials, cones, setup.sensor().missRate());
     predictor.set(fit.values());
-    RangeFit ranges = ranges(predictor, ofRanges);
+    Ranges ranges = Ranges.of(predictor, ofRanges, targets, setup.sensor());
     RealMatrix covariance = fit.covariance();
-    double[] law = law(fit, covariance, ranges);
+    double[] law = law(fit, covariance, ranges, limits);
     Form form = LevelForms.law(setup);
     Hypothesis calibrated = Hypothesis.NONE.and(form, law);
     LevelLaw fitted = ((LevelRule) form.with(law)).law();
@@ -108,21 +113,13 @@ public final class LevelCalibrator {
           calibrated.and(
               LevelForms.strength(labels.get(target)),
               strengths(target, fit.values(), covariance, fitted));
+      PathFit path = ranges.byBearing().get(target);
+      calibrated = calibrated.and(LevelForms.path(labels.get(target)), path.values());
     }
-    double noise = ranges.noiseM()[1];
+    double noise = ranges.byLevel().noiseM()[1];
     calibrated = calibrated.and(tails(), TAIL_SHARE, Math.min(0.25, TAIL_TIMES * noise));
     List<Named> values = Named.of(layout, fit, covariance);
     return new LevelCalibration(calibrated, values, trials.size(), fit.priorCost());
-  }
-
-  private RangeFit ranges(Predictor predictor, List<Trials.Trial> trials) {
-    List<Trials.Trial> read = trials.stream().filter(Trials.Trial::isRead).toList();
-    double[] excess =
-        read.stream()
-            .mapToDouble(trial -> predictor.excess(predictor.row(trial)).decibels())
-            .toArray();
-    double[] beyond = read.stream().mapToDouble(Trials.Trial::beyondM).toArray();
-    return new RangeFit(excess, beyond, setup.sensor().resolutionM(), setup.sensor().rangeNoiseM());
   }
 
   private Form tails() {
@@ -133,7 +130,7 @@ public final class LevelCalibrator {
   }
 
   /** In the order of the form's parameters. */
-  private double[] law(LevelFit fit, RealMatrix covariance, RangeFit ranges) {
+  private double[] law(LevelFit fit, RealMatrix covariance, Ranges ranges, Limits limits) {
     double[] v = fit.values();
     List<Double> all = new ArrayList<>();
     all.add(Math.max(0, v[0]));
@@ -147,8 +144,11 @@ public final class LevelCalibrator {
     for (int knot = 0; knot < LevelForms.RECEIVER_M.size(); knot++) {
       all.add(v[Layout.RECEIVER + knot]);
     }
-    Arrays.stream(ranges.walkM()).forEach(all::add);
-    Arrays.stream(ranges.noiseM()).forEach(all::add);
+    Arrays.stream(ranges.byLevel().walkM()).forEach(all::add);
+    Arrays.stream(ranges.byLevel().noiseM()).forEach(all::add);
+    all.add(limits.leastM());
+    all.add(limits.mostM());
+    all.add(ranges.scale());
     return all.stream().mapToDouble(Double::doubleValue).toArray();
   }
 

@@ -91,28 +91,33 @@ final class Prior {
   }
 
   private void lobes(int from, Believed target) {
+    double[][] inverse = smooth(target.symmetry(), LOBE_SPREAD_DB);
+    for (int i = 0; i < inverse.length; i++) {
+      inverse[i][i] += target.precision(i);
+    }
+    place(inverse, from);
+  }
+
+  /** The precision of what varies with the bearing as a target's lobes do, over its orbits. */
+  static double[][] smooth(Symmetry symmetry, double spread) {
     double[] byStep = new double[LevelForms.BEARINGS];
     double stepDeg = 360.0 / byStep.length;
     Arrays.setAll(byStep, i -> matern(Math.min(i, byStep.length - i) * stepDeg / LOBE_LENGTH_DEG));
-    int size = target.orbits();
+    int size = symmetry.orbits();
     double[][] covariance = new double[size][size];
     for (int i = 0; i < size; i++) {
       for (int j = 0; j < size; j++) {
-        covariance[i][j] = target.symmetry().sum(i, j, byStep);
+        covariance[i][j] = symmetry.sum(i, j, byStep);
       }
     }
     double[] own = new double[size];
     Arrays.setAll(own, i -> Math.sqrt(covariance[i][i]));
     for (int i = 0; i < size; i++) {
       for (int j = 0; j < size; j++) {
-        covariance[i][j] *= LOBE_SPREAD_DB * LOBE_SPREAD_DB / (own[i] * own[j]);
+        covariance[i][j] *= spread * spread / (own[i] * own[j]);
       }
     }
-    double[][] inverse = inverse(covariance);
-    for (int i = 0; i < size; i++) {
-      inverse[i][i] += target.precision(i);
-    }
-    place(inverse, from);
+    return inverse(covariance);
   }
 
   /** Matern's correlation of order 3/2 (Rasmussen and Williams 2006, equation 4.17). */

@@ -66,6 +66,29 @@ final class RangeFit {
     return noise.clone();
   }
 
+  /** What is added at an excess, metres. */
+  double walkM(double excess) {
+    return dot(weights(LevelForms.WALK_DB, excess), walk);
+  }
+
+  /** How much ranges scatter at an excess, square metres. */
+  double variance(double excess) {
+    double own = dot(weights(LevelForms.NOISE_DB, excess), noise);
+    return own * own + stepVariance;
+  }
+
+  /** The same at each of some excesses. */
+  double[] variances(double[] excesses) {
+    return Arrays.stream(excesses).map(this::variance).toArray();
+  }
+
+  /** What is left of ranges at some excesses less the walk, metres. */
+  double[] beyond(double[] excesses, double[] rangesM) {
+    double[] left = new double[rangesM.length];
+    Arrays.setAll(left, i -> rangesM[i] - walkM(excesses[i]));
+    return left;
+  }
+
   private double[] walk() {
     int size = walk.length;
     RealMatrix matrix = MatrixUtils.createRealMatrix(size, size);
@@ -82,7 +105,7 @@ final class RangeFit {
     }
     for (int echo = 0; echo < excessDb.length; echo++) {
       double[] weight = weights(LevelForms.WALK_DB, excessDb[echo]);
-      double variance = variance(echo);
+      double variance = variance(excessDb[echo]);
       double off = beyondM[echo] - dot(weight, walk);
       double own = (DEGREES + 1) / (DEGREES + off * off / variance) / variance;
       for (int i = 0; i < size; i++) {
@@ -95,19 +118,15 @@ final class RangeFit {
     return Matrices.positive(matrix).getSolver().solve(new ArrayRealVector(right)).toArray();
   }
 
-  private double variance(int echo) {
-    double own = dot(weights(LevelForms.NOISE_DB, excessDb[echo]), noise);
-    return own * own + stepVariance;
-  }
-
   private double[] noise(double believedM) {
     double[] sum = new double[noise.length];
     double[] count = new double[noise.length];
     Arrays.fill(sum, BELIEVED * (believedM * believedM + stepVariance));
     Arrays.fill(count, BELIEVED);
     for (int echo = 0; echo < excessDb.length; echo++) {
-      double off = beyondM[echo] - dot(weights(LevelForms.WALK_DB, excessDb[echo]), walk);
-      double square = Math.min(off * off, FARTHEST * FARTHEST * variance(echo)) / CUT_SQUARE;
+      double off = beyondM[echo] - walkM(excessDb[echo]);
+      double most = FARTHEST * FARTHEST * variance(excessDb[echo]);
+      double square = Math.min(off * off, most) / CUT_SQUARE;
       double[] weight = weights(LevelForms.NOISE_DB, excessDb[echo]);
       for (int i = 0; i < noise.length; i++) {
         sum[i] += weight[i] * square;

@@ -25,6 +25,9 @@ public final class Calibration {
   /** What an effect must gain beside a set-up that is fitted to the log as well. */
   private static final double SUPERFLUOUS_NATS = 15;
 
+  /** A gap that is so many times what the set-up expects of itself is no matter of the set-up. */
+  private static final double MANY_TIMES = 2;
+
   /** Blocks in which less could happen say nothing. */
   private static final double LEAST_VARIANCE = 0.5;
 
@@ -183,9 +186,21 @@ public final class Calibration {
     for (int i = 0; i < explanation.forms().size(); i++) {
       more = suspicion.settled(more, i);
     }
+    if (more.equals(setup) && heldOut.isPresent() && isFarOff(log)) {
+      return this;
+    }
     return more.equals(setup)
         ? rivalled(log, explanation)
         : new Calibration(reference, more, heldOut);
+  }
+
+  /**
+   * Whether a log's gap is more than its reference leaves open. A law of many strengths that moved
+   * so far would take up anything, and the gap would be gone from sight.
+   */
+  private static boolean isFarOff(Evidence log) {
+    Gain gain = Gain.of(log, new Blocks(log.log()), Hypothesis.NONE);
+    return gain.beforeM() > MANY_TIMES * gain.floorM();
   }
 
   /** Whether a set-up that fits reference and log together makes an effect superfluous. */

@@ -15,6 +15,7 @@ public final class Confirmed {
   private final List<Scored> sets;
   private final Set<Effect> doubtful;
   private final double worthNats;
+  private final boolean isPlaced;
 
   /**
    * Creates a judge of sets.
@@ -22,21 +23,27 @@ public final class Confirmed {
    * @param sets that were fitted, with their held-out scores
    * @param doubtful effects that take up a little of anything, and are never sure beside a rest
    * @param worthNats what a further effect must gain to be as probable as its absence
+   * @param isPlaced whether many readings are of one placement: what takes up a little of anything
+   *     then knows each placement, and that it predicts better says nothing
    */
-  Confirmed(List<Scored> sets, Set<Effect> doubtful, double worthNats) {
+  Confirmed(List<Scored> sets, Set<Effect> doubtful, double worthNats, boolean isPlaced) {
+    this.isPlaced = isPlaced;
     this.sets = List.copyOf(sets);
     this.doubtful = Set.copyOf(doubtful);
     this.worthNats = worthNats;
   }
 
   /**
-   * Returns what is sure of the best set of which anything is: effects that would be named even if
-   * they did not show in the gap, since leaving one out costs so much, and of which no other one in
-   * its place does nearly as well. What stands beside them in the set takes up the rest, for want
-   * of something better, and is not named.
+   * Returns what is sure of the best set, or of the best of those that predict nearly as well:
+   * effects that would be named even if they did not show in the gap, since leaving one out costs
+   * so much, and of which no other one in its place does nearly as well. What stands beside them in
+   * the set takes up the rest, for want of something better, and is not named. What is sure in a
+   * set that is far worse only does the work of what the best set has.
    */
   public Optional<Scored> best() {
+    double most = sets.stream().mapToDouble(Scored::heldOut).max().orElse(0);
     return sets.stream()
+        .filter(set -> isPlaced || set.heldOut() > most - worthNats)
         .sorted(Comparator.comparingDouble((Scored set) -> set.heldOut()).reversed())
         .map(this::sure)
         .flatMap(Optional::stream)
@@ -64,15 +71,24 @@ public final class Confirmed {
         && sets.stream().noneMatch(other -> isRival(other, effect, set));
   }
 
-  /** Whether another set has another effect in the place of one, and does nearly as well. */
+  /**
+   * Whether another set has another effect in the place of one, and does nearly as well; what takes
+   * up a little of anything has to do better.
+   */
   private boolean isRival(Scored other, Effect effect, Scored set) {
     List<Effect> rest = set.hypothesis().without(effect).effects();
     List<Effect> others = other.hypothesis().effects();
     return others.size() == rest.size() + 1
         && !others.contains(effect)
         && others.containsAll(rest)
-        && others.stream().noneMatch(it -> doubtful.contains(it) && !rest.contains(it))
-        && other.heldOut() > set.heldOut() - worthNats;
+        && (isDoubtful(others, rest)
+            ? !isPlaced && other.heldOut() > set.heldOut()
+            : other.heldOut() > set.heldOut() - worthNats);
+  }
+
+  /** Whether what the first have beside the others is doubtful. */
+  private boolean isDoubtful(List<Effect> some, List<Effect> others) {
+    return some.stream().anyMatch(effect -> doubtful.contains(effect) && !others.contains(effect));
   }
 
   private static boolean isAtBound(Effect effect, Hypothesis set) {

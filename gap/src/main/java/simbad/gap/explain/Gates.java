@@ -1,18 +1,18 @@
 package simbad.gap.explain;
 
-import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
+import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
+import java.util.Set;
 import java.util.stream.IntStream;
 import simbad.gap.fit.Evidence;
-import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
+import simbad.sonar.effect.LogDesign;
 import simbad.sonar.effect.PingLog;
 import simbad.sonar.effect.Scenes;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.SensingSetup;
-import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.scene.UniformDetection;
 import simbad.sonar.shape.Outline;
 
@@ -21,35 +21,33 @@ import simbad.sonar.shape.Outline;
  * nothing in the log could show, is not looked for.
  */
 final class Gates {
-  /**
-   * Beyond so many times the range at which the best target is just heard no echo of the ping
-   * before is left: at four times that spreading takes 12 dB or more of a wall's echo and air of
-   * 1.3 dB/m, over the way there and back from 4 m on, another 31 dB.
-   */
-  private static final double AUDIBLE_RANGES = 4;
-
   /** A polygon of so many corners whose distances from the axis differ by less is round. */
   private static final int ROUND_CORNERS = 12;
 
   private static final double ROUND = 0.97;
 
-  /** Steps and noise that hide a wave of 4 mm. */
-  private static final double HIDES_WAVES_M = 0.003;
+  private Gates() {}
 
-  private final SensingSetup setup;
-  private final boolean repeated;
-  private final boolean noisier;
-  private final boolean ghosts;
-  private final List<String> round = new ArrayList<>();
+  /** Returns those of some forms that are possible. */
+  static List<Form> open(Evidence evidence, List<Form> forms) {
+    LogDesign design = design(evidence);
+    return forms.stream()
+        .filter(form -> Definitions.of(form.effect()).canShow(form, design))
+        .toList();
+  }
 
-  private Gates(Evidence evidence) {
-    setup = evidence.setup();
+  private static LogDesign design(Evidence evidence) {
+    SensingSetup setup = evidence.setup();
     Placements placements = new Placements(evidence.log());
-    repeated = placements.areRepeated();
-    noisier = !repeated || PlacementScatter.isNoisier(evidence, placements);
-    SonarSpec sensor = setup.sensor();
-    double wayM = medianPeriodS(evidence.log()) * sensor.assumedSoundSpeedMPerS() / 2;
-    ghosts = !(wayM > AUDIBLE_RANGES * sensor.maxRangeM());
+    boolean repeated = placements.areRepeated();
+    boolean noisier = !repeated || PlacementScatter.isNoisier(evidence, placements);
+    double wayM = medianPeriodS(evidence.log()) * setup.sensor().assumedSoundSpeedMPerS() / 2;
+    return new LogDesign(setup, evidence.log(), repeated, noisier, wayM, round(setup));
+  }
+
+  /** The obstacles that look the same from all sides. */
+  private static Set<String> round(SensingSetup setup) {
+    Set<String> round = new HashSet<>();
     List<String> labels = Scenes.labels(setup.scene());
     for (int i = 0; i < labels.size(); i++) {
       Obstacle obstacle = setup.scene().obstacles().get(i);
@@ -57,46 +55,7 @@ final class Gates {
         round.add(labels.get(i));
       }
     }
-  }
-
-  /** Returns those of some forms that are possible. */
-  static List<Form> open(Evidence evidence, List<Form> forms) {
-    Gates gates = new Gates(evidence);
-    return forms.stream().filter(gates::isOpen).toList();
-  }
-
-  private boolean isOpen(Form form) {
-    return switch (form.effect()) {
-      case PREVIOUS_PING -> ghosts;
-      case PLACEMENT_ERROR -> repeated;
-      // What scatters from placement to placement alone is no noise.
-      case RANGE_NOISE -> noisier;
-      // An offset that scatters is one that is put in place anew.
-      case RANGE_OFFSET -> !repeated || form.parameters().size() == 1;
-      case WAVE_HOP ->
-          setup.sensor().resolutionM() <= HIDES_WAVES_M
-              && setup.sensor().rangeNoiseM() <= HIDES_WAVES_M;
-      case ORIENTATION_SHADOW, OBSTACLE_TURN -> !isOfRoundOnes(form);
-      default -> true;
-    };
-  }
-
-  /** Whether a form turns or shades nothing but what looks the same from all sides. */
-  private boolean isOfRoundOnes(Form form) {
-    Optional<String> one =
-        Scenes.labels(setup.scene()).stream()
-            .filter(
-                label ->
-                    form.name().equals("only:" + label) || form.name().contains(":" + label + "#"))
-            .findFirst();
-    long uniform =
-        setup.scene().obstacles().stream()
-            .filter(
-                obstacle ->
-                    form.effect() == Effect.OBSTACLE_TURN
-                        || obstacle.detection() instanceof UniformDetection)
-            .count();
-    return one.map(round::contains).orElse(!round.isEmpty() && round.size() == uniform);
+    return round;
   }
 
   private static boolean isRound(Outline outline) {

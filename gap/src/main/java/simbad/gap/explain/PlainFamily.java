@@ -9,8 +9,10 @@ import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.Screen;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Trait;
 
 /**
  * The plain causes, which are the commonest: a scale (a wrong constant, a wrong unit), an offset
@@ -19,23 +21,14 @@ import simbad.sonar.effect.Form;
  */
 final class PlainFamily {
   /** What may stand beside the law of the ranges. */
-  static final Set<Effect> BESIDE_THE_LAW =
-      Set.of(Effect.BEAM_WIDTH, Effect.GAIN, Effect.EARLY_TIMEOUT, Effect.RANGE_NOISE);
+  static final Set<Effect> BESIDE_THE_LAW = Definitions.with(Trait.BESIDE_THE_LAW);
 
   /**
    * Where things are put in place by hand, each placement is a little off, and what can be moved or
    * bent in a scene soaks that up: these have to gain so much more there than anything else ({@link
    * Probabilities#UNSEEN}).
    */
-  static final Set<Effect> SOAK_UP_PLACEMENTS =
-      Set.of(
-          Effect.UNMODELLED_OBJECT,
-          Effect.OBSTACLE_TURN,
-          Effect.OBSTACLE_OFFSET,
-          Effect.ODOMETRY_SCALE,
-          Effect.HEADING_DRIFT,
-          Effect.BEAM_MISALIGNMENT,
-          Effect.LATENCY);
+  static final Set<Effect> SOAK_UP_PLACEMENTS = Definitions.with(Trait.SOAKS_UP_PLACEMENTS);
 
   private static final int STEPS_FAR = 80;
   private static final int STEPS_NEAR = 60;
@@ -56,8 +49,11 @@ final class PlainFamily {
 
   /** Fits a scale and an offset together; of less where one of them is not looked for. */
   Fit law() {
-    Fit nominal = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
-    return joint(with(Effect.RANGE_OFFSET, with(Effect.SOUND_SPEED, nominal)));
+    Fit fit = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
+    for (Effect effect : Definitions.with(Trait.LAW_OF_RANGES)) {
+      fit = with(effect, fit);
+    }
+    return joint(fit);
   }
 
   private Fit with(Effect effect, Fit base) {

@@ -1,9 +1,9 @@
 package simbad.gap.explain;
 
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Effect;
@@ -40,7 +40,7 @@ public final class PracticalSize {
    * @param nats the bound
    */
   public Set<Effect> unseen(Scored set, double nats) {
-    Set<Effect> unseen = EnumSet.noneOf(Effect.class);
+    Set<Effect> unseen = new TreeSet<>();
     for (Effect effect : set.hypothesis().effects()) {
       Optional<Scored> less = find(set.hypothesis().without(effect));
       if (less.isPresent()

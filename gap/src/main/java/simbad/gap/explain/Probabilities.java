@@ -1,9 +1,9 @@
 package simbad.gap.explain;
 
-import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Effect;
@@ -90,7 +90,7 @@ public final class Probabilities {
 
   /** Returns the probability that an effect is at work, for each that was fitted. */
   public Map<Effect, Double> ofEffects() {
-    Map<Effect, Double> sums = new EnumMap<>(Effect.class);
+    Map<Effect, Double> sums = new TreeMap<>();
     for (int i = 0; i < weight.length; i++) {
       for (Effect effect : sets.get(i).hypothesis().effects()) {
         sums.merge(effect, weight[i], Double::sum);

@@ -1,12 +1,14 @@
 package simbad.gap.explain;
 
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import simbad.gap.fit.Evidence;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.Trait;
 
 /**
  * Sets of effects weighed against each other. A set that makes the gap of rows larger that it was
@@ -21,11 +23,11 @@ import simbad.sonar.effect.Effect;
 public record Weighed(
     Probabilities probabilities, Scored taken, Gain gain, List<Scored> enlarging) {
   /** What takes up a little of anything, beside those that soak up where things were placed. */
-  private static final Set<Effect> SOAK_UP = EnumSet.copyOf(PlainFamily.SOAK_UP_PLACEMENTS);
+  private static final Set<Effect> SOAK_UP = new TreeSet<>(PlainFamily.SOAK_UP_PLACEMENTS);
 
   static {
     SOAK_UP.addAll(Unknown.SOAK);
-    SOAK_UP.addAll(List.of(Effect.FLOOR_ECHO, Effect.STALE_READING, Effect.PLACEMENT_ERROR));
+    SOAK_UP.addAll(Definitions.with(Trait.SOAKS_UP_A_REST));
   }
 
   /** Copies the list. */
@@ -46,7 +48,7 @@ public record Weighed(
     PracticalSize size = new PracticalSize(evidence, sets);
     Blocks blocks = new Blocks(evidence.log());
     double most = (1 + Probabilities.UNSEEN) * worthNats;
-    Set<Effect> unseen = EnumSet.noneOf(Effect.class);
+    Set<Effect> unseen = new TreeSet<>();
     if (new Placements(evidence.log()).areRepeated()) {
       unseen.addAll(PlainFamily.SOAK_UP_PLACEMENTS);
     }
@@ -91,7 +93,7 @@ public record Weighed(
    * @param worthNats what a further effect must gain to be as probable as its absence
    */
   public Optional<Weighed> confirmed(Evidence evidence, List<Scored> sets, double worthNats) {
-    return new Confirmed(sets, SOAK_UP, worthNats)
+    return new Confirmed(sets, SOAK_UP, worthNats, new Placements(evidence.log()).areRepeated())
         .best()
         .map(sure -> new Weighed(probabilities, sure, gainOf(evidence, sure), enlarging))
         .filter(sure -> sure.gain.afterM() < sure.gain.beforeM());

@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Modes;
 import simbad.sonar.frame.Angles;
 
 /** Looks for a flat face that strange echoes agree on, by a vote of all over normals and places. */
@@ -18,10 +19,10 @@ final class FaceSearch {
   private static final double WIDE_M = 8;
   private static final double[] SQUARE_DEG = {8, 12, 16, 20, 25, 32, 45};
 
-  private final Clues clues;
+  private final LogClues clues;
   private final int[] strange;
 
-  FaceSearch(Clues clues) {
+  FaceSearch(LogClues clues) {
     this.clues = clues;
     strange = clues.strangeEchoes().toArray();
   }

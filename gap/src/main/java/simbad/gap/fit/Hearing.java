@@ -21,7 +21,7 @@ final class Hearing {
    * @param others thresholds of other obstacles
    * @param obstacle by its index
    */
-  Hearing(Clues clues, List<OrientationShadow> others, int obstacle) {
+  Hearing(LogClues clues, List<OrientationShadow> others, int obstacle) {
     silent = clues.likelihood(others, obstacle, 0);
     heard = clues.likelihood(others, obstacle, ALWAYS_M);
   }

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.DoubleStream;
+import simbad.sonar.effect.Clues.Line;
 import simbad.sonar.effect.PingLog;
 
 /**
@@ -27,27 +28,18 @@ final class LineSearch {
     this.echoes = echoes;
   }
 
-  /**
-   * A line.
-   *
-   * @param slope by what the reading before is multiplied
-   * @param shiftM what is taken from that, metres
-   * @param votes echoes that lie on it
-   */
-  record Line(double slope, double shiftM, int votes) {}
-
   /** Returns the lines with most votes, none of nearly the slope of a better one. */
   List<Line> best() {
     List<Line> all = new ArrayList<>();
     for (double slope = LEAST_SLOPE; slope <= GREATEST_SLOPE; slope += SLOPE_STEP) {
       all.add(fullest(slope));
     }
-    all.sort(Comparator.comparingInt(line -> -line.votes));
+    all.sort(Comparator.comparingInt(line -> -line.votes()));
     List<Line> best = new ArrayList<>();
     for (Line line : all) {
       if (best.size() < BEST
-          && line.votes > 0
-          && best.stream().noneMatch(other -> Math.abs(other.slope - line.slope) < APART)) {
+          && line.votes() > 0
+          && best.stream().noneMatch(other -> Math.abs(other.slope() - line.slope()) < APART)) {
         best.add(line);
       }
     }
@@ -62,7 +54,7 @@ final class LineSearch {
       while (shifts[to] - shifts[from] > WIDTH_M) {
         from++;
       }
-      if (to - from + 1 > best.votes) {
+      if (to - from + 1 > best.votes()) {
         best = new Line(slope, (shifts[from] + shifts[to]) / 2, to - from + 1);
       }
     }

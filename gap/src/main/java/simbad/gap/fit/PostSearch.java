@@ -18,6 +18,7 @@ import org.hipparchus.optim.nonlinear.vector.leastsquares.LeastSquaresProblem;
 import org.hipparchus.optim.nonlinear.vector.leastsquares.LevenbergMarquardtOptimizer;
 import org.hipparchus.optim.nonlinear.vector.leastsquares.MultivariateJacobianFunction;
 import org.hipparchus.util.Pair;
+import simbad.sonar.effect.Modes;
 
 /**
  * Looks for a post that strange echoes agree on: each votes for all places that its sensor may have
@@ -38,11 +39,11 @@ final class PostSearch {
   private static final double LEAST_M = 1e-6;
   private static final int EVALUATIONS = 100;
 
-  private final Clues clues;
+  private final LogClues clues;
   private final int[] strange;
   private final double greatestReachM;
 
-  PostSearch(Clues clues, double greatestReachM) {
+  PostSearch(LogClues clues, double greatestReachM) {
     this.clues = clues;
     strange = clues.strangeEchoes().toArray();
     this.greatestReachM = greatestReachM;

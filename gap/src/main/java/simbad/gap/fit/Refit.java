@@ -1,5 +1,7 @@
 package simbad.gap.fit;
 
+import simbad.sonar.effect.Clues;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
 
 /**
@@ -28,6 +30,11 @@ public final class Refit {
     return fitter;
   }
 
+  /** A table is read off the log, not searched. */
+  private static double[] read(Form form, Clues clues) {
+    return Definitions.of(form.effect()).starts(form, clues).get(0);
+  }
+
   /**
    * Fits all values again.
    *
@@ -40,8 +47,8 @@ public final class Refit {
     for (int i = 0; i < start.forms().size(); i++) {
       Form form = start.forms().get(i);
       if (form.isTable()) {
-        Clues clues = new Clues(evidence, start.without(form.effect()), fold);
-        tables = tables.and(form, TableSearch.tables(clues, form));
+        LogClues clues = new LogClues(evidence, start.without(form.effect()), fold);
+        tables = tables.and(form, read(form, clues));
       } else {
         rest = rest.and(form, start.valuesOf(i));
       }

@@ -2,10 +2,12 @@ package simbad.gap.fit;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
+import simbad.sonar.effect.Clues;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 
@@ -32,13 +34,13 @@ public final class Screen {
 
   private final Evidence evidence;
   private final Fit base;
-  private final Starts starts;
+  private final Clues clues;
 
   /** Creates a screen for the forms beside a fit. */
   public Screen(Evidence evidence, Fit base) {
     this.evidence = evidence;
     this.base = base;
-    starts = new Starts(new Clues(evidence, base.hypothesis()));
+    clues = new LogClues(evidence, base.hypothesis());
   }
 
   /**
@@ -52,15 +54,13 @@ public final class Screen {
     Map<Effect, List<Form>> byEffect =
         forms.stream()
             .filter(form -> !base.hypothesis().has(form.effect()))
-            .collect(
-                Collectors.groupingBy(
-                    Form::effect, () -> new EnumMap<>(Effect.class), Collectors.toList()));
-    Map<Effect, List<Fit>> rough = new EnumMap<>(Effect.class);
+            .collect(Collectors.groupingBy(Form::effect, TreeMap::new, Collectors.toList()));
+    Map<Effect, List<Fit>> rough = new TreeMap<>();
     byEffect.entrySet().parallelStream()
         .map(entry -> Map.entry(entry.getKey(), bestOf(entry.getValue())))
         .toList()
         .forEach(entry -> rough.put(entry.getKey(), entry.getValue()));
-    Map<Effect, Fit> best = new EnumMap<>(Effect.class);
+    Map<Effect, Fit> best = new TreeMap<>();
     rough.forEach((effect, fits) -> best.put(effect, fits.get(0)));
     rough.entrySet().stream()
         .filter(entry -> gain(entry.getValue().get(0)) > CHANCE_NATS)
@@ -135,7 +135,7 @@ public final class Screen {
   /** The best of a form's starts. */
   private Fit begun(Form form) {
     Fitter fitter = new Fitter(evidence, Fold.ALL);
-    return starts.of(form).stream()
+    return Definitions.of(form.effect()).starts(form, clues).stream()
         .map(values -> base.hypothesis().and(form, values))
         .map(start -> new Fit(start, fitter.logLikelihood(start)))
         .max(Comparator.comparingDouble(Fit::logLikelihood))

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.effect.Geometry;
 import simbad.sonar.effect.OrientationShadow;
@@ -28,24 +27,17 @@ final class TableSearch {
   /** Far off it is open how far a threshold goes. */
   private static final double MOST_FACTOR = 1.5;
 
-  private final Clues clues;
+  private final LogClues clues;
   private final Hearing hearing;
   private final int obstacle;
   private final int size = Forms.TABLE_SIZE;
   private final double uniformM;
 
-  /** The indices of the obstacles that a form is about, which stand behind the hash in its name. */
-  static int[] obstacles(Form form) {
-    String numbers = form.name().substring(form.name().lastIndexOf('#') + 1);
-    return Arrays.stream(numbers.split(",", -1)).mapToInt(Integer::parseInt).toArray();
-  }
-
   /**
-   * The tables of all obstacles that a form is about, one behind the other. Of several, each is
-   * read off what the others leave, once with what is believed of them and once with theirs.
+   * The tables of some obstacles by their indices, one behind the other. Of several, each is read
+   * off what the others leave, once with what is believed of them and once with theirs.
    */
-  static double[] tables(Clues clues, Form form) {
-    int[] obstacles = obstacles(form);
+  static double[] tables(LogClues clues, int... obstacles) {
     Map<Integer, double[]> found = new TreeMap<>();
     for (int round = 0; round < Math.min(obstacles.length, BESIDE_ROUNDS); round++) {
       for (int obstacle : obstacles) {
@@ -61,11 +53,11 @@ final class TableSearch {
   }
 
   /** Of an obstacle by its index, the others being as believed. */
-  TableSearch(Clues clues, int obstacle) {
+  TableSearch(LogClues clues, int obstacle) {
     this(clues, List.of(), obstacle);
   }
 
-  private TableSearch(Clues clues, List<OrientationShadow> others, int obstacle) {
+  private TableSearch(LogClues clues, List<OrientationShadow> others, int obstacle) {
     this.clues = clues;
     this.obstacle = obstacle;
     hearing = new Hearing(clues, others, obstacle);

@@ -34,12 +34,12 @@ final class TableSweep {
    */
   private static final double LEAST_M = 0.005;
 
-  private final Clues clues;
+  private final LogClues clues;
   private final Hearing hearing;
   private final int obstacle;
   private final double edgeM;
 
-  TableSweep(Clues clues, Hearing hearing, int obstacle) {
+  TableSweep(LogClues clues, Hearing hearing, int obstacle) {
     this.clues = clues;
     this.hearing = hearing;
     this.obstacle = obstacle;

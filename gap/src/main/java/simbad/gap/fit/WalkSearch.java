@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Modes;
 import simbad.sonar.effect.Parameter;
 
 /**
@@ -24,10 +25,10 @@ final class WalkSearch {
   private static final int FEWEST = 8;
   private static final double SPREAD_M = 0.01;
 
-  private final Clues clues;
+  private final LogClues clues;
   private final int[] strange;
 
-  WalkSearch(Clues clues) {
+  WalkSearch(LogClues clues) {
     this.clues = clues;
     strange = clues.strangeEchoes().toArray();
   }

@@ -1,6 +1,5 @@
 package simbad.gap.place;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -9,6 +8,7 @@ import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 
 /**
@@ -37,7 +37,7 @@ public final class Undetectables {
    */
   public static List<Undetectable> of(Evidence evidence, Hypothesis explained, double nats) {
     Undetectables asked = new Undetectables(evidence, explained, nats);
-    return Arrays.stream(Effect.values())
+    return Definitions.effects().stream()
         .filter(effect -> !explained.has(effect))
         .toList()
         .parallelStream()
@@ -47,10 +47,13 @@ public final class Undetectables {
   }
 
   private Optional<Undetectable> look(Effect effect) {
-    List<Probe> probes = Probes.of(effect, evidence.setup(), evidence.log());
+    List<Showing> probes =
+        Definitions.of(effect).probes(evidence.setup(), evidence.log()).stream()
+            .map(Showing::new)
+            .toList();
     Fitter fitter = new Fitter(evidence, Fold.ALL);
     double asItIs = fitter.logLikelihood(explained);
-    Probe.Fall fall =
+    Showing.Fall fall =
         added ->
             asItIs - fitter.logLikelihood(explained.and(added.forms().get(0), added.valuesOf(0)));
     if (probes.isEmpty() || probes.stream().anyMatch(probe -> probe.showsInPractice(fall, nats))) {
@@ -63,7 +66,7 @@ public final class Undetectables {
             .orElseThrow());
   }
 
-  private static Undetectable told(Effect effect, Probe probe, OptionalDouble leastSize) {
+  private static Undetectable told(Effect effect, Showing probe, OptionalDouble leastSize) {
     return new Undetectable(effect, probe.parameter().name(), leastSize);
   }
 

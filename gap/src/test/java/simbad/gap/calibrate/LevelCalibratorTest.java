@@ -12,9 +12,12 @@ import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.LevelWorlds;
+import simbad.gap.fixture.Worlds;
+import simbad.sonar.effect.Form;
 import simbad.sonar.effect.LevelForms;
 import simbad.sonar.effect.LevelRule;
 import simbad.sonar.effect.PingLog;
+import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.ReadingRow;
 
 /** Logs drawn from a known law: what was put in comes out. */
@@ -78,6 +81,58 @@ class LevelCalibratorTest {
     assertTrue(rule.law().excessSdDb() > 0);
     assertBetween(0.6 * LevelWorlds.LOBES_DB, 1.2 * LevelWorlds.LOBES_DB, swing);
     assertTrue(within > (int) (0.9 * LevelForms.BEARINGS));
+  }
+
+  /** Echoes from behind the nearest point, by a centimetre four times round, in warmer air. */
+  @Test
+  void whereEchoesComeFromIsFoundByBearing_andTheAirApartFromIt() {
+    Form path = LevelForms.path("post");
+    double[] added = path.neutral();
+    for (int i = 0; i < LevelForms.BEARINGS; i++) {
+      added[i] = 0.01 * Math.cos(4 * i * 2 * Math.PI / LevelForms.BEARINGS);
+    }
+    Hypothesis lawAndLobes = LevelWorlds.truth();
+    double[] law = lawAndLobes.valuesOf(0);
+    law[law.length - 1] = 1.008;
+    Hypothesis truth =
+        Hypothesis.NONE
+            .and(lawAndLobes.forms().get(0), law)
+            .and(lawAndLobes.forms().get(1), lawAndLobes.valuesOf(1))
+            .and(path, added);
+    List<ReadingRow> rows = Worlds.read(LevelWorlds.POST, LevelWorlds.poses(2500, 8), truth, 9);
+
+    Hypothesis found = calibrate(rows).setup();
+    double[] paths = found.valuesOf(2);
+    double swing = 0;
+    for (int i = 0; i < LevelForms.BEARINGS; i++) {
+      swing += 2 * 100 * added[i] * paths[i] / LevelForms.BEARINGS;
+    }
+    assertBetween(0.007, 0.0115, swing);
+    // Far echoes are weak ones: a part of the air's share is taken for walk. Together they fit.
+    double[] values = found.valuesOf(0);
+    assertBetween(1.001, 1.01, values[values.length - 1]);
+    PingLog fresh =
+        new PingLog(Worlds.read(LevelWorlds.POST, LevelWorlds.poses(1500, 80), truth, 81));
+    double most = nats(truth, fresh);
+    assertTrue(most - nats(found, fresh) < 0.15 * (most - nats(Hypothesis.NONE, fresh)));
+    assertTrue(paths[LevelForms.BEARINGS] > 0);
+  }
+
+  /** A data sheet said 60 to 100 cm; the post was heard from 30 cm to beyond 2 m. */
+  @Test
+  void whatWasHeardBeyondItsLimits_movesThem() {
+    SensingSetup sheet =
+        new SensingSetup(LevelWorlds.POST.sensor().withRange(0.6, 1), LevelWorlds.POST.scene(), 4);
+    List<ReadingRow> rows = LevelWorlds.log(1500, 21);
+    LevelRule rule =
+        (LevelRule)
+            new LevelCalibrator(sheet, new PingLog(rows)).fit(Fold.ALL).setup().changes().get(0);
+
+    assertBetween(0.2, 0.4, rule.minRangeM());
+    assertBetween(1.5, 3, rule.maxRangeM());
+    LevelRule kept = (LevelRule) calibrate(rows).setup().changes().get(0);
+    assertEquals(LevelWorlds.POST.sensor().minRangeM(), kept.minRangeM(), 0);
+    assertEquals(LevelWorlds.POST.sensor().maxRangeM(), kept.maxRangeM(), 0);
   }
 
   @Test

@@ -13,7 +13,6 @@ import com.networknt.schema.SpecVersion;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -24,6 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 
 class DiagnosisJsonTest {
@@ -77,7 +77,7 @@ class DiagnosisJsonTest {
     Set<String> words = new TreeSet<>();
     schema().getSchemaNode().at("/$defs/effect/enum").forEach(word -> words.add(word.asText()));
     Set<String> vocabulary = new TreeSet<>();
-    Arrays.stream(Effect.values()).map(Effect::word).forEach(vocabulary::add);
+    Definitions.effects().stream().map(Effect::word).forEach(vocabulary::add);
     assertEquals(vocabulary, words);
   }
 

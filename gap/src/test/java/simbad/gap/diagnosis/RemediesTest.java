@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
@@ -51,7 +51,7 @@ class RemediesTest {
 
   /** In every form, without a number that is none. */
   @ParameterizedTest
-  @EnumSource(Effect.class)
+  @MethodSource("simbad.sonar.effect.Definitions#effects")
   void everyForm_hasASentence(Effect effect) {
     for (Form form : Forms.all(Worlds.POST, List.of("s"))) {
       if (form.effect() == effect) {

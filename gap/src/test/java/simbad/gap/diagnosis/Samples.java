@@ -1,12 +1,12 @@
 package simbad.gap.diagnosis;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
@@ -99,7 +99,7 @@ final class Samples {
                 new FittedParameter(
                     "offset_m", 1 / 3.0, new Interval(0.04, Double.POSITIVE_INFINITY))),
             List.of(Effect.SOUND_SPEED)));
-    Arrays.stream(Effect.values())
+    Definitions.effects().stream()
         .filter(effect -> effect != Effect.RANGE_OFFSET)
         .map(effect -> new EffectFinding(effect, 0, Optional.empty(), List.of(), List.of()))
         .forEach(findings::add);

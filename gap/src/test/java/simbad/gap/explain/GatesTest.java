@@ -2,15 +2,17 @@ package simbad.gap.explain;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.EnumSet;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fixture.Ladders;
 import simbad.gap.fixture.Worlds;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
@@ -21,6 +23,9 @@ import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.UniformDetection;
+import simbad.sonar.sensing.Echo;
+import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.Reading;
 import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.shape.Outline;
 
@@ -28,7 +33,7 @@ import simbad.sonar.shape.Outline;
 class GatesTest {
   private static Set<Effect> closed(SensingSetup setup, List<ReadingRow> rows) {
     Evidence evidence = new Evidence(setup, List.of(), new PingLog(rows));
-    Set<Effect> closed = EnumSet.allOf(Effect.class);
+    Set<Effect> closed = new TreeSet<>(Definitions.effects());
     Gates.open(evidence, Forms.all(setup, List.of("s"))).stream()
         .map(Form::effect)
         .forEach(closed::remove);
@@ -63,7 +68,9 @@ class GatesTest {
 
   @Test
   void drive_hasNoPlacements_andStepsHideWaves() {
-    assertEquals(Set.of(Effect.PLACEMENT_ERROR, Effect.WAVE_HOP), closed(Worlds.POST, every(0.05)));
+    assertEquals(
+        Set.of(Effect.NO_ECHO_CODE, Effect.PLACEMENT_ERROR, Effect.WAVE_HOP),
+        closed(Worlds.POST, every(0.05)));
   }
 
   /** Of a sensor that hears to 4 m nothing comes back over 16 m, in 93 ms. */
@@ -77,13 +84,14 @@ class GatesTest {
   void roundPole_looksTheSameFromAllSides_unlessItTurnsRoundAnotherAxis() {
     assertEquals(
         Set.of(
+            Effect.NO_ECHO_CODE,
             Effect.PLACEMENT_ERROR,
             Effect.WAVE_HOP,
             Effect.ORIENTATION_SHADOW,
             Effect.OBSTACLE_TURN),
         closed(pole(new Point(0, 0)), every(0.05)));
     assertEquals(
-        Set.of(Effect.PLACEMENT_ERROR, Effect.WAVE_HOP),
+        Set.of(Effect.NO_ECHO_CODE, Effect.PLACEMENT_ERROR, Effect.WAVE_HOP),
         closed(pole(new Point(0.02, 0)), every(0.05)));
   }
 
@@ -91,8 +99,28 @@ class GatesTest {
   @Test
   void ladder_mayHavePlacementsThatAreOff_andNoiseWhereItShows() {
     assertEquals(
-        Set.of(Effect.RANGE_NOISE), closed(Ladders.BOARD, Ladders.read((range, lot) -> range, 1)));
+        Set.of(Effect.NO_ECHO_CODE, Effect.RANGE_NOISE),
+        closed(Ladders.BOARD, Ladders.read((range, lot) -> range, 1)));
     assertEquals(
-        Set.of(), closed(Ladders.BOARD, Ladders.read((range, lot) -> range + 0.02 * lot, 1)));
+        Set.of(Effect.NO_ECHO_CODE),
+        closed(Ladders.BOARD, Ladders.read((range, lot) -> range + 0.02 * lot, 1)));
+  }
+
+  /** A number that stands for "no echo" is read more often than no echo is. */
+  @Test
+  void numberForNothing_isLookedForWhereItIsReadOftenEnough() {
+    assertEquals(true, closed(Worlds.POST, zeros(9)).contains(Effect.NO_ECHO_CODE));
+    assertEquals(false, closed(Worlds.POST, zeros(10)).contains(Effect.NO_ECHO_CODE));
+  }
+
+  /** Twenty pings of which some read 0 and the others nothing. */
+  private static List<ReadingRow> zeros(int count) {
+    List<ReadingRow> rows = new ArrayList<>(every(0.05));
+    for (int i = 0; i < rows.size(); i++) {
+      ReadingRow row = rows.get(i);
+      Reading reading = i < count ? new Echo(0) : NoEcho.NO_ECHO;
+      rows.set(i, new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), reading));
+    }
+    return rows;
   }
 }

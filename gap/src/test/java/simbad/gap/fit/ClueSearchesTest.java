@@ -14,9 +14,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simbad.gap.fixture.Worlds;
+import simbad.sonar.effect.Clues;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.Modes;
 import simbad.sonar.effect.PingLog;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.sensing.Echo;
@@ -33,8 +35,8 @@ class ClueSearchesTest {
     return new PingLog(rows);
   }
 
-  private static Clues clues(List<ReadingRow> poses, Hypothesis truth) {
-    return new Clues(Worlds.evidence(Worlds.read(poses, truth, 12)), Hypothesis.NONE);
+  private static LogClues clues(List<ReadingRow> poses, Hypothesis truth) {
+    return new LogClues(Worlds.evidence(Worlds.read(poses, truth, 12)), Hypothesis.NONE);
   }
 
   private static void assertSome(List<double[]> starts, Predicate<double[]> near) {
@@ -76,7 +78,7 @@ class ClueSearchesTest {
       rangesM[i + 1] = 0.5 * rangesM[i] - 0.2 + random.nextDouble(-0.003, 0.003);
     }
     int[] second = IntStream.range(0, 100).map(i -> 2 * i + 1).toArray();
-    List<LineSearch.Line> lines = new LineSearch(log(rangesM), second).best();
+    List<Clues.Line> lines = new LineSearch(log(rangesM), second).best();
     assertEquals(0.5, lines.get(0).slope(), 0.01);
     assertEquals(0.2, lines.get(0).shiftM(), 0.01);
     assertEquals(100, lines.get(0).votes());
@@ -146,7 +148,7 @@ class ClueSearchesTest {
   void face_withoutAnyStrangeEcho_startsAnywhere() {
     Form form =
         Forms.find(Effect.UNMODELLED_OBJECT, "face", Worlds.POST, List.of("s")).orElseThrow();
-    Clues silent = new Clues(Worlds.evidence(lookingRound().subList(0, 5)), Hypothesis.NONE);
+    LogClues silent = new LogClues(Worlds.evidence(lookingRound().subList(0, 5)), Hypothesis.NONE);
     List<double[]> starts = new FaceSearch(silent).starts(form);
     assertTrue(!starts.isEmpty() && starts.get(0).length == form.parameters().size());
   }
@@ -171,7 +173,7 @@ class ClueSearchesTest {
   @Test
   void walk_withoutStrangeEchoes_isNeutral() {
     Form form = Forms.find(Effect.CROSSTALK, "walking", Worlds.POST, List.of("s")).orElseThrow();
-    Clues silent = new Clues(Worlds.evidence(lookingRound().subList(0, 5)), Hypothesis.NONE);
+    LogClues silent = new LogClues(Worlds.evidence(lookingRound().subList(0, 5)), Hypothesis.NONE);
     List<double[]> starts = new WalkSearch(silent).starts(form);
     assertEquals(1, starts.size());
     assertEquals(0, starts.get(0)[0]);

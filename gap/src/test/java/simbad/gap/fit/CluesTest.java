@@ -22,8 +22,8 @@ class CluesTest {
     return new ReadingRow(run, "s", timeS, pose, reading);
   }
 
-  private static final Clues CLUES =
-      new Clues(
+  private static final LogClues CLUES =
+      new LogClues(
           Worlds.evidence(
               List.of(
                   row("a", 0.0, FACING, new Echo(0.95)),

@@ -26,10 +26,10 @@ class FitterTest {
   /** Within about four standard errors of 1,500 readings, half of them echoes. */
   @ParameterizedTest
   @CsvSource({
-    "GAIN, factor, 0.8, 1, 0.02",
-    "RANGE_OFFSET, constant, 0.04, 0, 0.001",
-    "SOUND_SPEED, scale, 360, 343, 0.5",
-    "DROPOUT, single, 0.3, 0.05, 0.07",
+    "gain, factor, 0.8, 1, 0.02",
+    "range-offset, constant, 0.04, 0, 0.001",
+    "sound-speed, scale, 360, 343, 0.5",
+    "dropout, single, 0.3, 0.05, 0.07",
   })
   void refine_findsTheValueThatDrewTheLog(
       Effect effect, String form, double truth, double start, double tolerance) {
@@ -90,12 +90,12 @@ class FitterTest {
 
   @ParameterizedTest
   @CsvSource({
-    "NEAR_CLAMP, clamp, 0.5",
-    "OBSTACLE_OFFSET, all, 0.08 0.03",
-    "UNMODELLED_OBJECT, post, 1 0.4 0.05 3 0.9 90",
-    "COARSE_RESOLUTION, nearest, 0.06",
-    "COARSE_RESOLUTION, centre, 0.08",
-    "FLOOR_ECHO, fixed, 0.9 0.01 0.5",
+    "near-clamp, clamp, 0.5",
+    "obstacle-offset, all, 0.08 0.03",
+    "unmodelled-object, post, 1 0.4 0.05 3 0.9 90",
+    "coarse-resolution, nearest, 0.06",
+    "coarse-resolution, centre, 0.08",
+    "floor-echo, fixed, 0.9 0.01 0.5",
   })
   void screen_ranksTheEffectThatDrewTheLogFirst(Effect effect, String form, String values) {
     double[] truth = List.of(values.split(" ")).stream().mapToDouble(Double::parseDouble).toArray();

@@ -30,9 +30,9 @@ class PostSearchTest {
     return rows;
   }
 
-  private static Clues clues(Hypothesis truth) {
+  private static LogClues clues(Hypothesis truth) {
     Evidence evidence = Worlds.evidence(Worlds.read(lookingRound(), truth, 12));
-    return new Clues(evidence, Hypothesis.NONE);
+    return new LogClues(evidence, Hypothesis.NONE);
   }
 
   @Test
@@ -67,7 +67,7 @@ class PostSearchTest {
               ? row
               : new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), stray));
     }
-    Clues both = new Clues(Worlds.evidence(rows), Hypothesis.NONE);
+    LogClues both = new LogClues(Worlds.evidence(rows), Hypothesis.NONE);
     List<double[]> starts = new PostSearch(both, 4).starts();
     for (double[] at : places) {
       double nearest =
@@ -91,7 +91,7 @@ class PostSearchTest {
   @Test
   void starts_withoutAnyStrangeEcho_areOne() {
     List<ReadingRow> silent = lookingRound().subList(0, 5);
-    Clues clues = new Clues(Worlds.evidence(silent), Hypothesis.NONE);
+    LogClues clues = new LogClues(Worlds.evidence(silent), Hypothesis.NONE);
     List<double[]> starts = new PostSearch(clues, 4).starts();
     assertEquals(1, starts.size());
     assertEquals(6, starts.get(0).length);

@@ -57,7 +57,7 @@ class RefitTest {
   void table_doesNotKeepWhatOtherPingsTold() {
     List<ReadingRow> rows = Worlds.read(Worlds.poses(ROWS, 0.3, 2.2, 23), lopsided(), 24);
     Evidence evidence = Worlds.evidence(rows);
-    Clues clues = new Clues(evidence, Hypothesis.NONE);
+    LogClues clues = new LogClues(evidence, Hypothesis.NONE);
     Fold farSide = ping -> clues.geometry.bearingRad(ping) > Math.PI;
     Hypothesis fitted = new Refit(evidence, farSide).of(lopsided(), 15);
     double unseen = Arrays.stream(fitted.values(), 10, 26).average().orElseThrow();
@@ -81,8 +81,8 @@ class RefitTest {
     Hypothesis deaf = Worlds.effect(Effect.DEAD_ZONE, "sharp", 0.9);
     Hypothesis truth = deaf.and(table(), lopsided().values());
     List<ReadingRow> rows = Worlds.read(Worlds.poses(ROWS, 0.3, 2.2, 25), truth, 26);
-    Clues clues = new Clues(Worlds.evidence(rows), deaf);
-    double[] table = TableSearch.tables(clues, table());
+    LogClues clues = new LogClues(Worlds.evidence(rows), deaf);
+    double[] table = TableSearch.tables(clues, 0);
     double far = Arrays.stream(table, 40, 68).average().orElseThrow();
     assertEquals(1.5, far, 0.08);
   }
@@ -103,7 +103,7 @@ class RefitTest {
     Hypothesis shadows = Hypothesis.NONE.and(form, truth);
     List<ReadingRow> rows = Worlds.read(two, Worlds.poses(4000, 0.3, 2.2, 27), shadows, 28);
     Evidence evidence = new Evidence(two, List.of(), new PingLog(rows));
-    double[] found = TableSearch.tables(new Clues(evidence, Hypothesis.NONE), form);
+    double[] found = TableSearch.tables(new LogClues(evidence, Hypothesis.NONE), 0, 1);
     assertEquals(0.8, Arrays.stream(found, 0, Forms.TABLE_SIZE).average().orElseThrow(), 0.08);
     double other = Arrays.stream(found, Forms.TABLE_SIZE, truth.length).average().orElseThrow();
     assertEquals(1.4, other, 0.08);

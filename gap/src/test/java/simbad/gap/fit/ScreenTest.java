@@ -80,7 +80,7 @@ class ScreenTest {
 
   /** The form with a value more fits at least as well: it holds the other. */
   @ParameterizedTest
-  @CsvSource({"DROPOUT, single, 0.2, bursts", "RANGE_OFFSET, constant, 0.04, scattered"})
+  @CsvSource({"dropout, single, 0.2, bursts", "range-offset, constant, 0.04, scattered"})
   void ofFormsThatFitAlike_theSimplerIsTaken(
       Effect effect, String simple, double value, String wider) {
     assertTrue(

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import simbad.gap.fixture.Worlds;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.Form;
 
@@ -50,11 +51,11 @@ class StartsTest {
       Effect effect, String name, double[] truth, int value, double near) {
     Hypothesis world = Worlds.effect(effect, name, truth);
     Form form = world.forms().get(0);
-    Clues clues =
-        new Clues(
+    LogClues clues =
+        new LogClues(
             Worlds.evidence(Worlds.read(Worlds.poses(600, 0.2, 1.4, 7), world, 12)),
             Hypothesis.NONE);
-    List<double[]> starts = new Starts(clues).of(form);
+    List<double[]> starts = Definitions.of(effect).starts(form, clues);
     double nearest =
         starts.stream()
             .mapToDouble(start -> Math.abs(start[value] - truth[value]))

@@ -8,32 +8,39 @@ import java.util.List;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import simbad.gap.fixture.Worlds;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Effect;
 import simbad.sonar.effect.OrientationShadow;
 import simbad.sonar.effect.PingLog;
+import simbad.sonar.effect.Probe;
 import simbad.sonar.shape.ThresholdTable;
 
 class ProbesTest {
   private static final PingLog LOG = new PingLog(Worlds.poses(50, 0.3, 1.4, 1));
 
+  private static Probe probe(Effect effect) {
+    return Definitions.of(effect).probes(Worlds.POST, LOG).get(0);
+  }
+
   /** The values that a probe tries at its practical size. */
   private static List<Double> tried(Probe probe) {
     List<Double> values = new ArrayList<>();
-    probe.showsInPractice(
-        added -> {
-          values.add(added.values()[probe.index()]);
-          return 0;
-        },
-        1);
+    new Showing(probe)
+        .showsInPractice(
+            added -> {
+              values.add(added.values()[probe.index()]);
+              return 0;
+            },
+            1);
     return values;
   }
 
   @ParameterizedTest
-  @EnumSource(Effect.class)
+  @MethodSource("simbad.sonar.effect.Definitions#effects")
   void probe_isOfItsEffect(Effect effect) {
-    List<Probe> probes = Probes.of(effect, Worlds.POST, LOG);
+    List<Probe> probes = Definitions.of(effect).probes(Worlds.POST, LOG);
     assertTrue(!probes.isEmpty());
     for (Probe probe : probes) {
       assertEquals(effect, probe.form().effect());
@@ -44,25 +51,25 @@ class ProbesTest {
   /** 3 m/s more or less; half a metre for a time-out that was none. */
   @Test
   void size_isADepartureEitherWay_orTheValueWhereNeutralIsInfinite() {
-    assertEquals(
-        List.of(346.0, 340.0), tried(Probes.of(Effect.SOUND_SPEED, Worlds.POST, LOG).get(0)));
+    assertEquals(List.of(346.0, 340.0), tried(probe(Effect.SOUND_SPEED)));
     // Three quarters of the threshold of 1.5 m.
-    assertEquals(List.of(1.125), tried(Probes.of(Effect.EARLY_TIMEOUT, Worlds.POST, LOG).get(0)));
+    assertEquals(List.of(1.125), tried(probe(Effect.EARLY_TIMEOUT)));
   }
 
   /** By a tenth, up before and behind the post and down at its sides. */
   @Test
   void shadow_swingsTwiceInATurn() {
-    Probe probe = Probes.of(Effect.ORIENTATION_SHADOW, Worlds.POST, LOG).get(0);
+    Probe probe = probe(Effect.ORIENTATION_SHADOW);
     assertEquals(List.of(0.1), tried(probe));
     List<ThresholdTable> tables = new ArrayList<>();
-    probe.showsInPractice(
-        added -> {
-          OrientationShadow shadow = (OrientationShadow) added.changes().get(0);
-          tables.add(shadow.table());
-          return 0;
-        },
-        1);
+    new Showing(probe)
+        .showsInPractice(
+            added -> {
+              OrientationShadow shadow = (OrientationShadow) added.changes().get(0);
+              tables.add(shadow.table());
+              return 0;
+            },
+            1);
     for (int degrees = 0; degrees < 360; degrees += 15) {
       double swing = 1.5 * (1 + 0.1 * Math.cos(2 * Math.toRadians(degrees)));
       assertEquals(swing, tables.get(0).thresholdM(Math.toRadians(degrees)), 1e-3, "at " + degrees);
@@ -72,7 +79,7 @@ class ProbesTest {
   /** The least size that shows is found to a sixty-fourth of a ratio. */
   @Test
   void leastSize_isWhereTheFallReachesTheNats() {
-    Probe offset = Probes.of(Effect.RANGE_OFFSET, Worlds.POST, LOG).get(0);
+    Showing offset = new Showing(probe(Effect.RANGE_OFFSET));
     double least = offset.leastSize(added -> Math.abs(added.values()[0]) * 100, 7).orElseThrow();
     assertEquals(0.07, least, 0.002);
     assertTrue(offset.leastSize(added -> 0, 7).isEmpty());

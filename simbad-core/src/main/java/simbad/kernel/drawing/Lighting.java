@@ -7,14 +7,14 @@ import java.util.List;
  * blue,
  *
  * <pre>
- * min(1, C ({@value #AMBIENT_REFLECTANCE} A + sum over the lamps of L max(0, n.d) / {@value #ATTENUATION}))
+ * min(1, R A + C sum over the lamps of L max(0, n.d) / {@value #ATTENUATION})
  * </pre>
  *
- * <p>with A the ambient light, L a lamp's colour, n the vertex' normal and d the direction to the
- * lamp; between vertices it is interpolated. This is the fixed pipeline of OpenGL 1.x, which Java
- * 3D uses, with a material of ambient reflectance {@value #AMBIENT_REFLECTANCE} C, diffuse
- * reflectance C, no specular reflectance, and lamps of constant attenuation {@value #ATTENUATION}.
- * Nothing casts a shadow.
+ * <p>with R the surface's ambient reflectance, A the ambient light, L a lamp's colour, n the
+ * vertex' normal and d the direction to the lamp; between vertices it is interpolated. This is the
+ * fixed pipeline of OpenGL 1.x, which Java 3D uses, with a material of ambient reflectance R,
+ * diffuse reflectance C, no specular reflectance, and lamps of constant attenuation {@value
+ * #ATTENUATION}. Nothing casts a shadow.
  *
  * @param ambient light from everywhere
  * @param lamps the lamps that are on; copied
@@ -22,12 +22,6 @@ import java.util.List;
 public record Lighting(Rgb ambient, List<PointLight> lamps) {
   /** What light is divided by at any distance: lamps shine twice as bright as their colour. */
   public static final double ATTENUATION = 0.5;
-
-  /**
-   * Share of the ambient light that a surface reflects, besides its colour. Chosen so that a light
-   * sensor before the shaded side of a green robot reads 0.04, the least that the original read.
-   */
-  public static final double AMBIENT_REFLECTANCE = 0.08;
 
   /** Copies the lamps. */
   public Lighting {

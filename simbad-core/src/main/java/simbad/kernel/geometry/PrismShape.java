@@ -39,6 +39,24 @@ public final class PrismShape implements Shape {
     this.topM = topM;
   }
 
+  /**
+   * Returns an upright prism over a regular polygon, in its middle's frame, with a corner at -z.
+   *
+   * @param sides at least 3
+   * @param radiusM distance of the corners from the axis, metres
+   * @param heightM metres
+   */
+  public static PrismShape regular(int sides, double radiusM, double heightM) {
+    double[] x = new double[sides];
+    double[] z = new double[sides];
+    for (int i = 0; i < sides; i++) {
+      double angle = 2 * Math.PI * i / sides;
+      x[i] = -radiusM * Math.sin(angle);
+      z[i] = -radiusM * Math.cos(angle);
+    }
+    return new PrismShape(x, z, -heightM / 2, heightM / 2);
+  }
+
   /** Returns the number of corners. */
   public int corners() {
     return cornerX.length;

@@ -14,9 +14,12 @@ public final class MotionPlan {
   private record Motion(Command command, int steps) {}
 
   private final List<Motion> motions = new ArrayList<>();
+  private int loopingFrom;
   private boolean looping;
+  private boolean lagging;
   private boolean running;
   private int current;
+  private int before;
   private int stepsDone;
 
   /** Creates a plan without motions. */
@@ -52,13 +55,33 @@ public final class MotionPlan {
 
   /** Begins again after the last motion, for ever. */
   public void loop() {
+    loopingFrom = looping ? loopingFrom : motions.size();
     looping = true;
+  }
+
+  /**
+   * Lets each motion but the first last as long as the one before it should, lets the last one go
+   * on for ever, and begins again where {@link #loop()} was called first, whatever follows there;
+   * or not.
+   */
+  public void setLagging(boolean newLagging) {
+    lagging = newLagging;
+  }
+
+  /**
+   * Returns true if lagging is of consequence: the motions are of different lengths, or the plan
+   * ends, or goes on behind its loop.
+   */
+  public boolean tellsLagging() {
+    boolean even = motions.stream().mapToInt(Motion::steps).distinct().count() <= 1;
+    return !motions.isEmpty() && !(even && looping && loopingFrom == motions.size());
   }
 
   /** Goes back to the first motion and starts. */
   public void reset() {
     running = true;
     current = 0;
+    before = 0;
     stepsDone = 0;
   }
 
@@ -78,11 +101,20 @@ public final class MotionPlan {
     }
     Motion motion = motions.get(current);
     stepsDone++;
-    if (stepsDone == motion.steps) {
-      stepsDone = 0;
-      current++;
-      current = looping && current == motions.size() ? 0 : current;
+    if (stepsDone >= (lagging ? motions.get(Math.max(0, before)).steps : motion.steps)) {
+      advance();
     }
     return motion.command;
+  }
+
+  private void advance() {
+    int end = lagging && looping ? loopingFrom : motions.size();
+    boolean last = current + 1 >= end;
+    if (last && lagging && !looping) {
+      return;
+    }
+    stepsDone = 0;
+    before = current;
+    current = last && looping ? 0 : current + 1;
   }
 }

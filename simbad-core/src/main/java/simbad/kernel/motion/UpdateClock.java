@@ -36,6 +36,21 @@ public final class UpdateClock {
     return ratePerS;
   }
 
+  /**
+   * Lets the next step update, whatever the time account says.
+   *
+   * @param keepPhase whether the time account stays as it is; if not, all is as at the start
+   */
+  public void restart(boolean keepPhase) {
+    started = false;
+    accountS = keepPhase ? accountS : 0;
+  }
+
+  /** Returns true if a restart that keeps the phase is other than one that does not. */
+  public boolean hasPhase() {
+    return accountS != 0 && !eachStep;
+  }
+
   /** Updates in every step, or at the rate. */
   public void setEachStep(boolean newEachStep) {
     eachStep = newEachStep;

@@ -1,6 +1,7 @@
 package simbad.kernel.render;
 
 import simbad.kernel.drawing.Facets;
+import simbad.kernel.drawing.Finish;
 import simbad.kernel.drawing.Lighting;
 import simbad.kernel.drawing.Mesh;
 import simbad.kernel.drawing.PointLight;
@@ -44,7 +45,7 @@ final class Shader {
           eyeFromObject.outerZ(x, y, z),
           eyeFromObject.outerY(x, y, z));
       if (facets.finish().lit()) {
-        light(mesh, i, facets.finish().colour(), vertices);
+        light(mesh, i, facets.finish(), vertices);
       } else {
         Rgb colour = facets.finish().colour();
         vertices.setColour(i, colour.red(), colour.green(), colour.blue());
@@ -53,10 +54,10 @@ final class Shader {
   }
 
   /** See {@link Lighting} for the formula. */
-  private void light(Mesh mesh, int vertex, Rgb colour, Vertices vertices) {
-    double red = lighting.ambient().red() * Lighting.AMBIENT_REFLECTANCE;
-    double green = lighting.ambient().green() * Lighting.AMBIENT_REFLECTANCE;
-    double blue = lighting.ambient().blue() * Lighting.AMBIENT_REFLECTANCE;
+  private void light(Mesh mesh, int vertex, Finish finish, Vertices vertices) {
+    double red = 0;
+    double green = 0;
+    double blue = 0;
     for (int i = 0; i < lighting.lamps().size(); i++) {
       double strength = cosine(mesh, vertex, i) / Lighting.ATTENUATION;
       Rgb lamp = lighting.lamps().get(i).colour();
@@ -64,11 +65,14 @@ final class Shader {
       green += lamp.green() * strength;
       blue += lamp.blue() * strength;
     }
+    Rgb colour = finish.colour();
+    Rgb reflected = finish.ambient();
+    Rgb around = lighting.ambient();
     vertices.setColour(
         vertex,
-        Math.min(1, colour.red() * red),
-        Math.min(1, colour.green() * green),
-        Math.min(1, colour.blue() * blue));
+        Math.min(1, reflected.red() * around.red() + colour.red() * red),
+        Math.min(1, reflected.green() * around.green() + colour.green() * green),
+        Math.min(1, reflected.blue() * around.blue() + colour.blue() * blue));
   }
 
   /** Cosine of the angle between a vertex' normal and its lamp, 0 if the lamp is behind. */

@@ -38,6 +38,11 @@ class SoftwareCameraTest {
   }
 
   /** A box whose face is at x = depthM, in a colour of its own. */
+  private static Facets wall(BoxShape box, Rgb colour) {
+    Facets facets = Facets.lit(box, colour);
+    return new Facets(facets.mesh(), facets.finish().reflecting(0.08f));
+  }
+
   private static Visual block(double depthM, double yM, double zM, double side, Rgb colour) {
     BoxShape box = BoxShape.ofSides(1, side, side);
     Placement place = Placement.at(depthM + 0.5, yM, zM);
@@ -47,7 +52,7 @@ class SoftwareCameraTest {
   private static Visual litBlock(double depthM, double side, Rgb colour) {
     BoxShape box = BoxShape.ofSides(1, side, side);
     Placement place = Placement.at(depthM + 0.5, 0, 0);
-    return new Visual(place, () -> List.of(Facets.lit(box, colour)));
+    return new Visual(place, () -> List.of(wall(box, colour)));
   }
 
   private Picture take(Stage stage) {
@@ -169,10 +174,10 @@ class SoftwareCameraTest {
 
   @Test
   void tooNear_isNotDrawn() {
-    for (double depth : new double[] {0.0199, 0.0201, -3}) {
+    for (double depth : new double[] {0.3999, 0.4001, -3}) {
       Stage stage = dark();
       stage.add(block(depth, 0, 0, 1, new Rgb(1, 0, 0)));
-      assertEquals(depth > 0.02 ? RED : BLACK, take(stage).rgb(50, 50), "depth " + depth);
+      assertEquals(depth > 0.4 ? RED : BLACK, take(stage).rgb(50, 50), "depth " + depth);
     }
   }
 

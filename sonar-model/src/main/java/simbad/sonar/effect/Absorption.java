@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Echoes lose strength with the length of their way, so that far thresholds shrink more.
  *
@@ -22,6 +24,11 @@ public record Absorption(double perM, Law law) implements ThresholdChange {
 
   /** Where less is absorbed than believed, a hyperbolic law would leave all distances behind. */
   private static final double GREATEST_FACTOR = 20;
+
+  /** Checks the figure; NaN is refused. */
+  public Absorption {
+    Checks.finite("perM", perM);
+  }
 
   @Override
   public double factor(Geometry geometry, int line) {

@@ -1,5 +1,6 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
 import simbad.sonar.scene.SonarSpec;
 
 /**
@@ -11,6 +12,11 @@ import simbad.sonar.scene.SonarSpec;
 public record BeamEdge(double softRad) implements SensorChange, EchoChange {
   /** So many soft angles beyond the border, with a chance under 2 %, the cone ends. */
   private static final double REACH = 4;
+
+  /** Checks the figure; NaN is refused. */
+  public BeamEdge {
+    Checks.notNegative("softRad", softRad);
+  }
 
   @Override
   public SonarSpec apply(SonarSpec believed) {

@@ -1,6 +1,7 @@
 package simbad.sonar.effect;
 
 import java.util.Optional;
+import simbad.sonar.check.Checks;
 
 /**
  * The sensor looks to one side of its believed heading.
@@ -9,6 +10,11 @@ import java.util.Optional;
  * @param only label of the one sensor that does; empty for all
  */
 public record BeamMisalignment(double turnRad, Optional<String> only) implements PoseChange {
+  /** Checks the figure; NaN is refused. */
+  public BeamMisalignment {
+    Checks.finite("turnRad", turnRad);
+  }
+
   @Override
   public int order() {
     return 3;

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Sensitivity tapers off the axis: the threshold is shorter there.
  *
@@ -28,6 +30,12 @@ public record BeamPattern(double widthRad, double power, Law law, Angle angle)
     COSINE,
     /** (1 - u)^power; 0 beyond the width. */
     RAMP
+  }
+
+  /** Checks the figures; NaN is refused. */
+  public BeamPattern {
+    Checks.positiveOrInfinite("widthRad", widthRad);
+    Checks.positive("power", power);
   }
 
   @Override

@@ -1,5 +1,6 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
 import simbad.sonar.scene.SonarSpec;
 
 /**
@@ -9,6 +10,11 @@ import simbad.sonar.scene.SonarSpec;
  */
 public record BeamWidth(double addedRad) implements SensorChange {
   private static final double LEAST_RAD = 1e-3;
+
+  /** Checks the figure; NaN is refused. */
+  public BeamWidth {
+    Checks.finite("addedRad", addedRad);
+  }
 
   @Override
   public SonarSpec apply(SonarSpec believed) {

@@ -2,6 +2,7 @@ package simbad.sonar.effect;
 
 import java.util.List;
 import java.util.Optional;
+import simbad.sonar.check.Checks;
 
 /**
  * The threshold is off by a factor that varies smoothly with the bearing in the obstacle's frame: 1
@@ -15,6 +16,7 @@ public record BearingFactor(Optional<String> only, List<Double> series)
   /** Copies the series and checks that its waves are whole. */
   public BearingFactor {
     series = List.copyOf(series);
+    series.forEach(value -> Checks.finite("series", value));
     if (series.size() % 2 == 0) {
       throw new IllegalArgumentException(
           "series has " + series.size() + " values; a constant and pairs take an odd number");

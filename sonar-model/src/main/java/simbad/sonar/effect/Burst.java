@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Pings are missed in bursts: a chain of two states, clear and silenced.
  *
@@ -11,6 +13,13 @@ package simbad.sonar.effect;
 public record Burst(double share, double lengthPings, double depth) implements MemoryChange {
   /** On average; what is silent for longer takes up whatever comes and goes. */
   public static final double LONGEST_PINGS = 12;
+
+  /** Checks the figures; NaN is refused. */
+  public Burst {
+    Checks.share("share", share);
+    Checks.atLeast("lengthPings", lengthPings, 1);
+    Checks.share("depth", depth);
+  }
 
   @Override
   public boolean isNeutral() {

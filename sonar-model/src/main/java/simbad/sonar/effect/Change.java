@@ -20,4 +20,13 @@ public sealed interface Change
         MixtureChange,
         RangeChange,
         OutputChange,
-        MemoryChange {}
+        MemoryChange {
+
+  /**
+   * Tells whether what is computed of a log's geometry depends on it: poses, scene, cone or the law
+   * of hearing.
+   */
+  default boolean changesGeometry() {
+    return false;
+  }
+}

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Readings come in steps.
  *
@@ -26,6 +28,11 @@ public record CoarseResolution(double stepM, Reported reported) implements Outpu
       this.start = start;
       this.report = report;
     }
+  }
+
+  /** Checks the figure; NaN is refused. */
+  public CoarseResolution {
+    Checks.notNegative("stepM", stepM);
   }
 
   @Override

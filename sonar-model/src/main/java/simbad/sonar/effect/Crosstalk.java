@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Now and then a range is read that has nothing to do with the scene, evenly spread.
  *
@@ -10,6 +12,13 @@ package simbad.sonar.effect;
  */
 public record Crosstalk(double share, double lowM, double highM, boolean onlySilent)
     implements MixtureChange {
+  /** Checks the figures; NaN is refused. */
+  public Crosstalk {
+    Checks.share("share", share);
+    Checks.notNegative("lowM", lowM);
+    Checks.above("highM", highM, lowM);
+  }
+
   @Override
   public boolean beforeRange() {
     return false;

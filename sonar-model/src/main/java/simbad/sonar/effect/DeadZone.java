@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Near echoes are lost.
  *
@@ -7,6 +9,12 @@ package simbad.sonar.effect;
  * @param softM width of the border, metres; 0 for a sharp one
  */
 public record DeadZone(double endM, double softM) implements EchoChange {
+  /** Checks the figures; NaN is refused. */
+  public DeadZone {
+    Checks.notNegative("endM", endM);
+    Checks.notNegative("softM", softM);
+  }
+
   @Override
   public double share(Geometry geometry, int line) {
     double beyond = geometry.nearestM(line) - endM;

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Foreign sound arrives at any time and is read when it comes before the echo.
  *
@@ -8,6 +10,13 @@ package simbad.sonar.effect;
  * @param highM greatest range, metres, above lowM
  */
 public record EarlyCrosstalk(double share, double lowM, double highM) implements MixtureChange {
+  /** Checks the figures; NaN is refused. */
+  public EarlyCrosstalk {
+    Checks.share("share", share);
+    Checks.notNegative("lowM", lowM);
+    Checks.above("highM", highM, lowM);
+  }
+
   @Override
   public boolean beforeRange() {
     return false;

@@ -26,6 +26,18 @@ public record Form(Optional<Effect> of, String name, List<Parameter> parameters,
   }
 
   /**
+   * Creates a form of an effect.
+   *
+   * @param effect that it is a form of
+   * @param name of the form among the forms of its effect, as in files
+   * @param maker of the change
+   * @param parameters in the order of the values that the maker takes
+   */
+  public static Form of(Effect effect, String name, Maker maker, Parameter... parameters) {
+    return new Form(effect, name, List.of(parameters), maker);
+  }
+
+  /**
    * Tells whether it is a table: so many values that they are read off a log one by one, since
    * moving all of them at once leads nowhere.
    */

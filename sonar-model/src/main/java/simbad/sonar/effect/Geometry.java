@@ -122,12 +122,7 @@ public final class Geometry {
 
   /** Tells whether a change has to be known before geometry can be computed. */
   public static boolean dependsOn(Change change) {
-    return change instanceof PoseChange
-        || change instanceof SceneChange
-        || change instanceof BeamWidth
-        || change instanceof LevelRule
-        || change instanceof LevelStrength
-        || change instanceof BeamEdge;
+    return change.changesGeometry();
   }
 
   static Scene changedScene(Scene believed, List<? extends Change> changes) {

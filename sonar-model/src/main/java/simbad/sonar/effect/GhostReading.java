@@ -1,6 +1,7 @@
 package simbad.sonar.effect;
 
 import java.util.Arrays;
+import simbad.sonar.check.Checks;
 
 /**
  * A reading is made of the one before, as that was read: its echo's multiple, or what is left of
@@ -18,6 +19,14 @@ public record GhostReading(
   private static final double LEAST_RANGE_M = 0.02;
   private static final double AGAIN_M = 0.05;
   private static final double AGAIN_FACTOR = 0.5;
+
+  /** Checks the figures; NaN is refused. */
+  public GhostReading {
+    Checks.share("share", share);
+    Checks.finite("factor", factor);
+    Checks.finite("shiftM", shiftM);
+    Checks.notNegative("spreadM", spreadM);
+  }
 
   @Override
   public boolean beforeRange() {

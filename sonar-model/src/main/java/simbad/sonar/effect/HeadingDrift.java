@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * The believed heading drifts with the time since the start of a run.
  *
@@ -10,6 +12,12 @@ package simbad.sonar.effect;
  */
 public record HeadingDrift(double radPerS, double settlingS, boolean reckoned)
     implements PoseChange {
+  /** Checks the figures; NaN is refused. */
+  public HeadingDrift {
+    Checks.finite("radPerS", radPerS);
+    Checks.positiveOrInfinite("settlingS", settlingS);
+  }
+
   /** Creates a drift that does not slow. */
   public HeadingDrift(double radPerS, boolean reckoned) {
     this(radPerS, Double.POSITIVE_INFINITY, reckoned);

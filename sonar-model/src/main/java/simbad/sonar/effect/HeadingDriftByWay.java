@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * The believed heading drifts with the way made since the start of a run, as that of wheels of
  * unequal size does.
@@ -7,6 +9,11 @@ package simbad.sonar.effect;
  * @param radPerM true less believed heading, for each metre; 0 is neutral
  */
 public record HeadingDriftByWay(double radPerM) implements PoseChange {
+  /** Checks the figure; NaN is refused. */
+  public HeadingDriftByWay {
+    Checks.finite("radPerM", radPerM);
+  }
+
   @Override
   public int order() {
     return 1;

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * An obstacle is picked up at a shorter distance than it is lost at.
  *
@@ -9,6 +11,13 @@ package simbad.sonar.effect;
  */
 public record Hysteresis(double pickUpFactor, double holdFactor, double pickUpM)
     implements MemoryChange {
+  /** Checks the figures; NaN is refused. */
+  public Hysteresis {
+    Checks.notNegative("pickUpFactor", pickUpFactor);
+    Checks.notNegative("holdFactor", holdFactor);
+    Checks.finite("pickUpM", pickUpM);
+  }
+
   /** Creates one in proportion to the threshold. */
   public Hysteresis(double pickUpFactor, double holdFactor) {
     this(pickUpFactor, holdFactor, 0);

@@ -2,6 +2,7 @@ package simbad.sonar.effect;
 
 import java.util.ArrayList;
 import java.util.List;
+import simbad.sonar.check.Checks;
 
 /**
  * A reading belongs to an earlier pose: the one of some time ago, between poses in proportion;
@@ -10,6 +11,11 @@ import java.util.List;
  * @param delayS seconds, at least 0; 0 is neutral
  */
 public record Latency(double delayS) implements PoseChange {
+  /** Checks the figure; NaN is refused. */
+  public Latency {
+    Checks.notNegative("delayS", delayS);
+  }
+
   @Override
   public int order() {
     return 2;

@@ -35,26 +35,45 @@ public final class LevelEars {
   private final LevelRule rule;
   private final List<Obstacle> obstacles;
   private final LevelStrength[] strength;
+  private final EchoPath[] path;
 
-  private LevelEars(LevelRule rule, Scene scene, List<String> labels, List<LevelStrength> known) {
+  private LevelEars(
+      LevelRule rule, Scene scene, List<String> labels, List<? extends Change> changes) {
     this.rule = rule;
     obstacles = scene.obstacles();
     strength = new LevelStrength[labels.size()];
-    for (LevelStrength one : known) {
-      for (int i = 0; i < strength.length; i++) {
-        if (one.only().map(labels.get(i)::equals).orElse(true)) {
-          strength[i] = one;
-        }
+    path = new EchoPath[labels.size()];
+    for (int i = 0; i < strength.length; i++) {
+      for (LevelStrength one : PingModel.of(LevelStrength.class, changes)) {
+        strength[i] = one.isOf(labels.get(i)) ? one : strength[i];
+      }
+      for (EchoPath one : PingModel.of(EchoPath.class, changes)) {
+        path[i] = one.isOf(labels.get(i)) ? one : path[i];
       }
     }
+  }
+
+  /** What is read of a distance, as a share of it. */
+  double rangeScale() {
+    return rule.rangeScale();
+  }
+
+  /** By how much an obstacle's echo comes from beyond its nearest point, metres. */
+  double addedM(Geometry geometry, int line) {
+    EchoPath known = path[line % path.length];
+    return known == null ? 0 : known.addedM().at(geometry.bearingRad(line));
+  }
+
+  /** How far that may be off, metres. */
+  double addedDeviationM(Geometry geometry, int line) {
+    EchoPath known = path[line % path.length];
+    return known == null ? 0 : known.deviationM().at(geometry.bearingRad(line));
   }
 
   /** Those of a sensor under its changes; null where it hears by thresholds. */
   static @Nullable LevelEars of(List<? extends Change> changes, Scene scene, List<String> labels) {
     List<LevelRule> rules = PingModel.of(LevelRule.class, changes);
-    return rules.isEmpty()
-        ? null
-        : new LevelEars(rules.get(0), scene, labels, PingModel.of(LevelStrength.class, changes));
+    return rules.isEmpty() ? null : new LevelEars(rules.get(0), scene, labels, changes);
   }
 
   /** Returns the law. */

@@ -7,8 +7,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.IntToDoubleFunction;
+import java.util.stream.Stream;
 import simbad.sonar.level.Curve;
 import simbad.sonar.level.LevelDefaults;
 import simbad.sonar.level.LevelFigures;
@@ -19,8 +19,7 @@ import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
 
 /**
- * The level law as a calibration of the set-up, and the forms that effects have under it. Names and
- * order of the values are those of files.
+ * The level law as a calibration of the set-up. Names and order of the values are those of files.
  */
 public final class LevelForms {
   /** Bearings of a calibrated strength: half the spacing of the thesis's tables. */
@@ -39,24 +38,18 @@ public final class LevelForms {
   /** Radius of a ranger's piston that is not known: between SRF04 and HC-SR04, metres. */
   public static final double APERTURE_M = 0.007;
 
+  /** No ranger hears further than so many times what is said of it. */
+  private static final double FURTHEST_TIMES = 5;
+
   /** Name of the law's form. */
   public static final String LAW = "level";
 
   /** Among the values of the law, the first of the receiver's departures. */
   private static final int RECEIVER = 8;
 
-  /** Of a shadow there is nothing left to find: strengths are by bearing. */
-  private static final Set<Effect> THRESHOLDS =
-      Set.of(
-          Effect.GAIN,
-          Effect.ABSORPTION,
-          Effect.BEAM_PATTERN,
-          Effect.BEAM_WIDTH,
-          Effect.ORIENTATION_SHADOW);
-
-  private static final double LEAST_SOFT_M = 0.002;
   private static final double MOST_DB = StrengthTable.GREATEST_DB;
   private static final double MOST_RECEIVER_DB = 60;
+  private static final double MOST_PATH_M = 0.25;
 
   private LevelForms() {}
 
@@ -83,6 +76,12 @@ public final class LevelForms {
     for (double at : NOISE_DB) {
       parameters.add(Parameter.of(at("noise_m", at), stated.noiseM().at(at), 0, 1));
     }
+    SonarSpec sensor = setup.sensor();
+    double least = sensor.minRangeM();
+    double most = sensor.maxRangeM();
+    parameters.add(Parameter.of("min_range_m", least, 0, least).asClosed());
+    parameters.add(Parameter.of("max_range_m", most, most, FURTHEST_TIMES * most).asClosed());
+    parameters.add(Parameter.of("range_scale", 1, 0.5, 2));
     double wavenumber = wavenumberPerM(setup);
     return form(LAW, v -> rule(stated, wavenumber, v), parameters);
   }
@@ -117,7 +116,9 @@ public final class LevelForms {
             curve(WALK_DB, i -> v[walk + i]),
             curve(NOISE_DB, i -> v[noise + i]),
             stated.pulseLengthM());
-    return new LevelRule(law, toRadians(v[4]), v[7], v[3], toRadians(v[5]));
+    int limits = noise + NOISE_DB.size();
+    return new LevelRule(
+        law, toRadians(v[4]), v[7], v[3], toRadians(v[5]), v[limits], v[limits + 1], v[limits + 2]);
   }
 
   private static Curve curve(List<Double> x, IntToDoubleFunction y) {
@@ -184,6 +185,28 @@ public final class LevelForms {
         parameters);
   }
 
+  /**
+   * Returns the form of an obstacle's echo path: what is added at all bearings, and how far that
+   * may be off.
+   */
+  public static Form path(String label) {
+    List<Parameter> parameters = new ArrayList<>();
+    for (int i = 0; i < BEARINGS; i++) {
+      parameters.add(Parameter.of(at("added_m", bearingDeg(i)), 0, -MOST_PATH_M, MOST_PATH_M));
+    }
+    for (int i = 0; i < BEARINGS; i++) {
+      parameters.add(Parameter.of(at("deviation_m", bearingDeg(i)), 0, 0, MOST_PATH_M));
+    }
+    return form(
+        "path:" + label,
+        v ->
+            new EchoPath(
+                Optional.of(label),
+                EchoPath.round(Arrays.copyOf(v, BEARINGS)),
+                EchoPath.round(Arrays.copyOfRange(v, BEARINGS, 2 * BEARINGS))),
+        parameters);
+  }
+
   private static StrengthTable table(double[] v, int number) {
     return StrengthTable.of(Arrays.copyOfRange(v, number * BEARINGS, (number + 1) * BEARINGS));
   }
@@ -198,44 +221,9 @@ public final class LevelForms {
       return Optional.of(law(setup));
     }
     return Scenes.labels(setup.scene()).stream()
-        .map(LevelForms::strength)
+        .flatMap(label -> Stream.of(strength(label), path(label)))
         .filter(form -> form.name().equals(name))
         .findFirst();
-  }
-
-  /** Returns the forms of effects that change the law. */
-  static List<Form> effects(SonarSpec sensor) {
-    double soft = Math.max(LEAST_SOFT_M, sensor.rangeNoiseM());
-    Parameter aperture = Parameter.of("aperture_factor", 1, 0.3, 3, 0.6, 0.75, 0.9, 1.1, 1.3, 1.7);
-    return List.of(
-        new Form(
-            Effect.GAIN,
-            "level",
-            List.of(Parameter.of("gain_db", 0, -40, 40, -10, -5, -2, 2, 5, 10)),
-            v -> new LevelGain(v[0])),
-        new Form(
-            Effect.ABSORPTION,
-            "level",
-            List.of(Parameter.of("added_db_per_m", 0, -1.3, 6, -0.8, -0.4, 0.4, 0.8, 1.5, 3)),
-            v -> new LevelAbsorption(v[0])),
-        new Form(Effect.BEAM_PATTERN, "aperture", List.of(aperture), v -> new LevelAperture(v[0])),
-        new Form(Effect.BEAM_WIDTH, "aperture", List.of(aperture), v -> new LevelAperture(v[0])),
-        new Form(
-            Effect.RANGE_OFFSET,
-            "gated",
-            List.of(Parameter.of("offset_m", 0, -1, 1, -0.1, -0.03, 0.03, 0.1)),
-            v -> new GatedOffset(new RangeOffset(v[0]), sensor.minRangeM(), soft)));
-  }
-
-  /** Puts the forms of effects that change the law in the place of those that change thresholds. */
-  static void replace(List<Form> forms, SonarSpec sensor) {
-    forms.removeIf(form -> THRESHOLDS.contains(form.effect()) || isReceiver(form));
-    forms.addAll(effects(sensor));
-  }
-
-  /** A time-out is a clock's; one that is soft is a receiver that asks more, as air does. */
-  private static boolean isReceiver(Form form) {
-    return form.effect() == Effect.EARLY_TIMEOUT && form.name().equals("soft");
   }
 
   private static String at(String name, double place) {

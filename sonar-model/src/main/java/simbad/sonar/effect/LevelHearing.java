@@ -23,6 +23,11 @@ final class LevelHearing {
   private double[] distanceM = new double[2];
   private double[] excessDb = new double[2];
 
+  /** By how much an echo comes from beyond its obstacle's nearest point, and how surely. */
+  private double[] addedM = new double[2];
+
+  private double[] addedDeviationM = new double[2];
+
   /** How far the excess may be off, and what of the chance of an echo is left. */
   private double[] deviationDb = new double[2];
 
@@ -39,7 +44,7 @@ final class LevelHearing {
     law = ears.law();
     this.changes =
         PingModel.of(LevelChange.class, changes).stream()
-            .filter(change -> !(change instanceof LevelStrength))
+            .filter(change -> !(change instanceof LevelStrength || change instanceof EchoPath))
             .toArray(LevelChange[]::new);
     minRangeM = sensor.minRangeM();
     maxRangeM = sensor.maxRangeM();
@@ -79,6 +84,8 @@ final class LevelHearing {
     }
     distanceM[size] = geometry.nearestM(line);
     deviationDb[size] = geometry.excessDeviationDb(line);
+    addedM[size] = ears.addedM(geometry, line);
+    addedDeviationM[size] = ears.addedDeviationM(geometry, line);
     kept[size] = keptShare * heardShare;
     held[size] = heldShare;
     excessDb[size] =
@@ -112,6 +119,8 @@ final class LevelHearing {
     int room = 2 * size;
     distanceM = Arrays.copyOf(distanceM, room);
     excessDb = Arrays.copyOf(excessDb, room);
+    addedM = Arrays.copyOf(addedM, room);
+    addedDeviationM = Arrays.copyOf(addedDeviationM, room);
     deviationDb = Arrays.copyOf(deviationDb, room);
     kept = Arrays.copyOf(kept, room);
     heldDb = Arrays.copyOf(heldDb, room);
@@ -128,8 +137,13 @@ final class LevelHearing {
         double after = kept[i] * chance(heldDb[i] + more, deviationDb[i]);
         chance += held[i] * (after - chance);
       }
-      arrivals.add(distanceM[i] + law.walkM().at(excess), law.noiseM().at(excess), chance);
+      double readM = ears.rangeScale() * distanceM[i] + addedM[i] + law.walkM().at(excess);
+      arrivals.add(readM, together(law.noiseM().at(excess), addedDeviationM[i]), chance);
     }
+  }
+
+  private static double together(double one, double other) {
+    return other == 0 ? one : Math.sqrt(one * one + other * other);
   }
 
   /** What echoes that came less than a pulse before add to one. */

@@ -1,5 +1,6 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
 import simbad.sonar.level.LevelLaw;
 import simbad.sonar.scene.SonarSpec;
 
@@ -11,22 +12,44 @@ import simbad.sonar.scene.SonarSpec;
  * @param missRate share of echoes that are lost whatever their strength, in [0, 1]
  * @param apertureDeviation how far the piston's radius may be off, as a share of it
  * @param squintDeviationRad how far the squint may be off
+ * @param minRangeM nearer echoes are not heard, metres
+ * @param maxRangeM further ones are not, metres
+ * @param rangeScale what is read of a distance, as a share of it: the air is not the one that the
+ *     sensor's program assumes
  */
 public record LevelRule(
     LevelLaw law,
     double squintRad,
     double missRate,
     double apertureDeviation,
-    double squintDeviationRad)
+    double squintDeviationRad,
+    double minRangeM,
+    double maxRangeM,
+    double rangeScale)
     implements SensorChange {
-  /** Creates one whose beam is known. */
-  public LevelRule(LevelLaw law, double squintRad, double missRate) {
-    this(law, squintRad, missRate, 0, 0);
+  /** Checks the figures; NaN is refused. */
+  public LevelRule {
+    Checks.finite("squintRad", squintRad);
+    Checks.share("missRate", missRate);
+    Checks.notNegative("apertureDeviation", apertureDeviation);
+    Checks.notNegative("squintDeviationRad", squintDeviationRad);
+    Checks.notNegative("minRangeM", minRangeM);
+    Checks.above("maxRangeM", maxRangeM, minRangeM);
+    Checks.positive("rangeScale", rangeScale);
+  }
+
+  /** Returns a rule whose beam is known, of a sensor whose range is as believed. */
+  public static LevelRule of(SonarSpec sensor) {
+    return new LevelRule(
+        sensor.levelLaw(), 0, sensor.missRate(), 0, 0, sensor.minRangeM(), sensor.maxRangeM(), 1);
   }
 
   /** There is no cone: all before the baffle counts, and the beam says how much. */
   @Override
   public SonarSpec apply(SonarSpec believed) {
-    return believed.withCone(Math.PI / 2).withScatter(0, missRate, 0);
+    return believed
+        .withCone(Math.PI / 2)
+        .withScatter(0, missRate, 0)
+        .withRange(minRangeM, maxRangeM);
   }
 }

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Some echoes arrive by a longer way than the direct one; after the sensor's time is over they are
  * lost.
@@ -11,6 +13,14 @@ package simbad.sonar.effect;
  */
 public record Multipath(double share, double factor, double extraM, double spreadM)
     implements MixtureChange {
+  /** Checks the figures; NaN is refused. */
+  public Multipath {
+    Checks.share("share", share);
+    Checks.notNegative("factor", factor);
+    Checks.notNegative("extraM", extraM);
+    Checks.notNegative("spreadM", spreadM);
+  }
+
   @Override
   public boolean beforeRange() {
     return true;

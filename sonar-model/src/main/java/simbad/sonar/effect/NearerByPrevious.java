@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * An echo is read too near, by an amount that depends on the reading before, when a reflection of
  * the ping before comes first.
@@ -14,6 +16,15 @@ public record NearerByPrevious(
     double share, double ownFactor, double beforeFactor, double shiftM, double spreadM)
     implements MixtureChange {
   private static final double LEAST_RANGE_M = 0.02;
+
+  /** Checks the figures; NaN is refused. */
+  public NearerByPrevious {
+    Checks.share("share", share);
+    Checks.finite("ownFactor", ownFactor);
+    Checks.finite("beforeFactor", beforeFactor);
+    Checks.finite("shiftM", shiftM);
+    Checks.notNegative("spreadM", spreadM);
+  }
 
   @Override
   public boolean beforeRange() {

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A number stands for "no echo": pings that hear nothing are reported as a range that no echo came
  * from, 0 or the sensor's end, always the same.
@@ -9,6 +11,13 @@ package simbad.sonar.effect;
  * @param lostShare of the pings with an echo that are lost and count as silent, in [0, 1)
  */
 public record NoEchoCode(double codeM, double share, double lostShare) implements MixtureChange {
+  /** Checks the figures; NaN is refused. */
+  public NoEchoCode {
+    Checks.notNegative("codeM", codeM);
+    Checks.share("share", share);
+    Checks.share("lostShare", lostShare);
+  }
+
   @Override
   public boolean beforeRange() {
     return false;

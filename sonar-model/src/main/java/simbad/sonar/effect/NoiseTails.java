@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Some ranges scatter far more than the others do.
  *
@@ -7,6 +9,12 @@ package simbad.sonar.effect;
  * @param deviationM their standard deviation, metres
  */
 public record NoiseTails(double share, double deviationM) implements MixtureChange {
+  /** Checks the figures; NaN is refused. */
+  public NoiseTails {
+    Checks.share("share", share);
+    Checks.notNegative("deviationM", deviationM);
+  }
+
   @Override
   public boolean beforeRange() {
     return false;

@@ -1,6 +1,7 @@
 package simbad.sonar.effect;
 
 import java.util.Optional;
+import simbad.sonar.check.Checks;
 import simbad.sonar.scene.Scene;
 
 /**
@@ -12,6 +13,12 @@ import simbad.sonar.scene.Scene;
  */
 public record ObstacleOffset(double xM, double zM, Optional<String> only)
     implements SceneChange, ObstacleChange {
+  /** Checks the figures; NaN is refused. */
+  public ObstacleOffset {
+    Checks.finite("xM", xM);
+    Checks.finite("zM", zM);
+  }
+
   @Override
   public Scene apply(Scene believed) {
     return Scenes.placed(believed, only, place -> place.moved(xM, zM));

@@ -1,6 +1,7 @@
 package simbad.sonar.effect;
 
 import java.util.Optional;
+import simbad.sonar.check.Checks;
 import simbad.sonar.scene.Scene;
 
 /**
@@ -11,6 +12,11 @@ import simbad.sonar.scene.Scene;
  */
 public record ObstacleTurn(double turnRad, Optional<String> only)
     implements SceneChange, ObstacleChange {
+  /** Checks the figure; NaN is refused. */
+  public ObstacleTurn {
+    Checks.finite("turnRad", turnRad);
+  }
+
   @Override
   public Scene apply(Scene believed) {
     return Scenes.placed(believed, only, place -> place.turned(turnRad));

@@ -1,11 +1,18 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * The distances travelled since the start of a run are longer than believed.
  *
  * @param factor true over believed; 1 is neutral
  */
 public record OdometryScale(double factor) implements PoseChange {
+  /** Checks the figure; NaN is refused. */
+  public OdometryScale {
+    Checks.notNegative("factor", factor);
+  }
+
   @Override
   public int order() {
     return 0;

@@ -2,6 +2,7 @@ package simbad.sonar.effect;
 
 import java.util.Arrays;
 import java.util.List;
+import simbad.sonar.check.Checks;
 
 /**
  * A parameter of a form of an effect.
@@ -21,6 +22,7 @@ public record Parameter(
 
   /** Checks the interval and copies the tries. */
   public Parameter {
+    Checks.number(name + ": neutral", neutral);
     if (!(low < high)) {
       throw new IllegalArgumentException(name + ": [" + low + ", " + high + "] is no interval");
     }
@@ -37,9 +39,16 @@ public record Parameter(
    * Creates one whose ends are those of the search. Tries that lie outside, since they depend on
    * the sensor, are moved to the end; bounds that cross, for a sensor of hardly any range, are
    * parted.
+   *
+   * @param name with its unit, as in files
+   * @param neutral at which the form is the nominal model; may be infinite
+   * @param low least value that makes sense
+   * @param high greatest value that makes sense
+   * @param tries values from which a search may start
    */
-  static Parameter of(String name, double neutral, double low, double high, double... tries) {
-    double most = high > low ? high : Math.nextUp(low);
+  public static Parameter of(
+      String name, double neutral, double low, double high, double... tries) {
+    double most = Checks.number(name + ": high", high) > low ? high : Math.nextUp(low);
     return new Parameter(
         name,
         neutral,
@@ -50,7 +59,7 @@ public record Parameter(
   }
 
   /** Returns the same with ends beyond which there is nothing. */
-  Parameter asClosed() {
+  public Parameter asClosed() {
     return new Parameter(name, neutral, low, high, tries, true);
   }
 

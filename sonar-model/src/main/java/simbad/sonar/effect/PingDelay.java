@@ -2,6 +2,7 @@ package simbad.sonar.effect;
 
 import java.util.ArrayList;
 import java.util.List;
+import simbad.sonar.check.Checks;
 
 /**
  * A reading belongs to the pose of some pings ago, whatever the time between; in the first pings of
@@ -10,6 +11,11 @@ import java.util.List;
  * @param pings how many, at least 0; between two in proportion; 0 is neutral
  */
 public record PingDelay(double pings) implements PoseChange {
+  /** Checks the figure; NaN is refused. */
+  public PingDelay {
+    Checks.notNegative("pings", pings);
+  }
+
   @Override
   public int order() {
     return 2;

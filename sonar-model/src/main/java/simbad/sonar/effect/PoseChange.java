@@ -2,6 +2,11 @@ package simbad.sonar.effect;
 
 /** The sensor is not where it is believed to be, or does not look where it is believed to look. */
 public non-sealed interface PoseChange extends Change {
+  @Override
+  default boolean changesGeometry() {
+    return true;
+  }
+
   /**
    * Which pose changes come first: what bends the way, then what puts an earlier pose in the place
    * of the last one, then what turns the sensor on its mount.

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * An echo of the ping before is taken for one of this ping, where it comes before this one's.
  *
@@ -12,6 +14,14 @@ public record PreviousPing(double share, double factor, double shiftM, double sp
     implements ArrivalChange {
   /** A ghost that is this near cannot be told from the ping itself. */
   private static final double LEAST_RANGE_M = 0.02;
+
+  /** Checks the figures; NaN is refused. */
+  public PreviousPing {
+    Checks.share("share", share);
+    Checks.finite("factor", factor);
+    Checks.finite("shiftM", shiftM);
+    Checks.notNegative("spreadM", spreadM);
+  }
 
   @Override
   public void add(Moment moment, Arrivals arrivals) {

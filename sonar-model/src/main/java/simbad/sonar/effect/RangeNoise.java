@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Ranges scatter more than believed; the scatter adds to the sensor's own in squares.
  *
@@ -7,6 +9,12 @@ package simbad.sonar.effect;
  * @param addedPerM standard deviation for each metre of range; 0 is neutral
  */
 public record RangeNoise(double addedM, double addedPerM) implements RangeChange {
+  /** Checks the figures; NaN is refused. */
+  public RangeNoise {
+    Checks.notNegative("addedM", addedM);
+    Checks.notNegative("addedPerM", addedPerM);
+  }
+
   @Override
   public int order() {
     return 2;

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * The number that the sensor would give is multiplied before it is stored: a wrong constant or a
  * wrong unit in somebody's program. Noise and steps are scaled with the range.
@@ -10,6 +12,12 @@ package simbad.sonar.effect;
 public record ReadingScale(double scale, double resolutionM) implements OutputChange {
   /** As a share of a step: what lies so near to a step's start is that start, rounded. */
   private static final double ROUNDING = 1e-9;
+
+  /** Checks the figures; NaN is refused. */
+  public ReadingScale {
+    Checks.positive("scale", scale);
+    Checks.notNegative("resolutionM", resolutionM);
+  }
 
   @Override
   public int order() {

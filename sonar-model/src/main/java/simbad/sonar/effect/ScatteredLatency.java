@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A reading belongs to an earlier pose, and by how much earlier differs from ping to ping: a range
  * scatters by as much as it changes within the time that is uncertain. To first order, from the
@@ -11,6 +13,11 @@ package simbad.sonar.effect;
  */
 public record ScatteredLatency(PoseChange delay, double scatterPings)
     implements PoseChange, MixtureChange {
+  /** Checks the figure; NaN is refused. */
+  public ScatteredLatency {
+    Checks.notNegative("scatterPings", scatterPings);
+  }
+
   @Override
   public int order() {
     return delay.order();

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Every range is too long by about the same amount, as when what triggers a ping comes late by more
  * or less.
@@ -8,6 +10,11 @@ package simbad.sonar.effect;
  * @param share standard deviation of the amount over its size, at least 0; 0 for none
  */
 public record ScatteredOffset(RangeOffset offset, double share) implements RangeChange {
+  /** Checks the figure; NaN is refused. */
+  public ScatteredOffset {
+    Checks.notNegative("share", share);
+  }
+
   @Override
   public int order() {
     return offset.order();

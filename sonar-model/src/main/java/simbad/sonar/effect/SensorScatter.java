@@ -1,5 +1,6 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
 import simbad.sonar.scene.SonarSpec;
 
 /**
@@ -11,6 +12,18 @@ import simbad.sonar.scene.SonarSpec;
  */
 public record SensorScatter(double edgeWidthM, double rangeNoiseM, double missRate)
     implements SensorChange {
+  /** Checks the figures; NaN is refused. */
+  public SensorScatter {
+    Checks.notNegative("edgeWidthM", edgeWidthM);
+    Checks.notNegative("rangeNoiseM", rangeNoiseM);
+    Checks.share("missRate", missRate);
+  }
+
+  @Override
+  public boolean changesGeometry() {
+    return false;
+  }
+
   @Override
   public SonarSpec apply(SonarSpec believed) {
     return believed.withScatter(rangeNoiseM, missRate, edgeWidthM);

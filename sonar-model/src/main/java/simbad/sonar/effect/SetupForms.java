@@ -50,9 +50,7 @@ public final class SetupForms {
    * @param sensors labels of the transducers in the log
    */
   public static Optional<Form> find(String name, SensingSetup setup, List<String> sensors) {
-    Stream<Form> effects =
-        Stream.concat(
-            Forms.all(setup, sensors).stream(), LevelForms.effects(setup.sensor()).stream());
+    Stream<Form> effects = Forms.known(setup, sensors);
     return Stream.concat(all(setup).stream(), effects.map(SetupForms::of))
         .filter(form -> form.name().equals(name))
         .findFirst()

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Some echoes arrive by a longer way, short detours more often than long ones: what they are longer
  * by is exponentially distributed, here in slices that are Gaussian with the slice's own mean and
@@ -31,6 +33,12 @@ public record TailedMultipath(double share, double meanExtraM) implements Mixtur
 
   private static double second(double x) {
     return x == Double.POSITIVE_INFINITY ? 0 : (x * x + 2 * x + 2) * Math.exp(-x);
+  }
+
+  /** Checks the figures; NaN is refused. */
+  public TailedMultipath {
+    Checks.share("share", share);
+    Checks.notNegative("meanExtraM", meanExtraM);
   }
 
   @Override

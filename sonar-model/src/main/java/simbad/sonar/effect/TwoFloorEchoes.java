@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * The floor answers at two fixed ranges, as two joints of its tiles do, when nothing nearer does.
  *
@@ -9,6 +11,12 @@ package simbad.sonar.effect;
  */
 public record TwoFloorEchoes(FloorEcho near, double apartM, double fartherShare)
     implements ArrivalChange {
+  /** Checks the figures; NaN is refused. */
+  public TwoFloorEchoes {
+    Checks.notNegative("apartM", apartM);
+    Checks.share("fartherShare", fartherShare);
+  }
+
   @Override
   public void add(Moment moment, Arrivals arrivals) {
     near.add(moment, arrivals);

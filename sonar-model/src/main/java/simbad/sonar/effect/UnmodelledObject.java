@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A flat face that is not in the scene answers where the sensor looks at it squarely enough.
  *
@@ -24,6 +26,17 @@ public record UnmodelledObject(
     double reachM,
     double share)
     implements ArrivalChange {
+  /** Checks the figures; NaN is refused. */
+  public UnmodelledObject {
+    Checks.finite("xM", xM);
+    Checks.finite("zM", zM);
+    Checks.finite("normalRad", normalRad);
+    Checks.notNegative("halfWidthM", halfWidthM);
+    Checks.notNegative("squareRad", squareRad);
+    Checks.notNegativeOrInfinite("reachM", reachM);
+    Checks.share("share", share);
+  }
+
   @Override
   public void add(Moment moment, Arrivals arrivals) {
     if (share == 0) {

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A round post that is not in the scene answers where the sensor looks at it squarely enough.
  *
@@ -14,6 +16,16 @@ package simbad.sonar.effect;
 public record UnmodelledPost(
     double xM, double zM, double radiusM, double reachM, double squareRad, double share)
     implements ArrivalChange {
+  /** Checks the figures; NaN is refused. */
+  public UnmodelledPost {
+    Checks.finite("xM", xM);
+    Checks.finite("zM", zM);
+    Checks.notNegative("radiusM", radiusM);
+    Checks.notNegativeOrInfinite("reachM", reachM);
+    Checks.notNegative("squareRad", squareRad);
+    Checks.share("share", share);
+  }
+
   @Override
   public void add(Moment moment, Arrivals arrivals) {
     if (share == 0) {

@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Another ranger with a period of its own is heard: the range that its sound seems to come from
  * walks by the same step from ping to ping, round and round. It is read where it comes before the
@@ -15,6 +17,16 @@ package simbad.sonar.effect;
 public record WalkingCrosstalk(
     double share, double lowM, double bandM, double stepM, double startM, double spreadM)
     implements ArrivalChange {
+  /** Checks the figures; NaN is refused. */
+  public WalkingCrosstalk {
+    Checks.share("share", share);
+    Checks.notNegative("lowM", lowM);
+    Checks.positive("bandM", bandM);
+    Checks.finite("stepM", stepM);
+    Checks.finite("startM", startM);
+    Checks.notNegative("spreadM", spreadM);
+  }
+
   @Override
   public void add(Moment moment, Arrivals arrivals) {
     if (share == 0) {

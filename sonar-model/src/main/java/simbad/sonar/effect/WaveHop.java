@@ -1,5 +1,7 @@
 package simbad.sonar.effect;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A reading is off by a whole period of the carrier: the echo crossed the threshold one wave later.
  *
@@ -7,6 +9,12 @@ package simbad.sonar.effect;
  * @param stepM half a wavelength, metres: 4.3 mm at 40 kHz
  */
 public record WaveHop(double share, double stepM) implements MixtureChange {
+  /** Checks the figures; NaN is refused. */
+  public WaveHop {
+    Checks.share("share", share);
+    Checks.notNegative("stepM", stepM);
+  }
+
   @Override
   public boolean beforeRange() {
     return false;

@@ -1,6 +1,7 @@
 package simbad.sonar.format;
 
 import java.util.List;
+import simbad.sonar.check.Checks;
 
 /**
  * How a sensor's sensitivity falls off its axis.
@@ -15,7 +16,13 @@ public record Sensitivity(String source, List<Point> points) {
    * @param offAxisDeg degrees off the axis, in [0, 180]
    * @param levelDb one way, 0 on the axis, not above
    */
-  public record Point(double offAxisDeg, double levelDb) {}
+  public record Point(double offAxisDeg, double levelDb) {
+    /** Refuses what is no number. */
+    public Point {
+      Checks.finite("offAxisDeg", offAxisDeg);
+      Checks.finite("levelDb", levelDb);
+    }
+  }
 
   /** Copies the list and checks the angles' order. */
   public Sensitivity {

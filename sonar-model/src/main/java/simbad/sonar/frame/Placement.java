@@ -1,5 +1,7 @@
 package simbad.sonar.frame;
 
+import simbad.sonar.check.Checks;
+
 /**
  * How an obstacle's own frame lies in the world: turned about +y, then moved.
  *
@@ -15,9 +17,9 @@ public record Placement(double xM, double zM, double turnRad) {
 
   /** Checks that all are finite. */
   public Placement {
-    Point.requireFinite("xM", xM);
-    Point.requireFinite("zM", zM);
-    Point.requireFinite("turnRad", turnRad);
+    Checks.finite("xM", xM);
+    Checks.finite("zM", zM);
+    Checks.finite("turnRad", turnRad);
   }
 
   /** Returns the same place turned further by an angle in radians. */

@@ -1,5 +1,7 @@
 package simbad.sonar.frame;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A place on the plane.
  *
@@ -9,18 +11,12 @@ package simbad.sonar.frame;
 public record Point(double xM, double zM) {
   /** Checks that both coordinates are finite. */
   public Point {
-    requireFinite("xM", xM);
-    requireFinite("zM", zM);
+    Checks.finite("xM", xM);
+    Checks.finite("zM", zM);
   }
 
   /** Returns the distance to another point in metres. */
   public double distanceM(Point other) {
     return Math.hypot(xM - other.xM, zM - other.zM);
-  }
-
-  static void requireFinite(String name, double value) {
-    if (!(Math.abs(value) < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException(name + " = " + value + " is not finite");
-    }
   }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import simbad.sonar.check.Checks;
 
 /**
  * What is known of a sensor's level law, as a file states it; all of it may be left out.
@@ -54,8 +55,17 @@ public record LevelFigures(
           OptionalDouble.empty(),
           OptionalDouble.empty());
 
-  /** Checks that the beam is not stated twice. */
+  /** Refuses what is no number, and a beam that is stated twice. */
   public LevelFigures {
+    Checks.finite("frequencyHz", frequencyHz);
+    Checks.finite("spreadingExponent", spreadingExponent);
+    Checks.finite("absorptionDbPerM", absorptionDbPerM);
+    Checks.finite("temperatureC", temperatureC);
+    Checks.finite("humidityPercent", humidityPercent);
+    Checks.finite("apertureRadiusM", apertureRadiusM);
+    Checks.finite("excessSdDb", excessSdDb);
+    Checks.finite("pulseLengthS", pulseLengthS);
+    Checks.finite("levelDb", levelDb);
     if (apertureRadiusM.isPresent() && twoWayDb.isPresent()) {
       throw new IllegalArgumentException(
           "apertureRadiusM = " + apertureRadiusM.getAsDouble() + " beside a curve of the beam");

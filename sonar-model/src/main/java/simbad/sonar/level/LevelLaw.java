@@ -1,5 +1,7 @@
 package simbad.sonar.level;
 
+import simbad.sonar.check.Checks;
+
 /**
  * The level law of one sensor in its air: by how many decibels a target's echo exceeds the
  * receiver's threshold, and what follows from that.
@@ -34,20 +36,12 @@ public record LevelLaw(
 
   /** Checks every figure; the message names the field, the value and what is permitted. */
   public LevelLaw {
-    if (!(Math.abs(levelDb) < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException("levelDb = " + levelDb + " is not finite");
-    }
-    requireNotNegative("spreadingExponent", spreadingExponent);
-    requireNotNegative("absorptionDbPerM", absorptionDbPerM);
-    requireNotNegative("excessSdDb", excessSdDb);
-    requireNotNegative("noiseM", noiseM.least());
-    requireNotNegative("pulseLengthM", pulseLengthM);
-  }
-
-  private static void requireNotNegative(String field, double value) {
-    if (!(value >= 0 && value < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException(field + " = " + value + " is not in [0, infinity)");
-    }
+    Checks.finite("levelDb", levelDb);
+    Checks.notNegative("spreadingExponent", spreadingExponent);
+    Checks.notNegative("absorptionDbPerM", absorptionDbPerM);
+    Checks.notNegative("excessSdDb", excessSdDb);
+    Checks.notNegative("noiseM", noiseM.least());
+    Checks.notNegative("pulseLengthM", pulseLengthM);
   }
 
   /** Returns the same law with another level, decibels. */

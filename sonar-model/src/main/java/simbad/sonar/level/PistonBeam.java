@@ -1,6 +1,7 @@
 package simbad.sonar.level;
 
 import java.util.Arrays;
+import simbad.sonar.check.Checks;
 
 /**
  * The beam of a round piston in an endless baffle that sends and of an equal one that receives.
@@ -42,8 +43,8 @@ public final class PistonBeam implements Beam {
    * @param wavenumberPerM k = 2 pi f / c, radians per metre; positive, finite
    */
   public static PistonBeam of(double apertureRadiusM, double wavenumberPerM) {
-    requirePositive("apertureRadiusM", apertureRadiusM);
-    requirePositive("wavenumberPerM", wavenumberPerM);
+    Checks.positive("apertureRadiusM", apertureRadiusM);
+    Checks.positive("wavenumberPerM", wavenumberPerM);
     PistonBeam beam = latest;
     if (beam.apertureRadiusM != apertureRadiusM || beam.wavenumberPerM != wavenumberPerM) {
       beam = create(apertureRadiusM, wavenumberPerM);
@@ -81,12 +82,6 @@ public final class PistonBeam implements Beam {
       }
     }
     return of(high / (wavenumberPerM * Math.sin(halfAngleRad)), wavenumberPerM);
-  }
-
-  private static void requirePositive(String name, double value) {
-    if (!(value > 0 && value < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException(name + " = " + value + " is not in (0, infinity)");
-    }
   }
 
   /**

@@ -1,5 +1,7 @@
 package simbad.sonar.model;
 
+import simbad.sonar.check.Checks;
+
 /**
  * What the level model makes of one obstacle from one pose, were it alone.
  *
@@ -19,4 +21,15 @@ public record LevelSight(
     double nearestM,
     double offAxisRad,
     double excessDb,
-    double echoProbability) {}
+    double echoProbability) {
+  /** Refuses what is no number. */
+  public LevelSight {
+    Checks.number("centreDistanceM", centreDistanceM);
+    Checks.number("bearingRad", bearingRad);
+    Checks.number("strengthDb", strengthDb);
+    Checks.number("nearestM", nearestM);
+    Checks.number("offAxisRad", offAxisRad);
+    Checks.number("excessDb", excessDb);
+    Checks.share("echoProbability", echoProbability);
+  }
+}

@@ -1,5 +1,7 @@
 package simbad.sonar.model;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A part of the distribution of a reading: a Gaussian, or evenly spread.
  *
@@ -9,6 +11,14 @@ package simbad.sonar.model;
  * @param share its probability, in [0, 1]
  */
 public record Part(double meanM, double deviationM, double halfWidthM, double share) {
+  /** Refuses what is no number. */
+  public Part {
+    Checks.number("meanM", meanM);
+    Checks.number("deviationM", deviationM);
+    Checks.number("halfWidthM", halfWidthM);
+    Checks.number("share", share);
+  }
+
   /** The probability that the measured range is below a value. */
   double below(double rangeM) {
     if (halfWidthM > 0) {

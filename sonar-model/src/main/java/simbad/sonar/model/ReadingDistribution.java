@@ -3,6 +3,7 @@ package simbad.sonar.model;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.random.RandomGenerator;
+import simbad.sonar.check.Checks;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.Reading;
@@ -28,7 +29,7 @@ public final class ReadingDistribution {
    */
   public ReadingDistribution(List<Part> parts, double resolutionM, Report report) {
     this.parts = parts.toArray(Part[]::new);
-    this.resolutionM = resolutionM;
+    this.resolutionM = Checks.notNegative("resolutionM", resolutionM);
     this.report = report;
     double heard = 0;
     for (Part part : parts) {
@@ -61,7 +62,7 @@ public final class ReadingDistribution {
    * @return in [0, 1 - noEchoProbability]
    */
   public double echoUpTo(double rangeM) {
-    requireNumber("rangeM", rangeM);
+    Checks.number("rangeM", rangeM);
     if (rangeM < 0) {
       return 0;
     }
@@ -93,7 +94,7 @@ public final class ReadingDistribution {
     if (!(resolutionM > 0)) {
       throw new IllegalStateException("resolutionM = 0: a single range has probability 0");
     }
-    requireNumber("rangeM", rangeM);
+    Checks.number("rangeM", rangeM);
     double step = stepOf(rangeM);
     return echoUpTo((step + 0.5) * resolutionM) - echoUpTo((step - 0.5) * resolutionM);
   }
@@ -118,7 +119,7 @@ public final class ReadingDistribution {
    * @return as {@link #quantileM} returns for each level, metres
    */
   public double[] quantilesM(double[] levels, double noEchoM) {
-    requireNumber("noEchoM", noEchoM);
+    Checks.number("noEchoM", noEchoM);
     double upToNoEcho = echoUpTo(noEchoM);
     double[] quantilesM = new double[levels.length];
     long step = 0;
@@ -212,12 +213,6 @@ public final class ReadingDistribution {
       }
     }
     return false;
-  }
-
-  private static void requireNumber(String name, double value) {
-    if (Double.isNaN(value)) {
-      throw new IllegalArgumentException(name + " = NaN is not a number");
-    }
   }
 
   private double stepOf(double rangeM) {

@@ -1,6 +1,7 @@
 package simbad.sonar.model;
 
 import java.util.OptionalDouble;
+import simbad.sonar.check.Checks;
 
 /**
  * What the nominal model makes of one obstacle from one pose.
@@ -17,4 +18,13 @@ public record Sight(
     double bearingRad,
     double thresholdM,
     OptionalDouble nearestM,
-    double echoProbability) {}
+    double echoProbability) {
+  /** Refuses what is no number. */
+  public Sight {
+    Checks.number("centreDistanceM", centreDistanceM);
+    Checks.number("bearingRad", bearingRad);
+    Checks.number("thresholdM", thresholdM);
+    Checks.finite("nearestM", nearestM);
+    Checks.share("echoProbability", echoProbability);
+  }
+}

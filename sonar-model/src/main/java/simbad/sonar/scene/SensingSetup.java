@@ -1,6 +1,7 @@
 package simbad.sonar.scene;
 
 import java.util.Optional;
+import simbad.sonar.check.Checks;
 
 /**
  * A sensor before a scene, as a scene file states it.
@@ -13,9 +14,7 @@ import java.util.Optional;
 public record SensingSetup(SonarSpec sensor, Scene scene, double noEchoM, SetupDetails details) {
   /** Checks the no-echo range. */
   public SensingSetup {
-    if (!(noEchoM > 0 && noEchoM < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException("noEchoM = " + noEchoM + " is not in (0, infinity)");
-    }
+    Checks.positive("noEchoM", noEchoM);
   }
 
   /** Creates one that says nothing beside. */

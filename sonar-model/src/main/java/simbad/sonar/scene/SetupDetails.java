@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import simbad.sonar.check.Checks;
 import simbad.sonar.frame.Placement;
 
 /**
@@ -30,15 +31,9 @@ public record SetupDetails(
 
   /** Checks the deviations and copies the collections in their order. */
   public SetupDetails {
-    requireNotNegative("poseSigmaM", poseSigmaM);
-    requireNotNegative("headingSigmaRad", headingSigmaRad);
+    Checks.notNegative("poseSigmaM", poseSigmaM);
+    Checks.notNegative("headingSigmaRad", headingSigmaRad);
     robotFromSensor = Collections.unmodifiableMap(new LinkedHashMap<>(robotFromSensor));
     assumptions = List.copyOf(assumptions);
-  }
-
-  private static void requireNotNegative(String name, double value) {
-    if (!(value >= 0 && value < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException(name + " = " + value + " is not in [0, infinity)");
-    }
   }
 }

@@ -1,5 +1,6 @@
 package simbad.sonar.scene;
 
+import simbad.sonar.check.Checks;
 import simbad.sonar.level.LevelLaw;
 
 /**
@@ -40,19 +41,19 @@ public record SonarSpec(
         "coneHalfAngleRad",
         coneHalfAngleRad,
         "(0, pi]");
-    requireNotNegative("minRangeM", minRangeM);
+    Checks.notNegative("minRangeM", minRangeM);
     require(
         maxRangeM > minRangeM && maxRangeM < Double.POSITIVE_INFINITY,
         "maxRangeM",
         maxRangeM,
         "(minRangeM = " + minRangeM + ", infinity)");
-    requireNotNegative("mountHeightM", mountHeightM);
-    requirePositive("assumedSoundSpeedMPerS", assumedSoundSpeedMPerS);
-    requireNotNegative("resolutionM", resolutionM);
-    requireNotNegative("rangeNoiseM", rangeNoiseM);
-    require(missRate >= 0 && missRate <= 1, "missRate", missRate, "[0, 1]");
-    requireNotNegative("edgeWidthM", edgeWidthM);
-    requirePositive("updatePeriodS", updatePeriodS);
+    Checks.notNegative("mountHeightM", mountHeightM);
+    Checks.positive("assumedSoundSpeedMPerS", assumedSoundSpeedMPerS);
+    Checks.notNegative("resolutionM", resolutionM);
+    Checks.notNegative("rangeNoiseM", rangeNoiseM);
+    Checks.share("missRate", missRate);
+    Checks.notNegative("edgeWidthM", edgeWidthM);
+    Checks.positive("updatePeriodS", updatePeriodS);
   }
 
   /** Creates the figures of a sensor that says nothing of its law. */
@@ -126,6 +127,28 @@ public record SonarSpec(
   }
 
   /**
+   * Returns the same sensor with other limits of what it hears.
+   *
+   * @param leastM nearer echoes are not heard, at least 0
+   * @param mostM further ones are not, above that, finite
+   */
+  public SonarSpec withRange(double leastM, double mostM) {
+    return new SonarSpec(
+        name,
+        coneHalfAngleRad,
+        leastM,
+        mostM,
+        mountHeightM,
+        assumedSoundSpeedMPerS,
+        resolutionM,
+        rangeNoiseM,
+        missRate,
+        edgeWidthM,
+        updatePeriodS,
+        law);
+  }
+
+  /**
    * Returns the same sensor with another scatter.
    *
    * @param noiseM standard deviation of a range, at least 0
@@ -146,14 +169,6 @@ public record SonarSpec(
         edgeM,
         updatePeriodS,
         law);
-  }
-
-  private static void requireNotNegative(String field, double value) {
-    require(value >= 0 && value < Double.POSITIVE_INFINITY, field, value, "[0, infinity)");
-  }
-
-  private static void requirePositive(String field, double value) {
-    require(value > 0 && value < Double.POSITIVE_INFINITY, field, value, "(0, infinity)");
   }
 
   private static void require(boolean holds, String field, double value, String permitted) {

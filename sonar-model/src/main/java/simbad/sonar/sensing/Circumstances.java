@@ -2,6 +2,7 @@ package simbad.sonar.sensing;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import simbad.sonar.check.Checks;
 
 /**
  * What else is known of a reading: columns of the second format, each of which may be missing.
@@ -21,6 +22,13 @@ public record Circumstances(
     MovedObstacle obstacle,
     OptionalDouble gapS,
     OptionalDouble pauseS) {
+  /** Refuses what is no number. */
+  public Circumstances {
+    Checks.finite("temperatureC", temperatureC);
+    Checks.finite("gapS", gapS);
+    Checks.finite("pauseS", pauseS);
+  }
+
   /** A row with a time, of which nothing else is known. */
   public static final Circumstances NONE =
       new Circumstances(

@@ -1,5 +1,7 @@
 package simbad.sonar.sensing;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A ping that was answered.
  *
@@ -9,8 +11,6 @@ package simbad.sonar.sensing;
 public record Echo(double rangeM) implements Reading {
   /** Checks the range. */
   public Echo {
-    if (!(rangeM >= 0 && rangeM < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException("rangeM = " + rangeM + " is not in [0, infinity)");
-    }
+    Checks.notNegative("rangeM", rangeM);
   }
 }

@@ -1,6 +1,7 @@
 package simbad.sonar.sensing;
 
 import java.util.OptionalDouble;
+import simbad.sonar.check.Checks;
 import simbad.sonar.frame.Placement;
 
 /**
@@ -11,6 +12,13 @@ import simbad.sonar.frame.Placement;
  * @param turnRad counter-clockwise, radians; empty where it is the scene's
  */
 public record MovedObstacle(OptionalDouble xM, OptionalDouble zM, OptionalDouble turnRad) {
+  /** Refuses what is no number. */
+  public MovedObstacle {
+    Checks.finite("xM", xM);
+    Checks.finite("zM", zM);
+    Checks.finite("turnRad", turnRad);
+  }
+
   /** It stood as the scene says. */
   public static final MovedObstacle UNMOVED =
       new MovedObstacle(OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.empty());

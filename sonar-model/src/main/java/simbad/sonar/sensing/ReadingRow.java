@@ -1,5 +1,6 @@
 package simbad.sonar.sensing;
 
+import simbad.sonar.check.Checks;
 import simbad.sonar.frame.Pose;
 
 /**
@@ -19,6 +20,11 @@ public record ReadingRow(
     Pose pose,
     Reading reading,
     Circumstances circumstances) {
+
+  /** Refuses a time that is no number. */
+  public ReadingRow {
+    Checks.finite("timeS", timeS);
+  }
 
   /** Creates a row of which nothing else is known. */
   public ReadingRow(String run, String sensor, double timeS, Pose pose, Reading reading) {

@@ -115,7 +115,7 @@ class LevelFormsTest {
   /** Read 5 cm short, what is nearer than 7 cm would read less than the least range. */
   @Test
   void aGatedOffset_losesWhatWouldReadTooLittle() {
-    GatedOffset offset = new GatedOffset(new RangeOffset(-0.05), 0.02, 0.002);
+    GatedOffset offset = new GatedOffset(new RangeOffset(-0.05), 0.002);
     double far = chance(1, 0, new RangeOffset(-0.05));
 
     assertEquals(far, chance(1, 0, offset), 1e-9);
@@ -154,6 +154,15 @@ class LevelFormsTest {
     }
   }
 
+  /** The forms that effects have under the level law alone. */
+  private static List<Form> ofLevels(SensingSetup setup) {
+    List<Form> others = Forms.all(setup, List.of("s"));
+    return Definitions.all().stream()
+        .flatMap(definition -> definition.levelForms(setup, List.of("s")).stream())
+        .filter(form -> !others.contains(form))
+        .toList();
+  }
+
   /** A scene that believes in thresholds reads the model of a diagnosis by levels. */
   @Test
   void aModelFileGivesEveryFormBack() throws Exception {
@@ -162,9 +171,11 @@ class LevelFormsTest {
             SETUP.sensor().withLaw(SensorLaw.UNSTATED), SETUP.scene(), SETUP.noEchoM());
     Random random = new Random(3);
     List<FittedForm> calibration =
-        List.of(drawn(LevelForms.law(plain), random), drawn(LevelForms.strength("post"), random));
-    List<FittedForm> effects =
-        LevelForms.effects(plain.sensor()).stream().map(form -> drawn(form, random)).toList();
+        List.of(
+            drawn(LevelForms.law(plain), random),
+            drawn(LevelForms.strength("post"), random),
+            drawn(LevelForms.path("post"), random));
+    List<FittedForm> effects = ofLevels(plain).stream().map(form -> drawn(form, random)).toList();
     FittedModel model = new FittedModel(plain, List.of("s"), calibration, effects);
     Path file = folder.resolve("model.json");
     ModelFile.write(file, model);
@@ -186,7 +197,7 @@ class LevelFormsTest {
     List<Double> values = new ArrayList<>();
     for (Parameter parameter : form.parameters()) {
       double low = Math.max(parameter.low(), -1);
-      double high = Math.min(parameter.high(), 1);
+      double high = Math.min(parameter.high(), Math.max(1, low + 1));
       values.add(low + (high - low) * random.nextDouble());
     }
     return new FittedForm(form, values);

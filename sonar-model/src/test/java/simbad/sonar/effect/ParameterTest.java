@@ -77,6 +77,6 @@ class ParameterTest {
         new Obstacle("two", new Placement(1, 0, 0), outline, new UniformDetection(thresholdM));
     SensingSetup setup = new SensingSetup(sensor, new Scene(List.of(one, two)), mostM);
     List<Form> forms = assertDoesNotThrow(() -> Forms.all(setup, List.of("left", "right")));
-    assertEquals(Effect.values().length, forms.stream().map(Form::effect).distinct().count());
+    assertEquals(Definitions.effects().size(), forms.stream().map(Form::effect).distinct().count());
   }
 }

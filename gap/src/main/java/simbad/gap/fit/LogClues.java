@@ -6,7 +6,9 @@ import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import simbad.sonar.effect.Change;
+import simbad.sonar.effect.Clues;
 import simbad.sonar.effect.DiagnosedModel;
+import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Geometry;
 import simbad.sonar.effect.OrientationShadow;
 import simbad.sonar.effect.PingLog;
@@ -15,7 +17,7 @@ import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.shape.ThresholdTable;
 
 /** What a hypothesis leaves over: readings that it thinks hardly possible, echoes it misses. */
-final class Clues {
+final class LogClues implements Clues {
   /** A reading with less than this is one that the hypothesis does not explain, log probability. */
   private static final double STRANGE = Math.log(1e-3);
 
@@ -27,11 +29,11 @@ final class Clues {
   private final Hypothesis hypothesis;
   private final Fold fold;
 
-  Clues(Evidence evidence, Hypothesis hypothesis) {
+  LogClues(Evidence evidence, Hypothesis hypothesis) {
     this(evidence, hypothesis, Fold.ALL);
   }
 
-  Clues(Evidence evidence, Hypothesis hypothesis, Fold fold) {
+  LogClues(Evidence evidence, Hypothesis hypothesis, Fold fold) {
     this.evidence = evidence;
     this.hypothesis = hypothesis;
     this.fold = fold;
@@ -86,25 +88,35 @@ final class Clues {
     return new OrientationShadow(Optional.of(Scenes.labels(setup().scene()).get(obstacle)), table);
   }
 
-  /** Echoes that the hypothesis cannot explain. */
-  IntStream strangeEchoes() {
+  @Override
+  public PingLog log() {
+    return log;
+  }
+
+  @Override
+  public int obstacles() {
+    return geometry.obstacles();
+  }
+
+  @Override
+  public IntStream strangeEchoes() {
     return IntStream.range(0, log.size())
         .filter(ping -> log.echo(ping) && logLikelihood[ping] < STRANGE);
   }
 
-  /** Echoes of pings that have an obstacle in the cone. */
-  IntStream echoesInCone() {
+  @Override
+  public IntStream echoesInCone() {
     return IntStream.range(0, log.size())
         .filter(ping -> log.echo(ping) && nearest[ping] < Double.POSITIVE_INFINITY);
   }
 
-  /** Distance to the nearest obstacle in the cone, metres; infinity for none. */
-  double nearestM(int ping) {
+  @Override
+  public double nearestM(int ping) {
     return nearest[ping];
   }
 
-  /** Distances of obstacles that are near enough to answer. */
-  DoubleStream audibleM() {
+  @Override
+  public DoubleStream audibleM() {
     return IntStream.range(0, log.size() * geometry.obstacles())
         .filter(
             line ->
@@ -113,8 +125,43 @@ final class Clues {
         .mapToDouble(geometry::nearestM);
   }
 
-  /** The reading before, of a ping that has one. */
-  boolean hasEchoBefore(int ping) {
+  @Override
+  public boolean hasEchoBefore(int ping) {
     return ping > log.sequenceStart(ping) && log.echo(ping - 1);
+  }
+
+  @Override
+  public List<Double> steps() {
+    return new Rhythm(log).steps();
+  }
+
+  @Override
+  public List<Line> lines(int... echoes) {
+    return new LineSearch(log, echoes).best();
+  }
+
+  @Override
+  public List<double[]> posts(double mostReachM) {
+    return new PostSearch(this, mostReachM).starts();
+  }
+
+  @Override
+  public List<double[]> faces(Form form) {
+    return new FaceSearch(this).starts(form);
+  }
+
+  @Override
+  public List<double[]> walks(Form form) {
+    return new WalkSearch(this).starts(form);
+  }
+
+  @Override
+  public double[] tables(int... obstacles) {
+    return TableSearch.tables(this, obstacles);
+  }
+
+  @Override
+  public double[] waves(int obstacle) {
+    return new TableSearch(this, obstacle).waves();
   }
 }

@@ -1,4 +1,4 @@
-package simbad.gap.fit;
+package simbad.sonar.effect;
 
 import java.util.Arrays;
 import java.util.Comparator;
@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import java.util.stream.DoubleStream;
 
 /** Where values crowd. */
-final class Modes {
+public final class Modes {
   private Modes() {}
 
   /**
@@ -18,7 +18,7 @@ final class Modes {
    * @param width of a window
    * @param most how many windows at most, the fullest first
    */
-  static List<Double> of(DoubleStream values, double width, int most) {
+  public static List<Double> of(DoubleStream values, double width, int most) {
     double[] sorted = values.sorted().toArray();
     Map<Long, Integer> counts = new TreeMap<>();
     for (double value : sorted) {
@@ -39,8 +39,8 @@ final class Modes {
     return within.length == 0 ? middle : within[within.length / 2];
   }
 
-  /** The value below which a share of the values lie; values sorted, at least one. */
-  static double quantile(double[] sorted, double share) {
+  /** Returns the value below which a share of the values lie; values sorted, at least one. */
+  public static double quantile(double[] sorted, double share) {
     return sorted[(int) Math.min(sorted.length - 1, Math.round(share * (sorted.length - 1)))];
   }
 }

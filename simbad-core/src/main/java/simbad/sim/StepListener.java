@@ -1,0 +1,16 @@
+package simbad.sim;
+
+/**
+ * Is told of every simulator of a process and of all its steps; see {@link Simulator#setListener}.
+ */
+public interface StepListener {
+  /**
+   * A simulator was made; its agents stand at their start.
+   *
+   * @param world what it simulates
+   */
+  void made(Simulator simulator, World world);
+
+  /** A step was done. Called by the thread that does the steps; what it throws ends them. */
+  void stepped(Simulator simulator);
+}

@@ -1,0 +1,81 @@
+package simbad.sonar.catalogue;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import simbad.sonar.effect.Absorption;
+import simbad.sonar.effect.Definition;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.FittedValues;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.LevelAbsorption;
+import simbad.sonar.effect.Parameter;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.effect.Probe;
+import simbad.sonar.scene.SensingSetup;
+
+/** Far thresholds shrink more than near ones. */
+public final class AbsorptionEffect implements Definition {
+  @Override
+  public Effect effect() {
+    return Effect.ABSORPTION;
+  }
+
+  @Override
+  public String happens() {
+    return "far thresholds shrink more than near ones";
+  }
+
+  @Override
+  public String briefly() {
+    return "echoes lose strength with the length of their way";
+  }
+
+  @Override
+  public String cause() {
+    return "warmer or drier air, fog, dust";
+  }
+
+  @Override
+  public List<Form> forms(SensingSetup setup, List<String> sensors) {
+    return Arrays.stream(Absorption.Law.values())
+        .map(
+            law ->
+                Form.of(
+                    effect(),
+                    law.name().toLowerCase(Locale.ROOT),
+                    v -> new Absorption(v[0], law),
+                    Parameter.of("loss_per_m", 0, 0, 1.5, 0.05, 0.1, 0.2, 0.4)))
+        .toList();
+  }
+
+  @Override
+  public List<Form> levelForms(SensingSetup setup, List<String> sensors) {
+    return List.of(
+        Form.of(
+            effect(),
+            "level",
+            v -> new LevelAbsorption(v[0]),
+            Parameter.of("added_db_per_m", 0, -1.3, 6, -0.8, -0.4, 0.4, 0.8, 1.5, 3)));
+  }
+
+  /** 0.05 for each metre is a tenth at two; a fifth of a decibel per metre. */
+  @Override
+  public List<Probe> probes(SensingSetup setup, PingLog log) {
+    boolean level = setup.sensor().law().isLevel();
+    List<Form> forms = Forms.of(this, setup, log.sensors());
+    return List.of(Probe.alone(forms.get(0), 0, level ? 0.2 : 0.05));
+  }
+
+  /** 0.15 dB at a metre and a half, there and back. */
+  @Override
+  public boolean isWithinDays(Form form, double... values) {
+    return Math.abs(values[0] - form.neutral()[0]) < 0.1;
+  }
+
+  @Override
+  public String remedy(FittedValues values) {
+    return "shorten the far thresholds, or log the air's temperature and humidity";
+  }
+}

@@ -1,0 +1,88 @@
+package simbad.sonar.catalogue;
+
+import static java.lang.Math.toRadians;
+import static simbad.sonar.effect.FittedValues.text;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import simbad.sonar.effect.BeamMisalignment;
+import simbad.sonar.effect.Definition;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.FittedValues;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.Parameter;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.effect.Probe;
+import simbad.sonar.effect.Trait;
+import simbad.sonar.scene.SensingSetup;
+
+/** The sensor looks to one side of its believed heading. */
+public final class BeamMisalignmentEffect implements Definition {
+  @Override
+  public Effect effect() {
+    return Effect.BEAM_MISALIGNMENT;
+  }
+
+  @Override
+  public String happens() {
+    return "a sensor looks to one side of its believed heading";
+  }
+
+  @Override
+  public String briefly() {
+    return "the sensor looks to one side of its heading";
+  }
+
+  @Override
+  public String cause() {
+    return "a sensor that was mounted at an angle or knocked aside";
+  }
+
+  @Override
+  public List<Form> forms(SensingSetup setup, List<String> sensors) {
+    List<Form> forms = new ArrayList<>(List.of(turned("all", Optional.empty())));
+    if (sensors.size() > 1) {
+      sensors.forEach(sensor -> forms.add(turned("only:" + sensor, Optional.of(sensor))));
+    }
+    return forms;
+  }
+
+  private Form turned(String name, Optional<String> sensor) {
+    return Form.of(
+        effect(),
+        name,
+        v -> new BeamMisalignment(toRadians(v[0]), sensor),
+        Parameter.of("turn_deg", 0, -30, 30, -12, -6, -3, 3, 6, 12));
+  }
+
+  /** An axis that is a degree off. */
+  @Override
+  public List<Probe> probes(SensingSetup setup, PingLog log) {
+    return List.of(
+        Probe.alone(Forms.find(effect(), "all", setup, log.sensors()).orElseThrow(), 0, 1));
+  }
+
+  /** A quarter of a degree on a protractor. */
+  @Override
+  public boolean isWithinDays(Form form, double... values) {
+    return Math.abs(values[0] - form.neutral()[0]) < 0.5;
+  }
+
+  @Override
+  public String remedy(FittedValues values) {
+    double degrees = values.value("turn_deg");
+    return values.has("turn_deg")
+        ? text(
+            "turn the sensor %.1f degrees to the %s",
+            Math.abs(degrees), degrees > 0 ? "right" : "left")
+        : "straighten the sensor that looks aside";
+  }
+
+  @Override
+  public Set<Trait> traits() {
+    return Set.of(Trait.SOAKS_UP_PLACEMENTS);
+  }
+}

@@ -1,0 +1,70 @@
+package simbad.sonar.catalogue;
+
+import static simbad.sonar.effect.FittedValues.text;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import simbad.sonar.effect.Clues;
+import simbad.sonar.effect.CoarseResolution;
+import simbad.sonar.effect.Definition;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.FittedValues;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.Parameter;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.effect.Probe;
+import simbad.sonar.effect.Tries;
+import simbad.sonar.scene.SensingSetup;
+
+/** Readings come in coarser steps than believed. */
+public final class CoarseResolutionEffect implements Definition {
+  @Override
+  public Effect effect() {
+    return Effect.COARSE_RESOLUTION;
+  }
+
+  @Override
+  public String happens() {
+    return "readings come in coarser steps than believed";
+  }
+
+  @Override
+  public String cause() {
+    return "a slow timer, whole centimetres or inches in the program, few bits in a message";
+  }
+
+  @Override
+  public List<Form> forms(SensingSetup setup, List<String> sensors) {
+    return Arrays.stream(CoarseResolution.Reported.values())
+        .map(
+            reported ->
+                Form.of(
+                    effect(),
+                    reported.name().toLowerCase(Locale.ROOT),
+                    v -> new CoarseResolution(v[0], reported),
+                    Parameter.of("step_m", 0, 0, 0.5, 0.02, 0.025, 0.03, 0.04, 0.05, 0.08, 0.1)))
+        .toList();
+  }
+
+  @Override
+  public List<double[]> starts(Form form, Clues clues) {
+    return Tries.product(form, clues.steps());
+  }
+
+  /** Steps of 2 cm are what cheap sensors are specified to. */
+  @Override
+  public List<Probe> probes(SensingSetup setup, PingLog log) {
+    return List.of(
+        Probe.alone(
+            Forms.find(effect(), "start", setup, log.sensors()).orElseThrow(),
+            0,
+            Math.max(0.02, 2 * setup.sensor().resolutionM())));
+  }
+
+  @Override
+  public String remedy(FittedValues values) {
+    return text("let the sensor's resolution_m be %.4g", values.value("step_m"));
+  }
+}

@@ -1,0 +1,126 @@
+package simbad.sonar.catalogue;
+
+import java.util.List;
+import java.util.Set;
+import simbad.sonar.effect.Clues;
+import simbad.sonar.effect.Crosstalk;
+import simbad.sonar.effect.Definition;
+import simbad.sonar.effect.EarlyCrosstalk;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.FittedValues;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.Modes;
+import simbad.sonar.effect.Parameter;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.effect.Probe;
+import simbad.sonar.effect.Trait;
+import simbad.sonar.effect.Tries;
+import simbad.sonar.effect.WalkingCrosstalk;
+import simbad.sonar.scene.SensingSetup;
+
+/** Now and then a reading has nothing to do with the scene. */
+public final class CrosstalkEffect implements Definition {
+  /** "Now and then" is less than two times in five. */
+  private static final Parameter NOW_AND_THEN = Parameter.of("share", 0, 0, 0.4, 0.03, 0.1, 0.3);
+
+  /** What comes from nearly the same range each time has a place. */
+  private static final double LEAST_BAND_M = 0.3;
+
+  /** What walks by less from ping to ping hardly walks. */
+  private static final double LEAST_STEP_M = 0.01;
+
+  @Override
+  public Effect effect() {
+    return Effect.CROSSTALK;
+  }
+
+  @Override
+  public String happens() {
+    return "now and then a reading has nothing to do with the scene";
+  }
+
+  @Override
+  public String cause() {
+    return "another sonar, an air hose or another source of ultrasound, electrical noise";
+  }
+
+  @Override
+  public List<Form> forms(SensingSetup setup, List<String> sensors) {
+    double most = setup.sensor().maxRangeM();
+    Parameter low = Parameter.of("low_m", 0, 0, 0.9 * most, 0.05);
+    Parameter band = Parameter.of("band_m", most, LEAST_BAND_M, most, 0.5 * most, most);
+    return List.of(
+        Form.of(
+            effect(),
+            "any",
+            v -> new Crosstalk(v[0], v[1], v[1] + v[2], false),
+            NOW_AND_THEN,
+            low,
+            band),
+        Form.of(
+            effect(),
+            "silent",
+            v -> new Crosstalk(v[0], v[1], v[1] + v[2], true),
+            NOW_AND_THEN,
+            low,
+            band),
+        Form.of(
+            effect(),
+            "earlier",
+            v -> new EarlyCrosstalk(v[0], v[1], v[1] + v[2]),
+            NOW_AND_THEN,
+            low,
+            band),
+        walking("walking", most, Parameter.of("step_m", LEAST_STEP_M, LEAST_STEP_M, 1, 0.1)),
+        walking(
+            "walking back", most, Parameter.of("step_m", -LEAST_STEP_M, -1, -LEAST_STEP_M, -0.1)));
+  }
+
+  private Form walking(String name, double most, Parameter step) {
+    return Form.of(
+        effect(),
+        name,
+        v -> new WalkingCrosstalk(v[0], v[1], v[2], v[3], v[4], v[5]),
+        NOW_AND_THEN,
+        Parameter.of("low_m", 0, 0, 0.5, 0),
+        Parameter.of("band_m", most, 0.5, 3 * most, most),
+        step,
+        Parameter.of("start_m", 0, -3 * most, 3 * most, 0),
+        Parameter.of("spread_m", 0, 0, 0.1, 0.01));
+  }
+
+  @Override
+  public List<double[]> starts(Form form, Clues clues) {
+    if (form.name().startsWith("walking")) {
+      return clues.walks(form);
+    }
+    double[] sorted = clues.strangeRangesM().sorted().toArray();
+    if (sorted.length == 0) {
+      return Tries.product(form, form.parameters().get(0).tries(), List.of(), List.of());
+    }
+    double low = Modes.quantile(sorted, 0.02) - 0.02;
+    double high = Modes.quantile(sorted, 0.98) + 0.02;
+    double most = form.parameters().get(2).high();
+    double share = (double) sorted.length / clues.log().size();
+    List<Double> bands = List.of(high - low, most);
+    return Tries.product(form, List.of(share, 2 * share), List.of(low, 0.05), bands);
+  }
+
+  /** A fiftieth of the readings. */
+  @Override
+  public List<Probe> probes(SensingSetup setup, PingLog log) {
+    return List.of(
+        Probe.tried(Forms.find(effect(), "any", setup, log.sensors()).orElseThrow(), 0, 0.02));
+  }
+
+  @Override
+  public String remedy(FittedValues values) {
+    return "let no two sonars ping at one time, and take the median of three readings";
+  }
+
+  @Override
+  public Set<Trait> traits() {
+    return Set.of(Trait.SOAKS_UP);
+  }
+}

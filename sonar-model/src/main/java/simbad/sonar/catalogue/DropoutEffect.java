@@ -1,0 +1,71 @@
+package simbad.sonar.catalogue;
+
+import static simbad.sonar.effect.FittedValues.text;
+
+import java.util.List;
+import java.util.Set;
+import simbad.sonar.effect.Burst;
+import simbad.sonar.effect.Definition;
+import simbad.sonar.effect.Dropout;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.FittedValues;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.Parameter;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.effect.Probe;
+import simbad.sonar.effect.Trait;
+import simbad.sonar.scene.SensingSetup;
+
+/** Echoes are missed, singly or in bursts, whatever the geometry. */
+public final class DropoutEffect implements Definition {
+  @Override
+  public Effect effect() {
+    return Effect.DROPOUT;
+  }
+
+  @Override
+  public String happens() {
+    return "echoes are missed, whatever the geometry";
+  }
+
+  @Override
+  public String cause() {
+    return "electrical noise, a loose contact, wind, a surface that scatters the sound";
+  }
+
+  @Override
+  public List<Form> forms(SensingSetup setup, List<String> sensors) {
+    return List.of(
+        Form.of(
+            effect(),
+            "single",
+            v -> new Dropout(v[0]),
+            Parameter.of("share", 0, 0, 1, 0.05, 0.2, 0.5).asClosed()),
+        Form.of(
+            effect(),
+            "bursts",
+            v -> new Burst(v[0], v[1], 1),
+            Parameter.of("share", 0, 0, 0.9, 0.1, 0.3),
+            Parameter.of("length_pings", 1, 1, Burst.LONGEST_PINGS, 3, 8)));
+  }
+
+  /** A twentieth of the echoes. */
+  @Override
+  public List<Probe> probes(SensingSetup setup, PingLog log) {
+    return List.of(
+        Probe.alone(Forms.find(effect(), "single", setup, log.sensors()).orElseThrow(), 0, 0.05));
+  }
+
+  @Override
+  public String remedy(FittedValues values) {
+    return text(
+        "let the sensor's miss_rate be %.2g, or ping again where nothing is heard",
+        values.value("share"));
+  }
+
+  @Override
+  public Set<Trait> traits() {
+    return Set.of(Trait.SOAKS_UP);
+  }
+}

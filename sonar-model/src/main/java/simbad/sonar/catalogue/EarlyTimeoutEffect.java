@@ -1,0 +1,93 @@
+package simbad.sonar.catalogue;
+
+import static simbad.sonar.effect.FittedValues.text;
+
+import java.util.List;
+import java.util.Set;
+import simbad.sonar.effect.Clues;
+import simbad.sonar.effect.Definition;
+import simbad.sonar.effect.EarlyTimeout;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.FittedValues;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Parameter;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.effect.Probe;
+import simbad.sonar.effect.Trait;
+import simbad.sonar.effect.Tries;
+import simbad.sonar.scene.SensingSetup;
+
+/** Far echoes are lost: the real time-out is shorter. */
+public final class EarlyTimeoutEffect implements Definition {
+  @Override
+  public Effect effect() {
+    return Effect.EARLY_TIMEOUT;
+  }
+
+  @Override
+  public String happens() {
+    return "far echoes are lost: the real time-out is shorter";
+  }
+
+  @Override
+  public String briefly() {
+    return "far echoes are lost";
+  }
+
+  @Override
+  public String cause() {
+    return "a time-out in the program, a receiver that stops to listen early";
+  }
+
+  @Override
+  public List<Form> forms(SensingSetup setup, List<String> sensors) {
+    Parameter start = start(setup);
+    Parameter soft = Parameter.of("soft_m", 0, 0, 0.3, 0.02);
+    return List.of(
+        sharp(start), Form.of(effect(), "soft", v -> new EarlyTimeout(v[0], v[1]), start, soft));
+  }
+
+  /** A time-out is a clock's; one that is soft is a receiver that asks more, as air does. */
+  @Override
+  public List<Form> levelForms(SensingSetup setup, List<String> sensors) {
+    return List.of(sharp(start(setup)));
+  }
+
+  private Form sharp(Parameter start) {
+    return Form.of(effect(), "sharp", v -> new EarlyTimeout(v[0], 0), start);
+  }
+
+  private static Parameter start(SensingSetup setup) {
+    double most = setup.sensor().maxRangeM();
+    return Parameter.of(
+        "start_m", Double.POSITIVE_INFINITY, 0.1, most, 0.3 * most, 0.5 * most, 0.7 * most);
+  }
+
+  @Override
+  public List<double[]> starts(Form form, Clues clues) {
+    return Tries.combined(form, Distances.first(form, clues));
+  }
+
+  /** A quarter of what the scene or the sensor reaches. */
+  @Override
+  public List<Probe> probes(SensingSetup setup, PingLog log) {
+    double reach =
+        setup.scene().obstacles().stream()
+            .mapToDouble(obstacle -> obstacle.detection().greatestM())
+            .filter(threshold -> threshold > 0)
+            .max()
+            .orElse(Double.POSITIVE_INFINITY);
+    double practical = 0.75 * Math.min(setup.sensor().maxRangeM(), reach);
+    return List.of(Probe.alone(sharp(start(setup)), 0, practical));
+  }
+
+  @Override
+  public String remedy(FittedValues values) {
+    return text("let max_range_m be %.2f, or wait longer for the echo", values.value("start_m"));
+  }
+
+  @Override
+  public Set<Trait> traits() {
+    return Set.of(Trait.BESIDE_THE_LAW);
+  }
+}

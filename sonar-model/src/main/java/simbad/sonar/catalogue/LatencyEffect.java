@@ -1,0 +1,75 @@
+package simbad.sonar.catalogue;
+
+import java.util.List;
+import java.util.Set;
+import simbad.sonar.effect.Definition;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.FittedValues;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.Latency;
+import simbad.sonar.effect.Parameter;
+import simbad.sonar.effect.PingDelay;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.effect.Probe;
+import simbad.sonar.effect.ScatteredLatency;
+import simbad.sonar.effect.Trait;
+import simbad.sonar.scene.SensingSetup;
+
+/** A reading belongs to an earlier pose. */
+public final class LatencyEffect implements Definition {
+  private static final double MOST_DELAY_S = 5;
+  private static final double MOST_PINGS = 30;
+
+  @Override
+  public Effect effect() {
+    return Effect.LATENCY;
+  }
+
+  @Override
+  public String happens() {
+    return "a reading belongs to an earlier pose";
+  }
+
+  @Override
+  public String cause() {
+    return "a filter or a buffer, or readings that are stamped when they arrive";
+  }
+
+  @Override
+  public List<Form> forms(SensingSetup setup, List<String> sensors) {
+    double period = setup.sensor().updatePeriodS();
+    double most = Math.max(MOST_DELAY_S, MOST_PINGS * period);
+    Parameter delay = Parameter.of("delay_s", 0, 0, most, period, 2 * period, 0.3, 0.6, 1.2);
+    return List.of(
+        Form.of(effect(), "time", v -> new Latency(v[0]), delay),
+        Form.of(
+            effect(),
+            "pings",
+            v -> new PingDelay(v[0]),
+            Parameter.of("pings", 0, 0, MOST_PINGS, 1, 2, 4, 8)),
+        Form.of(
+            effect(),
+            "scattered",
+            v -> new ScatteredLatency(new Latency(v[0]), v[1]),
+            delay,
+            Parameter.of("scatter_pings", 0, 0, 3, 0.2)));
+  }
+
+  /** 50 ms. */
+  @Override
+  public List<Probe> probes(SensingSetup setup, PingLog log) {
+    return List.of(
+        Probe.alone(Forms.find(effect(), "time", setup, log.sensors()).orElseThrow(), 0, 0.05));
+  }
+
+  @Override
+  public String remedy(FittedValues values) {
+    return "stamp readings with the time of the ping, not with that of their arrival";
+  }
+
+  @Override
+  public Set<Trait> traits() {
+    return Set.of(Trait.SOAKS_UP_PLACEMENTS);
+  }
+}

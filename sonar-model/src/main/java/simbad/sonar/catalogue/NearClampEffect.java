@@ -1,0 +1,86 @@
+package simbad.sonar.catalogue;
+
+import static simbad.sonar.effect.FittedValues.text;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import simbad.sonar.effect.Clues;
+import simbad.sonar.effect.Definition;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.FittedValues;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.NearClamp;
+import simbad.sonar.effect.Parameter;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.effect.Probe;
+import simbad.sonar.effect.Tries;
+import simbad.sonar.scene.SensingSetup;
+
+/** Ranges below a least value are reported as that value. */
+public final class NearClampEffect implements Definition {
+  @Override
+  public Effect effect() {
+    return Effect.NEAR_CLAMP;
+  }
+
+  @Override
+  public String happens() {
+    return "ranges below a least value are reported as that value";
+  }
+
+  @Override
+  public String briefly() {
+    return "short ranges are reported as one least value";
+  }
+
+  @Override
+  public String cause() {
+    return "a sensor or a driver that reports no less than its minimum range";
+  }
+
+  @Override
+  public List<Form> forms(SensingSetup setup, List<String> sensors) {
+    return List.of(
+        Form.of(
+            effect(),
+            "clamp",
+            v -> new NearClamp(v[0]),
+            Parameter.of("least_m", 0, 0, setup.sensor().maxRangeM(), 0.1, 0.2, 0.35, 0.6)));
+  }
+
+  /** At the least reading there is. */
+  @Override
+  public List<double[]> starts(Form form, Clues clues) {
+    PingLog log = clues.log();
+    List<Double> least = new ArrayList<>(form.parameters().get(0).tries());
+    IntStream.range(0, log.size())
+        .filter(log::echo)
+        .mapToDouble(log::rangeM)
+        .min()
+        .ifPresent(
+            range -> {
+              least.add(range);
+              least.add(range + 0.005);
+            });
+    return Tries.product(form, least);
+  }
+
+  /** Sensors are specified to be blind up to 0.3 m. */
+  @Override
+  public List<Probe> probes(SensingSetup setup, PingLog log) {
+    return List.of(
+        Probe.alone(
+            Forms.find(effect(), "clamp", setup, log.sensors()).orElseThrow(),
+            0,
+            Math.max(0.3, 1.5 * setup.sensor().minRangeM())));
+  }
+
+  @Override
+  public String remedy(FittedValues values) {
+    return text(
+        "take readings of %.3f m for nearer than that, not for a distance",
+        values.value("least_m"));
+  }
+}

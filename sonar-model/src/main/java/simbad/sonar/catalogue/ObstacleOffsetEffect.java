@@ -1,0 +1,83 @@
+package simbad.sonar.catalogue;
+
+import static simbad.sonar.effect.FittedValues.text;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import simbad.sonar.effect.Definition;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.FittedValues;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.ObstacleOffset;
+import simbad.sonar.effect.Parameter;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.effect.Probe;
+import simbad.sonar.effect.Scenes;
+import simbad.sonar.effect.Trait;
+import simbad.sonar.scene.SensingSetup;
+
+/** An obstacle stands elsewhere than believed. */
+public final class ObstacleOffsetEffect implements Definition {
+  @Override
+  public Effect effect() {
+    return Effect.OBSTACLE_OFFSET;
+  }
+
+  @Override
+  public String happens() {
+    return "an obstacle stands elsewhere than believed";
+  }
+
+  @Override
+  public String cause() {
+    return "an obstacle that was measured wrong or knocked";
+  }
+
+  @Override
+  public List<Form> forms(SensingSetup setup, List<String> sensors) {
+    List<Form> forms = new ArrayList<>(List.of(moved("all", Optional.empty())));
+    List<String> labels = Scenes.labels(setup.scene());
+    if (labels.size() > 1) {
+      labels.forEach(label -> forms.add(moved("only:" + label, Optional.of(label))));
+    }
+    return forms;
+  }
+
+  private Form moved(String name, Optional<String> only) {
+    return Form.of(
+        effect(),
+        name,
+        v -> new ObstacleOffset(v[0], v[1], only),
+        Parameter.of("x_m", 0, -1, 1, -0.06, 0, 0.06),
+        Parameter.of("z_m", 0, -1, 1, -0.06, 0, 0.06));
+  }
+
+  /** 1 cm either way. */
+  @Override
+  public List<Probe> probes(SensingSetup setup, PingLog log) {
+    Form all = forms(setup, log.sensors()).get(0);
+    return setup.scene().obstacles().isEmpty()
+        ? List.of()
+        : List.of(Probe.alone(all, 0, 0.01), Probe.alone(all, 1, 0.01));
+  }
+
+  /** Twice what a tape is read off to, in any direction. */
+  @Override
+  public boolean isWithinDays(Form form, double... values) {
+    return Math.hypot(values[0], values[1]) < 0.004;
+  }
+
+  @Override
+  public String remedy(FittedValues values) {
+    return text(
+        "move the obstacle by %+.3f m in x and %+.3f m in z",
+        values.value("x_m"), values.value("z_m"));
+  }
+
+  @Override
+  public Set<Trait> traits() {
+    return Set.of(Trait.SOAKS_UP_PLACEMENTS);
+  }
+}

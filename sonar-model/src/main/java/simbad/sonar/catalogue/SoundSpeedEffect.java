@@ -1,0 +1,139 @@
+package simbad.sonar.catalogue;
+
+import static simbad.sonar.effect.FittedValues.text;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.DoubleStream;
+import simbad.sonar.effect.Clues;
+import simbad.sonar.effect.Definition;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.FittedValues;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.Modes;
+import simbad.sonar.effect.Parameter;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.effect.Probe;
+import simbad.sonar.effect.ReadingScale;
+import simbad.sonar.effect.SoundSpeed;
+import simbad.sonar.effect.Trait;
+import simbad.sonar.effect.Tries;
+import simbad.sonar.scene.SensingSetup;
+
+/** The sound travels faster or slower than assumed. */
+public final class SoundSpeedEffect implements Definition {
+  /** A wrong unit or constant scales ranges by a fifth to five times; neither is at a bound. */
+  private static final double MOST_SCALE = 5.5;
+
+  /**
+   * Believed over read: what is taken for another unit or way is so exactly, and steps that are
+   * scaled leave no room between (inches, feet, one way for both, some timers).
+   */
+  private static final double[] UNITS = {
+    0.2, 0.25, 0.3048, 1 / 2.54, 0.5, 0.94, 0.98, 1.02, 1.06, 2, 2.54, 1 / 0.3048, 4, 5
+  };
+
+  private static final int MODES = 4;
+  private static final double DEGREES_OF_AIR = 0.606;
+  private static final double FREEZING_M_S = 331.3;
+
+  /** Air between these is air; any other speed is a wrong constant or a wrong unit. */
+  private static final double COLDEST_M_S = 318;
+
+  private static final double HOTTEST_M_S = 362;
+
+  @Override
+  public Effect effect() {
+    return Effect.SOUND_SPEED;
+  }
+
+  @Override
+  public String happens() {
+    return "sound is faster or slower than assumed: every range is scaled";
+  }
+
+  @Override
+  public String briefly() {
+    return "sound is faster or slower than assumed";
+  }
+
+  @Override
+  public String cause() {
+    return "warmer or colder air, a wrong constant, a wrong unit";
+  }
+
+  @Override
+  public List<Form> forms(SensingSetup setup, List<String> sensors) {
+    double assumed = setup.sensor().assumedSoundSpeedMPerS();
+    double resolution = setup.sensor().resolutionM();
+    return List.of(
+        Form.of(
+            effect(),
+            "scale",
+            v -> new SoundSpeed(assumed / v[0]),
+            speed(assumed, 0.94, 0.98, 1.02, 1.06)),
+        Form.of(
+            effect(),
+            "reading",
+            v -> new ReadingScale(assumed / v[0], resolution),
+            speed(assumed, UNITS)));
+  }
+
+  private static Parameter speed(double assumed, double... shares) {
+    return Parameter.of(
+        "sound_speed_m_s",
+        assumed,
+        assumed / MOST_SCALE,
+        assumed * MOST_SCALE,
+        Arrays.stream(shares).map(share -> share * assumed).toArray());
+  }
+
+  /** That of which most readings are the same multiple of a distance, beside the usual ones. */
+  @Override
+  public List<double[]> starts(Form form, Clues clues) {
+    DoubleStream logarithms =
+        clues
+            .echoesInCone()
+            .filter(i -> clues.log().rangeM(i) > 0 && clues.nearestM(i) > 0)
+            .mapToDouble(i -> Math.log(clues.log().rangeM(i) / clues.nearestM(i)));
+    List<Double> speeds = new ArrayList<>(form.parameters().get(0).tries());
+    double assumed = form.parameters().get(0).neutral();
+    Modes.of(logarithms, 0.02, MODES)
+        .forEach(logarithm -> speeds.add(assumed / Math.exp(logarithm)));
+    return Tries.product(form, speeds);
+  }
+
+  /** 3 m/s is 5 degrees of the air. */
+  @Override
+  public List<Probe> probes(SensingSetup setup, PingLog log) {
+    return List.of(
+        Probe.alone(Forms.find(effect(), "scale", setup, log.sensors()).orElseThrow(), 0, 3));
+  }
+
+  /** Half a kelvin is 0.3 m/s. */
+  @Override
+  public boolean isWithinDays(Form form, double... values) {
+    return Math.abs(values[0] - form.neutral()[0]) < 0.6;
+  }
+
+  @Override
+  public String remedy(FittedValues values) {
+    double speed = values.value("sound_speed_m_s");
+    double assumed = values.sensor().assumedSoundSpeedMPerS();
+    if (speed < COLDEST_M_S || speed > HOTTEST_M_S) {
+      return text(
+          "multiply readings by %.4g: that is a unit or a constant, not the air", speed / assumed);
+    }
+    return text(
+        "compute with %.1f m/s (air of %.0f degrees), not %.1f",
+        speed, (speed - FREEZING_M_S) / DEGREES_OF_AIR, assumed);
+  }
+
+  @Override
+  public Set<Trait> traits() {
+    return Set.of(Trait.LAW_OF_RANGES);
+  }
+}

@@ -1,0 +1,123 @@
+package simbad.sonar.catalogue;
+
+import static java.lang.Math.toRadians;
+import static simbad.sonar.effect.FittedValues.text;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import simbad.sonar.effect.Clues;
+import simbad.sonar.effect.Definition;
+import simbad.sonar.effect.Effect;
+import simbad.sonar.effect.FittedValues;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Parameter;
+import simbad.sonar.effect.PingLog;
+import simbad.sonar.effect.Probe;
+import simbad.sonar.effect.Trait;
+import simbad.sonar.effect.UnmodelledObject;
+import simbad.sonar.effect.UnmodelledPost;
+import simbad.sonar.scene.SensingSetup;
+
+/** Something that is not in the scene answers from a fixed place. */
+public final class UnmodelledObjectEffect implements Definition {
+  private static final String POST = "post";
+  private static final Parameter X = Parameter.of("x_m", 0, -20, 20, 0);
+  private static final Parameter Z = Parameter.of("z_m", 0, -20, 20, 0);
+  private static final Parameter NORMAL = Parameter.of("normal_deg", 0, -400, 400, 0).asClosed();
+  private static final Parameter WIDTH = Parameter.of("half_width_m", 0, 0.02, 10, 0.4).asClosed();
+  private static final Parameter SURE = Parameter.of("share", 0, 0.1, 1, 0.95).asClosed();
+  private static final double AHEAD_M = 0.5;
+  private static final int OBJECTS = 6;
+
+  @Override
+  public Effect effect() {
+    return Effect.UNMODELLED_OBJECT;
+  }
+
+  @Override
+  public String happens() {
+    return "something that is not in the scene answers from a fixed place";
+  }
+
+  @Override
+  public String briefly() {
+    return "something that is not in the scene answers";
+  }
+
+  @Override
+  public String cause() {
+    return "furniture, a wall, a post, a cable, somebody who stands there";
+  }
+
+  @Override
+  public List<Form> forms(SensingSetup setup, List<String> sensors) {
+    double most = setup.sensor().maxRangeM();
+    Parameter reach = Parameter.of("reach_m", most, 0.05, most, most);
+    return List.of(
+        Form.of(
+            effect(),
+            "mirror",
+            v -> new UnmodelledObject(v[0], v[1], toRadians(v[2]), v[3], 0, most, v[4]),
+            X,
+            Z,
+            NORMAL,
+            WIDTH,
+            SURE),
+        Form.of(
+            effect(),
+            "face",
+            v ->
+                new UnmodelledObject(
+                    v[0], v[1], toRadians(v[2]), v[3], toRadians(v[5]), v[6], v[4]),
+            X,
+            Z,
+            NORMAL,
+            WIDTH,
+            SURE,
+            Parameter.of("square_deg", 30, 3, 90, 15, 40).asClosed(),
+            reach),
+        Form.of(
+            effect(),
+            POST,
+            v -> new UnmodelledPost(v[0], v[1], v[2], v[3], toRadians(v[5]), v[4]),
+            X,
+            Z,
+            Parameter.of("radius_m", 0, 0, 0.5, 0.05),
+            reach,
+            SURE,
+            Parameter.of("square_deg", 90, 3, 90, 90).asClosed()));
+  }
+
+  @Override
+  public List<double[]> starts(Form form, Clues clues) {
+    return form.name().equals(POST)
+        ? clues.posts(form.parameters().get(3).high())
+        : clues.faces(form);
+  }
+
+  /** Posts in front of poses spread over the log, which answer half of the pings that face them. */
+  @Override
+  public List<Probe> probes(SensingSetup setup, PingLog log) {
+    List<double[]> places = new ArrayList<>();
+    for (int i = 0; i < OBJECTS && log.size() > 0; i++) {
+      int ping = (int) ((i + 0.5) / OBJECTS * log.size());
+      double x = log.xM(ping) + AHEAD_M * Math.cos(log.headingRad(ping));
+      double z = log.zM(ping) - AHEAD_M * Math.sin(log.headingRad(ping));
+      places.add(new double[] {x, z, 0, setup.sensor().maxRangeM(), 0, 90});
+    }
+    return List.of(new Probe(forms(setup, log.sensors()).get(2), 4, 0.5, places));
+  }
+
+  @Override
+  public String remedy(FittedValues values) {
+    return text(
+        "look at x = %.2f m, z = %.2f m, and put what stands there into the scene",
+        values.value("x_m"), values.value("z_m"));
+  }
+
+  @Override
+  public Set<Trait> traits() {
+    return Set.of(Trait.SOAKS_UP, Trait.SOAKS_UP_PLACEMENTS);
+  }
+}

@@ -1,0 +1,91 @@
+package simbad.sonar.effect;
+
+import java.util.List;
+import java.util.Set;
+import simbad.sonar.scene.SensingSetup;
+
+/**
+ * All that is to be known of an effect. Search, report, prediction, help and documentation read it
+ * here.
+ *
+ * <p>Definitions are found with {@link java.util.ServiceLoader}: a class that implements this
+ * interface, is public, has a public constructor without parameters and stands in {@code
+ * META-INF/services/simbad.sonar.effect.Definition} of its jar takes part. Implementations have no
+ * state, since one object serves several threads.
+ */
+public interface Definition {
+  /** Returns the effect that it defines: one of the constants, or {@link Effect#named}. */
+  Effect effect();
+
+  /** Returns what happens, in one plain sentence without a full stop. */
+  String happens();
+
+  /** Returns the same in a few words, which stand behind the name in a verdict. */
+  default String briefly() {
+    return happens();
+  }
+
+  /** Returns what in the world it stands for: causes, commonest first. */
+  String cause();
+
+  /**
+   * Returns the forms that it can take where echoes are decided by thresholds; none where the
+   * set-up has no room for it.
+   *
+   * @param setup whose obstacles and sensor they are for
+   * @param sensors labels of the transducers in the log
+   */
+  List<Form> forms(SensingSetup setup, List<String> sensors);
+
+  /** Returns the same where echoes are decided by levels. */
+  default List<Form> levelForms(SensingSetup setup, List<String> sensors) {
+    return forms(setup, sensors);
+  }
+
+  /**
+   * Returns values from which a fit starts: by default all combinations of the parameters' tries.
+   *
+   * @param form one of its forms
+   * @param clues what the log shows that nothing explains yet
+   * @return at least one set of values, each in its parameter's interval
+   */
+  default List<double[]> starts(Form form, Clues clues) {
+    return Tries.all(form);
+  }
+
+  /**
+   * Returns by which parameters, from which size on it matters in practice. By default the first
+   * parameter of the first form shows it from its smallest try on.
+   *
+   * @param setup as the simulator believes it
+   * @param log whose readings might show it
+   * @return none where the set-up does not admit the effect
+   */
+  default List<Probe> probes(SensingSetup setup, PingLog log) {
+    return Forms.of(this, setup, log.sensors()).stream().limit(1).map(Probe::ofTries).toList();
+  }
+
+  /** Returns what to do about it, in one sentence without a full stop. */
+  String remedy(FittedValues values);
+
+  /** Returns what the search has to know of it. */
+  default Set<Trait> traits() {
+    return Set.of();
+  }
+
+  /**
+   * Tells whether a log may show a form at all, by physics, symmetry or the way in which it was
+   * taken. What it cannot show is not looked for.
+   */
+  default boolean canShow(Form form, LogDesign log) {
+    return true;
+  }
+
+  /**
+   * Tells whether values are no more than what differs from one day to the next though nothing was
+   * changed. That belongs to the set-up.
+   */
+  default boolean isWithinDays(Form form, double... values) {
+    return false;
+  }
+}

@@ -1,0 +1,54 @@
+package simbad.sonar.effect;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import simbad.sonar.check.Checks;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.UniformDetection;
+
+/**
+ * How a log was taken: what it can show at all.
+ *
+ * @param setup as the simulator believes it
+ * @param log itself
+ * @param isRepeated whether things were put in place and read again and again
+ * @param isNoisier whether readings at one placement scatter more than believed; true where nothing
+ *     was repeated
+ * @param wayM how far sound goes and comes back between two pings, metres; 0 where there are none
+ * @param round labels of the uniform obstacles that look the same from all sides
+ */
+public record LogDesign(
+    SensingSetup setup,
+    PingLog log,
+    boolean isRepeated,
+    boolean isNoisier,
+    double wayM,
+    Set<String> round) {
+  /** Checks the way and copies the set. */
+  public LogDesign {
+    Checks.number("wayM", wayM);
+    round = Set.copyOf(round);
+  }
+
+  /**
+   * Tells whether a form turns or shades nothing but what looks the same from all sides.
+   *
+   * @param form of one obstacle by its label, or of all
+   * @param ofAll whether it is about every obstacle, or about uniform ones only
+   */
+  public boolean isOfRoundOnes(Form form, boolean ofAll) {
+    List<String> labels = Scenes.labels(setup.scene());
+    Optional<String> one =
+        labels.stream()
+            .filter(
+                label ->
+                    form.name().equals("only:" + label) || form.name().contains(":" + label + "#"))
+            .findFirst();
+    long about =
+        setup.scene().obstacles().stream()
+            .filter(obstacle -> ofAll || obstacle.detection() instanceof UniformDetection)
+            .count();
+    return one.map(round::contains).orElse(!round.isEmpty() && round.size() == about);
+  }
+}

@@ -1,0 +1,18 @@
+package simbad.sonar.effect;
+
+/** What the search has to know of an effect beside its forms. */
+public enum Trait {
+  /** It belongs to the law of the ranges, which is always fitted as a whole. */
+  LAW_OF_RANGES,
+  /** A plain cause that is tried beside the law of the ranges, even if it gains little alone. */
+  BESIDE_THE_LAW,
+  /** It takes up a little of anything, since it depends on no place. */
+  SOAKS_UP,
+  /**
+   * Where things are put in place by hand, it takes up what each placement is off by, and has to
+   * gain more than others.
+   */
+  SOAKS_UP_PLACEMENTS,
+  /** It takes up what nothing else explains, and is never sure beside such a rest. */
+  SOAKS_UP_A_REST
+}
