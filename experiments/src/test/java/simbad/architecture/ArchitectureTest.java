@@ -62,6 +62,7 @@ class ArchitectureTest {
     "simbad.sonar.predict..",
     "simbad.sonar.catalogue.."
   };
+  private static final String MOTION = "simbad.motion..";
   private static final String KERNEL = "simbad.kernel..";
   private static final String BENCH = "simbad.bench..";
   private static final String OBSTACLES = "simbad.obstacles..";
@@ -87,6 +88,7 @@ class ArchitectureTest {
         "simbad.definition, 3",
         "simbad.sonar.change, 40",
         "simbad.sonar.catalogue, 30",
+        "simbad.motion, 20",
         "simbad.kernel, 20",
         "simbad.sim, 20",
         "simbad.gui, 15",
@@ -122,6 +124,10 @@ class ArchitectureTest {
   static Stream<Arguments> arrows() {
     return Stream.of(
         Arguments.of(MODEL, WORLD),
+        Arguments.of(MODEL, new String[] {MOTION}),
+        Arguments.of(MOTION, WORLD),
+        Arguments.of(MOTION, TOOLKITS),
+        Arguments.of(MOTION, new String[] {OBSTACLES, EXPERIMENTS, GAP, SCATTERING, BENCH}),
         Arguments.of(MODEL, new String[] {OBSTACLES, EXPERIMENTS}),
         Arguments.of(MODEL, TOOLKITS),
         Arguments.of(KERNEL, new String[] {"simbad.sim..", "simbad.gui..", "simbad.demo.."}),
@@ -245,6 +251,19 @@ class ArchitectureTest {
         .check(CLASSES);
   }
 
+  /** Of the sonar only the readers of files: a robot moves without hearing. */
+  @Test
+  void motion_knowsOfTheSonarOnlyItsFormats() {
+    classes()
+        .that()
+        .resideInAPackage(MOTION)
+        .should()
+        .onlyDependOnClassesThat(
+            resideInAnyPackage(
+                "java..", "org.jspecify.annotations", MOTION, "simbad.sonar.format"))
+        .check(CLASSES);
+  }
+
   @Test
   void commandLine_isUsedByNobody() {
     noClasses()
@@ -341,6 +360,7 @@ class ArchitectureTest {
     outsideTheCommandLine().callMethodWhere(callOf(java.time.Instant.class, "now")).check(CLASSES);
     clockless("simbad.sonar..").check(CLASSES);
     clockless("simbad.obstacles..").check(CLASSES);
+    clockless(MOTION).check(CLASSES);
     clockless("simbad.gap..").check(CLASSES);
     clockless(BLIND).check(CLASSES);
     clockless("simbad.scattering..").check(CLASSES);

@@ -28,7 +28,8 @@ import simbad.sonar.scene.SonarSpec;
       DatasetCommand.Grid.class,
       DatasetCommand.Ladder.class,
       DatasetCommand.Plotter.class,
-      DatasetMendCommand.class
+      DatasetMendCommand.class,
+      DatasetMotionCommand.class
     },
     footer = {
       "",

@@ -19,6 +19,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.definition.Effect;
 import simbad.experiments.diagnosis.DiagnosisReport;
+import simbad.experiments.motion.MotionReport;
 import simbad.gap.Diagnoser;
 import simbad.gap.audit.Audit;
 import simbad.gap.audit.AuditFinding;
@@ -26,6 +27,10 @@ import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Provenance;
+import simbad.gap.motion.MotionDiagnoser;
+import simbad.gap.motion.MotionDiagnosis;
+import simbad.motion.format.MotionData;
+import simbad.motion.format.MotionFolder;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.format.DataFormatException;
 
@@ -37,6 +42,8 @@ import simbad.sonar.format.DataFormatException;
           + " the gap shrinks once that effect is in the simulator.",
       "A data set is a folder with scene.json and readings.csv, and perhaps reference.csv; each"
           + " gets a folder of its name in --out with diagnosis.json, model.json and report.html.",
+      "A motion folder has robot.json, commands.csv and track.csv; its diagnosis says how the robot"
+          + " moves otherwise than it is told.",
       "Before anything is fitted the data are audited: units, axes, codes for no echo, clocks. Data"
           + " of which no reading can be believed are not diagnosed."
     },
@@ -149,6 +156,9 @@ final class DiagnoseCommand extends Subcommand {
       throws IOException, DataFormatException {
     DataSetFolder source = new DataSetFolder(folder);
     Path target = out.resolve(source.name());
+    if (MotionFolder.isOne(folder) && !Files.exists(folder.resolve(DataSetFolder.SCENE))) {
+      return diagnoseMotion(folder, source, target, version);
+    }
     DataSet data = source.read();
     try (StagedDirectory staged = StagedDirectory.beside(target)) {
       Provenance provenance = new Provenance(source.sha256(), version, seed);
@@ -162,6 +172,22 @@ final class DiagnoseCommand extends Subcommand {
       DiagnosisReport.write(staged.path(), folder, data, diagnosis, provenance);
       staged.publish();
       return new DiagnoseSummary(data.name(), diagnosis, target);
+    }
+  }
+
+  private DataSetSummary diagnoseMotion(
+      Path folder, DataSetFolder source, Path target, String version)
+      throws IOException, DataFormatException {
+    MotionData data = new MotionFolder(folder).read(source.name());
+    try (StagedDirectory staged = StagedDirectory.beside(target)) {
+      if (auditOnly) {
+        throw wrongUsage("--audit-only: " + folder + " is a motion folder, which has no audit yet");
+      }
+      MotionDiagnosis diagnosis = new MotionDiagnoser(data).diagnose();
+      Provenance provenance = new Provenance(source.sha256(), version, seed);
+      MotionReport.write(staged.path(), data.name(), diagnosis, provenance);
+      staged.publish();
+      return new MotionSummary(data.name(), diagnosis, target);
     }
   }
 

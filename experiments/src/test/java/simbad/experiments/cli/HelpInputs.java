@@ -60,6 +60,8 @@ final class HelpInputs {
           Map.entry("plot.csv", "phi,cm_max\n0,90\n120,95\n240,100\n"),
           Map.entry("numbers.txt", "49\n".repeat(72)),
           Map.entry("rows.csv", POSES),
+          Map.entry("my-odometry.txt", "# time v w\n10.0 0.1 0\n10.5 0.1 0.2\n"),
+          Map.entry("my-track.txt", "# time x y heading\n10.0 0 0 0\n10.5 0.05 0 0\n"),
           Map.entry("next-experiment.csv", POSES),
           Map.entry("my-spec.json", "{}"),
           Map.entry("my-log.csv", "true_cm,reading_cm\n10,9.8\n20,19.7\n30,29.9\n"),

@@ -30,6 +30,18 @@ public final class DataSetFolder {
   /** What was read while the simulation was trusted. */
   public static final String REFERENCE = "reference.csv";
 
+  /** All that a data set, of sensing or of motion, may be made of. */
+  private static final List<String> FILES =
+      List.of(
+          SCENE,
+          READINGS,
+          REFERENCE,
+          "robot.json",
+          "commands.csv",
+          "track.csv",
+          "reference-commands.csv",
+          "reference-track.csv");
+
   private final Path folder;
 
   /**
@@ -95,7 +107,7 @@ public final class DataSetFolder {
    */
   public Map<String, String> sha256() throws IOException {
     Map<String, String> hashes = new LinkedHashMap<>();
-    for (String name : List.of(SCENE, READINGS, REFERENCE)) {
+    for (String name : FILES) {
       Path file = folder.resolve(name);
       if (Files.exists(file)) {
         hashes.put(name, sha256(Files.readAllBytes(file)));

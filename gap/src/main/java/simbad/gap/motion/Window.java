@@ -1,0 +1,27 @@
+package simbad.gap.motion;
+
+import simbad.motion.Displacement;
+
+/**
+ * A stretch of a run at whose ends the track is known.
+ *
+ * @param run index of the run
+ * @param startS when it begins
+ * @param horizonS how long it is
+ * @param headingRad of the pose at its start
+ * @param xM of that pose
+ * @param yM of that pose
+ * @param way what the tracker saw
+ */
+record Window(
+    int run,
+    double startS,
+    double horizonS,
+    double headingRad,
+    double xM,
+    double yM,
+    Displacement way) {
+  double endS() {
+    return startS + horizonS;
+  }
+}

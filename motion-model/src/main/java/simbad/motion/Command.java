@@ -1,0 +1,18 @@
+package simbad.motion;
+
+/**
+ * What a robot was told, held until the next command of its run.
+ *
+ * @param timeS when, seconds
+ * @param speedMPerS along the heading
+ * @param turnRadPerS counter-clockwise
+ */
+public record Command(double timeS, double speedMPerS, double turnRadPerS) {
+  /** Checks that all are finite. */
+  public Command {
+    if (!Double.isFinite(timeS + speedMPerS + turnRadPerS)) {
+      throw new IllegalArgumentException(
+          "command = (" + timeS + ", " + speedMPerS + ", " + turnRadPerS + ") is not finite");
+    }
+  }
+}

@@ -1,0 +1,89 @@
+package simbad.motion;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Changes, one after the other: a robot with all of them.
+ *
+ * @param changes in the order in which they act at each stage
+ */
+public record MotionChain(List<MotionChange> changes) {
+  /** A robot that does exactly what it is told. */
+  public static final MotionChain EXACT = new MotionChain(List.of());
+
+  /** Copies the list. */
+  public MotionChain {
+    changes = List.copyOf(changes);
+  }
+
+  /** Returns this chain with a change behind. */
+  public MotionChain with(MotionChange change) {
+    List<MotionChange> longer = new ArrayList<>(changes);
+    longer.add(change);
+    return new MotionChain(longer);
+  }
+
+  /** Returns the speed that the drive takes a commanded one for, m/s. */
+  public double commandedSpeed(double speedMPerS) {
+    double speed = speedMPerS;
+    for (MotionChange change : changes) {
+      speed = change.commandedSpeed(speed);
+    }
+    return speed;
+  }
+
+  /** Returns the rate that the drive takes a commanded one for, rad/s. */
+  public double commandedTurn(double turnRadPerS) {
+    double turn = turnRadPerS;
+    for (MotionChange change : changes) {
+      turn = change.commandedTurn(turn);
+    }
+    return turn;
+  }
+
+  /** Returns by how many seconds commands act late. */
+  public double delayS() {
+    double delay = 0;
+    for (MotionChange change : changes) {
+      delay = change.delayS(delay);
+    }
+    return delay;
+  }
+
+  /** Returns how speeds follow commands. */
+  public Response response() {
+    Response response = Response.AT_ONCE;
+    for (MotionChange change : changes) {
+      response = change.response(response);
+    }
+    return response;
+  }
+
+  /** Returns the speed over ground, m/s, for the drive's. */
+  public double speed(double speedMPerS) {
+    double speed = speedMPerS;
+    for (MotionChange change : changes) {
+      speed = change.speed(speed);
+    }
+    return speed;
+  }
+
+  /** Returns the rate of turning over ground, rad/s, for the drive's rate and the true speed. */
+  public double turn(double turnRadPerS, double speedMPerS) {
+    double turn = turnRadPerS;
+    for (MotionChange change : changes) {
+      turn = change.turn(turn, speedMPerS);
+    }
+    return turn;
+  }
+
+  /** Returns what the tracker reports. */
+  public Capture capture() {
+    Capture capture = Capture.CENTRE;
+    for (MotionChange change : changes) {
+      capture = change.capture(capture);
+    }
+    return capture;
+  }
+}

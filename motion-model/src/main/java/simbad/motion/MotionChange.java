@@ -1,0 +1,47 @@
+package simbad.motion;
+
+/**
+ * A change of the chain command, speeds, displacement, tracked displacement. What a change does not
+ * say stays as it is, to the bit. Changes are values and may be shared.
+ */
+public interface MotionChange {
+  /** Changes a commanded speed, m/s. */
+  default double commandedSpeed(double speedMPerS) {
+    return speedMPerS;
+  }
+
+  /** Changes a commanded rate of turning, rad/s. */
+  default double commandedTurn(double turnRadPerS) {
+    return turnRadPerS;
+  }
+
+  /** Changes by how many seconds commands act late. */
+  default double delayS(double delayS) {
+    return delayS;
+  }
+
+  /** Changes how speeds follow commands. */
+  default Response response(Response response) {
+    return response;
+  }
+
+  /** Changes the speed over ground, m/s. */
+  default double speed(double speedMPerS) {
+    return speedMPerS;
+  }
+
+  /**
+   * Changes the rate of turning over ground, rad/s.
+   *
+   * @param turnRadPerS as the changes before left it
+   * @param speedMPerS over ground
+   */
+  default double turn(double turnRadPerS, double speedMPerS) {
+    return turnRadPerS;
+  }
+
+  /** Changes what the tracker reports. */
+  default Capture capture(Capture capture) {
+    return capture;
+  }
+}

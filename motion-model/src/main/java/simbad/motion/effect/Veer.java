@@ -1,0 +1,33 @@
+package simbad.motion.effect;
+
+import java.util.List;
+import simbad.motion.MotionChange;
+
+/** Turning that nobody commanded: at a constant rate, or in proportion to the speed. */
+record Veer(double biasRadPerS, double perMetreRad) implements MotionChange {
+  static final MotionForm BIAS =
+      new MotionForm(
+          "turn-bias",
+          "turn-bias",
+          List.of(new MotionParameter("bias_rad_s", -1, 1, 0, 0.001)),
+          List.of(new double[] {0}),
+          p -> new Veer(p[0], 0),
+          "add %s rad/s to every turn rate",
+          false);
+  static final MotionForm ASYMMETRY =
+      new MotionForm(
+          "wheel-asymmetry",
+          "wheel-asymmetry",
+          List.of(new MotionParameter("turn_rad_per_m", -5, 5, 0, 0.01)),
+          List.of(new double[] {0}),
+          p -> new Veer(0, p[0]),
+          "add %s rad per metre driven to every turn",
+          false);
+
+  /** Adding nothing must not make -0 of 0. */
+  @Override
+  public double turn(double turnRadPerS, double speedMPerS) {
+    double extra = biasRadPerS + perMetreRad * speedMPerS;
+    return extra == 0 ? turnRadPerS : turnRadPerS + extra;
+  }
+}

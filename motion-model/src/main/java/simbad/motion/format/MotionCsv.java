@@ -1,0 +1,83 @@
+package simbad.motion.format;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import simbad.motion.Command;
+import simbad.motion.Robot;
+import simbad.motion.TrackPose;
+import simbad.motion.Unicycle;
+import simbad.sonar.format.CsvTable;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.TextFile;
+
+/** The two tables of a motion folder, by run in the order in which the runs first appear. */
+final class MotionCsv {
+  /** Faster than any robot of these logs, and farther. */
+  private static final double GREATEST_SPEED = 1000;
+
+  private static final double GREATEST_M = 1e7;
+  private static final double GREATEST_DEG = 1e9;
+  private static final double GREATEST_S = 1e12;
+  private static final String RUN = "run";
+  private static final String TIME = "t_s";
+
+  private MotionCsv() {}
+
+  static Map<String, List<Command>> commands(Path file, Robot robot) throws DataFormatException {
+    String first = robot.differential() ? "left_m_s" : "v_m_s";
+    String second = robot.differential() ? "right_m_s" : "w_rad_s";
+    CsvTable csv = table(file, first, second);
+    Map<String, List<Command>> runs = new LinkedHashMap<>();
+    for (int row = 0; row < csv.size(); row++) {
+      double one = within(GREATEST_SPEED, csv, row, first);
+      double two = within(GREATEST_SPEED, csv, row, second);
+      double timeS = within(GREATEST_S, csv, row, TIME);
+      runs.computeIfAbsent(csv.label(row, RUN), name -> new ArrayList<>())
+          .add(
+              robot.differential()
+                  ? new Command(
+                      timeS,
+                      Unicycle.speedOfWheels(one, two),
+                      Unicycle.turnOfWheels(one, two, robot.wheelBaseM()))
+                  : new Command(timeS, one, two));
+    }
+    return runs;
+  }
+
+  static Map<String, List<TrackPose>> track(Path file) throws DataFormatException {
+    CsvTable csv = table(file, "x_m", "z_m", "heading_deg");
+    Map<String, List<TrackPose>> runs = new LinkedHashMap<>();
+    for (int row = 0; row < csv.size(); row++) {
+      runs.computeIfAbsent(csv.label(row, RUN), name -> new ArrayList<>())
+          .add(
+              new TrackPose(
+                  within(GREATEST_S, csv, row, TIME),
+                  within(GREATEST_M, csv, row, "x_m"),
+                  -within(GREATEST_M, csv, row, "z_m"),
+                  Math.toRadians(within(GREATEST_DEG, csv, row, "heading_deg"))));
+    }
+    return runs;
+  }
+
+  private static CsvTable table(Path file, String... columns) throws DataFormatException {
+    CsvTable csv = CsvTable.parse(file, TextFile.read(file));
+    csv.requireColumns(RUN, TIME);
+    csv.requireColumns(columns);
+    if (csv.size() == 0) {
+      throw DataFormatException.inFile(file, "has no rows");
+    }
+    return csv;
+  }
+
+  private static double within(double greatest, CsvTable csv, int row, String column)
+      throws DataFormatException {
+    return csv.number(
+        row,
+        column,
+        value -> Math.abs(value) <= greatest,
+        "a finite number of at most " + greatest);
+  }
+}
