@@ -158,7 +158,7 @@ public final class Evidence {
   }
 
   /** Returns the log probability of each reading if the simulator were changed so. */
-  double[] logLikelihood(List<Change> changes) {
+  public double[] logLikelihood(List<Change> changes) {
     double[] into = new double[log.size()];
     DiagnosedModel model = model(changes);
     logLikelihood(model, geometry(model), into);

@@ -1,0 +1,58 @@
+package simbad.gap.explain;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.Change;
+import simbad.sonar.effect.DiagnosedModel;
+import simbad.sonar.effect.Geometry;
+import simbad.sonar.effect.LevelGain;
+import simbad.sonar.effect.RangeOffset;
+
+/**
+ * By how much each reading of a log would be likelier if echoes were stronger, or read longer, by a
+ * little: what a set-up that is off shows itself by.
+ */
+@SuppressWarnings("ArrayRecordComponent") // one value for each ping; read only
+record SetupScores(Geometry geometry, double[] perDecibel, double[] perMetre) {
+  private static final double STEP_DB = 0.25;
+  private static final double STEP_M = 0.001;
+
+  /**
+   * Asks a hypothesis under the level law.
+   *
+   * @param evidence the log
+   * @param hypothesis of it
+   */
+  static SetupScores of(Evidence evidence, Hypothesis hypothesis) {
+    DiagnosedModel model = evidence.model(hypothesis);
+    return new SetupScores(
+        evidence.geometry(model),
+        slope(evidence, hypothesis, new LevelGain(STEP_DB), new LevelGain(-STEP_DB), STEP_DB),
+        slope(evidence, hypothesis, new RangeOffset(STEP_M), new RangeOffset(-STEP_M), STEP_M));
+  }
+
+  private static double[] slope(
+      Evidence evidence, Hypothesis hypothesis, Change more, Change less, double step) {
+    double[] up = evidence.logLikelihood(and(hypothesis, more));
+    double[] down = evidence.logLikelihood(and(hypothesis, less));
+    Arrays.setAll(up, i -> (up[i] - down[i]) / (2 * step));
+    return up;
+  }
+
+  private static List<Change> and(Hypothesis hypothesis, Change change) {
+    List<Change> changes = new ArrayList<>(hypothesis.changes());
+    changes.add(change);
+    return changes;
+  }
+
+  /** Returns what a hypothesis adds to the excess of each line of sight, decibels. */
+  double[] addedDb(Hypothesis hypothesis) {
+    List<Change> changes = hypothesis.changes();
+    double[] added = new double[perDecibel.length * geometry.obstacles()];
+    Arrays.setAll(added, line -> geometry.addedDb(changes, line));
+    return added;
+  }
+}
