@@ -4,6 +4,7 @@ import java.util.Arrays;
 import org.hipparchus.linear.ArrayRealVector;
 import org.hipparchus.linear.MatrixUtils;
 import org.hipparchus.linear.RealMatrix;
+import org.jspecify.annotations.Nullable;
 import simbad.sonar.effect.Geometry;
 import simbad.sonar.effect.LevelForms;
 import simbad.sonar.frame.Angles;
@@ -35,16 +36,18 @@ public final class Leeway {
   private static final int CONSTANT = WALK + 1;
   private static final int TARGETS = WALK + 2;
 
-  private final Layout layout;
   private final Predictor predictor;
   private final int targets;
+  private final RealMatrix excessCovariance;
+  private final RealMatrix rangeCovariance;
   private final RealMatrix excessPrecision;
   private final RealMatrix rangePrecision;
 
   private Leeway(Known known, RealMatrix excess, RealMatrix range) {
-    layout = known.layout;
     predictor = known.predictor;
     targets = known.ranges.byBearing().size();
+    excessCovariance = excess;
+    rangeCovariance = range;
     excessPrecision = inverse(excess);
     rangePrecision = inverse(range);
   }
@@ -124,33 +127,126 @@ public final class Leeway {
   /**
    * Returns by how many nats a log would be likelier if the set-up moved.
    *
-   * @param geometry of the log under a hypothesis
-   * @param added what the hypothesis adds to the excess of each line of sight, decibels
+   * @param pulls of the log under a hypothesis
    * @param perDecibel by how much the log probability of each reading rises with the excess
    * @param perMetre the same with its range
    * @return at least 0
    */
-  public double nats(Geometry geometry, double[] added, double[] perDecibel, double[] perMetre) {
-    Sums levels = new Sums(layout.size());
+  public double nats(Pulls pulls, double[] perDecibel, double[] perMetre) {
+    Sums levels = new Sums(excessPrecision.getRowDimension());
     Sums metres = new Sums(rangePrecision.getRowDimension());
-    Predictor.Slope slope = new Predictor.Slope();
     for (int ping = 0; ping < perDecibel.length; ping++) {
-      if (perDecibel[ping] == 0 && perMetre[ping] == 0) {
-        continue;
+      if (pulls.level[ping] != null && perDecibel[ping] != 0) {
+        levels.add(pulls.level[ping], perDecibel[ping]);
       }
-      int line = line(geometry, ping);
-      if (line < 0) {
-        continue;
-      }
-      Predictor.Row row = predictor.row(trial(geometry, ping, line, added[line]));
-      Predictor.Excess own = predictor.excess(row);
-      predictor.slope(row, own, slope);
-      levels.add(slope, perDecibel[ping]);
-      if (geometry.log().echo(ping)) {
-        metres.add(ranges(row.trial(), own.decibels()), perMetre[ping]);
+      if (pulls.range[ping] != null && perMetre[ping] != 0) {
+        metres.add(pulls.range[ping], perMetre[ping]);
       }
     }
     return levels.nats(excessPrecision) + metres.nats(rangePrecision);
+  }
+
+  /**
+   * How the excess and the range of what each ping is most about move with the set-up. Immutable.
+   */
+  public static final class Pulls {
+    private final @Nullable Pull[] level;
+    private final @Nullable Pull[] range;
+
+    private Pulls(int size) {
+      level = new Pull[size];
+      range = new Pull[size];
+    }
+  }
+
+  /** By how much something moves with some of the values. */
+  @SuppressWarnings("ArrayRecordComponent") // read only
+  private record Pull(int[] index, double[] value) {}
+
+  /**
+   * Finds how a log hangs on the set-up.
+   *
+   * @param geometry of the log under a hypothesis
+   * @param added what the hypothesis adds to the excess of each line of sight, decibels
+   */
+  public Pulls pulls(Geometry geometry, double[] added) {
+    int size = geometry.log().size();
+    Pulls pulls = new Pulls(size);
+    Predictor.Slope slope = new Predictor.Slope();
+    for (int ping = 0; ping < size; ping++) {
+      int line = line(geometry, ping);
+      if (line >= 0) {
+        Predictor.Row row = predictor.row(trial(geometry, ping, line, added[line]));
+        Predictor.Excess own = predictor.excess(row);
+        predictor.slope(row, own, slope);
+        pulls.level[ping] = pull(slope);
+        if (geometry.log().echo(ping)) {
+          pulls.range[ping] = ofRange(row.trial(), own.decibels());
+        }
+      }
+    }
+    return pulls;
+  }
+
+  private static Pull pull(Predictor.Slope slope) {
+    int[] index = new int[slope.size()];
+    double[] value = new double[index.length];
+    for (int i = 0; i < index.length; i++) {
+      index[i] = slope.index(i);
+      value[i] = slope.value(i);
+    }
+    return new Pull(index, value);
+  }
+
+  /** What readings of several pings have in common by the set-up. */
+  public final class Together {
+    private final Pulls pulls;
+    private final double[] levels = new double[excessCovariance.getRowDimension()];
+    private final double[] metres = new double[rangeCovariance.getRowDimension()];
+
+    private Together(Pulls pulls) {
+      this.pulls = pulls;
+    }
+
+    /**
+     * Adds a ping.
+     *
+     * @param ping index
+     * @param perDecibel by how much what is summed rises with the ping's excess
+     * @param perMetre the same with its range
+     */
+    public void add(int ping, double perDecibel, double perMetre) {
+      add(pulls.level[ping], perDecibel, levels);
+      add(pulls.range[ping], perMetre, metres);
+    }
+
+    private static void add(@Nullable Pull pull, double rise, double[] into) {
+      if (pull != null && rise != 0) {
+        for (int i = 0; i < pull.index.length; i++) {
+          into[pull.index[i]] += rise * pull.value[i];
+        }
+      }
+    }
+
+    /** Returns how much the sum varies with the levels that the set-up leaves open. */
+    public double levelVariance() {
+      return variance(excessCovariance, levels);
+    }
+
+    /** Returns the same with the ranges. */
+    public double rangeVariance() {
+      return variance(rangeCovariance, metres);
+    }
+
+    private static double variance(RealMatrix covariance, double[] sum) {
+      ArrayRealVector vector = new ArrayRealVector(sum, false);
+      return Math.max(0, covariance.operate(vector).dotProduct(vector));
+    }
+  }
+
+  /** Returns an empty sum of pings. */
+  public Together together(Pulls pulls) {
+    return new Together(pulls);
   }
 
   /** The line of sight that a reading is most about; negative for none. */
@@ -184,45 +280,41 @@ public final class Leeway {
         0);
   }
 
-  private double[] ranges(Trials.Trial trial, double excessDb) {
-    double[] all = new double[rangePrecision.getRowDimension()];
+  private static Pull ofRange(Trials.Trial trial, double excessDb) {
     double[] walk = RangeFit.weights(LevelForms.WALK_DB, excessDb);
-    System.arraycopy(walk, 0, all, 0, WALK);
-    all[SCALE] = trial.nearestM();
-    all[CONSTANT] = 1;
-    all[constant(trial.target())] = 1;
+    int[] index = new int[WALK + 4];
+    double[] value = new double[index.length];
+    for (int knot = 0; knot < WALK; knot++) {
+      index[knot] = knot;
+      value[knot] = walk[knot];
+    }
     int place = (int) (trial.bearingRad() / Angles.TURN_RAD * SECTORS);
-    all[sector(trial.target(), Math.floorMod(place, SECTORS))] = 1;
-    return all;
+    index[WALK] = SCALE;
+    value[WALK] = trial.nearestM();
+    index[WALK + 1] = CONSTANT;
+    index[WALK + 2] = constant(trial.target());
+    index[WALK + 3] = sector(trial.target(), Math.floorMod(place, SECTORS));
+    Arrays.fill(value, WALK + 1, value.length, 1);
+    return new Pull(index, value);
   }
 
   /** Sums of scores, and of their squares. */
   private static final class Sums {
     private final double[] score;
-    private final RealMatrix information;
+    private final double[][] information;
 
     Sums(int size) {
       score = new double[size];
-      information = MatrixUtils.createRealMatrix(size, size);
+      information = new double[size][size];
     }
 
-    void add(Predictor.Slope slope, double rise) {
-      for (int i = 0; i < slope.size(); i++) {
-        score[slope.index(i)] += rise * slope.value(i);
-        for (int j = 0; j < slope.size(); j++) {
-          double product = rise * rise * slope.value(i) * slope.value(j);
-          information.addToEntry(slope.index(i), slope.index(j), product);
-        }
-      }
-    }
-
-    void add(double[] weights, double rise) {
-      for (int i = 0; i < weights.length; i++) {
-        if (weights[i] != 0) {
-          score[i] += rise * weights[i];
-          for (int j = 0; j < weights.length; j++) {
-            information.addToEntry(i, j, rise * rise * weights[i] * weights[j]);
-          }
+    void add(Pull pull, double rise) {
+      for (int i = 0; i < pull.index.length; i++) {
+        double own = rise * pull.value[i];
+        double[] row = information[pull.index[i]];
+        score[pull.index[i]] += own;
+        for (int j = 0; j < pull.index.length; j++) {
+          row[pull.index[j]] += own * rise * pull.value[j];
         }
       }
     }
@@ -230,7 +322,7 @@ public final class Leeway {
     /** Half the gain of a step to the top. */
     double nats(RealMatrix precision) {
       ArrayRealVector right = new ArrayRealVector(score);
-      RealMatrix all = precision.add(information);
+      RealMatrix all = precision.add(MatrixUtils.createRealMatrix(information));
       return Matrices.positive(all).getSolver().solve(right).dotProduct(right) / 2;
     }
   }

@@ -154,10 +154,14 @@ public final class Calibration {
     return leeway
         .get()
         .nats(
-            scores.geometry(),
-            scores.addedDb(hypothesis),
+            leeway.get().pulls(scores.geometry(), SetupScores.addedDb(evidence, hypothesis)),
             scores.perDecibel(),
             scores.perMetre());
+  }
+
+  /** Returns how far the reference leaves a level law open; none under the threshold rule. */
+  Optional<Leeway> leeway() {
+    return leeway;
   }
 
   /** Returns by how much blocks of echoes and of ranges vary more than by chance. */

@@ -49,9 +49,10 @@ record SetupScores(Geometry geometry, double[] perDecibel, double[] perMetre) {
   }
 
   /** Returns what a hypothesis adds to the excess of each line of sight, decibels. */
-  double[] addedDb(Hypothesis hypothesis) {
+  static double[] addedDb(Evidence evidence, Hypothesis hypothesis) {
     List<Change> changes = hypothesis.changes();
-    double[] added = new double[perDecibel.length * geometry.obstacles()];
+    Geometry geometry = evidence.geometry(evidence.model(hypothesis));
+    double[] added = new double[evidence.log().size() * geometry.obstacles()];
     Arrays.setAll(added, line -> geometry.addedDb(changes, line));
     return added;
   }

@@ -98,7 +98,8 @@ public final class Evidence {
     return model(hypothesis.changes());
   }
 
-  private DiagnosedModel model(List<Change> changes) {
+  /** Returns the model of some changes. */
+  public DiagnosedModel model(List<Change> changes) {
     return new DiagnosedModel(setup, DiagnosedModel.changes(calibration, changes));
   }
 
