@@ -10,11 +10,11 @@ import simbad.sonar.effect.LevelForms;
 import simbad.sonar.frame.Angles;
 
 /**
- * How far a reference leaves the level law open: by how many nats a log would be likelier if the
- * set-up moved as far as that allows. All rows of a log see the same set-up, so that more rows do
- * not make what it is off by an effect. The move is the most probable one under a normal
- * distribution of the values, with the log's information by its scores (Berndt, Hall, Hall and
- * Hausman 1974).
+ * How far a reference leaves the level law open. All rows of a log see the same set-up, so that
+ * more rows do not make what it is off by an effect: readings are off together as the set-up is,
+ * and a log's ranges are as likely as the set-up's most probable move makes them. That is by a
+ * normal distribution of the values, with the log's information by its scores (Berndt, Hall, Hall
+ * and Hausman 1974).
  */
 public final class Leeway {
   /** Half of what differs from one day to the next (docs/method/level-model.md). */
@@ -40,7 +40,6 @@ public final class Leeway {
   private final int targets;
   private final RealMatrix excessCovariance;
   private final RealMatrix rangeCovariance;
-  private final RealMatrix excessPrecision;
   private final RealMatrix rangePrecision;
 
   private Leeway(Known known, RealMatrix excess, RealMatrix range) {
@@ -48,7 +47,6 @@ public final class Leeway {
     targets = known.ranges.byBearing().size();
     excessCovariance = excess;
     rangeCovariance = range;
-    excessPrecision = inverse(excess);
     rangePrecision = inverse(range);
   }
 
@@ -125,25 +123,21 @@ public final class Leeway {
   }
 
   /**
-   * Returns by how many nats a log would be likelier if the set-up moved.
+   * Returns by how many nats a log's ranges would be likelier if the set-up moved. Levels have no
+   * such leave: a set-up whose strengths, beam and receiver all move takes up whatever changed.
    *
    * @param pulls of the log under a hypothesis
-   * @param perDecibel by how much the log probability of each reading rises with the excess
-   * @param perMetre the same with its range
+   * @param perMetre by how much the log probability of each reading rises with its range
    * @return at least 0
    */
-  public double nats(Pulls pulls, double[] perDecibel, double[] perMetre) {
-    Sums levels = new Sums(excessPrecision.getRowDimension());
+  public double rangeNats(Pulls pulls, double[] perMetre) {
     Sums metres = new Sums(rangePrecision.getRowDimension());
-    for (int ping = 0; ping < perDecibel.length; ping++) {
-      if (pulls.level[ping] != null && perDecibel[ping] != 0) {
-        levels.add(pulls.level[ping], perDecibel[ping]);
-      }
+    for (int ping = 0; ping < perMetre.length; ping++) {
       if (pulls.range[ping] != null && perMetre[ping] != 0) {
         metres.add(pulls.range[ping], perMetre[ping]);
       }
     }
-    return levels.nats(excessPrecision) + metres.nats(rangePrecision);
+    return metres.nats(rangePrecision);
   }
 
   /**

@@ -140,23 +140,20 @@ public final class Calibration {
   }
 
   /**
-   * Returns by how many nats a log would be likelier if the set-up moved as far as its reference
-   * leaves open; 0 under the threshold rule.
+   * Returns by how many nats a log's ranges would be likelier if the set-up moved as far as its
+   * reference leaves open; 0 under the threshold rule.
    *
    * @param evidence of the log
    * @param hypothesis that stays as it is
    */
   public double leewayNats(Evidence evidence, Hypothesis hypothesis) {
-    if (leeway.isEmpty()) {
-      return 0;
-    }
-    SetupScores scores = SetupScores.of(evidence, hypothesis);
     return leeway
-        .get()
-        .nats(
-            leeway.get().pulls(scores.geometry(), SetupScores.addedDb(evidence, hypothesis)),
-            scores.perDecibel(),
-            scores.perMetre());
+        .map(
+            open ->
+                open.rangeNats(
+                    Openness.pulls(evidence, hypothesis, open),
+                    SetupScores.perMetre(evidence, hypothesis)))
+        .orElse(0.0);
   }
 
   /** Returns how far the reference leaves a level law open; none under the threshold rule. */

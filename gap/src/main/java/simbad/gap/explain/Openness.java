@@ -7,6 +7,7 @@ import simbad.gap.calibrate.Leeway;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Change;
+import simbad.sonar.effect.Geometry;
 import simbad.sonar.effect.LevelGain;
 import simbad.sonar.effect.RangeOffset;
 
@@ -27,7 +28,6 @@ record Openness(Leeway leeway, Leeway.Pulls pulls, double[] chancePerDb, double[
    * @param leeway of the set-up
    */
   static Openness of(Evidence evidence, Hypothesis hypothesis, Leeway leeway) {
-    double[] added = SetupScores.addedDb(evidence, hypothesis);
     double[] chance =
         slope(
             surprise(evidence, hypothesis, new LevelGain(STEP_DB)).expected,
@@ -38,8 +38,16 @@ record Openness(Leeway leeway, Leeway.Pulls pulls, double[] chancePerDb, double[
             surprise(evidence, hypothesis, new RangeOffset(STEP_M)).score,
             surprise(evidence, hypothesis, new RangeOffset(-STEP_M)).score,
             STEP_M);
-    Leeway.Pulls pulls = leeway.pulls(evidence.geometry(evidence.model(hypothesis)), added);
-    return new Openness(leeway, pulls, chance, score);
+    return new Openness(leeway, pulls(evidence, hypothesis, leeway), chance, score);
+  }
+
+  /** Finds how a log under a hypothesis hangs on the set-up. */
+  static Leeway.Pulls pulls(Evidence evidence, Hypothesis hypothesis, Leeway leeway) {
+    List<Change> changes = hypothesis.changes();
+    Geometry geometry = evidence.geometry(evidence.model(hypothesis));
+    double[] added = new double[evidence.log().size() * geometry.obstacles()];
+    Arrays.setAll(added, line -> geometry.addedDb(changes, line));
+    return leeway.pulls(geometry, added);
   }
 
   private static Surprise surprise(Evidence evidence, Hypothesis hypothesis, Change more) {

@@ -31,7 +31,13 @@ record SetupScores(Geometry geometry, double[] perDecibel, double[] perMetre) {
     return new SetupScores(
         evidence.geometry(model),
         slope(evidence, hypothesis, new LevelGain(STEP_DB), new LevelGain(-STEP_DB), STEP_DB),
-        slope(evidence, hypothesis, new RangeOffset(STEP_M), new RangeOffset(-STEP_M), STEP_M));
+        perMetre(evidence, hypothesis));
+  }
+
+  /** Returns by how much the log probability of each reading rises with its range. */
+  static double[] perMetre(Evidence evidence, Hypothesis hypothesis) {
+    return slope(
+        evidence, hypothesis, new RangeOffset(STEP_M), new RangeOffset(-STEP_M), STEP_M);
   }
 
   private static double[] slope(
@@ -46,14 +52,5 @@ record SetupScores(Geometry geometry, double[] perDecibel, double[] perMetre) {
     List<Change> changes = new ArrayList<>(hypothesis.changes());
     changes.add(change);
     return changes;
-  }
-
-  /** Returns what a hypothesis adds to the excess of each line of sight, decibels. */
-  static double[] addedDb(Evidence evidence, Hypothesis hypothesis) {
-    List<Change> changes = hypothesis.changes();
-    Geometry geometry = evidence.geometry(evidence.model(hypothesis));
-    double[] added = new double[evidence.log().size() * geometry.obstacles()];
-    Arrays.setAll(added, line -> geometry.addedDb(changes, line));
-    return added;
   }
 }
