@@ -240,12 +240,12 @@ public final class Geometry {
   }
 
   /** By how much its echo comes from beyond its nearest point, metres; asked after the excess. */
-  double pathM(int line) {
+  public double pathM(int line) {
     return pathM[line];
   }
 
   /** How far that may be off, metres; asked after the excess. */
-  double pathDeviationM(int line) {
+  public double pathDeviationM(int line) {
     return pathDeviationM[line];
   }
 

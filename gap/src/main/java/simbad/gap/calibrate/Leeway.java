@@ -5,9 +5,9 @@ import org.hipparchus.linear.ArrayRealVector;
 import org.hipparchus.linear.MatrixUtils;
 import org.hipparchus.linear.RealMatrix;
 import org.jspecify.annotations.Nullable;
-import simbad.sonar.effect.Geometry;
-import simbad.sonar.effect.LevelForms;
+import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.frame.Angles;
+import simbad.sonar.ping.Geometry;
 
 /**
  * How far a reference leaves the level law open. All rows of a log see the same set-up, so that

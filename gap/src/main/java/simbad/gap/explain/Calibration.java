@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import simbad.definition.Effect;
+import simbad.gap.calibrate.Leeway;
 import simbad.gap.calibrate.LevelCalibration;
 import simbad.gap.calibrate.LevelCalibrator;
-import simbad.gap.calibrate.Leeway;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
@@ -71,8 +71,7 @@ public final class Calibration {
 
   /** Returns the calibration of a set-up without a reference: it is as it is believed to be. */
   public static Calibration none() {
-    return new Calibration(
-        Optional.empty(), Hypothesis.NONE, Optional.empty(), Optional.empty());
+    return new Calibration(Optional.empty(), Hypothesis.NONE, Optional.empty(), Optional.empty());
   }
 
   /**

@@ -33,8 +33,7 @@ public final class Misfit {
     }
   }
 
-  private Misfit(
-      Evidence evidence, Hypothesis hypothesis, boolean ahead, Optional<Openness> open) {
+  private Misfit(Evidence evidence, Hypothesis hypothesis, boolean ahead, Optional<Openness> open) {
     List<Slicing.Cut> cuts = look(new Surprise(evidence, hypothesis), open);
     if (ahead && evidence.model(hypothesis).hasMemory()) {
       Foresight foresight = Foresight.of(evidence, hypothesis);
@@ -137,8 +136,7 @@ public final class Misfit {
     return new double[] {Math.max(1e-6, mean), Math.sqrt(Math.max(1e-6, variance))};
   }
 
-  private void look(
-      Surprise s, Slicing.Cut cut, double[] spread, Optional<Openness> open) {
+  private void look(Surprise s, Slicing.Cut cut, double[] spread, Optional<Openness> open) {
     Tally[] tallies = new Tally[cut.count()];
     for (int i = 0; i < cut.slice().length; i++) {
       if (cut.slice()[i] >= 0) {
@@ -208,7 +206,8 @@ public final class Misfit {
 
     void tell(String name, double[] spread, List<Slice> into) {
       if (rows >= LEAST_ROWS && variance >= LEAST_SUPPORT) {
-        into.add(new Slice(name, "echo", echoZ() / echoesTogether(), (echoes - expected) / rows, rows));
+        into.add(
+            new Slice(name, "echo", echoZ() / echoesTogether(), (echoes - expected) / rows, rows));
       }
       if (echoes >= LEAST_ROWS) {
         double own = echoes * Math.max(spread[0], 0.5);

@@ -6,10 +6,10 @@ import java.util.List;
 import simbad.gap.calibrate.Leeway;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.Change;
-import simbad.sonar.effect.Geometry;
-import simbad.sonar.effect.LevelGain;
-import simbad.sonar.effect.RangeOffset;
+import simbad.sonar.change.LevelGain;
+import simbad.sonar.change.RangeOffset;
+import simbad.sonar.ping.Change;
+import simbad.sonar.ping.Geometry;
 
 /**
  * How much of what a hypothesis got wrong the set-up leaves open: all pings of a slice see the same

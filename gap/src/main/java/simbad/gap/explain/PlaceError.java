@@ -1,8 +1,8 @@
 package simbad.gap.explain;
 
 import java.util.function.IntPredicate;
-import simbad.sonar.effect.Geometry;
-import simbad.sonar.effect.LevelForms;
+import simbad.sonar.catalogue.LevelForms;
+import simbad.sonar.ping.Geometry;
 
 /**
  * By how much levels and ranges are off from place to place, beyond chance: of each obstacle at

@@ -5,11 +5,11 @@ import java.util.Arrays;
 import java.util.List;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.effect.Change;
-import simbad.sonar.effect.DiagnosedModel;
-import simbad.sonar.effect.Geometry;
-import simbad.sonar.effect.LevelGain;
-import simbad.sonar.effect.RangeOffset;
+import simbad.sonar.change.LevelGain;
+import simbad.sonar.change.RangeOffset;
+import simbad.sonar.ping.Change;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.predict.DiagnosedModel;
 
 /**
  * By how much each reading of a log would be likelier if echoes were stronger, or read longer, by a
@@ -36,8 +36,7 @@ record SetupScores(Geometry geometry, double[] perDecibel, double[] perMetre) {
 
   /** Returns by how much the log probability of each reading rises with its range. */
   static double[] perMetre(Evidence evidence, Hypothesis hypothesis) {
-    return slope(
-        evidence, hypothesis, new RangeOffset(STEP_M), new RangeOffset(-STEP_M), STEP_M);
+    return slope(evidence, hypothesis, new RangeOffset(STEP_M), new RangeOffset(-STEP_M), STEP_M);
   }
 
   private static double[] slope(

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.LevelWorlds;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.PingLog;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.Reading;
 import simbad.sonar.sensing.ReadingRow;
@@ -69,8 +69,7 @@ class LeewayTest {
   void misfitsOfWhatIsLeftOpenAreSmaller() {
     Evidence evidence = evidence(LevelWorlds.log(1500, 43));
     double plain = Misfit.of(evidence, Hypothesis.NONE).top(5);
-    double open =
-        Misfit.of(evidence, Hypothesis.NONE, CALIBRATION.leeway().orElseThrow()).top(5);
+    double open = Misfit.of(evidence, Hypothesis.NONE, CALIBRATION.leeway().orElseThrow()).top(5);
     Evidence off = evidence(longer(LevelWorlds.log(1500, 43), 0.06));
     double far = Misfit.of(off, Hypothesis.NONE, CALIBRATION.leeway().orElseThrow()).top(5);
 

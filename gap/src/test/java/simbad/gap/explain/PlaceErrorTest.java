@@ -7,8 +7,8 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.LevelWorlds;
-import simbad.sonar.effect.Geometry;
-import simbad.sonar.effect.PingLog;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.ping.PingLog;
 
 /** Scores of which each place has its own shift: the spread of the shifts comes back. */
 class PlaceErrorTest {
