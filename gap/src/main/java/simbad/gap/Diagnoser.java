@@ -156,7 +156,9 @@ public final class Diagnoser {
     // In one block nothing is left to test on what is fitted: too few rows to name anything.
     Set<Effect> excluded =
         new Blocks(log).canBeHeldOut() ? withheld : Set.copyOf(Definitions.effects());
-    return Inquiry.of(evidence, calibration, worth, new Search(evidence, excluded, worth));
+    Search search =
+        new Search(evidence, excluded, worth, set -> calibration.leewayNats(evidence, set));
+    return Inquiry.of(evidence, calibration, worth, search);
   }
 
   /** What is concluded, of which set, with the places of its gap. */

@@ -54,6 +54,8 @@ public final class Geometry {
   private final double[] excessDb;
 
   private final double[] excessDeviationDb;
+  private final double[] pathM;
+  private final double[] pathDeviationM;
 
   private final boolean[] empty;
 
@@ -116,6 +118,8 @@ public final class Geometry {
     ears = LevelEars.of(changes, scene, labels);
     excessDb = new double[ears == null ? 0 : lines];
     excessDeviationDb = new double[excessDb.length];
+    pathM = new double[excessDb.length];
+    pathDeviationM = new double[excessDb.length];
     empty = new boolean[pings];
     sent = new int[pings];
   }
@@ -223,6 +227,8 @@ public final class Geometry {
     if (Double.isNaN(excessDb[line])) {
       LevelEars known = Objects.requireNonNull(ears);
       excessDeviationDb[line] = known.deviationDb(this, line);
+      pathM[line] = known.addedM(this, line);
+      pathDeviationM[line] = known.addedDeviationM(this, line);
       excessDb[line] = known.excessDb(this, line);
     }
     return excessDb[line];
@@ -231,6 +237,16 @@ public final class Geometry {
   /** How far that may be off, decibels; asked after {@link #excessDb}. */
   public double excessDeviationDb(int line) {
     return excessDeviationDb[line];
+  }
+
+  /** By how much its echo comes from beyond its nearest point, metres; asked after the excess. */
+  public double pathM(int line) {
+    return pathM[line];
+  }
+
+  /** How far that may be off, metres; asked after the excess. */
+  public double pathDeviationM(int line) {
+    return pathDeviationM[line];
   }
 
   /**

@@ -93,8 +93,8 @@ final class LevelHearing {
     }
     distanceM[size] = geometry.nearestM(line);
     deviationDb[size] = geometry.excessDeviationDb(line);
-    addedM[size] = ears.addedM(geometry, line);
-    addedDeviationM[size] = ears.addedDeviationM(geometry, line);
+    addedM[size] = geometry.pathM(line);
+    addedDeviationM[size] = geometry.pathDeviationM(line);
     kept[size] = keptShare * heardShare;
     held[size] = heldShare;
     excessDb[size] =
@@ -145,6 +145,9 @@ final class LevelHearing {
       if (held[i] > 0) {
         double after = kept[i] * chance(heldDb[i] + more, deviationDb[i]);
         chance += held[i] * (after - chance);
+      }
+      if (!(chance > 0)) {
+        continue;
       }
       double readM = ears.rangeScale() * distanceM[i] + addedM[i] + law.walkM().at(excess);
       arrivals.add(readM, together(law.noiseM().at(excess), addedDeviationM[i]), chance);

@@ -119,7 +119,8 @@ public final class LevelCalibrator {
     double noise = ranges.byLevel().noiseM()[1];
     calibrated = calibrated.and(tails(), TAIL_SHARE, Math.min(0.25, TAIL_TIMES * noise));
     List<Named> values = Named.of(layout, fit, covariance);
-    return new LevelCalibration(calibrated, values, trials.size(), fit.priorCost());
+    Leeway.Known known = new Leeway.Known(layout, predictor, covariance, ranges);
+    return new LevelCalibration(calibrated, values, trials.size(), fit.priorCost(), known);
   }
 
   private Form tails() {

@@ -90,9 +90,20 @@ final class RangeFit {
   }
 
   private double[] walk() {
+    double[] right = new double[walk.length];
+    RealMatrix matrix = precision(right);
+    return Matrices.positive(matrix).getSolver().solve(new ArrayRealVector(right)).toArray();
+  }
+
+  /** Returns how surely the walk is known: the covariance of its values, square metres. */
+  RealMatrix covariance() {
+    return Matrices.positive(precision(new double[walk.length])).getSolver().getInverse();
+  }
+
+  /** The precision of the walk; what is read, each with its own, is added to the right side. */
+  private RealMatrix precision(double[] right) {
     int size = walk.length;
     RealMatrix matrix = MatrixUtils.createRealMatrix(size, size);
-    double[] right = new double[size];
     for (int i = 0; i < size; i++) {
       matrix.addToEntry(i, i, 1 / (WALK_M * WALK_M));
       if (i > 0) {
@@ -115,7 +126,7 @@ final class RangeFit {
         }
       }
     }
-    return Matrices.positive(matrix).getSolver().solve(new ArrayRealVector(right)).toArray();
+    return matrix;
   }
 
   private double[] noise(double believedM) {

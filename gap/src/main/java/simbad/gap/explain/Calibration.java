@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import simbad.definition.Effect;
+import simbad.gap.calibrate.Leeway;
 import simbad.gap.calibrate.LevelCalibration;
 import simbad.gap.calibrate.LevelCalibrator;
 import simbad.gap.fit.Evidence;
@@ -40,20 +41,28 @@ public final class Calibration {
 
   private final Optional<ModelError> heldOut;
 
+  /** How far the reference leaves a level law open. */
+  private final Optional<Leeway> leeway;
+
   /** Of a set-up without a reference, whose readings hang together by a factor. */
   private Calibration(Hypothesis setup, double clumping) {
     reference = Optional.empty();
     heldOut = Optional.empty();
+    leeway = Optional.empty();
     this.setup = setup;
     this.clumping = clumping;
     rangeClumping = clumping;
   }
 
   private Calibration(
-      Optional<Evidence> reference, Hypothesis setup, Optional<ModelError> heldOut) {
+      Optional<Evidence> reference,
+      Hypothesis setup,
+      Optional<ModelError> heldOut,
+      Optional<Leeway> leeway) {
     this.reference = reference;
     this.setup = setup;
     this.heldOut = heldOut;
+    this.leeway = leeway;
     Optional<Surprise> surprise = reference.map(evidence -> new Surprise(evidence, setup));
     // Where rows were held out, they say more, and all evidence is divided by it already.
     clumping = heldOut.isPresent() ? 1 : surprise.map(Calibration::ofEchoes).orElse(1.0);
@@ -62,7 +71,7 @@ public final class Calibration {
 
   /** Returns the calibration of a set-up without a reference: it is as it is believed to be. */
   public static Calibration none() {
-    return new Calibration(Optional.empty(), Hypothesis.NONE, Optional.empty());
+    return new Calibration(Optional.empty(), Hypothesis.NONE, Optional.empty(), Optional.empty());
   }
 
   /**
@@ -99,14 +108,17 @@ public final class Calibration {
   private static Calibration ofThreshold(SensingSetup setup, PingLog reference) {
     Evidence evidence = new Evidence(setup, List.of(), reference);
     Calibrator calibrator = new Calibrator(new Fitter(evidence, Fold.ALL), setup);
-    return new Calibration(Optional.of(evidence), calibrator.fit(), Optional.empty());
+    return new Calibration(
+        Optional.of(evidence), calibrator.fit(), Optional.empty(), Optional.empty());
   }
 
   private static Calibration ofLevel(SensingSetup setup, PingLog reference, ModelError error) {
     Evidence evidence =
         new Evidence(setup, List.of(), reference).divided(error.echoes(), error.ranges());
-    Hypothesis fitted = new LevelCalibrator(setup, reference).fit(Fold.ALL).setup();
-    return new Calibration(Optional.of(evidence), fitted, Optional.of(error));
+    LevelCalibration fitted = new LevelCalibrator(setup, reference).fit(Fold.ALL);
+    Leeway leeway = fitted.leeway(error.excessDb(), error.rangeM());
+    return new Calibration(
+        Optional.of(evidence), fitted.setup(), Optional.of(error), Optional.of(leeway));
   }
 
   /** Returns the set-up as the simulator believes it, under the law that was taken. */
@@ -124,6 +136,28 @@ public final class Calibration {
   public Evidence evidence(SensingSetup stated, PingLog log) {
     Evidence plain = new Evidence(believed(stated), setup.changes(), log);
     return heldOut.map(error -> plain.divided(error.echoes(), error.ranges())).orElse(plain);
+  }
+
+  /**
+   * Returns by how many nats a log's ranges would be likelier if the set-up moved as far as its
+   * reference leaves open; 0 under the threshold rule.
+   *
+   * @param evidence of the log
+   * @param hypothesis that stays as it is
+   */
+  public double leewayNats(Evidence evidence, Hypothesis hypothesis) {
+    return leeway
+        .map(
+            open ->
+                open.rangeNats(
+                    Openness.pulls(evidence, hypothesis, open),
+                    SetupScores.perMetre(evidence, hypothesis)))
+        .orElse(0.0);
+  }
+
+  /** Returns how far the reference leaves a level law open; none under the threshold rule. */
+  Optional<Leeway> leeway() {
+    return leeway;
   }
 
   /** Returns by how much blocks of echoes and of ranges vary more than by chance. */
@@ -191,7 +225,7 @@ public final class Calibration {
     }
     return more.equals(setup)
         ? rivalled(log, explanation)
-        : new Calibration(reference, more, heldOut);
+        : new Calibration(reference, more, heldOut, leeway);
   }
 
   /**
@@ -210,7 +244,7 @@ public final class Calibration {
     for (Effect effect : explanation.effects()) {
       Rival less = rival(raw, explanation.without(effect));
       if (whole.nats - less.nats < SUPERFLUOUS_NATS * clumping) {
-        return new Calibration(reference, less.setup, heldOut);
+        return new Calibration(reference, less.setup, heldOut, leeway);
       }
     }
     return this;

@@ -5,6 +5,8 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import simbad.gap.calibrate.Leeway;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.ping.PingLog;
@@ -31,8 +33,8 @@ public final class Misfit {
     }
   }
 
-  private Misfit(Evidence evidence, Hypothesis hypothesis, boolean ahead) {
-    List<Slicing.Cut> cuts = look(new Surprise(evidence, hypothesis));
+  private Misfit(Evidence evidence, Hypothesis hypothesis, boolean ahead, Optional<Openness> open) {
+    List<Slicing.Cut> cuts = look(new Surprise(evidence, hypothesis), open);
     if (ahead && evidence.model(hypothesis).hasMemory()) {
       Foresight foresight = Foresight.of(evidence, hypothesis);
       cuts.forEach(cut -> lookAhead(evidence.log(), foresight, cut));
@@ -41,7 +43,7 @@ public final class Misfit {
   }
 
   private Misfit(Surprise surprise) {
-    look(surprise);
+    look(surprise, Optional.empty());
     sort();
   }
 
@@ -54,11 +56,11 @@ public final class Misfit {
     slices.sort(Comparator.comparingDouble(slice -> -Math.abs(slice.z)));
   }
 
-  private List<Slicing.Cut> look(Surprise surprise) {
+  private List<Slicing.Cut> look(Surprise surprise, Optional<Openness> open) {
     double[] spread = spread(surprise);
     List<Slicing.Cut> cuts = new Slicing(surprise.log, surprise.geometry).all();
     for (Slicing.Cut cut : cuts) {
-      look(surprise, cut, spread);
+      look(surprise, cut, spread, open);
     }
     return cuts;
   }
@@ -67,12 +69,21 @@ public final class Misfit {
    * Looks at all slices, and at what a hypothesis with memory expects where no reading is known.
    */
   public static Misfit of(Evidence evidence, Hypothesis hypothesis) {
-    return new Misfit(evidence, hypothesis, true);
+    return new Misfit(evidence, hypothesis, true, Optional.empty());
+  }
+
+  /**
+   * Looks at all slices before a set-up that a reference leaves open: what all pings of a slice
+   * have in common by it is no misfit.
+   */
+  static Misfit of(Evidence evidence, Hypothesis hypothesis, Leeway leeway) {
+    Openness open = Openness.of(evidence, hypothesis, leeway);
+    return new Misfit(evidence, hypothesis, true, Optional.of(open));
   }
 
   /** Looks at all slices, ping by ping alone: far quicker where a hypothesis has memory. */
   static Misfit ofPings(Evidence evidence, Hypothesis hypothesis) {
-    return new Misfit(evidence, hypothesis, false);
+    return new Misfit(evidence, hypothesis, false, Optional.empty());
   }
 
   /** Returns all slices, the most off first. */
@@ -125,13 +136,13 @@ public final class Misfit {
     return new double[] {Math.max(1e-6, mean), Math.sqrt(Math.max(1e-6, variance))};
   }
 
-  private void look(Surprise s, Slicing.Cut cut, double[] spread) {
+  private void look(Surprise s, Slicing.Cut cut, double[] spread, Optional<Openness> open) {
     Tally[] tallies = new Tally[cut.count()];
     for (int i = 0; i < cut.slice().length; i++) {
       if (cut.slice()[i] >= 0) {
         int at = cut.slice()[i];
         if (tallies[at] == null) {
-          tallies[at] = new Tally();
+          tallies[at] = new Tally(open);
         }
         tallies[at].add(s, i);
       }
@@ -170,11 +181,22 @@ public final class Misfit {
     private double variance;
     private double scores;
     private double squares;
+    private final Optional<Openness> open;
+    private final Optional<Leeway.Together> together;
+
+    Tally(Optional<Openness> open) {
+      this.open = open;
+      together = open.map(Openness::slice);
+    }
 
     void add(Surprise s, int i) {
       rows++;
       expected += s.expected[i];
       variance += s.expected[i] * (1 - s.expected[i]);
+      if (together.isPresent()) {
+        Openness own = open.orElseThrow();
+        together.get().add(i, own.chancePerDb()[i], own.scorePerMetre()[i]);
+      }
       if (s.log.echo(i)) {
         echoes++;
         scores += s.score[i];
@@ -184,14 +206,21 @@ public final class Misfit {
 
     void tell(String name, double[] spread, List<Slice> into) {
       if (rows >= LEAST_ROWS && variance >= LEAST_SUPPORT) {
-        into.add(new Slice(name, "echo", echoZ(), (echoes - expected) / rows, rows));
+        into.add(
+            new Slice(name, "echo", echoZ() / echoesTogether(), (echoes - expected) / rows, rows));
       }
       if (echoes >= LEAST_ROWS) {
-        double shift = scores / Math.sqrt(echoes * Math.max(spread[0], 0.5));
+        double own = echoes * Math.max(spread[0], 0.5);
+        double shift = scores / Math.sqrt(own + together.map(t -> t.rangeVariance()).orElse(0.0));
         into.add(new Slice(name, "range", shift, scores / echoes, rows));
         double scatter = (squares - echoes * spread[0]) / (spread[1] * Math.sqrt(echoes));
         into.add(new Slice(name, "scatter", scatter, squares / echoes, rows));
       }
+    }
+
+    /** By how many times more echoes vary than each for itself. */
+    private double echoesTogether() {
+      return Math.sqrt(1 + together.map(t -> t.levelVariance()).orElse(0.0) / variance);
     }
 
     /** Root of the deviance of the rarer outcome, so that few events are not over-rated. */

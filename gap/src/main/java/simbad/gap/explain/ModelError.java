@@ -21,9 +21,18 @@ import simbad.sonar.scene.SensingSetup;
  *     would; at least 1
  * @param ranges the same of where ranges lie in their distributions
  * @param misfit mean of the greatest misfits, as {@link Misfit#top} has it
+ * @param excessDb by how much levels are off from place to place, decibels
+ * @param rangeM the same of ranges, metres
  */
 public record ModelError(
-    int rows, double gapM, double expectedM, double echoes, double ranges, double misfit) {
+    int rows,
+    double gapM,
+    double expectedM,
+    double echoes,
+    double ranges,
+    double misfit,
+    double excessDb,
+    double rangeM) {
   /** So many parts, each held out once. */
   static final int PARTS = 5;
 
@@ -39,6 +48,7 @@ public record ModelError(
     double[] gap = new double[reference.size()];
     double[] expected = new double[reference.size()];
     Surprise all = new Surprise(new Evidence(setup, List.of(), reference), Hypothesis.NONE);
+    PlaceError places = new PlaceError(setup.scene().obstacles().size());
     for (int part = 0; part < PARTS; part++) {
       Fold out = blocks.part(part, PARTS);
       Hypothesis fitted = calibrator.fit(ping -> !out.holds(ping)).setup();
@@ -52,6 +62,7 @@ public record ModelError(
           all.take(surprise, ping);
         }
       }
+      places.take(SetupScores.of(evidence, Hypothesis.NONE), out::holds);
     }
     double echoes = Calibration.ofEchoes(all);
     double ranges = Calibration.ofRanges(all);
@@ -61,7 +72,9 @@ public record ModelError(
         Arrays.stream(expected).average().orElse(0),
         echoes,
         ranges,
-        Misfit.of(all).top(Unknown.TOP, echoes, ranges));
+        Misfit.of(all).top(Unknown.TOP, echoes, ranges),
+        places.excessDb(),
+        places.rangeM());
   }
 
   /**

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import simbad.definition.Effect;
 import simbad.gap.fit.Evidence;
@@ -47,6 +48,7 @@ public final class Search {
   private final Blocks blocks;
   private final List<Form> forms;
   private final double worthNats;
+  private final ToDoubleFunction<Hypothesis> leeway;
   private final Map<Set<Effect>, Fit> fits = new LinkedHashMap<>();
   private List<Fit> singles = List.of();
   private Fit best = new Fit(Hypothesis.NONE, Double.NEGATIVE_INFINITY);
@@ -57,9 +59,15 @@ public final class Search {
    * @param evidence the log
    * @param excluded effects that are not looked for
    * @param worthNats what a further effect must gain to be built upon
+   * @param leeway by how many nats a log under a hypothesis would be likelier if the set-up moved
    */
-  public Search(Evidence evidence, Set<Effect> excluded, double worthNats) {
+  public Search(
+      Evidence evidence,
+      Set<Effect> excluded,
+      double worthNats,
+      ToDoubleFunction<Hypothesis> leeway) {
     this.evidence = evidence;
+    this.leeway = leeway;
     this.worthNats = worthNats;
     blocks = new Blocks(evidence.log());
     forms =
@@ -237,9 +245,15 @@ public final class Search {
     List<Scored> again = heldOut.score(ranked.subList(0, Math.min(SCORED, ranked.size())));
     List<Scored> scored = new ArrayList<>(again);
     ranked.stream().skip(SCORED).map(fit -> HeldOut.guess(fit, again)).forEach(scored::add);
-    return HeldOut.capped(scored).stream()
+    List<Scored> moved = scored.parallelStream().map(this::withLeeway).toList();
+    return HeldOut.capped(moved).stream()
         .sorted(Comparator.comparingDouble(one -> -one.heldOut()))
         .toList();
+  }
+
+  private Scored withLeeway(Scored set) {
+    double more = leeway.applyAsDouble(set.hypothesis());
+    return new Scored(set.hypothesis(), set.inSample() + more, set.heldOut() + more);
   }
 
   /** What a set may reach held-out: each effect more costs what chance would gain. */

@@ -45,7 +45,10 @@ public final class Surprise {
   }
 
   Surprise(Evidence evidence, Hypothesis hypothesis) {
-    DiagnosedModel model = evidence.model(hypothesis);
+    this(evidence, evidence.model(hypothesis));
+  }
+
+  Surprise(Evidence evidence, DiagnosedModel model) {
     geometry = evidence.geometry(model);
     log = evidence.log();
     Expectation expectation = model.expectation(geometry);

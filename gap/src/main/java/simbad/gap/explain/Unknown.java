@@ -100,7 +100,11 @@ public final class Unknown {
    */
   public static double probability(
       Evidence evidence, Calibration calibration, Gain gain, Hypothesis best) {
-    Misfit misfit = Misfit.of(calibration.loosened(evidence, best), best);
+    Misfit misfit =
+        calibration
+            .leeway()
+            .map(leeway -> Misfit.of(evidence, best, leeway))
+            .orElseGet(() -> Misfit.of(calibration.loosened(evidence, best), best));
     double[] vary = calibration.blocksVary();
     double off = misfit.top(TOP, vary[0], vary[1]);
     off /= calibration.misfitTimes(CHANCE, evidence.log().size());

@@ -98,7 +98,8 @@ public final class Evidence {
     return model(hypothesis.changes());
   }
 
-  private DiagnosedModel model(List<Change> changes) {
+  /** Returns the model of some changes. */
+  public DiagnosedModel model(List<Change> changes) {
     return new DiagnosedModel(setup, DiagnosedModel.changes(calibration, changes));
   }
 
@@ -158,7 +159,7 @@ public final class Evidence {
   }
 
   /** Returns the log probability of each reading if the simulator were changed so. */
-  double[] logLikelihood(List<Change> changes) {
+  public double[] logLikelihood(List<Change> changes) {
     double[] into = new double[log.size()];
     DiagnosedModel model = model(changes);
     logLikelihood(model, geometry(model), into);

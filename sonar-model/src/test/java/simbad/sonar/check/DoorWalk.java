@@ -3,6 +3,8 @@ package simbad.sonar.check;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -35,7 +37,17 @@ public final class DoorWalk {
   }
 
   private static List<Door> doors(Class<?> ofRoom) throws Exception {
-    Path classes = Path.of(ofRoom.getProtectionDomain().getCodeSource().getLocation().toURI());
+    Path source = Path.of(ofRoom.getProtectionDomain().getCodeSource().getLocation().toURI());
+    if (Files.isDirectory(source)) {
+      return doors(source);
+    }
+    // A room that was packaged before.
+    try (FileSystem jar = FileSystems.newFileSystem(source)) {
+      return doors(jar.getPath("/"));
+    }
+  }
+
+  private static List<Door> doors(Path classes) throws Exception {
     List<Door> doors = new ArrayList<>();
     try (Stream<Path> files = Files.walk(classes)) {
       for (Path file : files.filter(f -> f.toString().endsWith(".class")).sorted().toList()) {

@@ -19,6 +19,6 @@ class DoorsTest {
             .with(Beam.class, beam)
             .with(StrengthTable.class, StrengthTable.of(new double[72]))
             .with(LevelLaw.class, new LevelLaw(30, 2, 1, beam, curve, 1, curve, curve, 0.01));
-    DoorWalk.refusesNan(Checks.class, samples, 40);
+    DoorWalk.refusesNan(Checks.class, samples, 30);
   }
 }

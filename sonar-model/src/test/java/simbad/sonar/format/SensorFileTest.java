@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.regex.Matcher;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -38,6 +39,19 @@ class SensorFileTest {
     assertEquals(0.02, sensor.missRate());
     assertEquals(0.1, sensor.edgeWidthM());
     assertEquals(0.06, sensor.updatePeriodS());
+  }
+
+  /** What docs/method/sonar-model.md says of the default sensor's file. */
+  @Test
+  void defaultSensor_namesASourceForEachFigure() throws Exception {
+    JsonInput sensor = JsonInput.read(Path.of("..", "data", "sensors", "srf04.json"));
+    List<String> figures =
+        sensor.names().stream()
+            .filter(name -> name.matches(".*_(deg|m|m_s|rate|s)"))
+            .sorted()
+            .toList();
+    assertEquals(figures, sensor.field("sources").names().stream().sorted().toList());
+    assertEquals(10, figures.size());
   }
 
   @ParameterizedTest

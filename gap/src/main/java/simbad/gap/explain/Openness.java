@@ -1,0 +1,69 @@
+package simbad.gap.explain;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import simbad.gap.calibrate.Leeway;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.change.LevelGain;
+import simbad.sonar.change.RangeOffset;
+import simbad.sonar.ping.Change;
+import simbad.sonar.ping.Geometry;
+
+/**
+ * How much of what a hypothesis got wrong the set-up leaves open: all pings of a slice see the same
+ * set-up, and are off together where it is.
+ */
+@SuppressWarnings("ArrayRecordComponent") // one value for each ping; read only
+record Openness(Leeway leeway, Leeway.Pulls pulls, double[] chancePerDb, double[] scorePerMetre) {
+  private static final double STEP_DB = 0.25;
+  private static final double STEP_M = 0.001;
+
+  /**
+   * Asks how echoes and ranges hang on the set-up.
+   *
+   * @param evidence the log
+   * @param hypothesis of it
+   * @param leeway of the set-up
+   */
+  static Openness of(Evidence evidence, Hypothesis hypothesis, Leeway leeway) {
+    double[] chance =
+        slope(
+            surprise(evidence, hypothesis, new LevelGain(STEP_DB)).expected,
+            surprise(evidence, hypothesis, new LevelGain(-STEP_DB)).expected,
+            STEP_DB);
+    double[] score =
+        slope(
+            surprise(evidence, hypothesis, new RangeOffset(STEP_M)).score,
+            surprise(evidence, hypothesis, new RangeOffset(-STEP_M)).score,
+            STEP_M);
+    return new Openness(leeway, pulls(evidence, hypothesis, leeway), chance, score);
+  }
+
+  /** Finds how a log under a hypothesis hangs on the set-up. */
+  static Leeway.Pulls pulls(Evidence evidence, Hypothesis hypothesis, Leeway leeway) {
+    List<Change> changes = hypothesis.changes();
+    Geometry geometry = evidence.geometry(evidence.model(hypothesis));
+    double[] added = new double[evidence.log().size() * geometry.obstacles()];
+    Arrays.setAll(added, line -> geometry.addedDb(changes, line));
+    return leeway.pulls(geometry, added);
+  }
+
+  private static Surprise surprise(Evidence evidence, Hypothesis hypothesis, Change more) {
+    List<Change> changes = new ArrayList<>(hypothesis.changes());
+    changes.add(more);
+    return new Surprise(evidence, evidence.model(changes));
+  }
+
+  private static double[] slope(double[] up, double[] down, double step) {
+    double[] slope = new double[up.length];
+    Arrays.setAll(slope, i -> (up[i] - down[i]) / (2 * step));
+    return slope;
+  }
+
+  /** Returns an empty slice. */
+  Leeway.Together slice() {
+    return leeway.together(pulls);
+  }
+}
