@@ -259,8 +259,7 @@ class ArchitectureTest {
         .resideInAPackage(MOTION)
         .should()
         .onlyDependOnClassesThat(
-            resideInAnyPackage(
-                "java..", "org.jspecify.annotations", MOTION, "simbad.sonar.format"))
+            resideInAnyPackage("java..", "org.jspecify.annotations", MOTION, "simbad.sonar.format"))
         .check(CLASSES);
   }
 

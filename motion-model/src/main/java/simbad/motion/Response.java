@@ -23,12 +23,20 @@ public record Response(
   public Response {
     if (!(speedTimeConstantS >= 0 && turnTimeConstantS >= 0 && brakingFactor > 0)) {
       throw new IllegalArgumentException(
-          "time constants = " + speedTimeConstantS + ", " + turnTimeConstantS + " s, braking "
-              + brakingFactor + ": expected at least 0 s and a factor above 0");
+          "time constants = "
+              + speedTimeConstantS
+              + ", "
+              + turnTimeConstantS
+              + " s, braking "
+              + brakingFactor
+              + ": expected at least 0 s and a factor above 0");
     }
     if (!(maxAccelerationMPerS2 > 0 && maxTurnAccelerationRadPerS2 > 0)) {
       throw new IllegalArgumentException(
-          "accelerations = " + maxAccelerationMPerS2 + ", " + maxTurnAccelerationRadPerS2
+          "accelerations = "
+              + maxAccelerationMPerS2
+              + ", "
+              + maxTurnAccelerationRadPerS2
               + " are not above 0");
     }
   }

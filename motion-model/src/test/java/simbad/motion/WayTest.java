@@ -15,7 +15,9 @@ class WayTest {
     return Way.of(run, chain, 0, 20).between(from, to);
   }
 
-  /** 0.2 m/s at 0.5 rad/s is a circle of 0.4 m: half of it takes 2 pi seconds, 0.8 m to the left. */
+  /**
+   * 0.2 m/s at 0.5 rad/s is a circle of 0.4 m: half of it takes 2 pi seconds, 0.8 m to the left.
+   */
   @Test
   void way_ofHeldCommands_isTheArc() {
     Displacement half = way(CIRCLE, MotionChain.EXACT, 1, 1 + 2 * Math.PI);
@@ -51,7 +53,9 @@ class WayTest {
     assertEquals(0.75, way(straight, chain, 0, 1).alongM(), 1e-9);
   }
 
-  /** A point 0.1 m before the centre of a robot that turns by a quarter goes 0.1 m back and left. */
+  /**
+   * A point 0.1 m before the centre of a robot that turns by a quarter goes 0.1 m back and left.
+   */
   @Test
   void captureOffset_movesWithTheTurn() {
     MotionForm point = MotionForms.find("capture-offset: point").orElseThrow();

@@ -50,8 +50,7 @@ public final class MrclamLog {
       }
     }
     Robot exact = Robot.EXACT_UNICYCLE;
-    Robot robot =
-        new Robot(false, 0, false, TRACK_SIGMA_M, TRACK_SIGMA_RAD, exact.motion());
+    Robot robot = new Robot(false, 0, false, TRACK_SIGMA_M, TRACK_SIGMA_RAD, exact.motion());
     return new MotionData(run, robot, List.of(new MotionRun(run, commands, track)), List.of());
   }
 

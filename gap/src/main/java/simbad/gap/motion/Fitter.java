@@ -97,8 +97,7 @@ final class Fitter {
   /** The normal equations of one round. */
   private record Normal(RealMatrix matrix, RealVector vector) {}
 
-  private Normal normal(
-      Hypothesis at, double[][] residuals, Scatter scatter, boolean[] mask) {
+  private Normal normal(Hypothesis at, double[][] residuals, Scatter scatter, boolean[] mask) {
     double[][][] slopes = slopes(at, residuals);
     int n = slopes.length;
     double[][] matrix = new double[n][n];

@@ -81,8 +81,11 @@ public final class MotionDiagnoser {
   private MotionDiagnosis undecided() {
     return new MotionDiagnosis(
         Verdict.UNDECIDED,
-        "the track covers only " + evidence.blockCount() + " stretches of ten seconds, "
-            + LEAST_BLOCKS + " are needed",
+        "the track covers only "
+            + evidence.blockCount()
+            + " stretches of ten seconds, "
+            + LEAST_BLOCKS
+            + " are needed",
         List.of(),
         0.5,
         new double[3][3],
@@ -108,7 +111,8 @@ public final class MotionDiagnoser {
 
   private static String headline(Verdict verdict, List<MotionFinding> findings, MotionGap gap) {
     String names = String.join(" + ", findings.stream().map(MotionFinding::effect).toList());
-    String shrink = String.format(Locale.ROOT, "the gap shrinks by %.0f %%", 100 - 100 * gap.ratio());
+    String shrink =
+        String.format(Locale.ROOT, "the gap shrinks by %.0f %%", 100 - 100 * gap.ratio());
     return switch (verdict) {
       case NONE -> "no gap beyond chance";
       case UNEXPLAINED -> "something that no named effect accounts for";
@@ -153,8 +157,7 @@ public final class MotionDiagnoser {
       String remedy =
           String.format(Locale.ROOT, form.remedy(), String.format(Locale.ROOT, "%.4g", values[0]));
       List<String> ties = search.ties(best, form);
-      findings.add(
-          new MotionFinding(form.effect(), form.form(), 0.99, parameters, ties, remedy));
+      findings.add(new MotionFinding(form.effect(), form.form(), 0.99, parameters, ties, remedy));
       at += own.length;
     }
     NoiseFindings.add(findings, evidence, data.robot(), best);

@@ -18,16 +18,14 @@ import simbad.motion.Robot;
  * @param windows of half a second that were scored
  */
 @SuppressWarnings("ArrayRecordComponent") // Numbers by window, never compared.
-record MotionGap(
-    double[][] before, double[][] after, double ratio, Interval ci95, int windows) {
+record MotionGap(double[][] before, double[][] after, double ratio, Interval ci95, int windows) {
   static final int QUANTILES = 19;
   private static final int GROUPS = 20;
 
   static MotionGap of(Evidence shortest, Robot robot, MotionChain base, List<Fit> folds) {
     Sums sums = new Sums();
     for (int h = 0; h < Windows.HORIZONS_S.length; h++) {
-      Evidence evidence =
-          h == 0 ? shortest : new Evidence(shortest.runs(), Windows.HORIZONS_S[h]);
+      Evidence evidence = h == 0 ? shortest : new Evidence(shortest.runs(), Windows.HORIZONS_S[h]);
       double[][] nominal = evidence.residuals(base);
       for (int fold = 0; fold < folds.size(); fold++) {
         double[][] diagnosed = evidence.residuals(folds.get(fold).hypothesis().chain());

@@ -19,12 +19,12 @@ final class MotionPlaces {
     List<MotionPlace> places = new ArrayList<>();
     ToDoubleFunction<Window> speed = w -> w.way().alongM() / w.horizonS();
     ToDoubleFunction<Window> turn = w -> w.way().turnRad() / w.horizonS();
-    slice("speed_m_s", speed, evidence, before, after, places);
-    slice("turn_rad_s", turn, evidence, before, after, places);
-    slice("t_s", Window::startS, evidence, before, after, places);
-    slice("heading_deg", w -> degrees(w.headingRad()), evidence, before, after, places);
-    slice("x_m", Window::xM, evidence, before, after, places);
-    slice("z_m", w -> -w.yM(), evidence, before, after, places);
+    places.addAll(slice("speed_m_s", speed, evidence, before, after));
+    places.addAll(slice("turn_rad_s", turn, evidence, before, after));
+    places.addAll(slice("t_s", Window::startS, evidence, before, after));
+    places.addAll(slice("heading_deg", w -> degrees(w.headingRad()), evidence, before, after));
+    places.addAll(slice("x_m", Window::xM, evidence, before, after));
+    places.addAll(slice("z_m", w -> -w.yM(), evidence, before, after));
     places.sort(Comparator.comparingDouble((MotionPlace place) -> -place.share()));
     return places;
   }
@@ -48,13 +48,13 @@ final class MotionPlaces {
     return sizes;
   }
 
-  private static void slice(
+  private static List<MotionPlace> slice(
       String axis,
       ToDoubleFunction<Window> value,
       Evidence evidence,
       double[] before,
-      double[] after,
-      List<MotionPlace> places) {
+      double[] after) {
+    List<MotionPlace> places = new ArrayList<>();
     double[] values = new double[evidence.size()];
     for (int i = 0; i < values.length; i++) {
       values[i] = value.applyAsDouble(evidence.window(i));
@@ -81,5 +81,6 @@ final class MotionPlaces {
                 axis, low, high, rows, sumBefore / total, sumBefore / rows, sumAfter / rows));
       }
     }
+    return places;
   }
 }

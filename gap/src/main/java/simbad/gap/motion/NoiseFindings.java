@@ -36,8 +36,7 @@ final class NoiseFindings {
         effect,
         effect,
         0.95,
-        List.of(
-            new MotionFinding.Parameter(name, value, new Interval(least, value * 1.2), false)),
+        List.of(new MotionFinding.Parameter(name, value, new Interval(least, value * 1.2), false)),
         List.of(),
         remedy);
   }

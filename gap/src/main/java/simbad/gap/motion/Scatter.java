@@ -47,10 +47,7 @@ record Scatter(double[] scales) {
     double sum = 0;
     for (int c = 0; c < 3; c++) {
       double r = residual[c] / scales[c];
-      sum +=
-          LOG_CONSTANT
-              - Math.log(scales[c])
-              - (FREEDOM + 1) / 2 * Math.log1p(r * r / FREEDOM);
+      sum += LOG_CONSTANT - Math.log(scales[c]) - (FREEDOM + 1) / 2 * Math.log1p(r * r / FREEDOM);
     }
     return sum;
   }

@@ -48,12 +48,12 @@ class MotionDiagnoserTest {
   }
 
   private static MotionDiagnosis with(int seed, String form, double... values) {
-    MotionChain truth =
-        MotionChain.EXACT.with(MotionForms.find(form).orElseThrow().change(values));
+    MotionChain truth = MotionChain.EXACT.with(MotionForms.find(form).orElseThrow().change(values));
     return diagnose(truth, seed);
   }
 
-  private static void checkNamed(MotionDiagnosis diagnosis, String effect, double value, double by) {
+  private static void checkNamed(
+      MotionDiagnosis diagnosis, String effect, double value, double by) {
     assertEquals(List.of(effect), diagnosis.findings().stream().map(f -> f.effect()).toList());
     assertEquals(Verdict.EXPLAINED, diagnosis.verdict());
     assertEquals(value, diagnosis.findings().get(0).parameters().get(0).value(), by);
@@ -82,8 +82,7 @@ class MotionDiagnoserTest {
 
   @Test
   void gradualSpeeds_areLag() {
-    checkNamed(
-        with(5, "actuation-lag: time constants", 0.3, 0.2), "actuation-lag", 0.3, 0.03);
+    checkNamed(with(5, "actuation-lag: time constants", 0.3, 0.2), "actuation-lag", 0.3, 0.03);
   }
 
   @Test

@@ -22,8 +22,7 @@ record CaptureOffset(double forwardM, double leftM, double headingRad) implement
           "capture-offset",
           "capture-offset: heading",
           List.of(new MotionParameter("heading_rad", -3.2, 3.2, 0, 0.005)),
-          List.of(
-              new double[] {0}, new double[] {1.6}, new double[] {-1.6}, new double[] {3.1}),
+          List.of(new double[] {0}, new double[] {1.6}, new double[] {-1.6}, new double[] {3.1}),
           p -> new CaptureOffset(0, 0, p[0]),
           "take %s rad from the tracker's heading",
           false);

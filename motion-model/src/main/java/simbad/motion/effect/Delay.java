@@ -19,8 +19,7 @@ record Delay(double lateS) implements MotionChange {
           "time-offset",
           "time-offset",
           List.of(new MotionParameter("offset_s", -5, 5, 0, 0.01)),
-          List.of(
-              new double[] {0.1}, new double[] {-0.1}, new double[] {0.8}, new double[] {-0.8}),
+          List.of(new double[] {0.1}, new double[] {-0.1}, new double[] {0.8}, new double[] {-0.8}),
           p -> new Delay(p[0]),
           "take %s s from the track's times",
           true);

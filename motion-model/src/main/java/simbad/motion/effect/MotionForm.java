@@ -48,8 +48,14 @@ public record MotionForm(
       boolean allowed = values[i] >= parameter.low() && values[i] <= parameter.high();
       if (!allowed && values[i] != parameter.neutral()) {
         throw new IllegalArgumentException(
-            parameter.name() + " = " + values[i] + " is not in [" + parameter.low() + ", "
-                + parameter.high() + "]");
+            parameter.name()
+                + " = "
+                + values[i]
+                + " is not in ["
+                + parameter.low()
+                + ", "
+                + parameter.high()
+                + "]");
       }
     }
     return maker.apply(values.clone());

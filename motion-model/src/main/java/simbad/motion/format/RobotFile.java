@@ -131,13 +131,13 @@ final class RobotFile {
       throw new IllegalArgumentException("only an exact body that goes and turns is written");
     }
     return String.format(
-        Locale.ROOT,
-        "{%n  \"format\": \"%s\",%n  \"kinematics\": \"unicycle\",%n"
-            + "  \"clocks\": \"%s\",%n  \"track_sigma_m\": %s,%n  \"track_sigma_deg\": %s%n}%n",
-        FORMAT,
-        robot.separateClocks() ? "separate" : "one",
-        robot.trackSigmaM(),
-        Math.toDegrees(robot.trackSigmaRad()))
+            Locale.ROOT,
+            "{%n  \"format\": \"%s\",%n  \"kinematics\": \"unicycle\",%n"
+                + "  \"clocks\": \"%s\",%n  \"track_sigma_m\": %s,%n  \"track_sigma_deg\": %s%n}%n",
+            FORMAT,
+            robot.separateClocks() ? "separate" : "one",
+            robot.trackSigmaM(),
+            Math.toDegrees(robot.trackSigmaRad()))
         .replace(System.lineSeparator(), "\n");
   }
 }
