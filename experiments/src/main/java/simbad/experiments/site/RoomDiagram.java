@@ -44,19 +44,19 @@ public final class RoomDiagram {
 
   private static final Map<String, Place> PLACES =
       Map.ofEntries(
-          Map.entry("benchmarks", new Place(0, 0, 3)),
-          Map.entry("cluster", new Place(0, 3, 3)),
-          Map.entry("experiments", new Place(1, 0, 6)),
-          Map.entry("gap", new Place(2, 0, 2)),
-          Map.entry("obstacles", new Place(2, 2, 1)),
-          Map.entry("scattering", new Place(3, 3, 1)),
-          Map.entry("bench", new Place(3, 4, 1)),
-          Map.entry("effects", new Place(3, 0, 1)),
-          Map.entry("motion-model", new Place(3, 1, 1)),
-          Map.entry("simbad-core", new Place(3, 2, 1)),
+          Map.entry("benchmarks", new Place(0, 0, 4)),
+          Map.entry("cluster", new Place(0, 4, 3)),
+          Map.entry("experiments", new Place(1, 0, 7)),
+          Map.entry("gap", new Place(2, 0, 3)),
+          Map.entry("obstacles", new Place(2, 3, 1)),
+          Map.entry("effects", new Place(3, 0, 2)),
+          Map.entry("motion-model", new Place(3, 2, 1)),
+          Map.entry("simbad-core", new Place(3, 3, 1)),
+          Map.entry("scattering", new Place(3, 4, 1)),
+          Map.entry("bench", new Place(3, 5, 1)),
           Map.entry("definitions", new Place(4, 0, 1)),
-          Map.entry("sonar-model", new Place(4, 1, 4)),
-          Map.entry("blind-world", new Place(4, 5, 1)));
+          Map.entry("sonar-model", new Place(4, 1, 5)),
+          Map.entry("blind-world", new Place(4, 6, 1)));
 
   private static final String HEAD =
       """
@@ -88,7 +88,7 @@ public final class RoomDiagram {
   public static String svg(Path project) throws IOException {
     List<Room> rooms = Room.readAll(project);
     StringBuilder svg = new StringBuilder();
-    int width = 6 * COLUMN + GAP;
+    int width = 7 * COLUMN + GAP;
     int height = 4 * ROW + HEIGHT + 2 * GAP;
     svg.append(HEAD.formatted(width, height, "The rooms and who uses whom"));
     for (Room room : rooms) {

@@ -1,0 +1,143 @@
+package simbad.motion.effect;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import simbad.motion.Capture;
+import simbad.motion.Command;
+import simbad.motion.Displacement;
+import simbad.motion.MotionChain;
+import simbad.motion.MotionChange;
+import simbad.motion.MotionRun;
+import simbad.motion.Response;
+import simbad.motion.Robot;
+import simbad.motion.Unicycle;
+import simbad.motion.Way;
+
+/** Each form beside what a hand computes. */
+class MotionFormsTest {
+  private static MotionChange change(String form, double... values) {
+    return MotionForms.find(form).orElseThrow().change(values);
+  }
+
+  private static Displacement way(double speed, double turn, MotionChange change, double seconds) {
+    MotionRun run = new MotionRun("a", List.of(new Command(0, speed, turn)), List.of());
+    return Way.of(run, MotionChain.EXACT.with(change), 0, seconds + 1).between(0, seconds);
+  }
+
+  @Test
+  void scales_multiplyWhatTheyName() {
+    assertEquals(1.9, way(1, 0, change("speed-scale", 0.95), 2).alongM(), 1e-9);
+    assertEquals(1.04, way(0, 0.5, change("turn-scale", 1.04), 2).turnRad(), 1e-9);
+    assertEquals(0.9, way(1, 0, change("wheel-scale", 0.9), 1).alongM(), 1e-9);
+    assertEquals(0.45, way(1, 0.5, change("wheel-scale", 0.9), 1).turnRad(), 1e-9);
+  }
+
+  @Test
+  void veers_turnWithTime_orWithTheWay() {
+    assertEquals(0.06, way(0, 0, change("turn-bias", 0.02), 3).turnRad(), 1e-9);
+    assertEquals(0.3, way(0.5, 0, change("wheel-asymmetry", 0.2), 3).turnRad(), 1e-9);
+    assertEquals(0, way(0, 0, change("wheel-asymmetry", 0.2), 3).turnRad());
+  }
+
+  @Test
+  void deadBand_leavesOutSmallCommandsAlone() {
+    MotionChange band = change("dead-band", 0.05, 0.1);
+
+    assertEquals(0, band.commandedSpeed(0.049));
+    assertEquals(-0.051, band.commandedSpeed(-0.051));
+    assertEquals(0, band.commandedTurn(-0.09));
+    assertEquals(0.1, band.commandedTurn(0.1));
+  }
+
+  @Test
+  void saturation_cutsLargeCommandsOfEitherSign() {
+    MotionChange speed = change("saturation: speed", 0.3);
+    MotionChange turn = change("saturation: turning", 0.8);
+
+    assertEquals(-0.3, speed.commandedSpeed(-2));
+    assertEquals(0.2, speed.commandedSpeed(0.2));
+    assertEquals(5, speed.commandedTurn(5));
+    assertEquals(0.8, turn.commandedTurn(3));
+    assertEquals(3, turn.commandedSpeed(3));
+  }
+
+  @Test
+  void quantization_takesTheNearestStep() {
+    MotionChange steps = change("command-quantization", 0.05, 0.25);
+
+    assertEquals(0.15, steps.commandedSpeed(0.16), 1e-12);
+    assertEquals(-0.25, steps.commandedTurn(-0.3), 1e-12);
+    assertEquals(0.16, change("command-quantization", 0, 0.25).commandedSpeed(0.16));
+  }
+
+  /** To 1 m/s at 0.5 m/s2 takes 2 s and 1 m. */
+  @Test
+  void acceleration_isTheGreatest() {
+    MotionChange limit = change("actuation-lag: greatest acceleration", 0.5, 1000);
+
+    assertEquals(1 + 1, way(1, 0, limit, 3).alongM(), 0.02);
+  }
+
+  @Test
+  void braking_hasATimeConstantOfItsOwn() {
+    MotionChange lag = change("actuation-lag: other in braking", 0.2, 0.1, 3);
+    Response response = lag.response(Response.AT_ONCE);
+
+    assertEquals(0.2, response.speedTimeConstantS());
+    assertEquals(0.1, response.turnTimeConstantS());
+    assertEquals(3, response.brakingFactor());
+    double faster = response.speed(0, 1, 0.02);
+    double slower = 1 - response.speed(1, 0, 0.02);
+    assertTrue(faster > 2.5 * slower, faster + " and " + slower);
+  }
+
+  @Test
+  void capture_addsUp() {
+    MotionChain chain =
+        MotionChain.EXACT
+            .with(change("capture-offset: heading", 0.1))
+            .with(change("capture-offset: point", 0.02, -0.01));
+
+    assertEquals(new Capture(0.02, -0.01, 0.1), chain.capture());
+    // A tracker whose heading is turned by 0.1 sees a way straight on to its right.
+    MotionChange turned = change("capture-offset: heading", 0.1);
+    assertEquals(-Math.sin(0.1), way(1, 0, turned, 1).acrossM(), 1e-9);
+  }
+
+  @Test
+  void clocks_shiftEitherWay() {
+    assertEquals(-0.4, change("time-offset", -0.4).delayS(0));
+    assertEquals(
+        0.9,
+        new MotionChain(List.of(change("time-offset", 0.4)))
+            .with(change("actuation-latency", 0.5))
+            .delayS(),
+        1e-12);
+  }
+
+  @Test
+  void whatIsNoValue_isRefused() {
+    MotionForm scale = MotionForms.find("speed-scale").orElseThrow();
+
+    assertTrue(MotionForms.find("no-such-form").isEmpty());
+    assertThrows(IllegalArgumentException.class, () -> scale.change(7));
+    assertThrows(IllegalArgumentException.class, () -> scale.change(Double.NaN));
+    assertThrows(IllegalArgumentException.class, () -> scale.change(1, 1));
+    assertThrows(IllegalArgumentException.class, () -> new MotionParameter("a", 1, 1, 1, 1));
+    assertThrows(IllegalArgumentException.class, () -> new Command(0, Double.NaN, 0));
+    assertThrows(IllegalArgumentException.class, () -> Unicycle.turnOfWheels(1, 1, 0));
+    assertThrows(
+        IllegalArgumentException.class, () -> new Robot(true, 0, false, 0, 0, MotionChain.EXACT));
+    assertEquals(0.2, scale.parameters().get(0).within(-3));
+  }
+
+  @Test
+  void wheels_goAndTurnAsTheirRimsDo() {
+    assertEquals(0.3, Unicycle.speedOfWheels(0.2, 0.4), 1e-12);
+    assertEquals(1, Unicycle.turnOfWheels(0.2, 0.4, 0.2), 1e-12);
+  }
+}
