@@ -14,7 +14,7 @@ import java.util.List;
 public record ShareGrid(int cells, double halfWidthM, List<Double> shares) {
   /** Checks the numbers and copies the list. */
   public ShareGrid {
-    simbad.sonar.check.Checks.positive("halfWidthM", halfWidthM);
+    Checks.positive("halfWidthM", halfWidthM);
     shares = List.copyOf(shares);
     if (cells < 1 || shares.size() != cells * cells) {
       throw new IllegalArgumentException(

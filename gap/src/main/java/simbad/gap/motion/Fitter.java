@@ -13,6 +13,9 @@ import simbad.motion.effect.MotionParameter;
 
 /** Fits a hypothesis' values by weighted least squares, damped, with Student's weights. */
 final class Fitter {
+  /** Parts of a log of which each is left out once. */
+  private static final int STRETCHES = 10;
+
   private static final int ROUNDS = 12;
   private static final double ENOUGH = 1e-5;
 
@@ -151,24 +154,32 @@ final class Fitter {
   }
 
   /**
-   * Returns standard errors of the values, by leaving out a fold at a time: windows hang together,
-   * so that their curvature alone would promise too much.
+   * Returns standard errors of the values, by leaving out a stretch of the log at a time (Kunsch
+   * 1989): windows hang together, and a floor or a battery changes slowly.
    */
   double[] standardErrors(Hypothesis fitted) {
     int n = fitted.values().length;
     double[] sums = new double[n];
-    for (int fold = 0; fold < Evidence.FOLDS; fold++) {
-      double[] values = fit(fitted, without(fold)).hypothesis().values();
+    for (int stretch = 0; stretch < STRETCHES; stretch++) {
+      double[] values = fit(fitted, withoutStretch(stretch)).hypothesis().values();
       for (int i = 0; i < n; i++) {
         double off = values[i] - fitted.values()[i];
         sums[i] += off * off;
       }
     }
-    double factor = (Evidence.FOLDS - 1.0) / Evidence.FOLDS;
+    double factor = (STRETCHES - 1.0) / STRETCHES;
     for (int i = 0; i < n; i++) {
       sums[i] = Math.sqrt(sums[i] * factor);
     }
     return sums;
+  }
+
+  private boolean[] withoutStretch(int left) {
+    boolean[] mask = new boolean[evidence.size()];
+    for (int i = 0; i < mask.length; i++) {
+      mask[i] = (int) ((long) i * STRETCHES / mask.length) != left;
+    }
+    return mask;
   }
 
   boolean[] all() {
