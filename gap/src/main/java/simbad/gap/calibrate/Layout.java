@@ -4,7 +4,10 @@ import java.util.List;
 
 /** Where each parameter of the level law stands among the values of a fit. Immutable. */
 final class Layout {
-  /** Of the receiver's departures, the first; before it spreading and absorption. */
+  /** Of the absorption; before it the spreading. */
+  static final int ABSORPTION = 1;
+
+  /** Of the receiver's departures, the first. */
   static final int RECEIVER = 2;
 
   /** Of the level that all targets have in common. */

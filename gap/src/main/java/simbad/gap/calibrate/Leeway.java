@@ -72,7 +72,7 @@ public final class Leeway {
     RealMatrix excess = known.covariance.copy();
     double off = excessDb * excessDb;
     add(excess, Layout.LEVEL, DAYS_GAIN_DB * DAYS_GAIN_DB + off);
-    add(excess, 1, DAYS_ABSORPTION_DB_PER_M * DAYS_ABSORPTION_DB_PER_M);
+    add(excess, Layout.ABSORPTION, DAYS_ABSORPTION_DB_PER_M * DAYS_ABSORPTION_DB_PER_M);
     add(excess, known.layout.squint(), DAYS_TURN_RAD * DAYS_TURN_RAD);
     for (int knot = 0; knot < LevelForms.RECEIVER_M.size(); knot++) {
       add(excess, Layout.RECEIVER + knot, off);
@@ -170,11 +170,13 @@ public final class Leeway {
     for (int ping = 0; ping < size; ping++) {
       int line = line(geometry, ping);
       if (line >= 0) {
-        Predictor.Row row = predictor.row(trial(geometry, ping, line, added[line]));
+        boolean read = geometry.log().echo(ping);
+        Predictor.Row row =
+            predictor.row(Trials.trial(geometry, line, read).with(added[line], 1, 0));
         Predictor.Excess own = predictor.excess(row);
         predictor.slope(row, own, slope);
         pulls.level[ping] = pull(slope);
-        if (geometry.log().echo(ping)) {
+        if (read) {
           pulls.range[ping] = ofRange(row.trial(), own.decibels());
         }
       }
@@ -258,20 +260,6 @@ public final class Leeway {
       }
     }
     return best;
-  }
-
-  private Trials.Trial trial(Geometry geometry, int ping, int line, double addedDb) {
-    return new Trials.Trial(
-        ping,
-        line % targets,
-        geometry.bearingRad(line),
-        geometry.centreDistanceM(line),
-        geometry.nearestM(line),
-        geometry.nearestSignedOffAxisRad(line),
-        geometry.log().echo(ping),
-        addedDb,
-        1,
-        0);
   }
 
   private static Pull ofRange(Trials.Trial trial, double excessDb) {

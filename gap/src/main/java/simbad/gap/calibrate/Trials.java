@@ -46,7 +46,21 @@ final class Trials {
       boolean isRead,
       double addedDb,
       double share,
-      double beyondM) {}
+      double beyondM) {
+    Trial with(double newAddedDb, double newShare, double newBeyondM) {
+      return new Trial(
+          ping,
+          target,
+          bearingRad,
+          centreM,
+          nearestM,
+          offAxisRad,
+          isRead,
+          newAddedDb,
+          newShare,
+          newBeyondM);
+    }
+  }
 
   private final List<? extends Change> effects;
 
@@ -93,18 +107,24 @@ final class Trials {
 
   private void add(Geometry geometry, int ping, int target, boolean isRead, double beyondM) {
     int line = ping * geometry.obstacles() + target;
-    all.add(
-        new Trial(
-            ping,
-            target,
-            geometry.bearingRad(line),
-            geometry.centreDistanceM(line),
-            geometry.nearestM(line),
-            geometry.nearestSignedOffAxisRad(line),
-            isRead,
-            geometry.addedDb(effects, line),
-            geometry.share(effects, line),
-            beyondM));
+    double added = geometry.addedDb(effects, line);
+    double share = geometry.share(effects, line);
+    all.add(trial(geometry, line, isRead).with(added, share, beyondM));
+  }
+
+  /** Reads one line of sight, without effects. */
+  static Trial trial(Geometry geometry, int line, boolean isRead) {
+    return new Trial(
+        line / geometry.obstacles(),
+        line % geometry.obstacles(),
+        geometry.bearingRad(line),
+        geometry.centreDistanceM(line),
+        geometry.nearestM(line),
+        geometry.nearestSignedOffAxisRad(line),
+        isRead,
+        0,
+        1,
+        0);
   }
 
   private static boolean isBefore(Geometry geometry, int ping, int target, int answered) {

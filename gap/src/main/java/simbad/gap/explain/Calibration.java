@@ -151,7 +151,7 @@ public final class Calibration {
             open ->
                 open.rangeNats(
                     Openness.pulls(evidence, hypothesis, open),
-                    SetupScores.perMetre(evidence, hypothesis)))
+                    SetupScores.perMetre(hypothesis, evidence::logLikelihood)))
         .orElse(0.0);
   }
 

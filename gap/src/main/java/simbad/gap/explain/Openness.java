@@ -1,13 +1,10 @@
 package simbad.gap.explain;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import simbad.gap.calibrate.Leeway;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
-import simbad.sonar.change.LevelGain;
-import simbad.sonar.change.RangeOffset;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 
@@ -17,9 +14,6 @@ import simbad.sonar.ping.Geometry;
  */
 @SuppressWarnings("ArrayRecordComponent") // one value for each ping; read only
 record Openness(Leeway leeway, Leeway.Pulls pulls, double[] chancePerDb, double[] scorePerMetre) {
-  private static final double STEP_DB = 0.25;
-  private static final double STEP_M = 0.001;
-
   /**
    * Asks how echoes and ranges hang on the set-up.
    *
@@ -29,15 +23,11 @@ record Openness(Leeway leeway, Leeway.Pulls pulls, double[] chancePerDb, double[
    */
   static Openness of(Evidence evidence, Hypothesis hypothesis, Leeway leeway) {
     double[] chance =
-        slope(
-            surprise(evidence, hypothesis, new LevelGain(STEP_DB)).expected,
-            surprise(evidence, hypothesis, new LevelGain(-STEP_DB)).expected,
-            STEP_DB);
+        SetupScores.perDecibel(
+            hypothesis, changes -> new Surprise(evidence, evidence.model(changes)).expected);
     double[] score =
-        slope(
-            surprise(evidence, hypothesis, new RangeOffset(STEP_M)).score,
-            surprise(evidence, hypothesis, new RangeOffset(-STEP_M)).score,
-            STEP_M);
+        SetupScores.perMetre(
+            hypothesis, changes -> new Surprise(evidence, evidence.model(changes)).score);
     return new Openness(leeway, pulls(evidence, hypothesis, leeway), chance, score);
   }
 
@@ -48,18 +38,6 @@ record Openness(Leeway leeway, Leeway.Pulls pulls, double[] chancePerDb, double[
     double[] added = new double[evidence.log().size() * geometry.obstacles()];
     Arrays.setAll(added, line -> geometry.addedDb(changes, line));
     return leeway.pulls(geometry, added);
-  }
-
-  private static Surprise surprise(Evidence evidence, Hypothesis hypothesis, Change more) {
-    List<Change> changes = new ArrayList<>(hypothesis.changes());
-    changes.add(more);
-    return new Surprise(evidence, evidence.model(changes));
-  }
-
-  private static double[] slope(double[] up, double[] down, double step) {
-    double[] slope = new double[up.length];
-    Arrays.setAll(slope, i -> (up[i] - down[i]) / (2 * step));
-    return slope;
   }
 
   /** Returns an empty slice. */

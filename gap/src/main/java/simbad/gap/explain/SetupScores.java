@@ -3,6 +3,8 @@ package simbad.gap.explain;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.DoubleFunction;
+import java.util.function.Function;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.change.LevelGain;
@@ -30,21 +32,30 @@ record SetupScores(Geometry geometry, double[] perDecibel, double[] perMetre) {
     DiagnosedModel model = evidence.model(hypothesis);
     return new SetupScores(
         evidence.geometry(model),
-        slope(evidence, hypothesis, new LevelGain(STEP_DB), new LevelGain(-STEP_DB), STEP_DB),
-        perMetre(evidence, hypothesis));
+        perDecibel(hypothesis, evidence::logLikelihood),
+        perMetre(hypothesis, evidence::logLikelihood));
   }
 
-  /** Returns by how much the log probability of each reading rises with its range. */
-  static double[] perMetre(Evidence evidence, Hypothesis hypothesis) {
-    return slope(evidence, hypothesis, new RangeOffset(STEP_M), new RangeOffset(-STEP_M), STEP_M);
+  /** Returns by how much a value of each ping rises with the excess of what it hears. */
+  static double[] perDecibel(Hypothesis hypothesis, Function<List<Change>, double[]> values) {
+    return slope(hypothesis, values, LevelGain::new, STEP_DB);
+  }
+
+  /** Returns by how much a value of each ping rises with its range, metres. */
+  static double[] perMetre(Hypothesis hypothesis, Function<List<Change>, double[]> values) {
+    return slope(hypothesis, values, RangeOffset::new, STEP_M);
   }
 
   private static double[] slope(
-      Evidence evidence, Hypothesis hypothesis, Change more, Change less, double step) {
-    double[] up = evidence.logLikelihood(and(hypothesis, more));
-    double[] down = evidence.logLikelihood(and(hypothesis, less));
-    Arrays.setAll(up, i -> (up[i] - down[i]) / (2 * step));
-    return up;
+      Hypothesis hypothesis,
+      Function<List<Change>, double[]> values,
+      DoubleFunction<Change> change,
+      double step) {
+    double[] up = values.apply(and(hypothesis, change.apply(step)));
+    double[] down = values.apply(and(hypothesis, change.apply(-step)));
+    double[] slope = new double[up.length];
+    Arrays.setAll(slope, i -> (up[i] - down[i]) / (2 * step));
+    return slope;
   }
 
   private static List<Change> and(Hypothesis hypothesis, Change change) {

@@ -51,7 +51,7 @@ class LeewayTest {
   void aSmallShiftGainsNearlyAllThatAnOffsetWould() {
     List<ReadingRow> rows = longer(LevelWorlds.log(1000, 41), 0.003);
     Evidence evidence = evidence(rows);
-    double[] slope = SetupScores.perMetre(evidence, Hypothesis.NONE);
+    double[] slope = SetupScores.perMetre(Hypothesis.NONE, evidence::logLikelihood);
     double score = 0;
     double information = 0;
     for (double one : slope) {
