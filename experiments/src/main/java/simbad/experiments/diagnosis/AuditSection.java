@@ -44,17 +44,9 @@ final class AuditSection {
 
   /** A page of the audit alone. */
   static String page(DataSet data, List<AuditFinding> findings) {
-    StringBuilder page =
-        new StringBuilder(
-            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-                + "<title>"
-                + Markup.escaped(data.name())
-                + ": audit</title>\n<style>\n"
-                + Style.SHEET
-                + "</style>\n</head>\n<body>\n<main>\n<h1>Simulation and reality: "
-                + Markup.escaped(data.name())
-                + "</h1>\n");
+    String name = Markup.escaped(data.name());
+    StringBuilder page = new StringBuilder(Style.head(name + ": audit"));
+    page.append("<h1>Simulation and reality: " + name + "</h1>\n");
     page.append("<p class=\"verdict\">" + verdict(findings) + "</p>\n");
     add(page, findings, data.name());
     return page.append("</main>\n</body>\n</html>\n").toString();

@@ -44,7 +44,7 @@ final class DiagnosisPage {
   static String of(
       Diagnosis diagnosis, DataSet data, List<RowFinding> rows, Provenance provenance) {
     DiagnosisPage page = new DiagnosisPage(diagnosis, data, rows);
-    page.begin();
+    page.page.append(Style.head(Markup.escaped(data.name()) + ": " + diagnosis.verdict().word()));
     page.page.append("<h1>Simulation and reality: " + Markup.escaped(data.name()) + "</h1>\n");
     AuditSection.add(page.page, diagnosis.audit(), data.name());
     FirstScreen.add(page.page, diagnosis, data);
@@ -55,19 +55,6 @@ final class DiagnosisPage {
     page.tried();
     page.origin(provenance);
     return page.page.append("</main>\n</body>\n</html>\n").toString();
-  }
-
-  private void begin() {
-    page.append(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-            + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-            + "<title>"
-            + Markup.escaped(data.name())
-            + ": "
-            + diagnosis.verdict().word()
-            + "</title>\n<style>\n"
-            + Style.SHEET
-            + "</style>\n</head>\n<body>\n<main>\n");
   }
 
   private void where() {

@@ -80,4 +80,18 @@ public final class Style {
       """;
 
   private Style() {}
+
+  /**
+   * Returns a page up to its first heading.
+   *
+   * @param title as markup
+   */
+  static String head(String title) {
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
+        + title
+        + "</title>\n<style>\n"
+        + SHEET
+        + "</style>\n</head>\n<body>\n<main>\n";
+  }
 }

@@ -90,7 +90,7 @@ final class Tables {
         "#" + interval(ends, unit));
   }
 
-  private static String interval(Interval ends, String unit) {
+  static String interval(Interval ends, String unit) {
     return Double.isInfinite(ends.low()) && Double.isInfinite(ends.high())
         ? "not known from these data"
         : Html.number(ends.low()) + " to " + Html.number(ends.high()) + unit;
@@ -124,7 +124,7 @@ final class Tables {
     end();
   }
 
-  private void begin(String... titles) {
+  void begin(String... titles) {
     page.append("<div class=\"scroll\" tabindex=\"0\"><table><thead><tr>");
     for (String title : titles) {
       page.append(
@@ -136,7 +136,7 @@ final class Tables {
   }
 
   /** Cells that begin with # are numbers. */
-  private void row(String... cells) {
+  void row(String... cells) {
     page.append("<tr>");
     for (String cell : cells) {
       page.append(
@@ -147,7 +147,7 @@ final class Tables {
     page.append("</tr>\n");
   }
 
-  private void end() {
+  void end() {
     page.append("</tbody></table></div>\n");
   }
 }

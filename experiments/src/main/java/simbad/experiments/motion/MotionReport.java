@@ -6,8 +6,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Locale;
-import simbad.experiments.markup.Markup;
+import simbad.experiments.diagnosis.MotionPage;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Provenance;
 import simbad.gap.motion.MotionDiagnosis;
@@ -45,7 +44,7 @@ public final class MotionReport {
     TextFile.write(folder.resolve("diagnosis.json"), MAPPER.writeValueAsString(json) + "\n");
     TextFile.write(
         folder.resolve("motion.json"), MAPPER.writeValueAsString(model(diagnosis)) + "\n");
-    TextFile.write(folder.resolve("report.html"), page(dataset, diagnosis));
+    TextFile.write(folder.resolve("report.html"), MotionPage.of(dataset, diagnosis, provenance));
   }
 
   private static ObjectNode diagnosis(String dataset, MotionDiagnosis diagnosis) {
@@ -118,33 +117,5 @@ public final class MotionReport {
       finding.parameters().forEach(one -> values.put(one.name(), one.value()));
     }
     return json;
-  }
-
-  private static String page(String dataset, MotionDiagnosis diagnosis) {
-    String title = Markup.escaped(dataset);
-    StringBuilder page = new StringBuilder("<!DOCTYPE html>\n<html lang=\"en\"><head>");
-    page.append("<meta charset=\"utf-8\"><title>").append(title).append("</title></head><body>\n");
-    page.append("<h1>").append(title).append(": ").append(diagnosis.verdict().word());
-    page.append("</h1>\n<p>").append(Markup.escaped(diagnosis.headline())).append(".</p>\n<ul>\n");
-    for (MotionFinding finding : diagnosis.findings()) {
-      page.append("<li>").append(finding.effect()).append(": ").append(finding.remedy());
-      page.append(finding.ties().isEmpty() ? "" : "; not told from ");
-      page.append(String.join(", ", finding.ties())).append("</li>\n");
-    }
-    page.append("</ul>\n<table><caption>Gap over blocks that were not fitted</caption>\n");
-    page.append("<tr><th>horizon, s</th><th>component</th><th>before</th><th>after</th></tr>\n");
-    for (int h = 0; h < HORIZONS.length; h++) {
-      for (int c = 0; c < COMPONENTS.length; c++) {
-        page.append(
-            String.format(
-                Locale.ROOT,
-                "<tr><td>%s</td><td>%s</td><td>%.5f</td><td>%.5f</td></tr>\n",
-                HORIZONS[h],
-                COMPONENTS[c],
-                diagnosis.before()[h][c],
-                diagnosis.after()[h][c]));
-      }
-    }
-    return page.append("</table></body></html>\n").toString();
   }
 }

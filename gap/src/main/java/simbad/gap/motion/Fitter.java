@@ -1,7 +1,9 @@
 package simbad.gap.motion;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.function.Function;
 import java.util.function.IntPredicate;
 import org.hipparchus.linear.Array2DRowRealMatrix;
 import org.hipparchus.linear.ArrayRealVector;
@@ -153,25 +155,29 @@ final class Fitter {
     return parameters;
   }
 
-  /**
-   * Returns standard errors of the values, by leaving out a stretch of the log at a time (Kunsch
-   * 1989): windows hang together, and a floor or a battery changes slowly.
-   */
+  /** Returns standard errors of a hypothesis' values. */
   double[] standardErrors(Hypothesis fitted) {
-    int n = fitted.values().length;
-    double[] sums = new double[n];
+    return standardErrors(fitted.values(), mask -> fit(fitted, mask).hypothesis().values());
+  }
+
+  /**
+   * Returns standard errors of numbers, by leaving out a stretch of the log at a time (Kunsch
+   * 1989): windows hang together, and a floor or a battery changes slowly.
+   *
+   * @param whole the numbers on all windows
+   * @param on them on the windows that a mask lets through
+   */
+  double[] standardErrors(double[] whole, Function<boolean[], double[]> on) {
+    double[] errors = new double[whole.length];
     for (int stretch = 0; stretch < STRETCHES; stretch++) {
-      double[] values = fit(fitted, withoutStretch(stretch)).hypothesis().values();
-      for (int i = 0; i < n; i++) {
-        double off = values[i] - fitted.values()[i];
-        sums[i] += off * off;
+      double[] values = on.apply(withoutStretch(stretch));
+      for (int i = 0; i < errors.length; i++) {
+        errors[i] += (values[i] - whole[i]) * (values[i] - whole[i]);
       }
     }
     double factor = (STRETCHES - 1.0) / STRETCHES;
-    for (int i = 0; i < n; i++) {
-      sums[i] = Math.sqrt(sums[i] * factor);
-    }
-    return sums;
+    Arrays.setAll(errors, i -> Math.sqrt(errors[i] * factor));
+    return errors;
   }
 
   private boolean[] withoutStretch(int left) {

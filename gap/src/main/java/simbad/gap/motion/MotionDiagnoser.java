@@ -157,7 +157,9 @@ public final class MotionDiagnoser {
       String remedy =
           String.format(Locale.ROOT, form.remedy(), String.format(Locale.ROOT, "%.4g", values[0]));
       List<String> ties = search.ties(best, form);
-      findings.add(new MotionFinding(form.effect(), form.form(), 0.99, parameters, ties, remedy));
+      findings.add(
+          new MotionFinding(
+              form.effect(), form.form(), search.sure(best, form), parameters, ties, remedy));
       at += own.length;
     }
     NoiseFindings.add(findings, evidence, data.robot(), best);
@@ -170,7 +172,9 @@ public final class MotionDiagnoser {
     return new MotionFinding.Parameter(
         parameter.name(),
         value,
-        new Interval(value - 1.96 * error, value + 1.96 * error),
+        new Interval(
+            parameter.within(value - Chance.NORMAL_95 * error),
+            parameter.within(value + Chance.NORMAL_95 * error)),
         end && value != parameter.neutral());
   }
 }

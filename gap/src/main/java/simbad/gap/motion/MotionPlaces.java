@@ -18,7 +18,7 @@ final class MotionPlaces {
     double[] after = sizes(diagnosed, nominal);
     List<MotionPlace> places = new ArrayList<>();
     ToDoubleFunction<Window> speed = w -> w.way().alongM() / w.horizonS();
-    ToDoubleFunction<Window> turn = w -> w.way().turnRad() / w.horizonS();
+    ToDoubleFunction<Window> turn = w -> wrapped(w.way().turnRad()) / w.horizonS();
     places.addAll(slice("speed_m_s", speed, evidence, before, after));
     places.addAll(slice("turn_rad_s", turn, evidence, before, after));
     places.addAll(slice("t_s", Window::startS, evidence, before, after));
@@ -30,7 +30,12 @@ final class MotionPlaces {
   }
 
   private static double degrees(double rad) {
-    return Math.toDegrees(Math.IEEEremainder(rad, 2 * Math.PI));
+    return Math.toDegrees(wrapped(rad));
+  }
+
+  /** Half a turn at most either way: a tracker's heading may jump by a whole one. */
+  private static double wrapped(double rad) {
+    return Math.IEEEremainder(rad, 2 * Math.PI);
   }
 
   /** Absolute errors of all components, each in units of its nominal mean. */

@@ -1,6 +1,7 @@
 package simbad.gap.motion;
 
 import java.util.List;
+import java.util.Locale;
 import simbad.gap.diagnosis.Interval;
 import simbad.motion.Robot;
 import simbad.motion.effect.MotionForms;
@@ -19,30 +20,45 @@ final class NoiseFindings {
   private NoiseFindings() {}
 
   static void add(List<MotionFinding> findings, Evidence evidence, Robot robot, HeldOut best) {
-    double along = best.full().scatter().scales()[0] * MEDIAN_OF_STUDENT / MEDIAN_OF_TWO;
-    if (robot.trackSigmaM() > 0 && along > MATTERS * robot.trackSigmaM()) {
-      findings.add(noise(MotionForms.MOTION_NOISE, "sigma_m", along, "let displacements scatter"));
-    }
-    double slip = slip(evidence, best);
-    if (slip > 0) {
+    double[][] residuals = best.full().residuals();
+    Fitter fitter = new Fitter(evidence);
+    double along = sigma(residuals, fitter.all());
+    double believed = robot.trackSigmaM();
+    if (believed > 0 && along > MATTERS * believed) {
+      double[] error =
+          fitter.standardErrors(
+              new double[] {along}, mask -> new double[] {sigma(residuals, mask)});
+      double sure = Chance.below((along - believed) / error[0]);
       findings.add(
-          noise(MotionForms.SLIP, "share_of_windows", slip, "let wheels slip now and then"));
+          finding(
+              MotionForms.MOTION_NOISE,
+              sure,
+              parameter("sigma_m", along, error[0]),
+              "let displacements scatter by %.2g m"));
     }
+    slip(findings, evidence, best);
   }
 
-  private static MotionFinding noise(String effect, String name, double value, String remedy) {
-    double least = value / 1.2;
-    return new MotionFinding(
-        effect,
-        effect,
-        0.95,
-        List.of(new MotionFinding.Parameter(name, value, new Interval(least, value * 1.2), false)),
-        List.of(),
-        remedy);
+  /** Of Gaussian scatter at each end of a window, along. */
+  private static double sigma(double[][] residuals, boolean[] mask) {
+    return Scatter.of(residuals, mask).scales()[0] * MEDIAN_OF_STUDENT / MEDIAN_OF_TWO;
   }
 
-  /** Far outliers that fall short more often than they run ahead; 0 where they do not. */
-  private static double slip(Evidence evidence, HeldOut best) {
+  private static MotionFinding.Parameter parameter(String name, double value, double error) {
+    Interval ci95 =
+        new Interval(
+            Math.max(0, value - Chance.NORMAL_95 * error), value + Chance.NORMAL_95 * error);
+    return new MotionFinding.Parameter(name, value, ci95, false);
+  }
+
+  private static MotionFinding finding(
+      String effect, double sure, MotionFinding.Parameter parameter, String remedy) {
+    String said = String.format(Locale.ROOT, remedy, parameter.value());
+    return new MotionFinding(effect, effect, sure, List.of(parameter), List.of(), said);
+  }
+
+  /** Far outliers that fall short more often than they run ahead; counts of rare events. */
+  private static void slip(List<MotionFinding> findings, Evidence evidence, HeldOut best) {
     double scale = best.full().scatter().scales()[0];
     int shorter = 0;
     int longer = 0;
@@ -53,8 +69,15 @@ final class NoiseFindings {
       shorter += ahead < -FAR * scale ? 1 : 0;
       longer += ahead > FAR * scale ? 1 : 0;
     }
-    double excess = shorter - longer;
-    boolean sure = excess > SURE * Math.sqrt(shorter + longer);
-    return sure && excess > LEAST_SLIP * residuals.length ? excess / residuals.length : 0;
+    double share = (double) (shorter - longer) / residuals.length;
+    double error = Math.sqrt(shorter + longer) / residuals.length;
+    if (share > SURE * error && share > LEAST_SLIP) {
+      findings.add(
+          finding(
+              MotionForms.SLIP,
+              Chance.below(share / error),
+              parameter("share_of_windows", share, error),
+              "let wheels slip in a share of %.2g of all half seconds"));
+    }
   }
 }

@@ -139,6 +139,16 @@ final class Search {
     return sum;
   }
 
+  /**
+   * Returns how sure it is that a named form is needed to foretell blocks that were left out, all
+   * forms that were tried counted; not that none but it would do.
+   */
+  double sure(HeldOut chosen, MotionForm named) {
+    Hypothesis less = chosen.full().hypothesis().without(named);
+    HeldOut without = HeldOut.of(evidence, fitter.fit(less, fitter.all()));
+    return Chance.chosen(chosen.z(without), forms.size());
+  }
+
   /** Returns names that would do in place of a named form as well as it does. */
   List<String> ties(HeldOut chosen, MotionForm named) {
     Hypothesis less = chosen.full().hypothesis().without(named);

@@ -25,6 +25,10 @@ class MotionDiagnoserTest {
   private static final double END_S = 150;
 
   private static MotionDiagnosis diagnose(MotionChain truth, int seed) {
+    return diagnose(truth, seed, 1);
+  }
+
+  private static MotionDiagnosis diagnose(MotionChain truth, int seed, double noisier) {
     SplittableRandom random = new SplittableRandom(seed);
     List<Command> commands = new ArrayList<>();
     for (double t = 0; t < END_S; t += 1 + 2 * random.nextDouble()) {
@@ -38,9 +42,9 @@ class MotionDiagnoserTest {
       track.add(
           new TrackPose(
               i / 10.0,
-              to.alongM() + SIGMA_M * random.nextGaussian(),
-              to.acrossM() + SIGMA_M * random.nextGaussian(),
-              to.turnRad() + SIGMA_RAD * random.nextGaussian()));
+              to.alongM() + noisier * SIGMA_M * random.nextGaussian(),
+              to.acrossM() + noisier * SIGMA_M * random.nextGaussian(),
+              Math.IEEEremainder(to.turnRad() + SIGMA_RAD * random.nextGaussian(), 2 * Math.PI)));
     }
     Robot robot = new Robot(false, 0, false, SIGMA_M, SIGMA_RAD, MotionChain.EXACT);
     MotionRun run = new MotionRun("a", commands, track);
@@ -57,6 +61,7 @@ class MotionDiagnoserTest {
     assertEquals(List.of(effect), diagnosis.findings().stream().map(f -> f.effect()).toList());
     assertEquals(Verdict.EXPLAINED, diagnosis.verdict());
     assertEquals(value, diagnosis.findings().get(0).parameters().get(0).value(), by);
+    assertTrue(diagnosis.findings().get(0).probability() > 0.95);
     assertTrue(diagnosis.shrink() > 0.3, "shrink " + diagnosis.shrink());
   }
 
@@ -88,5 +93,30 @@ class MotionDiagnoserTest {
   @Test
   void turningByItself_isBias() {
     checkNamed(with(6, "turn-bias", 0.05), "turn-bias", 0.05, 0.002);
+  }
+
+  /** A tracker that scatters by four millimetres where one is believed. */
+  @Test
+  void noise_isMeasured_withItsInterval() {
+    MotionFinding noise = diagnose(MotionChain.EXACT, 7, 4).findings().get(0);
+
+    assertEquals(MotionForms.MOTION_NOISE, noise.effect());
+    assertTrue(noise.probability() > 0.99, "sure by " + noise.probability());
+    MotionFinding.Parameter sigma = noise.parameters().get(0);
+    assertTrue(sigma.ci95().low() < 0.004 && 0.004 < sigma.ci95().high(), sigma.toString());
+    assertTrue(sigma.ci95().high() - sigma.ci95().low() < 0.002, sigma.toString());
+  }
+
+  /** It turns on and on, and its tracker's heading jumps by whole turns. */
+  @Test
+  void ratesOfTurning_areThoseOfTheRobot() {
+    List<MotionPlace> places = with(8, "turn-bias", 0.05).places();
+
+    for (MotionPlace place : places) {
+      if (place.axis().equals("turn_rad_s")) {
+        assertTrue(Math.abs(place.low()) < 1.2 && Math.abs(place.high()) < 1.2, place.toString());
+      }
+    }
+    assertTrue(places.stream().anyMatch(place -> place.axis().equals("turn_rad_s")));
   }
 }
