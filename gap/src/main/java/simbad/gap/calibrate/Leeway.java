@@ -1,6 +1,8 @@
 package simbad.gap.calibrate;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.hipparchus.linear.ArrayRealVector;
 import org.hipparchus.linear.MatrixUtils;
 import org.hipparchus.linear.RealMatrix;
@@ -31,6 +33,8 @@ public final class Leeway {
   /** What was read further from every obstacle has to do with none of them. */
   private static final double NEAR_M = 0.2;
 
+  private static final double LEAST_PLACE_DB = 0.05;
+
   private static final int WALK = LevelForms.WALK_DB.size();
   private static final int SCALE = WALK;
   private static final int CONSTANT = WALK + 1;
@@ -42,12 +46,16 @@ public final class Leeway {
   private final RealMatrix rangeCovariance;
   private final RealMatrix rangePrecision;
 
-  private Leeway(Known known, RealMatrix excess, RealMatrix range) {
+  /** Of the levels' values and, behind them, of what levels are off at each place. */
+  private final RealMatrix levelPrecision;
+
+  private Leeway(Known known, RealMatrix excess, RealMatrix range, RealMatrix level) {
     predictor = known.predictor;
     targets = known.ranges.byBearing().size();
     excessCovariance = excess;
     rangeCovariance = range;
     rangePrecision = inverse(range);
+    levelPrecision = level;
   }
 
   /**
@@ -71,13 +79,27 @@ public final class Leeway {
   static Leeway of(Known known, double excessDb, double rangeM) {
     RealMatrix excess = known.covariance.copy();
     double off = excessDb * excessDb;
-    add(excess, Layout.LEVEL, DAYS_GAIN_DB * DAYS_GAIN_DB + off);
+    add(excess, Layout.LEVEL, DAYS_GAIN_DB * DAYS_GAIN_DB);
     add(excess, Layout.ABSORPTION, DAYS_ABSORPTION_DB_PER_M * DAYS_ABSORPTION_DB_PER_M);
     add(excess, known.layout.squint(), DAYS_TURN_RAD * DAYS_TURN_RAD);
+    RealMatrix level = ofPlaces(excess, known.ranges.byBearing().size(), off);
+    add(excess, Layout.LEVEL, off);
     for (int knot = 0; knot < LevelForms.RECEIVER_M.size(); knot++) {
       add(excess, Layout.RECEIVER + knot, off);
     }
-    return new Leeway(known, excess, ofRanges(known.ranges, rangeM));
+    return new Leeway(known, excess, ofRanges(known.ranges, rangeM), level);
+  }
+
+  /** What levels are off at one place says nothing of the next. */
+  private static RealMatrix ofPlaces(RealMatrix excess, int targets, double variance) {
+    int size = excess.getRowDimension();
+    int places = targets * LevelForms.RECEIVER_M.size();
+    RealMatrix precision = MatrixUtils.createRealMatrix(size + places, size + places);
+    precision.setSubMatrix(inverse(excess).getData(), 0, 0);
+    for (int place = 0; place < places; place++) {
+      add(precision, size + place, 1 / Math.max(LEAST_PLACE_DB * LEAST_PLACE_DB, variance));
+    }
+    return precision;
   }
 
   private static RealMatrix ofRanges(Ranges ranges, double rangeM) {
@@ -123,8 +145,7 @@ public final class Leeway {
   }
 
   /**
-   * Returns by how many nats a log's ranges would be likelier if the set-up moved. Levels have no
-   * such leave: a set-up whose strengths, beam and receiver all move takes up whatever changed.
+   * Returns by how many nats a log's ranges would be likelier if the set-up moved.
    *
    * @param pulls of the log under a hypothesis
    * @param perMetre by how much the log probability of each reading rises with its range
@@ -141,13 +162,45 @@ public final class Leeway {
   }
 
   /**
+   * Moves the set-up's levels to where they and a log are most probable together.
+   *
+   * @param pulls of the log under a hypothesis
+   * @param echoes how likely each reading is where its excess is another
+   */
+  public Moved moved(Pulls pulls, EchoCurves echoes) {
+    int places = excessCovariance.getRowDimension();
+    List<LevelMove.Row> rows = new ArrayList<>();
+    for (int ping = 0; ping < echoes.size(); ping++) {
+      Pull pull = pulls.level[ping];
+      if (pull != null && !echoes.isFlat(ping)) {
+        Pull own = pull.and(places + pulls.place[ping]);
+        rows.add(new LevelMove.Row(ping, own.index, own.value));
+      }
+    }
+    LevelMove move = new LevelMove(levelPrecision, rows, echoes);
+    double nats = move.climb();
+    return new Moved(nats, move.shiftsDb());
+  }
+
+  /**
+   * Levels that have moved.
+   *
+   * @param nats by which the log and they are likelier; at least 0
+   * @param shiftsDb by how much the excess of what each ping is most about is more, decibels
+   */
+  @SuppressWarnings("ArrayRecordComponent") // read only
+  public record Moved(double nats, double[] shiftsDb) {}
+
+  /**
    * How the excess and the range of what each ping is most about move with the set-up. Immutable.
    */
   public static final class Pulls {
     private final @Nullable Pull[] level;
     private final @Nullable Pull[] range;
+    private final int[] place;
 
     private Pulls(int size) {
+      place = new int[size];
       level = new Pull[size];
       range = new Pull[size];
     }
@@ -155,7 +208,16 @@ public final class Leeway {
 
   /** By how much something moves with some of the values. */
   @SuppressWarnings("ArrayRecordComponent") // read only
-  private record Pull(int[] index, double[] value) {}
+  private record Pull(int[] index, double[] value) {
+    /** With one value more. */
+    Pull and(int more) {
+      int[] indices = Arrays.copyOf(index, index.length + 1);
+      double[] values = Arrays.copyOf(value, value.length + 1);
+      indices[index.length] = more;
+      values[value.length] = 1;
+      return new Pull(indices, values);
+    }
+  }
 
   /**
    * Finds how a log hangs on the set-up.
@@ -176,12 +238,22 @@ public final class Leeway {
         Predictor.Excess own = predictor.excess(row);
         predictor.slope(row, own, slope);
         pulls.level[ping] = pull(slope);
+        pulls.place[ping] = place(row.trial());
         if (read) {
           pulls.range[ping] = ofRange(row.trial(), own.decibels());
         }
       }
     }
     return pulls;
+  }
+
+  private static int place(Trials.Trial trial) {
+    int knots = LevelForms.RECEIVER_M.size();
+    int knot = 0;
+    while (knot < knots - 1 && trial.nearestM() > LevelForms.RECEIVER_M.get(knot + 1)) {
+      knot++;
+    }
+    return trial.target() * knots + knot;
   }
 
   private static Pull pull(Predictor.Slope slope) {

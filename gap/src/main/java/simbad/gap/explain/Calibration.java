@@ -139,7 +139,7 @@ public final class Calibration {
   }
 
   /**
-   * Returns by how many nats a log's ranges would be likelier if the set-up moved as far as its
+   * Returns by how many nats a log would be likelier if the set-up moved as far as its
    * reference leaves open; 0 under the threshold rule.
    *
    * @param evidence of the log
@@ -148,11 +148,21 @@ public final class Calibration {
   public double leewayNats(Evidence evidence, Hypothesis hypothesis) {
     return leeway
         .map(
-            open ->
-                open.rangeNats(
-                    Openness.pulls(evidence, hypothesis, open),
-                    SetupScores.perMetre(hypothesis, evidence::logLikelihood)))
+open -> leewayNats(open, evidence, hypothesis))
         .orElse(0.0);
+  }
+
+  /** Levels first: how far an echo reads depends on how strong it is. */
+  private static double leewayNats(Leeway open, Evidence evidence, Hypothesis hypothesis) {
+    Leeway.Pulls pulls = Openness.pulls(evidence, hypothesis, open);
+    Leeway.Moved levels =
+        open.moved(pulls, SetupScores.echoes(hypothesis, evidence::logLikelihood));
+    LevelShift shift = new LevelShift(levels.shiftsDb());
+    return levels.nats()
+        + open.rangeNats(
+            pulls,
+            SetupScores.perMetre(
+                hypothesis, changes -> evidence.logLikelihood(shift.and(changes))));
   }
 
   /** Returns how far the reference leaves a level law open; none under the threshold rule. */

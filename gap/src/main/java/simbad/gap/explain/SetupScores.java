@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleFunction;
 import java.util.function.Function;
+import simbad.gap.calibrate.EchoCurves;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.change.LevelGain;
@@ -39,6 +40,11 @@ record SetupScores(Geometry geometry, double[] perDecibel, double[] perMetre) {
   /** Returns by how much a value of each ping rises with the excess of what it hears. */
   static double[] perDecibel(Hypothesis hypothesis, Function<List<Change>, double[]> values) {
     return slope(hypothesis, values, LevelGain::new, STEP_DB);
+  }
+
+  /** Returns how likely each ping is where the excess of what it hears is another. */
+  static EchoCurves echoes(Hypothesis hypothesis, Function<List<Change>, double[]> values) {
+    return new EchoCurves(decibels -> values.apply(and(hypothesis, new LevelGain(decibels))));
   }
 
   /** Returns by how much a value of each ping rises with its range, metres. */
