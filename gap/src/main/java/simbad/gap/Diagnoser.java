@@ -29,6 +29,7 @@ import simbad.gap.explain.ModelError;
 import simbad.gap.explain.Probabilities;
 import simbad.gap.explain.Scored;
 import simbad.gap.explain.Search;
+import simbad.gap.explain.SetupLeave;
 import simbad.gap.explain.Uncertainty;
 import simbad.gap.explain.Unknown;
 import simbad.gap.explain.Weighed;
@@ -157,7 +158,8 @@ public final class Diagnoser {
     Set<Effect> excluded =
         new Blocks(log).canBeHeldOut() ? withheld : Set.copyOf(Definitions.effects());
     Search search =
-        new Search(evidence, excluded, worth, set -> calibration.leewayNats(evidence, set));
+        new Search(
+            evidence, excluded, worth, Optional.of(new SetupLeave(evidence, calibration)));
     return Inquiry.of(evidence, calibration, worth, search);
   }
 

@@ -3,6 +3,7 @@ package simbad.gap.explain;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import simbad.definition.Effect;
 import simbad.gap.calibrate.Leeway;
 import simbad.gap.calibrate.LevelCalibration;
@@ -14,6 +15,8 @@ import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.JointFitter;
 import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.effect.Form;
+import simbad.sonar.ping.Change;
+import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SensorLaw;
@@ -154,15 +157,15 @@ open -> leewayNats(open, evidence, hypothesis))
 
   /** Levels first: how far an echo reads depends on how strong it is. */
   private static double leewayNats(Leeway open, Evidence evidence, Hypothesis hypothesis) {
-    Leeway.Pulls pulls = Openness.pulls(evidence, hypothesis, open);
-    Leeway.Moved levels =
-        open.moved(pulls, SetupScores.echoes(hypothesis, evidence::logLikelihood));
+    Geometry geometry = evidence.geometry(evidence.model(hypothesis));
+    Function<List<Change>, double[]> likely =
+        changes -> evidence.logLikelihood(changes, geometry);
+    Leeway.Pulls pulls = Openness.pulls(geometry, hypothesis, open);
+    Leeway.Moved levels = open.moved(pulls, SetupScores.echoes(hypothesis, likely));
     LevelShift shift = new LevelShift(levels.shiftsDb());
-    return levels.nats()
-        + open.rangeNats(
-            pulls,
-            SetupScores.perMetre(
-                hypothesis, changes -> evidence.logLikelihood(shift.and(changes))));
+    double[] perMetre =
+        SetupScores.perMetre(hypothesis, changes -> likely.apply(shift.and(changes)));
+    return levels.nats() + open.rangeNats(pulls, perMetre);
   }
 
   /** Returns how far the reference leaves a level law open; none under the threshold rule. */

@@ -22,20 +22,20 @@ record Openness(Leeway leeway, Leeway.Pulls pulls, double[] chancePerDb, double[
    * @param leeway of the set-up
    */
   static Openness of(Evidence evidence, Hypothesis hypothesis, Leeway leeway) {
+    Geometry geometry = evidence.geometry(evidence.model(hypothesis));
     double[] chance =
         SetupScores.perDecibel(
             hypothesis, changes -> new Surprise(evidence, evidence.model(changes)).expected);
     double[] score =
         SetupScores.perMetre(
             hypothesis, changes -> new Surprise(evidence, evidence.model(changes)).score);
-    return new Openness(leeway, pulls(evidence, hypothesis, leeway), chance, score);
+    return new Openness(leeway, pulls(geometry, hypothesis, leeway), chance, score);
   }
 
   /** Finds how a log under a hypothesis hangs on the set-up. */
-  static Leeway.Pulls pulls(Evidence evidence, Hypothesis hypothesis, Leeway leeway) {
+  static Leeway.Pulls pulls(Geometry geometry, Hypothesis hypothesis, Leeway leeway) {
     List<Change> changes = hypothesis.changes();
-    Geometry geometry = evidence.geometry(evidence.model(hypothesis));
-    double[] added = new double[evidence.log().size() * geometry.obstacles()];
+    double[] added = new double[geometry.log().size() * geometry.obstacles()];
     Arrays.setAll(added, line -> geometry.addedDb(changes, line));
     return leeway.pulls(geometry, added);
   }

@@ -7,10 +7,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fit;
@@ -41,6 +42,9 @@ public final class Search {
   /** For each value of what stands beside a table. */
   private static final int TABLED_EVALUATIONS = 20;
 
+  /** What is further behind is not looked at again. */
+  private static final double FRONT_NATS = 12;
+
   /** How many sets get a held-out score. */
   private static final int SCORED = 10;
 
@@ -48,7 +52,7 @@ public final class Search {
   private final Blocks blocks;
   private final List<Form> forms;
   private final double worthNats;
-  private final ToDoubleFunction<Hypothesis> leeway;
+  private final Optional<SetupLeave> leave;
   private final Map<Set<Effect>, Fit> fits = new LinkedHashMap<>();
   private List<Fit> singles = List.of();
   private Fit best = new Fit(Hypothesis.NONE, Double.NEGATIVE_INFINITY);
@@ -59,15 +63,12 @@ public final class Search {
    * @param evidence the log
    * @param excluded effects that are not looked for
    * @param worthNats what a further effect must gain to be built upon
-   * @param leeway by how many nats a log under a hypothesis would be likelier if the set-up moved
+   * @param leave that the set-up has; none where it stands still
    */
   public Search(
-      Evidence evidence,
-      Set<Effect> excluded,
-      double worthNats,
-      ToDoubleFunction<Hypothesis> leeway) {
+      Evidence evidence, Set<Effect> excluded, double worthNats, Optional<SetupLeave> leave) {
     this.evidence = evidence;
-    this.leeway = leeway;
+    this.leave = leave;
     this.worthNats = worthNats;
     blocks = new Blocks(evidence.log());
     forms =
@@ -245,15 +246,28 @@ public final class Search {
     List<Scored> again = heldOut.score(ranked.subList(0, Math.min(SCORED, ranked.size())));
     List<Scored> scored = new ArrayList<>(again);
     ranked.stream().skip(SCORED).map(fit -> HeldOut.guess(fit, again)).forEach(scored::add);
-    List<Scored> moved = scored.parallelStream().map(this::withLeeway).toList();
-    return HeldOut.capped(moved).stream()
+    return HeldOut.capped(leave.map(open -> moved(scored, open)).orElse(scored)).stream()
         .sorted(Comparator.comparingDouble(one -> -one.heldOut()))
         .toList();
   }
 
-  private Scored withLeeway(Scored set) {
-    double more = leeway.applyAsDouble(set.hypothesis());
-    return new Scored(set.hypothesis(), set.inSample() + more, set.heldOut() + more);
+  /** Sets before a set-up that moves with each; of those in front the values move as well. */
+  private static List<Scored> moved(List<Scored> sets, SetupLeave open) {
+    List<Scored> moved =
+        sets.parallelStream().map(one -> plus(one, open.nats(one.hypothesis()))).toList();
+    double front = moved.stream().mapToDouble(Scored::heldOut).max().orElse(0) - FRONT_NATS;
+    return IntStream.range(0, sets.size())
+        .parallel()
+        .mapToObj(
+            i ->
+                moved.get(i).heldOut() < front
+                    ? moved.get(i)
+                    : plus(sets.get(i), open.natsWithValues(sets.get(i).hypothesis())))
+        .toList();
+  }
+
+  private static Scored plus(Scored set, double nats) {
+    return new Scored(set.hypothesis(), set.inSample() + nats, set.heldOut() + nats);
   }
 
   /** What a set may reach held-out: each effect more costs what chance would gain. */

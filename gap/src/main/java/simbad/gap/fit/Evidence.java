@@ -160,9 +160,18 @@ public final class Evidence {
 
   /** Returns the log probability of each reading if the simulator were changed so. */
   public double[] logLikelihood(List<Change> changes) {
+    return logLikelihood(changes, geometry(model(changes)));
+  }
+
+  /**
+   * Returns the same for changes whose geometry is known.
+   *
+   * @param changes of the simulator
+   * @param geometry of the log under them
+   */
+  public double[] logLikelihood(List<Change> changes, Geometry geometry) {
     double[] into = new double[log.size()];
-    DiagnosedModel model = model(changes);
-    logLikelihood(model, geometry(model), into);
+    logLikelihood(model(changes), geometry, into);
     return into;
   }
 }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
@@ -21,7 +22,7 @@ class SearchTest {
   /** The most probable pair. */
   private static Set<Effect> found(Hypothesis truth) {
     Evidence evidence = Worlds.evidence(Worlds.read(Worlds.poses(1000, 0.3, 1.7, 51), truth, 52));
-    List<Scored> sets = new Search(evidence, Set.of(), 10, set -> 0).run();
+    List<Scored> sets = new Search(evidence, Set.of(), 10, Optional.empty()).run();
     return sets.stream()
         .map(set -> set.hypothesis().effects())
         .filter(effects -> effects.size() == 2)
@@ -49,7 +50,7 @@ class SearchTest {
   void excluded_isInNoSet() {
     Hypothesis offset = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.05);
     Evidence evidence = Worlds.evidence(Worlds.read(Worlds.poses(80, 0.3, 1.7, 51), offset, 52));
-    List<Scored> sets = new Search(evidence, Set.of(Effect.RANGE_OFFSET), 10, set -> 0).run();
+    List<Scored> sets = new Search(evidence, Set.of(Effect.RANGE_OFFSET), 10, Optional.empty()).run();
     assertTrue(sets.size() > 1);
     assertTrue(sets.stream().noneMatch(set -> set.hypothesis().has(Effect.RANGE_OFFSET)));
   }
@@ -66,7 +67,7 @@ class SearchTest {
             .map(row -> turned(row, random.nextDouble(-0.7, 0.7)))
             .toList();
     Evidence evidence = Worlds.evidence(Worlds.read(poses, truth, 54));
-    List<Scored> sets = new Search(evidence, Set.of(), 10, set -> 0).run();
+    List<Scored> sets = new Search(evidence, Set.of(), 10, Optional.empty()).run();
     Scored best =
         sets.stream().filter(set -> set.hypothesis().forms().size() == 3).findFirst().orElseThrow();
     assertEquals(Set.copyOf(truth.effects()), Set.copyOf(best.hypothesis().effects()));
