@@ -158,8 +158,7 @@ public final class Diagnoser {
     Set<Effect> excluded =
         new Blocks(log).canBeHeldOut() ? withheld : Set.copyOf(Definitions.effects());
     Search search =
-        new Search(
-            evidence, excluded, worth, Optional.of(new SetupLeave(evidence, calibration)));
+        new Search(evidence, excluded, worth, Optional.of(new SetupLeave(evidence, calibration)));
     return Inquiry.of(evidence, calibration, worth, search);
   }
 
@@ -175,7 +174,7 @@ public final class Diagnoser {
         Unknown.probability(evidence, calibration, whole.gain(), whole.taken().hypothesis());
     double tieNats = TIE_NATS * calibration.clumping();
     List<Place> where = places(evidence, whole, blocks);
-    Conclusion first = Conclusion.of(whole, unknown, where, blocks, tieNats);
+    Conclusion first = Conclusion.of(whole, unknown, doubtful(inquiry, where), blocks, tieNats);
     Optional<Weighed> sure =
         first.verdict() == Verdict.UNEXPLAINED || isTied(first, whole)
             ? whole.confirmed(evidence, inquiry.sets, inquiry.worthNats)
@@ -185,6 +184,17 @@ public final class Diagnoser {
             part ->
                 new Told(part, places(evidence, part, blocks), stated, Conclusion.partly(first)))
         .orElse(new Told(whole, where, stated, first));
+  }
+
+  /** Places that would make "none" doubtful: of those that the set-up leaves open none does. */
+  private static List<Place> doubtful(Inquiry inquiry, List<Place> where) {
+    if (!inquiry.weighed.taken().hypothesis().forms().isEmpty() || where.isEmpty()) {
+      return where;
+    }
+    Evidence settled = inquiry.calibration.settled(inquiry.evidence);
+    Blocks blocks = new Blocks(settled.log());
+    Gain gain = Gain.of(settled, blocks, Hypothesis.NONE);
+    return Places.find(settled, gain.before(), gain.after(), blocks);
   }
 
   /** Undecided between names, not for want of readings. */

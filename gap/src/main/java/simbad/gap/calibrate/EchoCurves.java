@@ -59,8 +59,10 @@ public final class EchoCurves {
     double behind = AT_DB[at + 1] - AT_DB[at];
     double rise = (value[at][ping] - value[at - 1][ping]) / before;
     double next = (value[at + 1][ping] - value[at][ping]) / behind;
-    // Never beyond its neighbours (Fritsch and Butland 1984).
-    return rise * next <= 0 ? 0 : 2 * rise * next / (rise + next);
+    double parabola = (rise * behind + next * before) / (before + behind);
+    // Beside a cliff no curve may swing (Fritsch and Carlson 1980).
+    double most = Math.min(Math.abs(rise), Math.abs(next)) * (rise * next > 0 ? 3 : 1);
+    return Math.max(-most, Math.min(most, parabola));
   }
 
   /**

@@ -3,7 +3,6 @@ package simbad.gap.explain;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 import simbad.definition.Effect;
 import simbad.gap.calibrate.Leeway;
 import simbad.gap.calibrate.LevelCalibration;
@@ -142,30 +141,54 @@ public final class Calibration {
   }
 
   /**
-   * Returns by how many nats a log would be likelier if the set-up moved as far as its
-   * reference leaves open; 0 under the threshold rule.
+   * Returns by how many nats a log would be likelier if the set-up moved as far as its reference
+   * leaves open; 0 under the threshold rule.
    *
    * @param evidence of the log
    * @param hypothesis that stays as it is
    */
   public double leewayNats(Evidence evidence, Hypothesis hypothesis) {
-    return leeway
-        .map(
-open -> leewayNats(open, evidence, hypothesis))
-        .orElse(0.0);
+    return leeway.map(open -> leewayNats(open, evidence, hypothesis)).orElse(0.0);
   }
 
   /** Levels first: how far an echo reads depends on how strong it is. */
   private static double leewayNats(Leeway open, Evidence evidence, Hypothesis hypothesis) {
     Geometry geometry = evidence.geometry(evidence.model(hypothesis));
-    Function<List<Change>, double[]> likely =
-        changes -> evidence.logLikelihood(changes, geometry);
     Leeway.Pulls pulls = Openness.pulls(geometry, hypothesis, open);
-    Leeway.Moved levels = open.moved(pulls, SetupScores.echoes(hypothesis, likely));
+    Leeway.Moved levels = moved(open, pulls, evidence, hypothesis, geometry);
     LevelShift shift = new LevelShift(levels.shiftsDb());
     double[] perMetre =
-        SetupScores.perMetre(hypothesis, changes -> likely.apply(shift.and(changes)));
+        SetupScores.perMetre(
+            hypothesis, changes -> evidence.logLikelihood(shift.and(changes), geometry));
     return levels.nats() + open.rangeNats(pulls, perMetre);
+  }
+
+  private static Leeway.Moved moved(
+      Leeway open,
+      Leeway.Pulls pulls,
+      Evidence evidence,
+      Hypothesis hypothesis,
+      Geometry geometry) {
+    return open.moved(
+        pulls,
+        SetupScores.echoes(hypothesis, changes -> evidence.logLikelihood(changes, geometry)));
+  }
+
+  /**
+   * Returns a log before a set-up whose levels have moved to where they and the log are most
+   * probable together; the same log under the threshold rule.
+   *
+   * @param evidence of the log
+   */
+  public Evidence settled(Evidence evidence) {
+    return leeway.map(open -> settled(open, evidence)).orElse(evidence);
+  }
+
+  private static Evidence settled(Leeway open, Evidence evidence) {
+    Geometry geometry = evidence.geometry(evidence.model(Hypothesis.NONE));
+    Leeway.Pulls pulls = Openness.pulls(geometry, Hypothesis.NONE, open);
+    Leeway.Moved levels = moved(open, pulls, evidence, Hypothesis.NONE, geometry);
+    return evidence.calibrated(new LevelShift(levels.shiftsDb()).and(evidence.calibration()));
   }
 
   /** Returns how far the reference leaves a level law open; none under the threshold rule. */

@@ -50,7 +50,8 @@ class SearchTest {
   void excluded_isInNoSet() {
     Hypothesis offset = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.05);
     Evidence evidence = Worlds.evidence(Worlds.read(Worlds.poses(80, 0.3, 1.7, 51), offset, 52));
-    List<Scored> sets = new Search(evidence, Set.of(Effect.RANGE_OFFSET), 10, Optional.empty()).run();
+    List<Scored> sets =
+        new Search(evidence, Set.of(Effect.RANGE_OFFSET), 10, Optional.empty()).run();
     assertTrue(sets.size() > 1);
     assertTrue(sets.stream().noneMatch(set -> set.hypothesis().has(Effect.RANGE_OFFSET)));
   }
