@@ -14,7 +14,6 @@ import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.JointFitter;
 import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.effect.Form;
-import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
