@@ -18,7 +18,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
-import simbad.experiments.plot.ShareGrid;
+import simbad.experiments.run.ShareGrid;
 import simbad.experiments.run.RunResult;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.TableFile;
