@@ -70,8 +70,13 @@ class ArchitectureTest {
   private static final String GAP = "simbad.gap..";
   private static final String BLIND = "simbad.blindworld..";
   private static final String SCATTERING = "simbad.scattering..";
-  private static final String CLI = "simbad.experiments.cli..";
-  private static final String WEB = "simbad.experiments.web..";
+  private static final String FIGURES = "simbad.figures..";
+  private static final String CLI = "simbad.cli..";
+  private static final String WEB = "simbad.figures.web..";
+
+  /** Rooms that nothing below them may name: whoever works with values and files needs no page. */
+  private static final String[] ABOVE_OBSTACLES = {EXPERIMENTS, FIGURES, CLI};
+
   private static final String SCENE = "simbad.scene3d..";
   private static final String[] WORLD = {
     KERNEL, SCENE, "simbad.sim..", "simbad.gui..", "simbad.demo.."
@@ -97,12 +102,14 @@ class ArchitectureTest {
         "simbad.obstacles, 9",
         "simbad.bench, 15",
         "simbad.experiments, 60",
-        "simbad.experiments.diagnosis, 15",
+        "simbad.figures, 50",
+        "simbad.cli, 60",
+        "simbad.figures.diagnosis, 15",
         "simbad.gap, 30",
         "simbad.blindworld, 40",
         "simbad.scattering, 10",
         "simbad.experiments.control, 8",
-        "simbad.experiments.web, 5",
+        "simbad.figures.web, 5",
         "simbad, 160"
       })
   void import_foundTheClasses(String packageAndLeast) {
@@ -120,31 +127,35 @@ class ArchitectureTest {
         .resideInAnyPackage(to);
   }
 
-  /** Experiments use obstacles use simbad-core uses sonar-model, and no arrow goes back. */
+  private static String[] above(String... more) {
+    return Stream.concat(Stream.of(ABOVE_OBSTACLES), Stream.of(more)).toArray(String[]::new);
+  }
+
+  /** The command line uses figures use experiments use obstacles, and no arrow goes back. */
   static Stream<Arguments> arrows() {
     return Stream.of(
         Arguments.of(MODEL, WORLD),
         Arguments.of(MODEL, new String[] {MOTION}),
         Arguments.of(MOTION, WORLD),
         Arguments.of(MOTION, TOOLKITS),
-        Arguments.of(MOTION, new String[] {OBSTACLES, EXPERIMENTS, GAP, SCATTERING, BENCH}),
-        Arguments.of(MODEL, new String[] {OBSTACLES, EXPERIMENTS}),
+        Arguments.of(MOTION, above(OBSTACLES, GAP, SCATTERING, BENCH)),
+        Arguments.of(MODEL, above(OBSTACLES)),
         Arguments.of(MODEL, TOOLKITS),
         Arguments.of(KERNEL, new String[] {"simbad.sim..", "simbad.gui..", "simbad.demo.."}),
-        Arguments.of(KERNEL, new String[] {OBSTACLES, EXPERIMENTS}),
+        Arguments.of(KERNEL, above(OBSTACLES)),
         Arguments.of(KERNEL, TOOLKITS),
         Arguments.of(SCENE, new String[] {"simbad.sim..", "simbad.gui..", "simbad.demo.."}),
-        Arguments.of(SCENE, new String[] {OBSTACLES, EXPERIMENTS}),
-        Arguments.of("simbad.sim..", new String[] {OBSTACLES, EXPERIMENTS}),
-        Arguments.of("simbad.gui..", new String[] {OBSTACLES, EXPERIMENTS}),
-        Arguments.of("simbad.demo..", new String[] {"simbad.gui..", OBSTACLES, EXPERIMENTS}),
-        Arguments.of(OBSTACLES, new String[] {EXPERIMENTS}),
+        Arguments.of(SCENE, above(OBSTACLES)),
+        Arguments.of("simbad.sim..", above(OBSTACLES)),
+        Arguments.of("simbad.gui..", above(OBSTACLES)),
+        Arguments.of("simbad.demo..", above("simbad.gui..", OBSTACLES)),
+        Arguments.of(OBSTACLES, above()),
         Arguments.of(GAP, WORLD),
-        Arguments.of(GAP, new String[] {OBSTACLES, EXPERIMENTS}),
+        Arguments.of(GAP, above(OBSTACLES)),
         Arguments.of(GAP, TOOLKITS),
         Arguments.of(MODEL, new String[] {GAP, SCATTERING}),
         Arguments.of(SCATTERING, WORLD),
-        Arguments.of(SCATTERING, new String[] {OBSTACLES, EXPERIMENTS, GAP, BENCH}),
+        Arguments.of(SCATTERING, above(OBSTACLES, GAP, BENCH)),
         Arguments.of(SCATTERING, TOOLKITS),
         Arguments.of(OBSTACLES, new String[] {SCATTERING}),
         Arguments.of(GAP, new String[] {SCATTERING, BENCH}),
@@ -153,12 +164,14 @@ class ArchitectureTest {
         Arguments.of("simbad.experiments.demo..", new String[] {"simbad.gui.."}),
         Arguments.of(MODEL, new String[] {BENCH}),
         Arguments.of(BENCH, WORLD),
-        Arguments.of(BENCH, new String[] {OBSTACLES, EXPERIMENTS}),
+        Arguments.of(BENCH, above(OBSTACLES)),
         Arguments.of(BENCH, TOOLKITS),
         Arguments.of(OBSTACLES, new String[] {BENCH}),
         Arguments.of("simbad.sim..", new String[] {BENCH}),
-        Arguments.of("simbad.experiments.plot..", new String[] {MODEL, OBSTACLES}),
-        Arguments.of("simbad.experiments.plot..", WORLD),
+        Arguments.of(EXPERIMENTS, new String[] {FIGURES, CLI}),
+        Arguments.of(FIGURES, new String[] {CLI}),
+        Arguments.of("simbad.figures.plot..", new String[] {MODEL, OBSTACLES}),
+        Arguments.of("simbad.figures.plot..", WORLD),
         Arguments.of("simbad.experiments.run..", new String[] {"simbad.experiments.report.."}));
   }
 
@@ -247,7 +260,28 @@ class ArchitectureTest {
         .resideInAnyPackage(
             "io.javalin..", "org.eclipse.jetty..", "jakarta..", "kotlin..", "com.sun.net..")
         .check(CLASSES);
-    apart(WEB, "simbad.experiments.(bench|cli|report|run|diagnosis)..", "simbad.bench..")
+    apart(WEB, EXPERIMENTS, CLI, "simbad.figures.(bench|report|diagnosis)..", "simbad.bench..")
+        .check(CLASSES);
+  }
+
+  /** Runs, data sets and checks are values and files: whoever wants a picture asks figures. */
+  @Test
+  void picturesAndPages_areTheFigures() {
+    noClasses()
+        .that()
+        .resideInAPackage("simbad..")
+        .and()
+        .resideOutsideOfPackages(FIGURES, CLI)
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage("org.knowm.xchart..", "org.commonmark..", "picocli..")
+        .check(CLASSES);
+    noClasses()
+        .that()
+        .resideInAPackage(FIGURES)
+        .should()
+        .dependOnClassesThat()
+        .resideInAPackage("picocli..")
         .check(CLASSES);
   }
 
@@ -364,8 +398,9 @@ class ArchitectureTest {
     clockless(BLIND).check(CLASSES);
     clockless("simbad.scattering..").check(CLASSES);
     clockless(
-            "simbad.experiments.(demo|run|control|report|table|plot|diagnosis|dataset|blindcheck)..")
+            "simbad.experiments.(demo|run|control|report|table|diagnosis|dataset|blindcheck|motion)..")
         .check(CLASSES);
+    clockless("simbad.figures.(report|plot|diagnosis|blindcheck)..").check(CLASSES);
   }
 
   private static ArchRule clockless(String from) {
@@ -392,7 +427,7 @@ class ArchitectureTest {
         .and()
         .haveNameNotMatching(
             "simbad\\.(bench\\.capture\\.(Journal|ReadingsLog)|experiments\\.batch\\.ResultLog"
-                + "|experiments\\.cli\\.BlindCheck|blindworld\\.file\\.Output)")
+                + "|cli\\.BlindCheck|blindworld\\.file\\.Output)")
         .should()
         .callMethodWhere(callOf(Files.class, "write|writeString|newBufferedWriter|newOutputStream"))
         .orShould()

@@ -110,6 +110,6 @@ class ContributingTest {
   @Test
   void command_compiles() throws Exception {
     compile("EchoTimeCommand", blocks().get(2));
-    assertTrue(Files.exists(folder.resolve("simbad/experiments/cli/EchoTimeCommand.class")));
+    assertTrue(Files.exists(folder.resolve("simbad/cli/EchoTimeCommand.class")));
   }
 }

@@ -26,7 +26,7 @@ final class GuideShell implements AutoCloseable {
       Pattern.compile("(?:[^\\s\"']|\"[^\"]*\"|'[^']*')+"); // a"b c"d is one word
   private static final Pattern EXPORT = Pattern.compile("(?m)^export (\\w+)=(\\S*)$");
   private static final String PROJECT_CLASS_PATH =
-      "experiments/target/experiments.jar:experiments/target/lib/*";
+      "cli/target/cli.jar:cli/target/lib/*";
 
   private static final Path PROJECT = Path.of("..");
 

@@ -18,7 +18,7 @@ import simbad.figures.diagnosis.Browser;
  */
 class PagesInBrowserTest {
   private static final Path LIVE =
-      Path.of("src", "main", "resources", "simbad", "experiments", "bench", "live.html");
+      Path.of("..", "figures/src/main/resources/simbad/figures/bench/live.html");
 
   /** The page of a sweep under way asks for the state again and again; here it is told one. */
   private static final String ASKING = "show();\n</script>";
