@@ -12,11 +12,11 @@ import picocli.CommandLine.Parameters;
 import simbad.experiments.fidelity.FidelityLimits;
 import simbad.experiments.fidelity.FidelityVerdict;
 import simbad.experiments.report.RunOrigin;
-import simbad.figures.report.RunReport;
 import simbad.experiments.run.Experiment;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.RunSettings;
 import simbad.experiments.run.SensorKind;
+import simbad.figures.report.RunReport;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
 

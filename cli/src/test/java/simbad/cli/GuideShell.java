@@ -25,8 +25,7 @@ final class GuideShell implements AutoCloseable {
   private static final Pattern WORD =
       Pattern.compile("(?:[^\\s\"']|\"[^\"]*\"|'[^']*')+"); // a"b c"d is one word
   private static final Pattern EXPORT = Pattern.compile("(?m)^export (\\w+)=(\\S*)$");
-  private static final String PROJECT_CLASS_PATH =
-      "cli/target/cli.jar:cli/target/lib/*";
+  private static final String PROJECT_CLASS_PATH = "cli/target/cli.jar:cli/target/lib/*";
 
   private static final Path PROJECT = Path.of("..");
 

@@ -1,9 +1,8 @@
 package simbad.experiments.run;
 
-import simbad.sonar.check.Checks;
-
 import java.util.ArrayList;
 import java.util.List;
+import simbad.sonar.check.Checks;
 
 /**
  * A share at every cell of a square grid whose middle is the obstacle's centre, in the obstacle's

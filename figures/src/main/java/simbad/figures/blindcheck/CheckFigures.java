@@ -1,10 +1,9 @@
 package simbad.figures.blindcheck;
 
-import simbad.experiments.blindcheck.Calibration;
-
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
 import java.util.function.Predicate;
+import simbad.experiments.blindcheck.Calibration;
 import simbad.experiments.blindcheck.CheckScores.Figures;
 import simbad.figures.plot.AgreementPlot;
 import simbad.figures.plot.AgreementPoint;

@@ -1,15 +1,14 @@
 package simbad.figures.blindcheck;
 
-import simbad.experiments.blindcheck.CheckOrder;
-import simbad.experiments.blindcheck.CheckScores;
-import simbad.experiments.blindcheck.Measure;
-
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
+import simbad.experiments.blindcheck.CheckOrder;
+import simbad.experiments.blindcheck.CheckScores;
 import simbad.experiments.blindcheck.CheckScores.Estimate;
 import simbad.experiments.blindcheck.CheckScores.Figures;
+import simbad.experiments.blindcheck.Measure;
 import simbad.figures.diagnosis.Style;
 import simbad.figures.markup.Markup;
 import simbad.figures.plot.Figure;

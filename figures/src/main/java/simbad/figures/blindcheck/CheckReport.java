@@ -1,11 +1,10 @@
 package simbad.figures.blindcheck;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import simbad.experiments.blindcheck.CheckFiles;
 import simbad.experiments.blindcheck.CheckOrder;
 import simbad.experiments.blindcheck.CheckScores;
-
-import java.io.IOException;
-import java.nio.file.Path;
 import simbad.sonar.format.TextFile;
 
 /** A check's results with their page. */

@@ -1,7 +1,5 @@
 package simbad.figures.blindcheck;
 
-import simbad.experiments.blindcheck.CheckJson;
-
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
@@ -9,6 +7,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import simbad.experiments.blindcheck.CheckJson;
 import simbad.figures.markup.Markup;
 
 /** Counts of what was said, across, by what was so, down; darker is more of the row. */

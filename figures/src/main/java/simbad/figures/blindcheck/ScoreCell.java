@@ -1,10 +1,9 @@
 package simbad.figures.blindcheck;
 
-import simbad.experiments.blindcheck.Measure;
-
 import java.util.Locale;
 import java.util.OptionalDouble;
 import simbad.experiments.blindcheck.CheckScores.Estimate;
+import simbad.experiments.blindcheck.Measure;
 
 /**
  * The cells of one figure: value, interval as numbers and as a bar, how counted, reached or not.

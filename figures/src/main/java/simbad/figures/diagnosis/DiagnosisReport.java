@@ -1,11 +1,10 @@
 package simbad.figures.diagnosis;
 
-import simbad.experiments.diagnosis.DiagnosisFolder;
-
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.SplittableRandom;
+import simbad.experiments.diagnosis.DiagnosisFolder;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;

@@ -1,12 +1,11 @@
 package simbad.figures.plot;
 
-import simbad.experiments.run.ShareGrid;
-
 import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
+import simbad.experiments.run.ShareGrid;
 
 /**
  * A share at every place round an obstacle as a coloured map, with threshold tables drawn over it.

@@ -1,14 +1,13 @@
 package simbad.figures.report;
 
-import simbad.experiments.report.TableName;
-
 import java.util.List;
 import java.util.stream.Collectors;
 import simbad.experiments.fidelity.FidelityLimits;
 import simbad.experiments.fidelity.FidelityVerdict;
 import simbad.experiments.fidelity.LimitCheck;
-import simbad.figures.markup.Markup;
+import simbad.experiments.report.TableName;
 import simbad.experiments.run.RunResult;
+import simbad.figures.markup.Markup;
 
 /**
  * What a page says first.

@@ -1,10 +1,5 @@
 package simbad.figures.report;
 
-import simbad.experiments.report.ErrorRecord;
-import simbad.experiments.report.RunFiles;
-import simbad.experiments.report.RunOrigin;
-import simbad.experiments.report.TableName;
-
 import static java.util.stream.Collectors.joining;
 
 import java.io.IOException;
@@ -13,12 +8,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import simbad.experiments.control.Tuning;
-import simbad.figures.markup.Markup;
+import simbad.experiments.report.ErrorRecord;
+import simbad.experiments.report.RunFiles;
+import simbad.experiments.report.RunOrigin;
+import simbad.experiments.report.TableName;
 import simbad.experiments.run.DetectionMap;
 import simbad.experiments.run.EdgeLoss;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.SensorKind;
 import simbad.experiments.run.TraceMove;
+import simbad.figures.markup.Markup;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.effect.FittedForm;
 import simbad.sonar.format.TextFile;

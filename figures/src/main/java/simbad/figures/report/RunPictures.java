@@ -1,7 +1,5 @@
 package simbad.figures.report;
 
-import simbad.experiments.report.TableName;
-
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -9,6 +7,9 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import simbad.experiments.report.TableName;
+import simbad.experiments.run.RunResult;
+import simbad.experiments.run.Trace;
 import simbad.figures.plot.BearingError;
 import simbad.figures.plot.Caption;
 import simbad.figures.plot.ErrorPlot;
@@ -20,8 +21,6 @@ import simbad.figures.plot.PolarPoint;
 import simbad.figures.plot.PolarSeries;
 import simbad.figures.plot.SeriesRole;
 import simbad.figures.plot.SeriesStyle;
-import simbad.experiments.run.RunResult;
-import simbad.experiments.run.Trace;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.TableDocument;
 import simbad.sonar.format.WholeFile;

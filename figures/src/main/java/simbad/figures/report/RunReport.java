@@ -1,13 +1,12 @@
 package simbad.figures.report;
 
-import simbad.experiments.report.RunFiles;
-import simbad.experiments.report.RunOrigin;
-
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import simbad.experiments.fidelity.FidelityLimits;
+import simbad.experiments.report.RunFiles;
+import simbad.experiments.report.RunOrigin;
 import simbad.experiments.run.RunResult;
 
 /** A run's folder with its pictures and its page. */

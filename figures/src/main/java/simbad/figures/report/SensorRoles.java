@@ -1,8 +1,8 @@
 package simbad.figures.report;
 
 import java.util.Optional;
-import simbad.figures.plot.SeriesRole;
 import simbad.experiments.run.SensorKind;
+import simbad.figures.plot.SeriesRole;
 
 /** What a sensor's curve stands for in every picture. */
 public final class SensorRoles {

@@ -1,7 +1,7 @@
 package simbad.figures.report;
 
-import simbad.figures.plot.Figure;
 import simbad.experiments.run.Trace;
+import simbad.figures.plot.Figure;
 import simbad.obstacles.ObstacleType;
 
 /** The polar plot of a threshold table. */

@@ -1,8 +1,5 @@
 package simbad.figures.blindcheck;
 
-import simbad.experiments.blindcheck.CheckScores;
-import simbad.experiments.blindcheck.CheckSummary;
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -18,6 +15,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simbad.experiments.blindcheck.CheckScores;
+import simbad.experiments.blindcheck.CheckSummary;
 import simbad.sonar.format.DataFormatException;
 
 class CheckFilesTest {

@@ -1,8 +1,5 @@
 package simbad.figures.blindcheck;
 
-import simbad.experiments.blindcheck.CheckScores;
-import simbad.experiments.blindcheck.Measure;
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -17,6 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import simbad.experiments.blindcheck.CheckScores;
+import simbad.experiments.blindcheck.Measure;
 import simbad.figures.diagnosis.Browser;
 
 class CheckPageTest {

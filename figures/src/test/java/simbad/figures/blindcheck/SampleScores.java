@@ -1,13 +1,12 @@
 package simbad.figures.blindcheck;
 
-import simbad.experiments.blindcheck.CheckOrder;
-import simbad.experiments.blindcheck.CheckScores;
-
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Optional;
+import simbad.experiments.blindcheck.CheckOrder;
+import simbad.experiments.blindcheck.CheckScores;
 
 /** Scores in the scorer's format with round figures: 40 cases, 30 of them L1 and 10 L2. */
 final class SampleScores {

@@ -1,13 +1,12 @@
 package simbad.figures.plot;
 
-import simbad.experiments.run.ShareGrid;
-
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import simbad.experiments.run.ShareGrid;
 
 /**
  * Pictures to be looked at, as no test can: {@code Gallery DIR} writes them as PNG and SVG. The

@@ -1,7 +1,5 @@
 package simbad.figures.plot;
 
-import simbad.experiments.run.ShareGrid;
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -15,6 +13,7 @@ import java.util.List;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.knowm.xchart.XYChart;
+import simbad.experiments.run.ShareGrid;
 
 class MapPlotTest {
   @Test
