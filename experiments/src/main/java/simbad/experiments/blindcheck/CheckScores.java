@@ -49,6 +49,7 @@ public record CheckScores(ObjectNode document) {
    * @param figures the scorer's
    */
   public record Figures(String part, String sort, JsonNode figures) {
+    /** Returns how many cases these figures are of. */
     public int cases() {
       return figures.path("cases").asInt();
     }
@@ -66,6 +67,7 @@ public record CheckScores(ObjectNode document) {
                   share.path("hits").asInt() + " of " + share.path("of").asInt()));
     }
 
+    /** Returns stated probabilities against what was so; no bins where there are no claims. */
     public Calibration calibration(String name) {
       return Calibration.of(figures.path(name));
     }

@@ -33,6 +33,7 @@ public record ErrorRecord(
 
   private static final double CM = 100;
 
+  /** Returns the errors of a run; lengths in centimetres, as their names say. */
   public static ErrorRecord of(RunResult result) {
     TraceErrors errors = result.errors();
     Trace trace = result.trace();
