@@ -87,15 +87,15 @@ while (($# > 0)); do
   [[ $1 == -f ]] && root=${2%/pom.xml}
   shift
 done
-mkdir -p "$root/experiments/target/lib" "$root/cluster/target/spark/jars"
+mkdir -p "$root/cli/target/lib" "$root/cluster/target/spark/jars"
 touch "$root/cluster/target/cluster.jar" "$root/cluster/target/spark/jars/s.jar"
-touch "$root/experiments/target/experiments.jar" "$root/experiments/target/lib/a.jar"
-mkdir -p "$root/experiments/target/licences" "$root/target/reports/apidocs"
-touch "$root/experiments/target"/{simbad.jar,bom.json,licences/THIRD-PARTY.txt} "$root/target/reports/apidocs/index.html"
+touch "$root/cli/target/cli.jar" "$root/cli/target/lib/a.jar"
+mkdir -p "$root/cli/target/licences" "$root/target/reports/apidocs"
+touch "$root/cli/target"/{simbad.jar,bom.json,licences/THIRD-PARTY.txt} "$root/target/reports/apidocs/index.html"
 if [[ -n ${FAKE_SKIPPED:-} ]]; then
-  mkdir -p "$root/experiments/target/surefire-reports"
+  mkdir -p "$root/cli/target/surefire-reports"
   printf '<testcase name="%s" classname="x.YTest" time="0">\n<skipped message="no tool"/>\n</testcase>\n' \
-    "$FAKE_SKIPPED" >"$root/experiments/target/surefire-reports/TEST-x.xml"
+    "$FAKE_SKIPPED" >"$root/cli/target/surefire-reports/TEST-x.xml"
 fi
 exit "${FAKE_STATUS:-0}"
 END
@@ -105,11 +105,11 @@ END
 new_project() {
   rm -rf "${work:?}"/{bin,jvm,tools,"my project"}
   project="$work/my project"
-  mkdir -p "$project/.mvn" "$project/experiments/src/main/java/deep" "$project/cluster/src/main"
+  mkdir -p "$project/.mvn" "$project/cli/src/main/java/deep" "$project/cluster/src/main"
   cp "$here/../simbad" "$project/simbad"
   touch "$project/cluster/src/main/java-options"
   printf '  <version>1.2</version>\n' >"$project/pom.xml"
-  touch "$project"/{CHANGELOG.md,LICENSE} "$project/experiments/pom.xml" "$project/experiments/src/main/java/deep/"{A,B}.java
+  touch "$project"/{CHANGELOG.md,LICENSE} "$project/cli/pom.xml" "$project/cli/src/main/java/deep/"{A,B}.java
   fake_system
   fake_jdk "$work/jvm/jdk-17" 17
   fake_maven "$work/tools"
@@ -148,7 +148,7 @@ prints_not() { [[ $output != *"$1"* ]]; }
 calls() { grep -q -- "^$1" "$work/calls.log"; }
 calls_not() { ! calls "$1"; }
 says_nothing() { prints_not 'simbad: '; }
-builds() { [[ -e $project/experiments/target/launcher/stamp ]]; }
+builds() { [[ -e $project/cli/target/launcher/stamp ]]; }
 
 adds_spark_where_it_is_asked_for() {
   new_project
@@ -181,8 +181,8 @@ adds_the_users_classes() {
   touch "$work/mine.jar"
   local own_classes="mine.jar:$work/my classes"
   simbad table types
-  check "the user's jar and folder follow the program" prints "/experiments.jar:mine.jar:$work/my classes>"
-  check "the main class is named" prints $'argument <simbad.experiments.cli.Main>\nargument <table>\nargument <types>'
+  check "the user's jar and folder follow the program" prints "/cli.jar:mine.jar:$work/my classes>"
+  check "the main class is named" prints $'argument <simbad.cli.Main>\nargument <table>\nargument <types>'
   simbad batch spec.json --out x --spark
   check "Spark gets them too" prints "/*:mine.jar:$work/my classes>"
   own_classes="jars/*:mine.jar"
@@ -203,19 +203,19 @@ builds_what_is_out_of_date() {
   simbad run
   check "no Maven when nothing changed" calls_not mvn
   check "the archive of classes is used" prints 'classes.jsa>'
-  echo change >>"$project/experiments/src/main/java/deep/A.java"
+  echo change >>"$project/cli/src/main/java/deep/A.java"
   simbad run
   check "Maven after a change of a source" calls mvn
   simbad run
   check "and only once" calls_not mvn
-  rm "$project/experiments/src/main/java/deep/B.java"
+  rm "$project/cli/src/main/java/deep/B.java"
   simbad run
   check "Maven after a deleted source" calls mvn
-  : >"$project/experiments/src/main/java/deep/A.java"
-  touch -d '2 days ago' "$project/experiments/src/main/java/deep/A.java"
+  : >"$project/cli/src/main/java/deep/A.java"
+  touch -d '2 days ago' "$project/cli/src/main/java/deep/A.java"
   simbad run
   check "Maven after a source was put back with an old date" calls mvn
-  echo change >>"$project/experiments/pom.xml"
+  echo change >>"$project/cli/pom.xml"
   simbad run
   check "Maven after a change of a module's pom.xml" calls mvn
   FAKE_COMMIT=5678 simbad run
@@ -225,7 +225,7 @@ builds_what_is_out_of_date() {
 keeps_builds_apart() {
   new_project
   simbad run
-  local first=("$project"/experiments/target/launcher/build-*)
+  local first=("$project"/cli/target/launcher/build-*)
   exec 7<"${first[0]}"
   flock -s 7
   echo change >>"$project/pom.xml"
@@ -242,7 +242,7 @@ keeps_builds_apart() {
 }
 
 builds_once() {
-  local found=("$project"/experiments/target/launcher/build-??????)
+  local found=("$project"/cli/target/launcher/build-??????)
   ((${#found[@]} == 1)) && simbad run && calls_not mvn
 }
 
@@ -252,7 +252,7 @@ reports_a_failed_build() {
   check "a failed build: status 1" status_is 1
   check "a failed build: Maven's line" prints '[ERROR] Foo.java:[3,4] cannot find symbol'
   check "a failed build: nothing else of Maven's" prints_not 'Help 1'
-  check "a failed build leaves no stamp" test ! -e "$project/experiments/target/launcher/stamp"
+  check "a failed build leaves no stamp" test ! -e "$project/cli/target/launcher/stamp"
   FAKE_MAVEN=crash simbad run
   check "a build that ends without an error line: all of its output" prints 'out of memory'
   simbad run
@@ -330,7 +330,7 @@ as_the_owner() {
 new_clone() {
   new_project
   ln -sf "$(type -P git)" "$work/tools/git"
-  echo /experiments/target >"$project/.gitignore"
+  echo /cli/target >"$project/.gitignore"
   git -C "$project" init -q
   git -C "$project" add -A
   git -C "$project" -c user.name=x -c user.email=x@example.org commit -qm x
@@ -356,7 +356,7 @@ runs_for_another_account() {
   simbad batch spec.json --out x --spark
   check "another account: no Spark where its owner had none" prints 'Spark is not built in'
   as_the_owner
-  echo change >>"$project/experiments/src/main/java/deep/A.java"
+  echo change >>"$project/cli/src/main/java/deep/A.java"
   as_another_account
   simbad run
   check "another account: runs an older build" status_is 0
@@ -391,7 +391,7 @@ runs_a_copy_as_built() {
   as_the_owner
   simbad run
   check "a copy: no build" calls_not mvn
-  check "a copy: is looked at closely once" test -z "$(find "$project" -path '*/src/*' -newercm "$project/experiments/target/launcher/stamp")"
+  check "a copy: is looked at closely once" test -z "$(find "$project" -path '*/src/*' -newercm "$project/cli/target/launcher/stamp")"
   rm -rf "$work/copy"
 }
 

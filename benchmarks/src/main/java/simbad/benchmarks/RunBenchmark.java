@@ -21,7 +21,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
-import simbad.experiments.report.RunFiles;
+import simbad.figures.report.RunReport;
 import simbad.experiments.report.RunOrigin;
 import simbad.experiments.run.Experiment;
 import simbad.experiments.run.RunResult;
@@ -87,7 +87,7 @@ public class RunBenchmark {
   public List<RunResult> mainJob() throws IOException {
     RunSettings settings = mainJobSettings();
     List<RunResult> results = drive(settings);
-    RunFiles.write(folder, new RunOrigin("benchmark", settings), results);
+    RunReport.write(folder, new RunOrigin("benchmark", settings), results);
     return results;
   }
 

@@ -33,14 +33,14 @@ class LaunchedSparkTest {
    */
   @BeforeEach
   void layOutABuild() throws IOException {
-    Path launcher = root.resolve("experiments/target/launcher");
+    Path launcher = root.resolve("cli/target/launcher");
     Path build = Files.createDirectories(launcher.resolve("build-000000"));
     Path spark = Files.createDirectory(build.resolve("spark"));
     Files.createSymbolicLink(spark.resolve("jars"), SPARK_JARS.toAbsolutePath());
     Files.copy(Path.of("src", "main", "java-options"), spark.resolve("java-options"));
     pack(Path.of("target", "classes"), spark.resolve("cluster.jar"));
-    Path packaged = Path.of("..", "experiments", "target");
-    Files.copy(packaged.resolve("experiments.jar"), build.resolve("experiments.jar"));
+    Path packaged = Path.of("..", "cli", "target");
+    Files.copy(packaged.resolve("cli.jar"), build.resolve("cli.jar"));
     try (Stream<Path> libraries = Files.list(packaged.resolve("lib"))) {
       for (Path jar : libraries.toList()) {
         Files.copy(jar, build.resolve(jar.getFileName()));

@@ -14,11 +14,11 @@ import simbad.experiments.blindcheck.CheckScores.Estimate;
  * @param betterBy by which share the log score is better than that of base rates
  * @param bins of equal mass, by rising probability
  */
-record Calibration(
+public record Calibration(
     int claims, Optional<Estimate> error, Optional<Estimate> betterBy, List<Bin> bins) {
 
   /** Claims of like probability: what they state in the mean, and how many were so. */
-  record Bin(double stated, int hits, int of, double share, double low, double high) {}
+  public record Bin(double stated, int hits, int of, double share, double low, double high) {}
 
   static Calibration of(JsonNode json) {
     int claims = json.path("n").asInt();

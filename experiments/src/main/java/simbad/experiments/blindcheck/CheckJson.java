@@ -15,7 +15,7 @@ public final class CheckJson {
   private CheckJson() {}
 
   /** An empty object. */
-  static ObjectNode object() {
+  public static ObjectNode object() {
     return MAPPER.createObjectNode();
   }
 

@@ -19,10 +19,10 @@ import simbad.sonar.format.DataFormatException;
  */
 public record CheckScores(ObjectNode document) {
   /** The scorer's name for the answers that are checked. */
-  static final String DIAGNOSIS = "diagnosis";
+  public static final String DIAGNOSIS = "diagnosis";
 
   /** In the page's columns: what is checked, and the two that it is measured by. */
-  static final List<String> SORTS = List.of(DIAGNOSIS, "baseline", "oracle");
+  public static final List<String> SORTS = List.of(DIAGNOSIS, "baseline", "oracle");
 
   private static final String FORMAT = "blind-scores/1";
 
@@ -48,13 +48,14 @@ public record CheckScores(ObjectNode document) {
    * @param sort of answers
    * @param figures the scorer's
    */
-  record Figures(String part, String sort, JsonNode figures) {
-    int cases() {
+  public record Figures(String part, String sort, JsonNode figures) {
+    /** Returns how many cases these figures are of. */
+    public int cases() {
       return figures.path("cases").asInt();
     }
 
     /** A share with its interval; nothing where no case asks for it. */
-    Optional<Estimate> share(String name) {
+    public Optional<Estimate> share(String name) {
       JsonNode share = figures.path("shares").path(name);
       return share.path("of").asInt() == 0
           ? Optional.empty()
@@ -66,12 +67,13 @@ public record CheckScores(ObjectNode document) {
                   share.path("hits").asInt() + " of " + share.path("of").asInt()));
     }
 
-    Calibration calibration(String name) {
+    /** Returns stated probabilities against what was so; no bins where there are no claims. */
+    public Calibration calibration(String name) {
       return Calibration.of(figures.path(name));
     }
 
     /** A median with its interval; nothing where nothing was counted. */
-    Optional<Estimate> median(String name) {
+    public Optional<Estimate> median(String name) {
       JsonNode spread = figures.path(name);
       return spread.path("n").asInt() == 0
           ? Optional.empty()
@@ -84,7 +86,7 @@ public record CheckScores(ObjectNode document) {
     }
 
     /** Of unknown_probability; nothing where one of the two groups is empty. */
-    Optional<Estimate> auroc() {
+    public Optional<Estimate> auroc() {
       JsonNode unknown = figures.path("unknown");
       int strange = unknown.path("unknown_cases").asInt();
       int known = unknown.path("known_cases").asInt();
@@ -99,16 +101,16 @@ public record CheckScores(ObjectNode document) {
     }
 
     /** Of the probabilities of the three verdicts; nothing without an interval. */
-    Optional<Estimate> verdictLogScore() {
+    public Optional<Estimate> verdictLogScore() {
       return Calibration.estimate(figures, "verdict_log_score_better_by", cases());
     }
   }
 
   /** A figure with its 95 % interval and what it was counted from. */
-  record Estimate(double value, double low, double high, String counted) {}
+  public record Estimate(double value, double low, double high, String counted) {}
 
   /** All figures, part by part, the whole before its parts. */
-  List<Figures> figures() {
+  public List<Figures> figures() {
     List<Figures> figures = new ArrayList<>();
     for (var part : document.path("scores").properties()) {
       for (var sort : part.getValue().properties()) {
@@ -119,31 +121,31 @@ public record CheckScores(ObjectNode document) {
   }
 
   /** The parts' names, the whole before its parts. */
-  List<String> parts() {
+  public List<String> parts() {
     return figures().stream().map(Figures::part).distinct().toList();
   }
 
   /** The figures of a sort of answers; nothing when it was not scored. */
-  Optional<Figures> figures(String part, String sort) {
+  public Optional<Figures> figures(String part, String sort) {
     return figures().stream()
         .filter(figures -> figures.part().equals(part) && figures.sort().equals(sort))
         .findFirst();
   }
 
   /** Each case by itself. */
-  List<JsonNode> cases() {
+  public List<JsonNode> cases() {
     List<JsonNode> cases = new ArrayList<>();
     document.path("cases").forEach(cases::add);
     return cases;
   }
 
   /** How many cases were verified against their commitments, in the scorer's words. */
-  String commitments() {
+  public String commitments() {
     return document.path("commitments").asText();
   }
 
   /** The hash over all answers that was taken before a truth was opened. */
-  String answersSha256() {
+  public String answersSha256() {
     return document.path("answers_sha256").asText();
   }
 }

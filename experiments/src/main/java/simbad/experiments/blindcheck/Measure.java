@@ -20,7 +20,7 @@ import simbad.experiments.blindcheck.CheckScores.Figures;
  *     only
  * @param of the figures
  */
-record Measure(
+public record Measure(
     String name,
     String words,
     Unit unit,
@@ -28,7 +28,7 @@ record Measure(
     Function<Figures, Optional<Estimate>> of) {
 
   /** How a figure is written, and whether more of it is better. */
-  enum Unit {
+  public enum Unit {
     /** Of cases that are answered rightly, shown in per cent; more is better. */
     SHARE,
     /** What is gained of what could be, shown in per cent; more is better. */
@@ -47,7 +47,7 @@ record Measure(
   private static final double OFF_SHARE = 0.9;
 
   /** Those with a figure to reach, in the order of the issue, and what stands beside them. */
-  static final List<Measure> ALL =
+  public static final List<Measure> ALL =
       Stream.of(
               share("none called none", "no effect: called none", 39 / 40.0),
               share("singles named and explained", "one effect: explained, and named", 0.95),
@@ -98,7 +98,7 @@ record Measure(
           .toList();
 
   /** How many of {@link #ALL} stand on the first screen. */
-  static final int FIRST = 17;
+  public static final int FIRST = 17;
 
   private static Measure share(String name, String words, double reach) {
     return measure(name, words, Unit.SHARE, reach).from(figures -> figures.share(name));
@@ -126,12 +126,12 @@ record Measure(
   }
 
   /** True when less is better. */
-  boolean isCost() {
+  public boolean isCost() {
     return unit == Unit.ERROR || unit == Unit.POINTS || unit == Unit.FAULT;
   }
 
   /** What is to be reached; shares of right answers are a tenth less with a set-up that is off. */
-  OptionalDouble reach(boolean off) {
+  public OptionalDouble reach(boolean off) {
     boolean lowered = off && (unit == Unit.SHARE || unit == Unit.AREA);
     return reach.isPresent() && lowered
         ? OptionalDouble.of(OFF_SHARE * reach.getAsDouble())
@@ -139,7 +139,7 @@ record Measure(
   }
 
   /** A figure in this measure's unit, without it. */
-  String number(double value) {
+  public String number(double value) {
     return switch (unit) {
       case SHARE, FAULT, GAIN -> fixed(100 * value, 0);
       case AREA, ERROR -> fixed(value, 3);
@@ -148,7 +148,7 @@ record Measure(
   }
 
   /** The figure with its unit. */
-  String text(double value) {
+  public String text(double value) {
     return number(value)
         + switch (unit) {
           case SHARE, FAULT, GAIN -> "\u00a0%";
@@ -158,7 +158,7 @@ record Measure(
   }
 
   /** A share in per cent, without decimals. */
-  static String percent(double share) {
+  public static String percent(double share) {
     return fixed(100 * share, 0) + "\u00a0%";
   }
 

@@ -9,7 +9,7 @@ import simbad.experiments.run.TraceErrors;
 /**
  * One row of errors.csv and errors.json: centimetres, seconds, fractions; null where there is none.
  */
-record ErrorRecord(
+public record ErrorRecord(
     @JsonProperty("obstacle") String obstacle,
     @JsonProperty("provenance") String provenance,
     @JsonProperty("sensor") String sensor,
@@ -33,7 +33,8 @@ record ErrorRecord(
 
   private static final double CM = 100;
 
-  static ErrorRecord of(RunResult result) {
+  /** Returns the errors of a run; lengths in centimetres, as their names say. */
+  public static ErrorRecord of(RunResult result) {
     TraceErrors errors = result.errors();
     Trace trace = result.trace();
     boolean onEdge = result.hasLateralErrors();

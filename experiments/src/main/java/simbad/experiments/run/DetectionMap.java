@@ -3,7 +3,6 @@ package simbad.experiments.run;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import javax.vecmath.Vector3d;
-import simbad.experiments.plot.ShareGrid;
 import simbad.gui.Simbatch;
 import simbad.obstacles.ObstacleType;
 import simbad.obstacles.SonarObstacle;

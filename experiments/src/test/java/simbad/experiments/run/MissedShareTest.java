@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import simbad.experiments.plot.ShareGrid;
 import simbad.sonar.shape.DetectionShadow;
 import simbad.sonar.shape.ThresholdTable;
 

@@ -1,0 +1,19 @@
+package simbad.cli;
+
+import picocli.CommandLine.Command;
+
+/** {@code simbad bench}: threshold tables from a real sensor, or from the simulated board. */
+@Command(
+    name = "bench",
+    description =
+        "Capture threshold tables, or readings at given poses, over a serial line. docs/guide/bench.md says how.",
+    subcommands = {
+      BenchPortsCommand.class,
+      BenchCaptureCommand.class,
+      BenchResumeCommand.class,
+      BenchTableCommand.class,
+      BenchImportCommand.class,
+      BenchMeasureCommand.class
+    },
+    footer = {"", "Example: simbad bench capture --auto --obstacle angle --out angle-capture"})
+final class BenchCommand extends CommandGroup {}

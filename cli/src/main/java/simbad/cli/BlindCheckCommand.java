@@ -1,0 +1,251 @@
+package simbad.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import simbad.experiments.blindcheck.CheckOrder;
+import simbad.experiments.blindcheck.CheckOrder.Drawn;
+import simbad.experiments.blindcheck.CheckOrder.Foreign;
+import simbad.sonar.effect.Definitions;
+import simbad.sonar.format.OneLine;
+
+/** {@code simbad blind-check}: the withheld check of the diagnosis. */
+@Command(
+    name = "blind-check",
+    description = {
+      "Check the diagnosis on data sets whose truth is withheld from it: one program draws truths,"
+          + " seals them by salted SHA-256 and writes data sets, another one diagnoses them in a"
+          + " folder that holds nothing else, a third verifies the seals and scores.",
+      "Called again with the same options and folder, it goes on where it ended."
+    },
+    footer = {
+      "",
+      "Exit status 0 when all cases were answered, rightly or not; 1 when some were not, or the"
+          + " work failed; 2 for bad usage or input, such as a truth that is not the one that was"
+          + " sealed.",
+      "",
+      "Example: simbad blind-check --out check",
+      "Example: simbad blind-check --cases 1000 --seed 7 --off --out check-off",
+      "Example: simbad blind-check --level wave --cases 200 --seed 7 --out check-wave",
+      "Example: simbad blind-check --withhold latency --out check-latency",
+      "Example: simbad blind-check --cases 1000 --seed 7 --spark spark://host:7077 --out"
+          + " check-spark",
+      "Example: simbad blind-check --cases 8 --audit-only --out check-audit",
+      "Example: simbad blind-check --foreign their-data --level 'L3, a bench' --out check-theirs"
+    })
+final class BlindCheckCommand extends Subcommand {
+  private static final int MOST_CASES = 100_000;
+  private static final int DEFAULT_CASES = 40;
+  private static final double DEFAULT_REFERENCES = 0.3;
+  private static final double MOST_LIMIT_S = 1e6;
+  private static final String WAVE = "wave";
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      required = true,
+      description =
+          "A folder for everything: one that does not exist yet, or that of a check begun.")
+  private Path out = Path.of("");
+
+  @Option(names = "--cases", paramLabel = "N", description = "How many to draw. Default: 40.")
+  private @Nullable Integer cases;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description = "Of all chance; a set once opened is no longer blind. Default: 1.")
+  private @Nullable Long seed;
+
+  @Option(
+      names = "--reference",
+      paramLabel = "SHARE",
+      description =
+          "Share of cases whose set-up is itself a little off and that come with a reference (level"
+              + " L2). Default: 0.3.")
+  private @Nullable Double reference;
+
+  @Option(names = "--off", description = "All of them so: --reference 1.")
+  private boolean off;
+
+  @Option(
+      names = "--withhold",
+      paramLabel = "EFFECT",
+      completionCandidates = EffectWords.class,
+      split = ",",
+      description =
+          "Leave-one-out: the diagnosis is not told of these effects, whose data it must then call"
+              + " unexplained. Two in five cases hold one.")
+  private List<String> withhold = List.of();
+
+  @Option(
+      names = "--mix",
+      paramLabel = "KIND:WEIGHT",
+      split = ",",
+      description = "Of none, single, pair, unknown and withheld.")
+  private List<String> mix = List.of();
+
+  @Option(
+      names = "--effects",
+      paramLabel = "EFFECT",
+      split = ",",
+      description = "Draw none but these, in or outside the vocabulary.")
+  private List<String> effects = List.of();
+
+  @Option(
+      names = "--rows",
+      paramLabel = "MIN-MAX",
+      description = "Rows of a data set. Default: 2000-4500, of waves 700-2500.")
+  private @Nullable String rows;
+
+  @Option(
+      names = "--sizes",
+      paramLabel = "MIN-MAX",
+      description =
+          "With --level wave: sizes of what is put in, 1 for a practical one, whether it shows or"
+              + " not. Default: 0.5-2, where it shows.")
+  private @Nullable String sizes;
+
+  @Option(
+      names = "--foreign",
+      paramLabel = "DIR",
+      description =
+          "Draw nothing; take the data sets in this folder, each with truth.json and sealed.csv.")
+  private @Nullable Path foreign;
+
+  @Option(
+      names = "--level",
+      paramLabel = "TEXT",
+      description =
+          "Without --foreign: wave, for worlds of waves (level L2w), each with a reference. With"
+              + " --foreign: the level of independence, to stand beside every figure.")
+  private @Nullable String level;
+
+  @Option(
+      names = "--limit",
+      paramLabel = "S",
+      description = "Give a case up after so many seconds without an answer. Default: 600.")
+  private double limitS = 600;
+
+  @Option(
+      names = "--audit-only",
+      description =
+          "Diagnose nothing; count how often the audit warns of what is not there, and how often it"
+              + " finds the faults that are put into clean cases.")
+  private boolean auditOnly;
+
+  @ArgGroup private WorkersOption who = new WorkersOption();
+
+  @Override
+  protected void run() throws Exception {
+    if (!(limitS > 0 && limitS <= MOST_LIMIT_S)) {
+      throw wrongUsage("--limit: " + limitS + " is not in (0, " + MOST_LIMIT_S + "] s");
+    }
+    who.check(this);
+    CheckOrder order = order();
+    if (Files.exists(out) && !BlindCheck.mayStandIn(out)) {
+      throw wrongUsage("--out: " + out + " is not the folder of a check, nor empty");
+    }
+    BlindCheck check = new BlindCheck(out, order, out(), err());
+    check.begin();
+    check.seal();
+    if (auditOnly) {
+      check.audit();
+      return;
+    }
+    List<String> unanswered = check.diagnose(who, Duration.ofMillis((long) (1000 * limitS)));
+    check.score();
+    if (!unanswered.isEmpty()) {
+      throw new IOException(
+          unanswered.size()
+              + " without an answer, which counts as wrong: "
+              + String.join(" ", unanswered));
+    }
+  }
+
+  private CheckOrder order() throws IOException {
+    for (String word : withhold) {
+      if (Definitions.find(word).isEmpty()) {
+        throw wrongUsage("--withhold: '" + word + "' is the name of no effect");
+      }
+    }
+    if (foreign == null) {
+      return new CheckOrder(BuildVersion.text(), drawn(), withhold);
+    }
+    boolean drawing =
+        Stream.of(cases, seed, reference, rows, sizes).anyMatch(option -> option != null)
+            || off
+            || !mix.isEmpty()
+            || !effects.isEmpty();
+    if (drawing) {
+      throw wrongUsage(
+          "--foreign: nothing is drawn then, of which the other options could say how");
+    }
+    if (level != null && !OneLine.isName(level)) {
+      throw wrongUsage(
+          "--level: '"
+              + level
+              + "' is not a text of at most "
+              + OneLine.LONGEST_NAME
+              + " characters on one line");
+    }
+    return new CheckOrder(
+        BuildVersion.text(), new Foreign(foreign.toString(), Optional.ofNullable(level)), withhold);
+  }
+
+  private Drawn drawn() {
+    if (level != null && !level.equals(WAVE)) {
+      throw wrongUsage(
+          "--level: of cases that are drawn it is known; expected " + WAVE + ", or --foreign");
+    }
+    if (level != null && (off || reference != null)) {
+      throw wrongUsage(
+          "--level wave: every case has a reference, expected no --reference or --off");
+    }
+    if (level == null && sizes != null) {
+      throw wrongUsage("--sizes: expected --level wave with it");
+    }
+    if (off && reference != null) {
+      throw wrongUsage("--off and --reference exclude each other");
+    }
+    int count = cases == null ? DEFAULT_CASES : cases;
+    if (!(count >= 1 && count <= MOST_CASES)) {
+      throw wrongUsage("--cases: " + count + " is not in [1, " + MOST_CASES + "]");
+    }
+    double share = off ? 1 : reference == null ? DEFAULT_REFERENCES : reference;
+    if (!(share >= 0 && share <= 1)) {
+      throw wrongUsage("--reference: " + share + " is not in [0, 1]");
+    }
+    return new Drawn(count, seed == null ? 1 : seed, share, passedOn());
+  }
+
+  /** What only the worlds' own program understands. */
+  private List<String> passedOn() {
+    List<String> options = new ArrayList<>();
+    if (level != null) {
+      options.addAll(List.of("--level", level));
+    }
+    if (sizes != null) {
+      options.addAll(List.of("--sizes", sizes));
+    }
+    if (!mix.isEmpty()) {
+      options.addAll(List.of("--mix", String.join(",", mix)));
+    }
+    if (!effects.isEmpty()) {
+      options.addAll(List.of("--effects", String.join(",", effects)));
+    }
+    if (rows != null) {
+      options.addAll(List.of("--rows", rows));
+    }
+    return options;
+  }
+}

@@ -1,0 +1,13 @@
+package simbad.cli;
+
+/**
+ * A command that only holds others, such as {@code simbad table}. By itself it does nothing and
+ * says which there are.
+ */
+abstract class CommandGroup extends Subcommand {
+  @Override
+  protected final void run() {
+    usage(err());
+    throw wrongUsage("no command given");
+  }
+}

@@ -1,0 +1,330 @@
+package simbad.cli;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParseResult;
+import simbad.experiments.dataset.LogSettings;
+
+/**
+ * What can be said of a log. Picocli fills the fields for the help's sake; what was typed is taken
+ * from its record of the line, word by word, so that the same can be printed again.
+ */
+@SuppressWarnings({"UnusedVariable", "UnusedNestedClass"})
+final class CsvOptions {
+  private static final String COLUMN = "COLUMN";
+
+  @ArgGroup(validate = false, heading = "%nReadings (a COLUMN is a name or a number from 1):%n")
+  private Readings readings = new Readings();
+
+  @ArgGroup(validate = false, heading = "%nPlaces (WHERE is a COLUMN, or a value with its unit):%n")
+  private Places places = new Places();
+
+  @ArgGroup(validate = false, heading = "%nTarget and sonar:%n")
+  private Believed believed = new Believed();
+
+  @ArgGroup(validate = false, heading = "%nThe file, where it is not found out:%n")
+  private Written written = new Written();
+
+  /** What the columns of readings are. */
+  private static final class Readings {
+    @Option(
+        names = "--range",
+        paramLabel = "COLUMNS",
+        description = "The ranges; several as a,b or m1-m10.")
+    private @Nullable String range;
+
+    @Option(
+        names = "--range-unit",
+        paramLabel = "UNIT",
+        description = "cm, mm, m, in, ft; us, ms, s of flight there and back. Default: the name's.")
+    private @Nullable String rangeUnit;
+
+    @Option(
+        names = "--no-echo",
+        paramLabel = "CODES",
+        description = "What stands for no echo, such as 0,765 or '>=400'; empty and NaN always do.")
+    private @Nullable String noEcho;
+
+    @Option(
+        names = "--wide",
+        paramLabel = "repeats|sensors",
+        description = "What several columns are. Default: sensors, if --mount names them.")
+    private @Nullable String wide;
+
+    @Option(
+        names = "--time",
+        paramLabel = COLUMN,
+        description = "Numbers, times of day or dates. Without it no times are invented.")
+    private @Nullable String time;
+
+    @Option(names = "--time-unit", paramLabel = "UNIT", description = "s, ms, us, ns or min.")
+    private @Nullable String timeUnit;
+
+    @Option(
+        names = "--period",
+        paramLabel = "TIME",
+        description = "From ping to ping, such as 60ms, where the log has no times.")
+    private @Nullable String period;
+
+    @Option(
+        names = "--run",
+        paramLabel = "COLUMNS",
+        description = "What tells recordings apart. Default: the files.")
+    private @Nullable String run;
+
+    @Option(names = "--sensor", paramLabel = COLUMN, description = "Names of sensors.")
+    private @Nullable String sensor;
+
+    @Option(
+        names = "--placement",
+        paramLabel = COLUMN,
+        description = "Alike where nothing was moved. Default: neighbours at equal places.")
+    private @Nullable String placement;
+
+    @Option(names = "--temperature", paramLabel = "WHERE", description = "Of the air, Celsius.")
+    private @Nullable String temperature;
+
+    @Option(
+        names = "--gap-ms",
+        paramLabel = "WHERE",
+        description = "From the ping before to this one.")
+    private @Nullable String gap;
+
+    @Option(
+        names = "--pause-ms",
+        paramLabel = "WHERE",
+        description = "From the echo before to this ping.")
+    private @Nullable String pause;
+
+    @Option(
+        names = "--only",
+        paramLabel = "COLUMN=VALUE",
+        description = "Take these rows; COLUMN=LEAST..MOST for numbers. May be given again.")
+    private @Nullable List<String> only;
+
+    @Option(
+        names = "--without",
+        paramLabel = "COLUMN=VALUE",
+        description = "Leave these rows out. May be given again.")
+    private @Nullable List<String> without;
+  }
+
+  /** Where things were. */
+  private static final class Places {
+    @Option(
+        names = "--distance",
+        paramLabel = "WHERE",
+        description =
+            "A ladder: the true distance to a target that the sensor faces; 'header' where the"
+                + " columns' names say it.")
+    private @Nullable String distance;
+
+    @Option(names = "--distance-unit", paramLabel = "UNIT", description = "m, cm, mm, in, ft.")
+    private @Nullable String distanceUnit;
+
+    @Option(
+        names = "--distance-to",
+        paramLabel = "surface|centre",
+        description = "Default: surface; centre, if it is turned.")
+    private @Nullable String distanceTo;
+
+    @Option(
+        names = "--moves",
+        paramLabel = "sensor|target",
+        description = "What is moved on a ladder. Default: sensor.")
+    private @Nullable String moves;
+
+    @Option(
+        names = "--bearing",
+        paramLabel = "WHERE",
+        description = "With --distance: from which side of the target the sensor looks.")
+    private @Nullable String bearing;
+
+    @Option(names = "--x", paramLabel = "WHERE", description = "The sensor's place, to the right.")
+    private @Nullable String x;
+
+    @Option(names = "--z", paramLabel = "WHERE", description = "The same, down the page.")
+    private @Nullable String z;
+
+    @Option(names = "--y", paramLabel = "WHERE", description = "In place of --z: up the page.")
+    private @Nullable String y;
+
+    @Option(names = "--pose-unit", paramLabel = "UNIT", description = "Of all places.")
+    private @Nullable String poseUnit;
+
+    @Option(
+        names = "--origin",
+        paramLabel = "X,Z",
+        description = "The target's place in the log's numbers. Default: 0,0.")
+    private @Nullable String origin;
+
+    @Option(
+        names = "--heading",
+        paramLabel = "WHERE",
+        description = "Where the sensor, or the robot, looks to. Default: to the target.")
+    private @Nullable String heading;
+
+    @Option(
+        names = "--pan",
+        paramLabel = "WHERE",
+        description = "How far the sensor is turned from there.")
+    private @Nullable String pan;
+
+    @Option(names = "--angle-unit", paramLabel = "UNIT", description = "deg, rad, gon or turn.")
+    private @Nullable String angleUnit;
+
+    @Option(
+        names = "--angle-positive",
+        paramLabel = "ccw|cw",
+        description = "Which way round, seen from above. Default: ccw.")
+    private @Nullable String anglePositive;
+
+    @Option(
+        names = "--angle-zero",
+        paramLabel = "right|up|left|down|ANGLE",
+        description = "Where a heading of 0 looks. Default: right.")
+    private @Nullable String angleZero;
+
+    @Option(names = "--target-turn", paramLabel = "WHERE", description = "A turned target.")
+    private @Nullable String targetTurn;
+
+    @Option(names = "--target-x", paramLabel = "WHERE", description = "A target that is moved.")
+    private @Nullable String targetX;
+
+    @Option(names = "--target-z", paramLabel = "WHERE", description = "The same, down the page.")
+    private @Nullable String targetZ;
+
+    @Option(names = "--target-y", paramLabel = "WHERE", description = "The same, up the page.")
+    private @Nullable String targetY;
+
+    @Option(
+        names = "--mount",
+        paramLabel = "SENSOR=X,Z,TURN",
+        description =
+            "Places are the robot's, on which a sensor sits: forward, to the right, turned left;"
+                + " such as left=5cm,-8cm,90deg. Again for each sensor.")
+    private @Nullable List<String> mount;
+
+    @Option(
+        names = "--pose-sigma",
+        paramLabel = "LENGTH",
+        description = "How well places are known, such as 3mm.")
+    private @Nullable String poseSigma;
+
+    @Option(names = "--heading-sigma", paramLabel = "ANGLE", description = "How well headings are.")
+    private @Nullable String headingSigma;
+  }
+
+  /** What the simulator believes. */
+  private static final class Believed {
+    @Option(
+        names = "--target",
+        paramLabel = "SHAPE",
+        description =
+            "board:1.2m, 'board:1.2m x 0.4m', round:30mm, square:25mm, a type (simbad table types),"
+                + " an outline's file; @X,Z,TURN behind it. Default on a ladder: board:1.2m.")
+    private @Nullable List<String> target;
+
+    @Option(
+        names = "--detection",
+        paramLabel = "HOW",
+        description =
+            "uniform:2.5m, a type's table, or TABLE.csv. Default: uniform, at the greatest range.")
+    private @Nullable String detection;
+
+    @Option(
+        names = "--scene",
+        paramLabel = "FILE",
+        description = "A scene.json in place of a target and a sonar.")
+    private @Nullable String scene;
+
+    @Option(
+        names = "--sonar",
+        paramLabel = "NAME|FILE",
+        description = "hc-sr04, srf04, maxbotix-lv-ez1, or a sensor's JSON file.")
+    private @Nullable String sonar;
+
+    @Option(names = "--min-range", paramLabel = "LENGTH", description = "Nearer is not heard.")
+    private @Nullable String minRange;
+
+    @Option(names = "--max-range", paramLabel = "LENGTH", description = "Further is not heard.")
+    private @Nullable String maxRange;
+
+    @Option(
+        names = "--resolution",
+        paramLabel = "LENGTH",
+        description = "Step of the ranges. Default: that of the log's digits.")
+    private @Nullable String resolution;
+
+    @Option(names = "--cone", paramLabel = "ANGLE", description = "Half angle of the cone.")
+    private @Nullable String cone;
+
+    @Option(names = "--height", paramLabel = "LENGTH", description = "Of the sonar on the floor.")
+    private @Nullable String height;
+
+    @Option(
+        names = "--sound-speed",
+        paramLabel = "M_PER_S",
+        description = "With which ranges were computed. Default: the sonar's.")
+    private @Nullable String soundSpeed;
+
+    @Option(
+        names = "--compensated",
+        paramLabel = "true|false",
+        description = "Whether ranges follow the temperature already.")
+    private @Nullable String compensated;
+  }
+
+  /** How the log is written. */
+  private static final class Written {
+    @Option(
+        names = "--separator",
+        paramLabel = "WORD",
+        description = "comma, semicolon, tab, bar or blanks.")
+    private @Nullable String separator;
+
+    @Option(names = "--decimal", paramLabel = "point|comma", description = "In numbers.")
+    private @Nullable String decimal;
+
+    @Option(names = "--encoding", paramLabel = "NAME", description = "Such as latin1.")
+    private @Nullable String encoding;
+
+    @Option(
+        names = "--header",
+        paramLabel = "yes|no",
+        description = "Whether the first line names the columns.")
+    private @Nullable String header;
+
+    @Option(names = "--skip", paramLabel = "N", description = "Lines before the table.")
+    private @Nullable String skip;
+
+    @Option(
+        names = "--comment",
+        paramLabel = "TEXT",
+        description = "How comments begin, beside #, %%, //.")
+    private @Nullable String comment;
+
+    @Option(names = "--skip-bad", description = "Leave out rows that cannot be read, and say so.")
+    private boolean skipBad;
+  }
+
+  /** What was typed, in the order of the help. */
+  static LogSettings typed(CommandSpec spec) {
+    ParseResult line = spec.commandLine().getParseResult();
+    Map<String, List<String>> typed = new LinkedHashMap<>();
+    for (OptionSpec option : spec.options()) {
+      String name = option.longestName().replaceFirst("^--", "");
+      if (line.hasMatchedOption(option) && !name.equals("out")) {
+        boolean flag = name.equals(LogSettings.SKIP_BAD);
+        typed.put(name, flag ? List.of("") : List.copyOf(option.originalStringValues()));
+      }
+    }
+    return new LogSettings(typed);
+  }
+}

@@ -1,0 +1,91 @@
+package simbad.cli;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import simbad.experiments.dataset.LogImport;
+import simbad.sonar.format.DataFormatException;
+
+/** {@code simbad dataset csv}: a person's log as a data set. */
+@Command(
+    name = "csv",
+    sortOptions = false,
+    abbreviateSynopsis = true,
+    description = {
+      "Make a data set of a log of your own: a table of ranges with what is known of where sensor"
+          + " and target were. What is not said is guessed from the columns' names, asked for at a"
+          + " terminal, or assumed, and every assumption is written into scene.json.",
+      "docs/guide/own-log.md goes through it."
+    },
+    footer = {
+      "",
+      "Example: simbad dataset csv my-log.csv --range reading_cm --distance true_cm --out my-data",
+      "Example: simbad dataset csv my-scan.csv --range us --range-unit us --no-echo 0 --x x_mm --y"
+          + " y_mm --heading up_deg --angle-zero up --angle-positive cw --target round:30mm --out"
+          + " my-data"
+    })
+final class DatasetCsvCommand extends DatasetCommand.Maker {
+  private static final String PLAIN_WORD = "[\\w./:,=+@-]+";
+
+  @Spec
+  @SuppressWarnings("NullAway.Init")
+  private CommandSpec self;
+
+  @Parameters(
+      paramLabel = "LOG.csv",
+      arity = "1..*",
+      description = "The log, plain or gzip; several with the same columns are one.")
+  private List<String> logs = List.of();
+
+  @Mixin
+  @SuppressWarnings("UnusedVariable") // picocli's
+  private CsvOptions options = new CsvOptions();
+
+  @Override
+  protected void run() throws Exception {
+    LogImport.Made made =
+        LogImport.of(files(), CsvOptions.typed(self), TerminalQuestions.here(err()));
+    publish(made.data());
+    made.notes().forEach(note -> err().println("note: " + note));
+    made.data()
+        .setup()
+        .details()
+        .assumptions()
+        .forEach(assumption -> out().println("assumed: " + assumption));
+    out().println(made.summary());
+    out().println("again: " + again(made));
+  }
+
+  private List<Path> files() throws DataFormatException {
+    List<Path> files = new ArrayList<>();
+    for (String log : logs) {
+      try {
+        files.add(Path.of(log));
+      } catch (InvalidPathException e) {
+        throw DataFormatException.inArgument("LOG.csv '" + log + "'", "is no name of a file");
+      }
+    }
+    return files;
+  }
+
+  private String again(LogImport.Made made) {
+    List<String> words = new ArrayList<>(List.of("./simbad", "dataset", "csv"));
+    words.addAll(logs);
+    words.addAll(made.settings().words());
+    words.add("--out");
+    words.add(folder().toString());
+    return words.stream().map(DatasetCsvCommand::quoted).collect(Collectors.joining(" "));
+  }
+
+  /** As a shell takes it for one word. */
+  private static String quoted(String word) {
+    return word.matches(PLAIN_WORD) ? word : "'" + word.replace("'", "'\\''") + "'";
+  }
+}

@@ -1,0 +1,58 @@
+package simbad.cli;
+
+import java.nio.file.Path;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import simbad.experiments.motion.MrclamLog;
+import simbad.motion.format.MotionFolder;
+
+/** {@code simbad dataset motion}: motion folders out of others' logs. */
+@Command(
+    name = "motion",
+    description = "Make a motion folder for simbad diagnose of what a robot was told and did.",
+    subcommands = {DatasetMotionCommand.Mrclam.class},
+    footer = {
+      "",
+      "Example: simbad dataset motion mrclam my-odometry.txt my-track.txt --out my-robot"
+    })
+final class DatasetMotionCommand extends CommandGroup {
+
+  /** {@code simbad dataset motion mrclam}. */
+  @Command(
+      name = "mrclam",
+      description = {
+        "A log as the UTIAS data set of cooperative localization has it: time, speed, turn rate;"
+            + " and time, x, y (up the page), heading in radians. Files may be gzipped."
+      },
+      footer = {
+        "",
+        "Example: simbad dataset motion mrclam my-odometry.txt my-track.txt --out my-robot"
+      })
+  static final class Mrclam extends Subcommand {
+    @Parameters(index = "0", paramLabel = "ODOMETRY", description = "What was commanded.")
+    private Path odometry = Path.of("");
+
+    @Parameters(index = "1", paramLabel = "TRACK", description = "Where the robot was.")
+    private Path track = Path.of("");
+
+    @Option(
+        names = "--out",
+        paramLabel = "DIR",
+        required = true,
+        description = "The motion folder, which does not exist yet.")
+    private Path out = Path.of("");
+
+    @Override
+    protected void run() throws Exception {
+      try (StagedDirectory staged = StagedDirectory.beside(out)) {
+        MotionFolder folder = new MotionFolder(staged.path());
+        folder.write(MrclamLog.read(odometry, track, "log"));
+        // What is written can be diagnosed, or is not left behind.
+        folder.read("log");
+        staged.publish();
+      }
+      out().println("written to " + out);
+    }
+  }
+}

@@ -1,0 +1,223 @@
+package simbad.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import simbad.definition.Effect;
+import simbad.figures.diagnosis.DiagnosisReport;
+import simbad.figures.diagnosis.MotionReport;
+import simbad.gap.Diagnoser;
+import simbad.gap.audit.Audit;
+import simbad.gap.audit.AuditFinding;
+import simbad.gap.diagnosis.DataSet;
+import simbad.gap.diagnosis.DataSetFolder;
+import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.Provenance;
+import simbad.gap.motion.MotionDiagnoser;
+import simbad.gap.motion.MotionDiagnosis;
+import simbad.motion.format.MotionData;
+import simbad.motion.format.MotionFolder;
+import simbad.sonar.effect.Definitions;
+import simbad.sonar.format.DataFormatException;
+
+/** {@code simbad diagnose}: where simulation and reality part, why, how far the gap shrinks. */
+@Command(
+    name = "diagnose",
+    description = {
+      "Say where simulated and real readings part, which unmodelled effect causes it, and how far"
+          + " the gap shrinks once that effect is in the simulator.",
+      "A data set is a folder with scene.json and readings.csv, and perhaps reference.csv; each"
+          + " gets a folder of its name in --out with diagnosis.json, model.json and report.html.",
+      "A motion folder has robot.json, commands.csv and track.csv; its diagnosis says how the robot"
+          + " moves otherwise than it is told.",
+      "Before anything is fitted the data are audited: units, axes, codes for no echo, clocks. Data"
+          + " of which no reading can be believed are not diagnosed."
+    },
+    footer = {
+      "",
+      "Exit status 0 when every data set was diagnosed, whatever the verdicts; 2 when one could not"
+          + " be read or was refused by the audit: the others are diagnosed all the same.",
+      "",
+      "Example: simbad diagnose my-bench --out diagnoses",
+      "Example: simbad diagnose data/gap/*/ --out diagnoses --json",
+      "Example: simbad diagnose my-bench --out audits --audit-only"
+    })
+final class DiagnoseCommand extends Subcommand {
+  @Parameters(paramLabel = "DATASET", arity = "1..*", description = "Folders with a data set each.")
+  private List<Path> folders = List.of();
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      required = true,
+      description = "Where each data set's diagnosis becomes a folder that does not exist yet.")
+  private Path out = Path.of("");
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description =
+          "Of what is resampled; the same seed gives the same files. Default: ${DEFAULT-VALUE}.")
+  private long seed = 1;
+
+  @Option(names = "--json", description = "Print one line of JSON per data set.")
+  private boolean json;
+
+  @Option(
+      names = "--audit-only",
+      description = "Say whether the data can be what they are said to be; fit nothing.")
+  private boolean auditOnly;
+
+  @Option(
+      names = "--withhold",
+      paramLabel = "EFFECT",
+      completionCandidates = EffectWords.class,
+      split = ",",
+      hidden = true,
+      description = "Effects that the diagnosis shall not know, to check what it calls unknown.")
+  private List<String> withhold = List.of();
+
+  private final List<Path> diagnosed = new ArrayList<>();
+
+  @Override
+  protected void run() throws Exception {
+    Diagnoser diagnoser = new Diagnoser(seed, withheld());
+    String version = BuildVersion.text();
+    refuseTwins();
+    List<Callable<DataSetSummary>> tasks = new ArrayList<>();
+    folders.forEach(folder -> tasks.add(() -> diagnose(folder, diagnoser, version)));
+    ExecutorService threads =
+        Executors.newFixedThreadPool(
+            Math.min(tasks.size(), Runtime.getRuntime().availableProcessors()));
+    try (Progress progress = Progress.of("diagnosing", tasks.size())) {
+      // In the order of the arguments, whichever is done first.
+      List<Future<DataSetSummary>> results = tasks.stream().map(threads::submit).toList();
+      for (int i = 0; i < results.size(); i++) {
+        await(folders.get(i), results.get(i), progress);
+      }
+    } finally {
+      threads.shutdownNow();
+    }
+    sayWhatToOpen();
+  }
+
+  private void sayWhatToOpen() {
+    if (!json && diagnosed.size() == 1) {
+      out().println("report: " + diagnosed.get(0).resolve(DiagnosisReport.PAGE));
+    } else if (!json && !diagnosed.isEmpty()) {
+      out().println("reports: " + out.resolve("DATASET").resolve(DiagnosisReport.PAGE));
+    }
+  }
+
+  private void await(Path folder, Future<DataSetSummary> result, Progress progress)
+      throws InterruptedException {
+    try {
+      DataSetSummary summary = result.get();
+      progress.clearLine();
+      sayFirst(folder, summary);
+      out().println(json ? summary.json() : summary.line());
+      out().flush();
+      diagnosed.add(summary.folder());
+    } catch (ExecutionException | DataFormatException fault) {
+      progress.clearLine();
+      complain(fault);
+    }
+    progress.step();
+  }
+
+  /** What is wrong with data comes before what was made of them. */
+  private void sayFirst(Path folder, DataSetSummary summary) throws DataFormatException {
+    AuditLines lines = new AuditLines(folder, summary.audit());
+    for (AuditFinding finding : summary.audit()) {
+      DataFormatException line = lines.complaint(finding);
+      if (finding.refuses()) {
+        complain(line);
+      } else if (!json) {
+        out().println(finding.severity().word() + ": " + line.getMessage());
+      }
+    }
+  }
+
+  private DataSetSummary diagnose(Path folder, Diagnoser diagnoser, String version)
+      throws IOException, DataFormatException {
+    DataSetFolder source = new DataSetFolder(folder);
+    Path target = out.resolve(source.name());
+    if (MotionFolder.isOne(folder) && !Files.exists(folder.resolve(DataSetFolder.SCENE))) {
+      return diagnoseMotion(folder, source, target, version);
+    }
+    DataSet data = source.read();
+    try (StagedDirectory staged = StagedDirectory.beside(target)) {
+      Provenance provenance = new Provenance(source.sha256(), version, seed);
+      List<AuditFinding> audit = Audit.of(data.setup(), data.readings(), data.reference());
+      if (auditOnly || Audit.refuses(audit)) {
+        DiagnosisReport.write(staged.path(), data, audit, provenance);
+        staged.publish();
+        return new AuditSummary(data.name(), audit, target);
+      }
+      Diagnosis diagnosis = diagnoser.diagnose(data, audit);
+      DiagnosisReport.write(staged.path(), folder, data, diagnosis, provenance);
+      staged.publish();
+      return new DiagnoseSummary(data.name(), diagnosis, target);
+    }
+  }
+
+  private DataSetSummary diagnoseMotion(
+      Path folder, DataSetFolder source, Path target, String version)
+      throws IOException, DataFormatException {
+    MotionData data = new MotionFolder(folder).read(source.name());
+    try (StagedDirectory staged = StagedDirectory.beside(target)) {
+      if (auditOnly) {
+        throw wrongUsage("--audit-only: " + folder + " is a motion folder, which has no audit yet");
+      }
+      MotionDiagnosis diagnosis = new MotionDiagnoser(data).diagnose();
+      Provenance provenance = new Provenance(source.sha256(), version, seed);
+      MotionReport.write(staged.path(), data.name(), diagnosis, provenance);
+      staged.publish();
+      return new MotionSummary(data.name(), diagnosis, target);
+    }
+  }
+
+  private Set<Effect> withheld() {
+    Set<Effect> effects = new LinkedHashSet<>();
+    for (String word : withhold) {
+      effects.add(
+          Definitions.find(word)
+              .orElseThrow(
+                  () -> wrongUsage("--withhold: '" + word + "' is the name of no effect")));
+    }
+    return effects;
+  }
+
+  /** Two data sets of one name would go to one place. */
+  private void refuseTwins() throws DataFormatException {
+    Map<String, Path> byName = new HashMap<>();
+    for (Path folder : folders) {
+      Path twin = byName.put(new DataSetFolder(folder).name(), folder);
+      if (twin != null) {
+        throw wrongUsage(
+            "DATASET: "
+                + twin
+                + " and "
+                + folder
+                + " are called the same and would share a folder");
+      }
+    }
+    if (Files.exists(out) && !Files.isDirectory(out)) {
+      throw wrongUsage("--out: " + out + " is a file, expected a folder");
+    }
+  }
+}

@@ -1,0 +1,67 @@
+package simbad.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import simbad.figures.site.FigureBlocks;
+import simbad.figures.site.RoomDiagram;
+import simbad.figures.site.Site;
+import simbad.sonar.format.TextFile;
+
+/** {@code simbad docs}: the guides as pages, and the figures in them. */
+@Command(
+    name = "docs",
+    description = {
+      "Write the project's guides as a folder of pages with a search, to be opened with any"
+          + " browser.",
+      "Or, with --figures, put the measured figures of docs/figures into README.md and draw"
+          + " docs/pictures/rooms.svg from the poms."
+    },
+    footer = {"", "Example: simbad docs --out site", "Example: simbad docs --figures"})
+final class DocsCommand extends Subcommand {
+  @ArgGroup(multiplicity = "1")
+  @SuppressWarnings("NullAway.Init")
+  private What what;
+
+  /** Exactly one of them. */
+  static final class What {
+    @Option(names = "--out", paramLabel = "DIR", description = "A folder that does not exist yet.")
+    private @Nullable Path out;
+
+    @Option(names = "--figures", description = "Fill README.md's blocks and draw the rooms.")
+    @SuppressWarnings("UnusedVariable") // Its being given is all: out is not, then.
+    private boolean figures;
+  }
+
+  @Override
+  protected void run() throws Exception {
+    Path project = ProjectFolder.find();
+    if (what.out == null) {
+      fill(project);
+      return;
+    }
+    try (StagedDirectory staged = StagedDirectory.beside(what.out)) {
+      int pages = Site.write(project, staged.path());
+      staged.publish();
+      out().println(pages + " pages in " + what.out.resolve("index.html"));
+    }
+  }
+
+  private void fill(Path project) throws IOException {
+    Path readme = project.resolve("README.md");
+    update(readme, FigureBlocks.filled(Files.readString(readme), project.resolve("docs/figures")));
+    update(project.resolve("docs/pictures/rooms.svg"), RoomDiagram.svg(project));
+  }
+
+  private void update(Path file, String content) throws IOException {
+    boolean same = Files.exists(file) && Files.readString(file).equals(content);
+    if (!same) {
+      TextFile.write(file, content);
+    }
+    out().println(file + (same ? ": as it was" : ": written anew"));
+  }
+}

@@ -1,0 +1,43 @@
+package simbad.cli;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.nio.file.Path;
+import java.util.List;
+import simbad.gap.audit.AuditFinding;
+import simbad.gap.motion.MotionDiagnosis;
+import simbad.gap.motion.MotionFinding;
+
+/**
+ * A diagnosis of motion in one line.
+ *
+ * @param dataset the data set's name
+ * @param diagnosis of it
+ * @param folder where it was written
+ */
+record MotionSummary(String dataset, MotionDiagnosis diagnosis, Path folder)
+    implements DataSetSummary {
+  @Override
+  public List<AuditFinding> audit() {
+    return List.of();
+  }
+
+  @Override
+  public String line() {
+    return dataset + ": " + diagnosis.verdict().word() + "; " + diagnosis.headline();
+  }
+
+  @Override
+  public String json() {
+    ObjectNode node = new ObjectMapper().createObjectNode();
+    node.put("dataset", dataset);
+    node.put("verdict", diagnosis.verdict().word());
+    diagnosis.findings().stream()
+        .map(MotionFinding::effect)
+        .distinct()
+        .forEach(node.putArray("explanation")::add);
+    node.put("shrink", diagnosis.shrink());
+    node.put("folder", folder.toString());
+    return node.toString();
+  }
+}

@@ -1,0 +1,73 @@
+package simbad.cli;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import simbad.obstacles.Catalogue;
+import simbad.obstacles.ObstacleFiles;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.DataFormatException;
+
+/**
+ * An obstacle as named on the command line: a type of the catalogue, a threshold table's file, or a
+ * folder with an outline and a table.
+ */
+final class ObstacleArgument {
+  private static final String SUFFIX = ".csv";
+
+  /** For help. */
+  static final String MEANING =
+      "A type's name (simbad table types), TABLE.csv (with TABLE-outline.csv beside it, or for a"
+          + " one inch post), or a folder with outline.csv and table.csv.";
+
+  private ObstacleArgument() {}
+
+  /** A table of one's own without a cross-section stands for the one inch round post. */
+  static ObstacleType parse(String argument) throws DataFormatException {
+    if (argument.endsWith(SUFFIX) || argument.contains("/")) {
+      return ObstacleFiles.read(path(argument));
+    }
+    // A name of the catalogue stays one beside a file or folder that is called the same.
+    Optional<ObstacleType> known = Catalogue.findAny(argument);
+    if (known.isPresent()) {
+      return known.get();
+    }
+    if (isPath(argument)) {
+      return ObstacleFiles.read(path(argument));
+    }
+    throw unknown(argument);
+  }
+
+  /** Tells whether an argument can be meant as a file or folder. */
+  static boolean isPath(String argument) throws DataFormatException {
+    return argument.endsWith(SUFFIX)
+        || argument.contains("/")
+        || (Files.exists(path(argument)) && Catalogue.findAny(argument).isEmpty());
+  }
+
+  private static Path path(String argument) throws DataFormatException {
+    try {
+      if (!argument.isEmpty()) {
+        return Path.of(argument);
+      }
+    } catch (InvalidPathException e) {
+      // Said below.
+    }
+    throw unknown(argument);
+  }
+
+  /** What to say of a word that names no obstacle; the user's own types are among those named. */
+  static DataFormatException unknown(String argument) throws DataFormatException {
+    List<String> names = Catalogue.all().stream().map(ObstacleType::name).toList();
+    return DataFormatException.inArgument(
+        "OBSTACLE '" + argument + "'",
+        "is neither "
+            + String.join(", ", names)
+            + " nor a table's file (*"
+            + SUFFIX
+            + ") nor a folder with outline and table"
+            + SimilarWords.suggestion(argument, names));
+  }
+}

@@ -1,0 +1,104 @@
+package simbad.cli;
+
+import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import simbad.experiments.diagnosis.DiagnosisFolder;
+import simbad.experiments.diagnosis.Predictions;
+import simbad.gap.diagnosis.DataSetFolder;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.ReadingsFile;
+import simbad.sonar.format.SceneFile;
+import simbad.sonar.format.TextFile;
+import simbad.sonar.ping.Change;
+import simbad.sonar.predict.ModelFile;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SensorPoses;
+import simbad.sonar.sensing.ReadingRow;
+
+/** {@code simbad predict}: the distribution of readings on rows never seen. */
+@Command(
+    name = "predict",
+    description = {
+      "Predict the readings at the poses of some rows: 19 quantiles per row, a no-echo counted as"
+          + " the scene's no_echo_m.",
+      "Rows may come in any order; the predictions stand in the rows' order. What stands in range_m is"
+          + " ignored."
+    },
+    footer = {
+      "",
+      "Example: simbad predict diagnoses/my-bench rows.csv --out predictions.csv",
+      "Example: simbad predict diagnoses/my-bench rows.csv --out nominal.csv --model nominal"
+    })
+final class PredictCommand extends Subcommand {
+  /** Which model predicts. */
+  private enum Model {
+    NOMINAL,
+    DIAGNOSED
+  }
+
+  @Parameters(paramLabel = "DIAGNOSIS_DIR", description = "A folder that diagnose wrote.")
+  private Path diagnosis = Path.of("");
+
+  @Parameters(
+      paramLabel = "ROWS.csv",
+      description = "run,sensor,t_s,x_m,z_m,heading_deg and any further columns.")
+  private Path rows = Path.of("");
+
+  @Option(
+      names = "--out",
+      paramLabel = "FILE",
+      required = true,
+      description = "A file that does not exist yet.")
+  private Path out = Path.of("");
+
+  @Option(
+      names = "--model",
+      paramLabel = "nominal|diagnosed",
+      description =
+          "nominal: the simulator as it is; diagnosed: with what was fitted. Default: diagnosed.")
+  private String model = "diagnosed";
+
+  @Override
+  protected void run() throws Exception {
+    Model chosen = model();
+    if (Files.exists(out) && (Files.isDirectory(out) || Files.size(out) > 0)) {
+      throw new FileAlreadyExistsException(out.toString());
+    }
+    Path scene = diagnosis.resolve(DataSetFolder.SCENE);
+    SensingSetup setup = SceneFile.read(scene);
+    List<? extends Change> changes = chosen == Model.NOMINAL ? List.of() : changes(setup);
+    List<ReadingRow> poses = ReadingsFile.readPoses(rows, SceneFile.format(scene));
+    Optional<String> problem = SensorPoses.problem(setup, poses);
+    if (problem.isPresent()) {
+      throw DataFormatException.inFile(rows, problem.get());
+    }
+    write(Predictions.text(setup, changes, SensorPoses.of(setup, poses)));
+  }
+
+  private void write(String text) throws IOException {
+    Path folder = out.toAbsolutePath().getParent();
+    if (folder != null) {
+      Files.createDirectories(folder);
+    }
+    TextFile.write(out, text);
+  }
+
+  private List<? extends Change> changes(SensingSetup setup) throws DataFormatException {
+    return ModelFile.read(diagnosis.resolve(DiagnosisFolder.MODEL), setup).changes();
+  }
+
+  private Model model() {
+    return switch (model) {
+      case "nominal" -> Model.NOMINAL;
+      case "diagnosed" -> Model.DIAGNOSED;
+      default -> throw wrongUsage("--model: '" + model + "' is neither nominal nor diagnosed");
+    };
+  }
+}

@@ -1,0 +1,195 @@
+package simbad.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import simbad.experiments.report.RunOrigin;
+import simbad.experiments.run.Experiment;
+import simbad.experiments.run.RunResult;
+import simbad.experiments.run.RunSettings;
+import simbad.experiments.run.SensorKind;
+import simbad.figures.report.RunReport;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.TextFile;
+import simbad.sonar.frame.Point;
+import simbad.sonar.shape.ThresholdTable;
+
+/** {@code simbad run}: the main job. */
+@Command(
+    name = "run",
+    description = {
+      "Let a robot circle obstacles at the limit of detection, once per sensor, and compare its"
+          + " traces with the obstacles' threshold tables.",
+      "Writes traces, errors, pictures and a page to --out."
+    },
+    footer = {
+      "",
+      "Example: simbad run",
+      "Example: simbad run angle my-table.csv --sensor original,shadow,ray --out results",
+      "Example: simbad run angle --sensor shadow,diagnosed:diagnoses/bench-3"
+    })
+final class RunCommand extends Subcommand {
+  private static final String DEFAULT_OUT = "simbad-run";
+
+  @Parameters(
+      paramLabel = "OBSTACLE",
+      arity = "0..*",
+      description = ObstacleArgument.MEANING + " Default: the thesis's square, round, angle.")
+  private List<String> obstacles = List.of("square", "round", "angle");
+
+  @Option(
+      names = "--sensor",
+      paramLabel = "SENSOR",
+      split = ",",
+      completionCandidates = SensorWords.class,
+      description =
+          "original (cone, 2.5 m), ray (Simbad's thin rays), shadow, overlap, noisy, level,"
+              + " level-noisy (echoes with strength),"
+              + " diagnosed:DIR (a diagnosis' folder with model.json and scene.json),"
+              + " or a model that a jar brings (docs/guide/own-effect.md)."
+              + " Default: original,shadow.")
+  private List<String> sensors = List.of("original", "shadow");
+
+  @Mixin private DriveOptions drive = new DriveOptions();
+
+  @Option(
+      names = "--start",
+      paramLabel = "X,Z",
+      description =
+          "Where the robot starts, metres, the obstacle at 0,0."
+              + " Default: on the bearing of the greatest threshold, half-way out.")
+  private @Nullable String start;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description = "Of all chance; the same seed gives the same files. Default: ${DEFAULT-VALUE}.")
+  private long seed = 1;
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      description =
+          "A folder that does not exist yet. Default: simbad-run, or simbad-run-2 and so on.")
+  private @Nullable Path out;
+
+  @Override
+  protected void run() throws Exception {
+    Instant begun = Instant.now();
+    RunSettings settings = settings();
+    Path folder = out != null ? out : firstFree();
+    try (StagedDirectory staged = StagedDirectory.beside(folder)) {
+      List<RunResult> results = experiment(settings);
+      RunReport.write(staged.path(), new RunOrigin(BuildVersion.text(), settings), results);
+      TextFile.write(staged.path().resolve("run.log"), log(begun));
+      staged.publish();
+      RunSummary.print(out(), results);
+      out().println();
+      out().println("written to " + folder + " (open " + folder.resolve("report.html") + ")");
+    }
+  }
+
+  private List<RunResult> experiment(RunSettings settings) {
+    int tasks = settings.obstacles().size() * settings.sensors().size();
+    try (Progress progress = Progress.of("driving", tasks)) {
+      return Experiment.run(settings, result -> progress.step());
+    }
+  }
+
+  private static String log(Instant begun) {
+    Duration taken = Duration.between(begun, Instant.now());
+    return "begun "
+        + begun
+        + "\n"
+        + "taken "
+        + taken.toMillis() / 1e3
+        + " s\n"
+        + "java "
+        + Runtime.version()
+        + "\n"
+        + "cores "
+        + Runtime.getRuntime().availableProcessors()
+        + "\n";
+  }
+
+  private static Path firstFree() throws IOException {
+    Path folder = Path.of(DEFAULT_OUT);
+    for (int i = 2; Files.exists(folder); i++) {
+      folder = Path.of(DEFAULT_OUT + "-" + i);
+    }
+    return folder;
+  }
+
+  private RunSettings settings() throws DataFormatException {
+    double speedMPerS = drive.speedMPerS(this);
+    List<SensorKind> kinds = kinds();
+    Optional<Point> place = start == null ? Optional.empty() : Optional.of(point(start));
+    return new RunSettings(types(), kinds, drive.sonar(), speedMPerS, place, seed);
+  }
+
+  private List<SensorKind> kinds() throws DataFormatException {
+    Set<SensorKind> kinds = new LinkedHashSet<>();
+    for (String word : sensors) {
+      SensorKind kind =
+          SensorArgument.parse(word)
+              .orElseThrow(() -> wrongUsage("--sensor: " + SensorArgument.unknown(word)));
+      if (!kinds.add(kind)) {
+        throw wrongUsage("--sensor: " + word + " stands twice");
+      }
+    }
+    return List.copyOf(kinds);
+  }
+
+  private List<ObstacleType> types() throws DataFormatException {
+    List<ObstacleType> types = new ArrayList<>();
+    Set<String> names = new LinkedHashSet<>();
+    for (String argument : obstacles) {
+      ObstacleType type = ObstacleArgument.parse(argument);
+      if (!names.add(type.name().toLowerCase(Locale.ROOT))) {
+        throw wrongUsage("OBSTACLE: two are called " + type.name());
+      }
+      types.add(type);
+    }
+    return types;
+  }
+
+  private Point point(String text) {
+    String[] parts = text.split(",", -1);
+    try {
+      if (parts.length == 2) {
+        return new Point(coordinate(parts[0]), coordinate(parts[1]));
+      }
+    } catch (IllegalArgumentException e) {
+      // Said below.
+    }
+    throw wrongUsage(
+        "--start: '"
+            + text
+            + "' is not X,Z in metres, such as 0,1.5, within "
+            + ThresholdTable.GREATEST_THRESHOLD_M
+            + " m");
+  }
+
+  /** Further away than any table can reach, the robot would drive for nothing. */
+  private static double coordinate(String text) {
+    double metres = Double.parseDouble(text);
+    if (!(Math.abs(metres) <= ThresholdTable.GREATEST_THRESHOLD_M)) {
+      throw new IllegalArgumentException(text);
+    }
+    return metres;
+  }
+}

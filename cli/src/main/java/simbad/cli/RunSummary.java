@@ -1,0 +1,84 @@
+package simbad.cli;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import simbad.experiments.report.TableName;
+import simbad.experiments.run.EdgeLoss;
+import simbad.experiments.run.RunResult;
+import simbad.experiments.run.TraceErrors;
+import simbad.experiments.run.TraceMove;
+
+/** The figures of a run for the console. */
+final class RunSummary {
+  private static final String ROW = " %-9s %9s %9s %9s %9s %9s %9s %10s %11s%n";
+  private static final String TITLE = "obstacle (table)";
+
+  private RunSummary() {}
+
+  static void print(PrintWriter out, List<RunResult> results) {
+    int width =
+        Math.max(
+            TITLE.length(),
+            results.stream().mapToInt(result -> name(result).length()).max().orElse(0));
+    String row = "%-" + width + "s" + ROW;
+    out.printf(
+        row,
+        TITLE,
+        "sensor",
+        "mean cm",
+        "RMS cm",
+        "max cm",
+        "beside cm",
+        "edge kept",
+        "from edge",
+        "unreached",
+        "reduction");
+    for (RunResult result : results) {
+      TraceErrors errors = result.errors();
+      out.printf(
+          row,
+          name(result),
+          result.sensor().word(),
+          centimetres(errors.meanM()),
+          centimetres(errors.rmsM()),
+          centimetres(errors.maxM()),
+          centimetres(
+              result.hasLateralErrors()
+                  ? OptionalDouble.of(errors.lateralMeanM())
+                  : OptionalDouble.empty()),
+          percent(errors.edge().share()),
+          centimetres(errors.edge().maxM()),
+          errors.unreachedBearings() + "/" + errors.radialM().size(),
+          percent(result.reductionVsOriginal()));
+    }
+    printLegend(out);
+    EdgeLoss.of(results).forEach(loss -> out.println(loss.sentence()));
+    TraceMove.of(results).forEach(move -> out.println(move.sentence()));
+  }
+
+  private static void printLegend(PrintWriter out) {
+    out.println(
+        "mean, RMS, max: radial error |r - T| over the bearings; beside: mean distance from");
+    out.println("the shadow's edge; edge kept: share of it with a place of the trace within 5 cm;");
+    out.println("from edge: greatest distance in cm from the edge to the trace;");
+    out.println("reduction: of the mean against the original sensor.");
+  }
+
+  private static String name(RunResult result) {
+    return TableName.of(result.type());
+  }
+
+  static String centimetres(OptionalDouble metres) {
+    return metres.isPresent() ? text("%.2f", 100 * metres.getAsDouble()) : "-";
+  }
+
+  private static String percent(OptionalDouble share) {
+    return share.isPresent() ? text("%.1f %%", 100 * share.getAsDouble()) : "-";
+  }
+
+  private static String text(String format, double value) {
+    return String.format(Locale.ROOT, format, value);
+  }
+}

@@ -1,0 +1,36 @@
+package simbad.cli;
+
+import java.util.OptionalDouble;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Option;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.DataFormatException;
+
+/** What a sweep goes round, and in which air. */
+final class SweptObstacle {
+  @Option(
+      names = "--obstacle",
+      paramLabel = "NAME",
+      required = true,
+      description = "What is swept. " + ObstacleArgument.MEANING)
+  private String name = "";
+
+  @Option(
+      names = "--temperature",
+      paramLabel = "CELSIUS",
+      description = "Of the air. Default: not known, 20 assumed.")
+  private @Nullable Double temperatureC;
+
+  /** As it was typed. */
+  String name() {
+    return name;
+  }
+
+  ObstacleType type() throws DataFormatException {
+    return ObstacleArgument.parse(name);
+  }
+
+  OptionalDouble temperatureC() {
+    return temperatureC == null ? OptionalDouble.empty() : OptionalDouble.of(temperatureC);
+  }
+}

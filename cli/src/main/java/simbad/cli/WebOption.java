@@ -1,0 +1,35 @@
+package simbad.cli;
+
+import java.io.IOException;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code --web} of the commands that capture. */
+final class WebOption {
+  // Set by picocli before anything is run.
+  @Spec(Spec.Target.MIXEE)
+  @SuppressWarnings("NullAway.Init")
+  private CommandSpec spec;
+
+  @Option(
+      names = "--web",
+      paramLabel = "[ADDRESS:]PORT",
+      description =
+          "Show the capture on a page, on this computer; at another address it asks for a token.")
+  private @Nullable String web;
+
+  /** Shows a capture on the page that was asked for, if any. */
+  void show(CaptureRun run) throws IOException {
+    if (web != null) {
+      run.showAt(
+          WebArgument.parse(web)
+              .orElseThrow(
+                  () ->
+                      new CommandLine.ParameterException(
+                          spec.commandLine(), "--web: '" + web + "' is no [ADDRESS:]PORT")));
+    }
+  }
+}

@@ -1,0 +1,48 @@
+package simbad.cli;
+
+import java.io.IOException;
+import java.util.ServiceLoader;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Option;
+import simbad.experiments.workers.Cluster;
+import simbad.experiments.workers.LocalWorkers;
+import simbad.experiments.workers.Workers;
+
+/** Who does the pieces of a job, as the user says it. */
+final class WorkersOption {
+  @Option(
+      names = "--jobs",
+      paramLabel = "N",
+      description = "How many at a time on this machine. Default: one for each core.")
+  private int jobs = Runtime.getRuntime().availableProcessors();
+
+  @Option(
+      names = "--spark",
+      paramLabel = "MASTER",
+      description = "Have them done by Apache Spark: spark://HOST:PORT, or local[N].")
+  private @Nullable String master;
+
+  /** Refuses what cannot be, before any work is done. */
+  void check(Subcommand command) {
+    if (jobs < 1) {
+      throw command.wrongUsage("--jobs: " + jobs + " is not at least 1");
+    }
+    if (master != null && cluster() == null) {
+      throw command.wrongUsage("--spark: Spark is not among this program's jars; ./simbad adds it");
+    }
+  }
+
+  /**
+   * Reaches them.
+   *
+   * @throws IOException when there are none
+   */
+  Workers open() throws IOException {
+    Cluster cluster = cluster();
+    return master == null || cluster == null ? new LocalWorkers(jobs) : cluster.connect(master);
+  }
+
+  private static @Nullable Cluster cluster() {
+    return ServiceLoader.load(Cluster.class).findFirst().orElse(null);
+  }
+}

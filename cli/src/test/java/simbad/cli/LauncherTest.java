@@ -1,0 +1,41 @@
+package simbad.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.TestFactory;
+
+/** Runs the launcher's own test script, whose lines say {@code ok NAME} or {@code not ok NAME}. */
+class LauncherTest {
+  @TestFactory
+  Stream<DynamicTest> launcher() throws IOException, InterruptedException {
+    Process script =
+        new ProcessBuilder("bash", Path.of("..", "build-config", "launcher-test.sh").toString())
+            .redirectErrorStream(true)
+            .start();
+    script.getOutputStream().close();
+    String output = new String(script.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    int status = script.waitFor();
+    List<String> checks = output.lines().filter(line -> line.matches("(not )?ok .*")).toList();
+    return Stream.concat(
+        Stream.of(
+            DynamicTest.dynamicTest(
+                "the script ran to its end",
+                () -> {
+                  assertTrue(checks.size() >= 20, output);
+                  assertEquals(0, status, output);
+                })),
+        checks.stream()
+            .map(
+                check ->
+                    DynamicTest.dynamicTest(
+                        check.replaceFirst("^(not )?ok ", ""),
+                        () -> assertTrue(check.startsWith("ok "), output))));
+  }
+}

@@ -1,5 +1,0 @@
-/** What every page and picture that is written as text has in common. */
-@NullMarked
-package simbad.experiments.markup;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,5 +1,0 @@
-/** Tests. */
-@NullMarked
-package simbad.experiments.bench;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,4 +1,0 @@
-@NullMarked
-package simbad.experiments.blindcheck;
-
-import org.jspecify.annotations.NullMarked;

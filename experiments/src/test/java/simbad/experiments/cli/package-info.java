@@ -1,5 +1,0 @@
-/** Tests of the command line, in this process except where a process is what is tested. */
-@NullMarked
-package simbad.experiments.cli;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,4 +1,0 @@
-@NullMarked
-package simbad.experiments.site;
-
-import org.jspecify.annotations.NullMarked;

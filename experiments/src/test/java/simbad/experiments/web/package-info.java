@@ -1,4 +1,0 @@
-@NullMarked
-package simbad.experiments.web;
-
-import org.jspecify.annotations.NullMarked;

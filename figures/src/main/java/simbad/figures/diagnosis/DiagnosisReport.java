@@ -1,0 +1,56 @@
+package simbad.figures.diagnosis;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.SplittableRandom;
+import simbad.experiments.diagnosis.DiagnosisFolder;
+import simbad.gap.audit.AuditFinding;
+import simbad.gap.diagnosis.DataSet;
+import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.Provenance;
+import simbad.sonar.format.TextFile;
+import simbad.sonar.predict.FittedModel;
+
+/** A diagnosis's folder with its page. */
+public final class DiagnosisReport {
+  /** The page's name in the folder. */
+  public static final String PAGE = "report.html";
+
+  private DiagnosisReport() {}
+
+  /**
+   * Writes everything.
+   *
+   * @param folder exists and is empty
+   * @param source the data set's own folder, whose scene is copied
+   * @param data what was diagnosed
+   * @param diagnosis of it
+   * @param provenance what it was made by
+   * @throws IOException if something cannot be written
+   */
+  public static void write(
+      Path folder, Path source, DataSet data, Diagnosis diagnosis, Provenance provenance)
+      throws IOException {
+    FittedModel model = DiagnosisFolder.write(folder, source, data, diagnosis, provenance);
+    List<RowFinding> rows =
+        RowSurvey.of(data, model.changes(), new SplittableRandom(provenance.seed()));
+    TextFile.write(folder.resolve(PAGE), DiagnosisPage.of(diagnosis, data, rows, provenance));
+  }
+
+  /**
+   * Writes what there is of a data set that was audited and not diagnosed.
+   *
+   * @param folder exists and is empty
+   * @param data what was audited
+   * @param audit what was found
+   * @param provenance what it was made by
+   * @throws IOException if something cannot be written
+   */
+  public static void write(
+      Path folder, DataSet data, List<AuditFinding> audit, Provenance provenance)
+      throws IOException {
+    DiagnosisFolder.write(folder, data, audit, provenance);
+    TextFile.write(folder.resolve(PAGE), AuditSection.page(data, audit));
+  }
+}

@@ -1,0 +1,16 @@
+package simbad.figures.plot;
+
+/**
+ * What stands over a picture. The provenance cannot be left out: a picture of a reconstructed table
+ * must never pass for a measured one.
+ *
+ * @param title what the picture shows; not blank
+ * @param provenance where its data come from, as "table: reconstructed"; not blank
+ */
+public record Caption(String title, String provenance) {
+  /** Checks that both lines say something. */
+  public Caption {
+    Checks.notBlank("title", title);
+    Checks.notBlank("provenance", provenance);
+  }
+}

@@ -1,0 +1,140 @@
+package simbad.figures.web;
+
+import io.javalin.Javalin;
+import io.javalin.compression.CompressionStrategy;
+import io.javalin.config.JavalinConfig;
+import io.javalin.http.Context;
+import io.javalin.http.ForbiddenResponse;
+import io.javalin.http.HandlerType;
+import io.javalin.http.Header;
+import io.javalin.http.MethodNotAllowedResponse;
+import io.javalin.util.JavalinException;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Supplier;
+import org.eclipse.jetty.util.thread.QueuedThreadPool;
+
+/**
+ * A web server that only shows: it answers GET and HEAD, and nothing that is sent to it changes
+ * anything. At the loopback address it answers programs of this computer; at another address it
+ * asks for a token. Requests that never end do not keep others from an answer. It says nothing on
+ * the terminal.
+ */
+public final class WebServer implements AutoCloseable {
+  private static final Set<HandlerType> SHOWING = Set.of(HandlerType.GET, HandlerType.HEAD);
+  private static final int FEWEST_THREADS = 2;
+  private static final int THREAD_IDLE_MS = 10_000;
+
+  private final Javalin app;
+  private final InetAddress address;
+  private final Guard guard;
+
+  private WebServer(Javalin app, InetAddress address, Guard guard) {
+    this.app = app;
+    this.address = address;
+    this.guard = guard;
+  }
+
+  /**
+   * Starts to answer.
+   *
+   * @param address where; port 0 for any that is free
+   * @param policy the Content-Security-Policy of all answers
+   * @param answers by path, asked for at each request, from any thread
+   * @throws IOException if the address is taken or none of this computer's
+   */
+  public static WebServer open(
+      InetSocketAddress address, String policy, Map<String, Supplier<Content>> answers)
+      throws IOException {
+    Guard guard = Guard.of(address.getAddress());
+    Javalin app =
+        Javalin.create(
+            config -> {
+              listen(config, address);
+              config.routes.before(context -> admit(context, guard, policy));
+              answers.forEach((path, content) -> serve(config, path, content));
+            });
+    try {
+      app.start();
+    } catch (JavalinException e) {
+      app.stop();
+      throw new IOException("page at " + address + ": " + reason(e), e);
+    }
+    return new WebServer(app, address.getAddress(), guard);
+  }
+
+  /** What the system said: the libraries wrap it in words of their own. */
+  private static String reason(Throwable thrown) {
+    Throwable first = thrown;
+    while (first.getCause() != null) {
+      first = first.getCause();
+    }
+    return String.valueOf(first.getMessage());
+  }
+
+  private static void listen(JavalinConfig config, InetSocketAddress address) {
+    config.startup.showJavalinBanner = false;
+    config.startup.showOldJavalinVersionWarning = false;
+    config.startup.startupWatcherEnabled = false;
+    config.http.compressionStrategy = CompressionStrategy.NONE;
+    config.jetty.threadPool = threads();
+    config.jetty.addConnector((server, defaults) -> Connections.at(address, server));
+  }
+
+  /** None keeps the program alive, and none waits for a connection to another one. */
+  private static QueuedThreadPool threads() {
+    QueuedThreadPool threads =
+        new QueuedThreadPool(Connections.MOST_THREADS, FEWEST_THREADS, THREAD_IDLE_MS);
+    threads.setName("page");
+    threads.setDaemon(true);
+    return threads;
+  }
+
+  private static void admit(Context context, Guard guard, String policy) {
+    context
+        .header(Header.CACHE_CONTROL, "no-store")
+        .header(Header.X_CONTENT_TYPE_OPTIONS, "nosniff")
+        .header(Header.REFERRER_POLICY, "no-referrer")
+        .header(Header.CROSS_ORIGIN_RESOURCE_POLICY, "same-origin")
+        .header(Header.CONTENT_SECURITY_POLICY, policy);
+    String origin = context.header(Header.ORIGIN);
+    if (!guard.admits(context.queryString(), context.header(Header.HOST), origin)) {
+      throw new ForbiddenResponse("forbidden");
+    }
+    if (!SHOWING.contains(context.method())) {
+      context.header(Header.ALLOW, "GET, HEAD");
+      throw new MethodNotAllowedResponse("only GET");
+    }
+  }
+
+  private static void serve(JavalinConfig config, String path, Supplier<Content> content) {
+    config.routes.get(path, context -> answer(context, content.get()));
+    config.routes.head(path, context -> answer(context, content.get()));
+  }
+
+  private static void answer(Context context, Content content) {
+    context.contentType(content.type()).result(content.bytes());
+  }
+
+  /** Returns the address, with the token that it asks for. */
+  public String url() {
+    return "http://" + host() + ":" + app.port() + "/" + guard.query();
+  }
+
+  /** Where every address of this computer will do, the nearest one is named. */
+  private String host() {
+    if (address.isLoopbackAddress() || address.isAnyLocalAddress()) {
+      return "localhost";
+    }
+    String text = address.getHostAddress();
+    return text.indexOf(':') < 0 ? text : "[" + text + "]";
+  }
+
+  @Override
+  public void close() {
+    app.stop();
+  }
+}

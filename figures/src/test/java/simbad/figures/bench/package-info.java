@@ -1,0 +1,5 @@
+/** Tests. */
+@NullMarked
+package simbad.figures.bench;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,135 @@
+package simbad.figures.blindcheck;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import simbad.experiments.blindcheck.CheckScores;
+import simbad.experiments.blindcheck.Measure;
+import simbad.figures.diagnosis.Browser;
+
+class CheckPageTest {
+  private static final String PAGE =
+      CheckPage.of(SampleScores.order("gain"), SampleScores.scores());
+
+  @TempDir private Path folder = Path.of("target");
+
+  @Test
+  void firstScreen_answers() {
+    String words = PAGE.replaceAll("<[^>]*>", "").replace("&nbsp;", " ").replace('\u00a0', ' ');
+    assertTrue(
+        words.contains("36 of 40 got the right verdict: 90 % (95 % interval 72 % to 100 %)"));
+    assertTrue(words.contains("Independence: " + SampleScores.ALL));
+    assertTrue(words.contains("The diagnosis was not told of gain"));
+    assertTrue(words.contains("1 case has no answer. It counts as wrong"));
+  }
+
+  /** Each table of figures is headed by its part's name, in which the level stands. */
+  @Test
+  void everyTable_statesItsLevel() {
+    for (String part : List.of(SampleScores.ALL, SampleScores.L1, SampleScores.L2)) {
+      assertEquals(2, count("<h3 class=\"part\">" + Pattern.quote(part) + ", \\d+ cases</h3>"));
+      assertEquals(3, count("<img alt=\"[^\"]*" + Pattern.quote(part) + "; n = \\d+\""));
+    }
+    assertEquals(6, count("<h3 class=\"part\">"));
+  }
+
+  private static int count(String pattern) {
+    Matcher matcher = Pattern.compile(pattern).matcher(PAGE);
+    int count = 0;
+    while (matcher.find()) {
+      count++;
+    }
+    return count;
+  }
+
+  @Test
+  void whatIsToBeReached_isMetOrMissed() {
+    assertTrue(cells("no effect: called none").contains("<span class=\"met\">met</span>"));
+    assertTrue(cells("one effect: explained, and named").contains("\"missed\">missed</span>"));
+    assertFalse(PAGE.contains("withheld effect: called unexplained"), "of no case");
+  }
+
+  /** 95 % are asked of single effects. */
+  @ParameterizedTest
+  @CsvSource({
+    "0.98, 0.96, 0.99, met</span><",
+    "0.96, 0.90, 0.98, 'met</span>, not surely<'",
+    "0.94, 0.90, 0.98, 'missed</span>, not surely<'",
+    "0.90, 0.85, 0.94, missed</span><"
+  })
+  void intervalThatHoldsTheReach_leavesItOpen(
+      double value, double low, double high, String expected) {
+    Measure singles = Measure.ALL.get(1);
+    String cell =
+        ScoreCell.of(singles, new CheckScores.Estimate(value, low, high, "1 of 2"), false);
+    assertTrue(cell.contains(expected), cell);
+  }
+
+  private static String cells(String words) {
+    String row = "<th scope=\"row\">" + words + "</th>";
+    int from = PAGE.indexOf(row);
+    return PAGE.substring(from, PAGE.indexOf("</tr>", from));
+  }
+
+  @Test
+  void reach_isATenthLessWhereTheSetUpIsOff() {
+    Measure none = Measure.ALL.get(0);
+    assertEquals(OptionalDouble.of(0.975), none.reach(false));
+    assertEquals(0.8775, none.reach(true).getAsDouble(), 1e-12);
+    Measure error =
+        Measure.ALL.stream().filter(m -> m.name().equals("verdict ECE")).findFirst().orElseThrow();
+    assertEquals(OptionalDouble.of(0.05), error.reach(true));
+    assertTrue(error.isCost());
+  }
+
+  /** Half a per cent is rounded up everywhere alike. */
+  @Test
+  void halves_areRoundedUp() {
+    assertEquals("63\u00a0%", Measure.percent(0.625));
+    assertEquals("63\u00a0%", Measure.ALL.get(0).text(0.625));
+    assertEquals("\u22123", Measure.ALL.get(0).number(-0.03));
+  }
+
+  @Test
+  void wordsFromFiles_areEscaped() {
+    assertTrue(PAGE.contains("<td>&lt;b&gt;</td>"));
+    assertTrue(
+        CheckPage.of(SampleScores.foreign(), SampleScores.scores()).contains("their &lt;sets&gt;"));
+  }
+
+  @Test
+  void severalNames_shareAColumn() {
+    String table =
+        ConfusionTable.of(
+            "at work",
+            "part",
+            ConfusionTable.alone(
+                SampleScores.scores()
+                    .figures(SampleScores.ALL, CheckScores.DIAGNOSIS)
+                    .orElseThrow()
+                    .figures()
+                    .path("confusion")));
+    String words = table.replaceAll("<[^>]*>", " ").replaceAll(" +", " ").replace(" \n", "\n");
+    assertTrue(words.contains("at work none gain several names (no answer) all"), words);
+    assertTrue(words.contains("gain 3 2 5"), words);
+    assertFalse(words.contains("gain+latency"), words);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1280, false", "800, true"})
+  void page_isWhole(int width, boolean dark) throws Exception {
+    assumeTrue(Browser.isThere(), "no Chromium on this machine: the page is not looked at");
+    new Browser(folder).look(PAGE, width, dark);
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package simbad.figures.blindcheck;
+
+import org.jspecify.annotations.NullMarked;

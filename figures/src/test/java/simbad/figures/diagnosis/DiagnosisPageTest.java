@@ -1,0 +1,217 @@
+package simbad.figures.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import simbad.definition.Effect;
+import simbad.gap.diagnosis.DataSet;
+import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.GapFigures;
+import simbad.gap.diagnosis.Verdict;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SensingSetup;
+
+class DiagnosisPageTest {
+  private static final DataSet DATA = Samples.data("a <b> & c");
+  private static final String EXPLAINED = Samples.page(Samples.explained(DATA), DATA);
+
+  /** The words of the page as one reads them. */
+  private static String words(String page) {
+    return page.replaceAll("(?s)<style>.*</style>", "")
+        .replaceAll("<title>[^<]*</title>", "")
+        .replace("</td>", " ")
+        .replaceAll("<[^>]*>", "")
+        .replace("&nbsp;", " ")
+        .replaceAll("\\s+", " ");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "gain accounts for the gap: with it in the simulator the gap shrinks from 178.80 cm to 60.25"
+            + " cm, by 66 %. The diagnosed model itself expects a gap of 51.50 cm from scatter.",
+        "These data cannot tell gain from absorption.",
+        "something without a name here is at work has a probability of 3 %",
+        "(95 % interval 61 % to 70 %, the line on the bar), measured on 1500 rows",
+        "Where most of it lies: bearing 100 to 170°, distance from 0.5 m: missed echo, 41 % of the"
+            + " gap, 420.00 cm before and 90.00 cm after.",
+        "factor 0.5 0.45 to 0.55",
+        "loss_per_m 0.123 1/m not known from these data",
+        "dead-zone end_m 0.06 m",
+        "stale-reading hold_s at no size",
+        "To tell gain and absorption apart, measure at the 40 poses of next-experiment.csv",
+        "7.25 nats",
+        "gain and latency 4990.0",
+        "(1 of 435 pairs)",
+        "What to do: multiply all thresholds by 0.50, or restore the sensor's drive voltage.",
+        "gain 118.55 (100.00 to 130.00); not explained 8.75 (5.00 to 12.00); scatter (floor) 51.50",
+        "program 1 &lt;b&gt;, seed 7",
+        "3024 readings, no reference"
+      })
+  void everythingIsSaid(String words) {
+    assertTrue(words(EXPLAINED).contains(words), words(EXPLAINED));
+  }
+
+  @Test
+  void whatOthersWrote_isNoMarkup() {
+    assertTrue(EXPLAINED.contains("a &lt;b&gt; &amp; c"));
+    assertFalse(EXPLAINED.contains("<i>run</i>"));
+    assertFalse(EXPLAINED.contains("<b>"));
+  }
+
+  @Test
+  void page_needsNothingElse() {
+    assertFalse(Pattern.compile("https?:|src=|href=|url\\(|<script").matcher(EXPLAINED).find());
+  }
+
+  @Test
+  void figures_areAllThere() {
+    for (String heading :
+        List.of(
+            "Before: round the obstacle square",
+            "After: round the obstacle square",
+            "By distance",
+            "By time",
+            "By speed",
+            "Ranks",
+            "Ranges",
+            "Poses to measure at")) {
+      assertTrue(EXPLAINED.contains("<h3>" + heading + "</h3>"), heading);
+    }
+    assertFalse(EXPLAINED.contains("<h3>By off-axis angle</h3>"), "the sensor always looks there");
+    assertFalse(EXPLAINED.contains("NaN"), "no cell and no bar of no rows");
+    assertFalse(EXPLAINED.contains("Infinity"));
+  }
+
+  @Test
+  void nothing_isSaidAsNothing() {
+    String page = words(Samples.page(Samples.without(Verdict.NONE, DATA), DATA));
+    assertTrue(
+        page.contains("No gap beyond chance: these readings are what the simulator expects"));
+    assertTrue(page.contains("Nothing is tied"));
+    assertTrue(page.contains("No effect is probable enough for its parameters to mean something"));
+    assertFalse(page.contains("something without a name here is at work has"), page);
+  }
+
+  @Test
+  void unexplained_saysThatNothingWithANameAccountsForIt() {
+    Diagnosis none = Samples.without(Verdict.UNEXPLAINED, DATA);
+    String page = words(Samples.page(none, DATA));
+    assertTrue(
+        page.contains(
+            "The readings differ from what the simulator expects in a way that no effect with a name"
+                + " here accounts for (the gap is 2.00 cm"),
+        page);
+    assertTrue(page.contains("probability of 97 %"));
+    GapFigures large = new GapFigures(20, 9, 9, 2, 0, none.gap().shrinkCi95());
+    String much = words(Samples.page(as(Verdict.UNEXPLAINED, "", List.of(), large), DATA));
+    assertTrue(much.contains("There is a gap, and no effect that has a name here accounts for it"));
+  }
+
+  /** What comes nearest is not said to be at work, and no gap is left where after is the floor. */
+  @Test
+  void unexplained_withNames_saysHowNearTheyCome() {
+    List<Effect> names = List.of(Effect.GAIN, Effect.ABSORPTION);
+    GapFigures left = Samples.explained(DATA).gap();
+    String page = words(Samples.page(as(Verdict.UNEXPLAINED, "", names, left), DATA));
+    assertTrue(
+        page.contains(
+            "No named effect accounts for the gap. Nearest come gain and absorption: with them in"
+                + " the simulator the gap shrinks from 178.80 cm to 60.25 cm, by 66 %. But that model"
+                + " expects only 51.50 cm from scatter."),
+        page);
+    assertFalse(page.contains("at work, but"), page);
+    GapFigures floor = new GapFigures(1500, 178.8, 51.6, 51.5, 0.71, left.shrinkCi95());
+    String same = words(Samples.page(as(Verdict.UNEXPLAINED, "", names, floor), DATA));
+    assertTrue(same.contains("what is left is what that model expects from scatter, but"), same);
+    String bound = "power of gain stands at the end";
+    String reason = words(Samples.page(as(Verdict.UNEXPLAINED, bound, names, left), DATA));
+    assertTrue(reason.contains("by 66 %. But power of gain stands at the end."), reason);
+  }
+
+  @Test
+  void explained_claimsNoMoreThanTheModelExpects() {
+    String page = words(EXPLAINED);
+    assertTrue(
+        page.contains("The diagnosed model itself expects a gap of 51.50 cm from scatter."), page);
+    assertFalse(page.contains("no model could"), page);
+  }
+
+  @Test
+  void undecided_saysWhy_andStatesNoInterval() {
+    String html = Samples.page(Samples.without(Verdict.UNDECIDED, DATA), DATA);
+    String page = words(html);
+    assertTrue(
+        html.contains("These data cannot tell:</strong> there are &lt;too few&gt; readings."));
+    assertFalse(page.contains("interval"), page);
+    assertFalse(page.contains("No gap beyond chance"), page);
+    assertFalse(page.contains("has a probability of"), page);
+  }
+
+  private static Diagnosis as(Verdict verdict, String reason, List<Effect> names, GapFigures gap) {
+    Diagnosis whole = Samples.explained(DATA);
+    return new Diagnosis(
+        verdict,
+        reason,
+        names,
+        whole.effects(),
+        0.8,
+        0.9,
+        List.of(),
+        gap,
+        whole.budget(),
+        whole.where(),
+        whole.undetectable(),
+        Optional.empty(),
+        whole.fitted(),
+        Hypothesis.NONE,
+        whole.tried(),
+        whole.setupError(),
+        whole.audit());
+  }
+
+  /** Rows without any obstacle, and a single one of them. */
+  @Test
+  void emptyScene_oneRow_isAPage() {
+    SensingSetup empty =
+        new SensingSetup(DATA.setup().sensor(), new Scene(List.of()), DATA.setup().noEchoM());
+    DataSet one = new DataSet("one", empty, DATA.readings().subList(0, 1), List.of());
+    String page = Samples.page(Samples.without(Verdict.NONE, one), one);
+    assertTrue(page.contains("<h3>Ranks</h3>"));
+    assertFalse(page.contains("round the obstacle"));
+    assertFalse(page.contains("NaN"));
+  }
+
+  /** Half of the gain's threshold: the map after it is paler than that before. */
+  @Test
+  void shades_followTheGap() {
+    double before = meanShade("Gap before: round the obstacle square");
+    double after = meanShade("Gap after: round the obstacle square");
+    assertTrue(before > after + 0.3, before + " " + after);
+  }
+
+  private static double meanShade(String label) {
+    int from = EXPLAINED.indexOf("aria-label=\"" + label);
+    String svg = EXPLAINED.substring(from, EXPLAINED.indexOf("</svg>", from));
+    Matcher cells = Pattern.compile("<path class=\"h(\\d)\"").matcher(svg);
+    return cells
+        .results()
+        .mapToInt(cell -> Integer.parseInt(cell.group(1)))
+        .average()
+        .orElseThrow();
+  }
+
+  @Test
+  void sameDiagnosis_sameBytes() {
+    assertEquals(EXPLAINED, Samples.page(Samples.explained(DATA), DATA));
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package simbad.figures.site;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,4 @@
+@NullMarked
+package simbad.figures.web;
+
+import org.jspecify.annotations.NullMarked;
