@@ -32,6 +32,18 @@ public final class Main {
     System.exit(status);
   }
 
+  /**
+   * Runs one command in a program of somebody else's, which goes on afterwards.
+   *
+   * @param out for results
+   * @param err for complaints
+   * @param arguments the command line
+   * @return the exit status: 0 done, 1 the work failed, 2 bad input
+   */
+  public static int run(PrintWriter out, PrintWriter err, String... arguments) {
+    return run(Subcommands.all(), out, err, arguments);
+  }
+
   /** Not {@code System.out}, which swallows errors such as a full disk. */
   static PrintWriter utf8(FileDescriptor stream) {
     return new PrintWriter(

@@ -44,7 +44,8 @@ public final class RoomDiagram {
 
   private static final Map<String, Place> PLACES =
       Map.ofEntries(
-          Map.entry("cluster", new Place(0, 3, 4)),
+          Map.entry("python", new Place(0, 3, 2)),
+          Map.entry("cluster", new Place(0, 5, 2)),
           Map.entry("benchmarks", new Place(1, 0, 3)),
           Map.entry("cli", new Place(1, 3, 4)),
           Map.entry("figures", new Place(2, 0, 7)),

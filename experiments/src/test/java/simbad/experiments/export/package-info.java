@@ -1,0 +1,5 @@
+/** Tests of exports. */
+@NullMarked
+package simbad.experiments.export;
+
+import org.jspecify.annotations.NullMarked;
