@@ -21,12 +21,12 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
-import simbad.figures.report.RunReport;
 import simbad.experiments.report.RunOrigin;
 import simbad.experiments.run.Experiment;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.RunSettings;
 import simbad.experiments.run.SensorKind;
+import simbad.figures.report.RunReport;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 
