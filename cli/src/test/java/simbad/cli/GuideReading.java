@@ -87,10 +87,22 @@ final class GuideReading implements AutoCloseable {
           compile(piece.text());
         }
       }
+      case "c" -> runInC(piece.text());
       case "csv", "json" -> save(piece);
       case "xml" -> assertTrue(piece.text().contains("<version>" + version() + "</version>"));
       default -> takeLines(piece);
     }
+  }
+
+  /** A whole program: compiled as strictly as can be, and run. */
+  private void runInC(String program) throws Exception {
+    Shell said =
+        shell.bash(
+            "cat >program.c <<'END'\n"
+                + program
+                + "\nEND\ngcc -std=c99 -Wall -Wextra -Werror -pedantic program.c -o program -lm"
+                + "\n./program\n");
+    assertEquals(0, said.status(), said.out());
   }
 
   private static String version() throws IOException {
