@@ -11,6 +11,7 @@ final class Subcommands {
     return List.of(
         new RunCommand(),
         new ViewCommand(),
+        new StudioCommand(),
         new DemoCommand(),
         new ProgramCommand(),
         new TableCommand(),

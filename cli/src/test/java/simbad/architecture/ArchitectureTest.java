@@ -73,11 +73,12 @@ class ArchitectureTest {
   private static final String BLIND = "simbad.blindworld..";
   private static final String SCATTERING = "simbad.scattering..";
   private static final String FIGURES = "simbad.figures..";
+  private static final String STUDIO = "simbad.studio..";
   private static final String CLI = "simbad.cli..";
   private static final String WEB = "simbad.figures.web..";
 
   /** Rooms that nothing below them may name: whoever works with values and files needs no page. */
-  private static final String[] ABOVE_OBSTACLES = {EXPERIMENTS, FIGURES, CLI};
+  private static final String[] ABOVE_OBSTACLES = {EXPERIMENTS, FIGURES, STUDIO, CLI};
 
   private static final String SCENE = "simbad.scene3d..";
   private static final String[] WORLD = {
@@ -112,6 +113,7 @@ class ArchitectureTest {
         "simbad.scattering, 10",
         "simbad.experiments.control, 8",
         "simbad.figures.web, 5",
+        "simbad.studio, 6",
         "simbad, 160"
       })
   void import_foundTheClasses(String packageAndLeast) {
@@ -170,8 +172,9 @@ class ArchitectureTest {
         Arguments.of(BENCH, TOOLKITS),
         Arguments.of(OBSTACLES, new String[] {BENCH}),
         Arguments.of("simbad.sim..", new String[] {BENCH}),
-        Arguments.of(EXPERIMENTS, new String[] {FIGURES, CLI}),
-        Arguments.of(FIGURES, new String[] {CLI}),
+        Arguments.of(EXPERIMENTS, new String[] {FIGURES, STUDIO, CLI}),
+        Arguments.of(FIGURES, new String[] {STUDIO, CLI}),
+        Arguments.of(STUDIO, new String[] {CLI}),
         Arguments.of("simbad.figures.plot..", new String[] {MODEL, OBSTACLES}),
         Arguments.of("simbad.figures.plot..", WORLD),
         Arguments.of("simbad.experiments.run..", new String[] {"simbad.experiments.report.."}));

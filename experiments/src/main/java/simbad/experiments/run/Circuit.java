@@ -58,6 +58,15 @@ public record Circuit(
     return new Circumnavigation(this, controller).drive();
   }
 
+  /**
+   * Returns the robot that {@link #drive} drives, at its start, to be stepped by who looks on.
+   *
+   * @param controller that has read nothing yet
+   */
+  public FollowerRobot robot(Controller controller) {
+    return Circumnavigation.robot(this, controller);
+  }
+
   /** Compares a trace of this circuit with the obstacle's table. */
   public TraceErrors errors(Trace trace) {
     return TraceErrors.of(trace, type.thresholds().table());

@@ -40,10 +40,7 @@ final class Circumnavigation {
 
   Circumnavigation(Circuit circuit, Controller controller) {
     this.circuit = circuit;
-    SplittableRandom random =
-        new SplittableRandom(seed(circuit.type(), circuit.sensor(), circuit.seed()));
-    RangeSensorBelt belt = circuit.sensor().belt(circuit.sonar(), random);
-    robot = new FollowerRobot(start(circuit), belt, circuit.sonar().mountHeightM(), controller);
+    robot = robot(circuit, controller);
     EnvironmentDescription environment = new EnvironmentDescription();
     environment.add(new SonarObstacle(new Vector3d(), 0, circuit.type()));
     for (Neighbour neighbour : circuit.around()) {
@@ -53,6 +50,14 @@ final class Circumnavigation {
     }
     environment.add(robot);
     simulation = new Simbatch(environment, false);
+  }
+
+  /** The robot of a circuit, at its start. */
+  static FollowerRobot robot(Circuit circuit, Controller controller) {
+    SplittableRandom random =
+        new SplittableRandom(seed(circuit.type(), circuit.sensor(), circuit.seed()));
+    RangeSensorBelt belt = circuit.sensor().belt(circuit.sonar(), random);
+    return new FollowerRobot(start(circuit), belt, circuit.sonar().mountHeightM(), controller);
   }
 
   /** Every run has chance of its own, so that none depends on which others are made. */

@@ -46,20 +46,21 @@ public final class RoomDiagram {
       Map.ofEntries(
           Map.entry("python", new Place(0, 3, 2)),
           Map.entry("cluster", new Place(0, 5, 2)),
-          Map.entry("benchmarks", new Place(1, 0, 3)),
+          Map.entry("benchmarks", new Place(2, 0, 3)),
           Map.entry("cli", new Place(1, 3, 4)),
-          Map.entry("figures", new Place(2, 0, 7)),
-          Map.entry("experiments", new Place(3, 0, 7)),
-          Map.entry("gap", new Place(4, 0, 3)),
-          Map.entry("obstacles", new Place(4, 3, 1)),
-          Map.entry("effects", new Place(5, 0, 2)),
-          Map.entry("motion-model", new Place(5, 2, 1)),
-          Map.entry("simbad-core", new Place(5, 3, 1)),
-          Map.entry("scattering", new Place(5, 4, 1)),
-          Map.entry("bench", new Place(5, 5, 1)),
-          Map.entry("definitions", new Place(6, 0, 1)),
-          Map.entry("sonar-model", new Place(6, 1, 5)),
-          Map.entry("blind-world", new Place(6, 6, 1)));
+          Map.entry("studio", new Place(2, 3, 4)),
+          Map.entry("figures", new Place(3, 0, 7)),
+          Map.entry("experiments", new Place(4, 0, 7)),
+          Map.entry("gap", new Place(5, 0, 3)),
+          Map.entry("obstacles", new Place(5, 3, 1)),
+          Map.entry("effects", new Place(6, 0, 2)),
+          Map.entry("motion-model", new Place(6, 2, 1)),
+          Map.entry("simbad-core", new Place(6, 3, 1)),
+          Map.entry("scattering", new Place(6, 4, 1)),
+          Map.entry("bench", new Place(6, 5, 1)),
+          Map.entry("definitions", new Place(7, 0, 1)),
+          Map.entry("sonar-model", new Place(7, 1, 5)),
+          Map.entry("blind-world", new Place(7, 6, 1)));
 
   private static final String HEAD =
       """
@@ -92,7 +93,7 @@ public final class RoomDiagram {
     List<Room> rooms = Room.readAll(project);
     StringBuilder svg = new StringBuilder();
     int width = 7 * COLUMN + GAP;
-    int height = 6 * ROW + HEIGHT + 2 * GAP;
+    int height = 7 * ROW + HEIGHT + 2 * GAP;
     svg.append(HEAD.formatted(width, height, "The rooms and who uses whom"));
     for (Room room : rooms) {
       Place place = place(room.name());

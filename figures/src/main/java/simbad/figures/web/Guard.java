@@ -18,14 +18,22 @@ final class Guard {
   private static final Set<String> LOCAL_NAMES = Set.of("localhost", "127.0.0.1", "[::1]");
 
   private final Optional<String> token;
+  private final boolean localOnly;
 
-  private Guard(Optional<String> token) {
+  private Guard(Optional<String> token, boolean localOnly) {
     this.token = token;
+    this.localOnly = localOnly;
   }
 
   /** Returns the guard for an address, with a token of its own where one is needed. */
   static Guard of(InetAddress address) {
-    return new Guard(address.isLoopbackAddress() ? Optional.empty() : Optional.of(secret()));
+    boolean local = address.isLoopbackAddress();
+    return new Guard(local ? Optional.empty() : Optional.of(secret()), local);
+  }
+
+  /** Returns the guard of a page that does work for who asks: it always wants its token. */
+  static Guard withToken(InetAddress address) {
+    return new Guard(Optional.of(secret()), address.isLoopbackAddress());
   }
 
   private static String secret() {
@@ -48,7 +56,9 @@ final class Guard {
    */
   boolean admits(@Nullable String query, @Nullable String host, @Nullable String origin) {
     boolean own = origin == null || origin.equals("http://" + host);
-    return own && (token.isPresent() ? isToken("?" + query) : isLocal(String.valueOf(host)));
+    return own
+        && (token.isEmpty() || isToken("?" + query))
+        && (!localOnly || isLocal(String.valueOf(host)));
   }
 
   /** Takes the same time for every wrong one. */

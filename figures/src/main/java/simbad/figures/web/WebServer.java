@@ -14,17 +14,19 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
 
 /**
- * A web server that only shows: it answers GET and HEAD, and nothing that is sent to it changes
- * anything. At the loopback address it answers programs of this computer; at another address it
- * asks for a token. Requests that never end do not keep others from an answer. It says nothing on
- * the terminal.
+ * A web server that only shows: it answers GET and HEAD and, where it is opened with them,
+ * questions of some length; nothing that is sent to it changes anything. At the loopback address it
+ * answers programs of this computer; at another address it asks for a token. Requests that never
+ * end do not keep others from an answer. It says nothing on the terminal.
  */
 public final class WebServer implements AutoCloseable {
   private static final Set<HandlerType> SHOWING = Set.of(HandlerType.GET, HandlerType.HEAD);
+  private static final long MOST_QUESTION_BYTES = 65_536;
   private static final int FEWEST_THREADS = 2;
   private static final int THREAD_IDLE_MS = 10_000;
 
@@ -49,13 +51,42 @@ public final class WebServer implements AutoCloseable {
   public static WebServer open(
       InetSocketAddress address, String policy, Map<String, Supplier<Content>> answers)
       throws IOException {
-    Guard guard = Guard.of(address.getAddress());
+    return open(address, policy, answers, Map.of(), Guard.of(address.getAddress()));
+  }
+
+  /**
+   * Starts to answer, those with the token only, at the loopback address as well.
+   *
+   * @param address where; port 0 for any that is free
+   * @param policy the Content-Security-Policy of all answers
+   * @param answers by path, asked for at each request, from any thread
+   * @param questions by path: what is sent there by POST, {@value #MOST_QUESTION_BYTES} bytes at
+   *     most, is answered, from any thread
+   * @throws IOException if the address is taken or none of this computer's
+   */
+  public static WebServer openWithToken(
+      InetSocketAddress address,
+      String policy,
+      Map<String, Supplier<Content>> answers,
+      Map<String, Function<String, Content>> questions)
+      throws IOException {
+    return open(address, policy, answers, questions, Guard.withToken(address.getAddress()));
+  }
+
+  private static WebServer open(
+      InetSocketAddress address,
+      String policy,
+      Map<String, Supplier<Content>> answers,
+      Map<String, Function<String, Content>> questions,
+      Guard guard)
+      throws IOException {
     Javalin app =
         Javalin.create(
             config -> {
               listen(config, address);
-              config.routes.before(context -> admit(context, guard, policy));
+              config.routes.before(context -> admit(context, guard, policy, questions.keySet()));
               answers.forEach((path, content) -> serve(config, path, content));
+              questions.forEach((path, answer) -> ask(config, path, answer));
             });
     try {
       app.start();
@@ -79,6 +110,7 @@ public final class WebServer implements AutoCloseable {
     config.startup.showJavalinBanner = false;
     config.startup.showOldJavalinVersionWarning = false;
     config.startup.startupWatcherEnabled = false;
+    config.http.maxRequestSize = MOST_QUESTION_BYTES;
     config.http.compressionStrategy = CompressionStrategy.NONE;
     config.jetty.threadPool = threads();
     config.jetty.addConnector((server, defaults) -> Connections.at(address, server));
@@ -93,7 +125,7 @@ public final class WebServer implements AutoCloseable {
     return threads;
   }
 
-  private static void admit(Context context, Guard guard, String policy) {
+  private static void admit(Context context, Guard guard, String policy, Set<String> questions) {
     context
         .header(Header.CACHE_CONTROL, "no-store")
         .header(Header.X_CONTENT_TYPE_OPTIONS, "nosniff")
@@ -104,7 +136,8 @@ public final class WebServer implements AutoCloseable {
     if (!guard.admits(context.queryString(), context.header(Header.HOST), origin)) {
       throw new ForbiddenResponse("forbidden");
     }
-    if (!SHOWING.contains(context.method())) {
+    boolean asks = context.method().equals(HandlerType.POST) && questions.contains(context.path());
+    if (!asks && !SHOWING.contains(context.method())) {
       context.header(Header.ALLOW, "GET, HEAD");
       throw new MethodNotAllowedResponse("only GET");
     }
@@ -113,6 +146,10 @@ public final class WebServer implements AutoCloseable {
   private static void serve(JavalinConfig config, String path, Supplier<Content> content) {
     config.routes.get(path, context -> answer(context, content.get()));
     config.routes.head(path, context -> answer(context, content.get()));
+  }
+
+  private static void ask(JavalinConfig config, String path, Function<String, Content> questioned) {
+    config.routes.post(path, context -> answer(context, questioned.apply(context.body())));
   }
 
   private static void answer(Context context, Content content) {

@@ -1,0 +1,62 @@
+package simbad.studio;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
+import simbad.experiments.run.Circuit;
+import simbad.experiments.run.SensorKind;
+import simbad.obstacles.Catalogue;
+import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.frame.Point;
+import simbad.sonar.scene.SonarSpec;
+
+/** What there is to choose from, for the page. */
+final class CatalogueJson {
+  private static final ObjectMapper MAPPER = new ObjectMapper();
+
+  private CatalogueJson() {}
+
+  /**
+   * Returns obstacles with outlines and shadow edges in metres, and sensors with their figures.
+   *
+   * @throws DataFormatException if an obstacle of the user's own cannot be read
+   */
+  static String of(List<SensorKind> sensors) throws DataFormatException {
+    ObjectNode root = MAPPER.createObjectNode();
+    root.put("step_s", Circuit.STEP_S).put("most_steps", LiveWorld.MOST_STEPS);
+    root.put("most_frames", LiveWorld.MOST_FRAMES).put("sonars", SensorKind.SONARS);
+    ArrayNode obstacles = root.putArray("obstacles");
+    for (ObstacleType type : Catalogue.all()) {
+      add(obstacles.addObject(), type);
+    }
+    ArrayNode list = root.putArray("sensors");
+    sensors.forEach(sensor -> add(list.addObject(), sensor));
+    return root.toString();
+  }
+
+  private static void add(ObjectNode node, ObstacleType type) {
+    node.put("name", type.name());
+    node.put("provenance", type.thresholds().provenanceWord());
+    ArrayNode parts = node.putArray("parts");
+    type.parts().forEach(part -> add(parts.addArray(), part.corners()));
+    add(node.putArray("edge"), type.thresholds().table().points());
+  }
+
+  private static void add(ArrayNode to, List<Point> points) {
+    points.forEach(point -> to.addArray().add(round(point.xM())).add(round(point.zM())));
+  }
+
+  /** To a tenth of a millimetre. */
+  private static double round(double metres) {
+    return Math.rint(metres * 1e4) / 1e4;
+  }
+
+  private static void add(ObjectNode node, SensorKind sensor) {
+    SonarSpec sonar = Worlds.sonar(sensor);
+    node.put("name", sensor.word()).put("meaning", sensor.meaning());
+    node.put("half_angle_deg", Math.toDegrees(sonar.coneHalfAngleRad()));
+    node.put("diagnosed", sensor.model().isPresent());
+  }
+}

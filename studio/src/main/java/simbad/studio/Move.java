@@ -1,0 +1,29 @@
+package simbad.studio;
+
+import simbad.sonar.check.Checks;
+
+/**
+ * Something that a person moved while the world stood still before a step.
+ *
+ * @param step before which it is moved, at least 0
+ * @param thing what it is
+ * @param xM where its middle comes to stand, metres, at most {@value #FARTHEST_M} from 0
+ * @param zM the same along z
+ */
+record Move(int step, Thing thing, double xM, double zM) {
+  static final double FARTHEST_M = 20;
+
+  /** What can be moved. */
+  enum Thing {
+    ROBOT,
+    OBSTACLE
+  }
+
+  Move {
+    if (step < 0) {
+      throw new IllegalArgumentException("step = " + step + " is below 0");
+    }
+    Checks.finite("xM", xM);
+    Checks.finite("zM", zM);
+  }
+}

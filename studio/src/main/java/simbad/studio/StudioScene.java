@@ -1,0 +1,107 @@
+package simbad.studio;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import simbad.experiments.run.RunSettings;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.JsonInput;
+import simbad.sonar.frame.Point;
+
+/**
+ * What the page asks to see; the same scene is always the same world, step by step.
+ *
+ * @param obstacle name of the catalogue; it stands at the origin until it is moved
+ * @param sensor name as on the command line
+ * @param start of the robot, or the main experiment's own
+ * @param speedMPerS of the robot
+ * @param seed of all chance
+ * @param moves by hand, in the order of their steps
+ */
+record StudioScene(
+    String obstacle,
+    String sensor,
+    Optional<Point> start,
+    double speedMPerS,
+    long seed,
+    List<Move> moves) {
+  static final String FORMAT = "simbad-studio/1";
+  static final int MOST_MOVES = 200;
+
+  private static final Path NAME = Path.of("scene");
+
+  StudioScene {
+    moves = List.copyOf(moves);
+  }
+
+  /**
+   * Reads a question's scene.
+   *
+   * @param json an object of the format {@value #FORMAT}
+   * @throws DataFormatException naming the field that is wrong
+   */
+  static StudioScene of(JsonInput json) throws DataFormatException {
+    JsonInput format = json.field("format");
+    if (!format.isText(FORMAT)) {
+      throw format.isNot("\"" + FORMAT + "\"");
+    }
+    return new StudioScene(
+        json.text("obstacle"),
+        json.text("sensor"),
+        json.has("start") ? Optional.of(point(json.field("start"))) : Optional.empty(),
+        json.field("speed_m_per_s")
+            .number(
+                v -> v > 0 && v <= RunSettings.GREATEST_SPEED_M_PER_S,
+                "in (0, " + RunSettings.GREATEST_SPEED_M_PER_S + "]"),
+        json.field("seed").whole(),
+        moves(json));
+  }
+
+  /** Reads a question: JSON as the page sends it. */
+  static JsonInput question(String text) throws DataFormatException {
+    return JsonInput.parse(NAME, text);
+  }
+
+  private static List<Move> moves(JsonInput json) throws DataFormatException {
+    List<Move> moves = new ArrayList<>();
+    int before = 0;
+    for (JsonInput item : json.items("moves")) {
+      Move move = move(item);
+      if (move.step() < before || moves.size() == MOST_MOVES) {
+        throw item.fault("is out of order, or one of more than " + MOST_MOVES);
+      }
+      before = move.step();
+      moves.add(move);
+    }
+    return moves;
+  }
+
+  private static Move move(JsonInput item) throws DataFormatException {
+    Move.Thing thing = item.has("robot") ? Move.Thing.ROBOT : Move.Thing.OBSTACLE;
+    Point to = point(item.field(thing.name().toLowerCase(Locale.ROOT)));
+    return new Move(step(item.field("step")), thing, to.xM(), to.zM());
+  }
+
+  static int step(JsonInput field) throws DataFormatException {
+    return (int)
+        field.number(
+            v -> v >= 0 && v <= LiveWorld.MOST_STEPS && v == Math.rint(v),
+            "a whole number in [0, " + LiveWorld.MOST_STEPS + "]");
+  }
+
+  private static Point point(JsonInput pair) throws DataFormatException {
+    List<JsonInput> items = pair.items();
+    if (items.size() != 2) {
+      throw pair.isNot("[x, z]");
+    }
+    return new Point(coordinate(items.get(0)), coordinate(items.get(1)));
+  }
+
+  private static double coordinate(JsonInput item) throws DataFormatException {
+    return item.number(
+        v -> Math.abs(v) <= Move.FARTHEST_M,
+        "in [-" + Move.FARTHEST_M + ", " + Move.FARTHEST_M + "] m");
+  }
+}

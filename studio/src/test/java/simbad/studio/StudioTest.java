@@ -1,0 +1,151 @@
+package simbad.studio;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpRequest.BodyPublishers;
+import java.net.http.HttpResponse;
+import java.net.http.HttpResponse.BodyHandlers;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import simbad.experiments.run.SensorKind;
+
+/** The page as its readers and others meet it: over HTTP, and with mouse and keyboard. */
+class StudioTest {
+  private static final HttpClient CLIENT = HttpClient.newHttpClient();
+  private static final int HANGING = 200;
+
+  @SuppressWarnings("NullAway.Init")
+  private static Studio studio;
+
+  @BeforeAll
+  static void open() throws Exception {
+    studio =
+        Studio.open(
+            new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+            List.of(SensorKind.SHADOW, SensorKind.ORIGINAL, SensorKind.LEVEL));
+  }
+
+  @AfterAll
+  static void close() {
+    studio.close();
+  }
+
+  private static URI at(String path, String query) {
+    URI page = URI.create(studio.url());
+    return URI.create("http://localhost:" + page.getPort() + path + query);
+  }
+
+  private static String token() {
+    return "?" + URI.create(studio.url()).getQuery();
+  }
+
+  private static HttpResponse<String> get(URI address, String... headers) throws Exception {
+    HttpRequest.Builder request = HttpRequest.newBuilder(address);
+    if (headers.length > 0) {
+      request.headers(headers);
+    }
+    return CLIENT.send(request.build(), BodyHandlers.ofString());
+  }
+
+  @Test
+  void withoutItsTokenNothingIsAnswered() throws Exception {
+    assertEquals(200, get(at("/", token())).statusCode());
+    assertEquals(403, get(at("/", "")).statusCode());
+    assertEquals(403, get(at("/catalogue", "?token=0123")).statusCode());
+    assertEquals(403, get(at("/", token()), "Origin", "http://evil.example").statusCode());
+    assertEquals(404, get(at("/pom.xml", token())).statusCode());
+  }
+
+  @Test
+  void itsPolicyLetsNothingInFromElsewhere() throws Exception {
+    String policy =
+        get(at("/", token())).headers().firstValue("Content-Security-Policy").orElse("");
+
+    assertTrue(policy.contains("default-src 'none'"), policy);
+  }
+
+  @Test
+  void aBadQuestionIsAnsweredWithItsFault() throws Exception {
+    HttpRequest request =
+        HttpRequest.newBuilder(at("/frames", token()))
+            .POST(BodyPublishers.ofString("{\"scene\": 7}"))
+            .build();
+    HttpResponse<String> answer = CLIENT.send(request, BodyHandlers.ofString());
+
+    assertTrue(answer.body().contains("\"fault\""), answer.body());
+  }
+
+  /** Half a request each, and garbage. */
+  @Test
+  void itGoesOnServingWhileMostHang() throws Exception {
+    List<Socket> hanging = new ArrayList<>();
+    try {
+      for (int i = 0; i < HANGING; i++) {
+        Socket socket =
+            new Socket(InetAddress.getLoopbackAddress(), URI.create(studio.url()).getPort());
+        hanging.add(socket);
+        OutputStream out = socket.getOutputStream();
+        out.write((i % 2 == 0 ? "GET / HT" : "\u0000\u0001\r\n").getBytes(StandardCharsets.UTF_8));
+        out.flush();
+      }
+      assertEquals(200, get(at("/", token())).statusCode());
+    } finally {
+      for (Socket socket : hanging) {
+        socket.close();
+      }
+    }
+  }
+
+  @Test
+  void aVisitorPlaysScrubsAndDrags(@TempDir Path folder) throws Exception {
+    assumeTrue(Visitor.isThere(), "Chromium is not installed");
+    try (Visitor visitor = Visitor.at(studio.url(), folder)) {
+      visitor.await(
+          "document.getElementById('rows').children.length === 12 && worlds[0].frames.length > 50");
+      visitor.await("Number(document.getElementById('scrub').value) > 20");
+      visitor.click("#play");
+      visitor.await("document.getElementById('play').textContent === 'Play'");
+      visitor.look(
+          "document.getElementById('scrub').value = 5; document.getElementById('scrub').dispatchEvent(new Event('input'))");
+      visitor.await("document.getElementById('clock').textContent.includes('step 5')");
+      visitor.click("#step");
+      visitor.await("document.getElementById('clock').textContent.includes('step 6')");
+      // By hand: the robot goes where it is dragged, and the command line says so.
+      String place =
+          "(() => { const f = frameOf(worlds[0]), v = view($('plan0'), f), b = $('plan0').getBoundingClientRect();"
+              + " return JSON.stringify([b.x + v.x(f[0]), b.y + v.y(f[1])]); })()";
+      visitor.look("scrollTo(0, 0)");
+      String[] at = visitor.look(place).replaceAll("[\\[\\]]", "").split(",", -1);
+      visitor.drag(Double.parseDouble(at[0]), Double.parseDouble(at[1]), 60, -20);
+      visitor.await("scene.moves.length === 1 && scene.moves[0].step === 6");
+      visitor.await("document.getElementById('linenote').textContent.includes('moves by hand')");
+      visitor.look("$('plan0').focus()");
+      visitor.press("ArrowLeft", 37);
+      visitor.await("scene.moves.length === 1 && worlds[0].frames.length > 6");
+      // Two beside each other.
+      visitor.look(
+          "$('sensor1').value = 'original'; $('sensor1').dispatchEvent(new Event('change'))");
+      visitor.await("!document.getElementById('second').hidden && worlds[1].frames.length > 6");
+      visitor.await("document.getElementById('fault').textContent === ''");
+      for (int width : new int[] {390, 1280, 2560}) {
+        visitor.resize(width, 900, width == 1280);
+        visitor.await("document.documentElement.scrollWidth <= innerWidth");
+      }
+    }
+  }
+}

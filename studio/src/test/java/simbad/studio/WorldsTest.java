@@ -1,0 +1,141 @@
+package simbad.studio;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import simbad.experiments.control.EdgeFollower;
+import simbad.experiments.control.Tuning;
+import simbad.experiments.run.Circuit;
+import simbad.experiments.run.SensorKind;
+import simbad.experiments.run.Trace;
+import simbad.obstacles.Catalogue;
+import simbad.sonar.format.DataFormatException;
+
+/** Worlds as the page asks for them. */
+class WorldsTest {
+  private static final double SPEED = 0.5;
+  private final Worlds worlds =
+      new Worlds(List.of(SensorKind.SHADOW, SensorKind.ORIGINAL, SensorKind.LEVEL));
+
+  private static String question(String sensor, String more, int from, int count) {
+    return """
+        {"scene": {"format": "simbad-studio/1", "obstacle": "round", "sensor": "%s",
+          "speed_m_per_s": %s, "seed": 1, "moves": [%s]}, "from": %d, "count": %d}"""
+        .formatted(sensor, SPEED, more, from, count);
+  }
+
+  private JsonNode frames(String question) throws Exception {
+    return new ObjectMapper().readTree(worlds.frames(question)).path("frames");
+  }
+
+  /** What is shown is what {@code simbad run} does, step for step. */
+  @Test
+  void placesAreThoseOfTheRun() throws Exception {
+    Circuit circuit =
+        new Circuit(
+            Catalogue.find("round").orElseThrow(),
+            List.of(),
+            SensorKind.SHADOW,
+            Catalogue.srf04(),
+            SPEED,
+            Optional.empty(),
+            1);
+    Trace trace = circuit.drive(new EdgeFollower(Tuning.standard(SPEED, Circuit.STEP_S)));
+    JsonNode frames = frames(question("shadow", "", 1, 1000));
+
+    // A run notes where the robot is after each step, the page where it is before.
+    assertEquals(1000, frames.size());
+    for (int i = 0; i < frames.size(); i++) {
+      assertEquals(trace.xM(i), frames.get(i).get(0).asDouble(), 1e-4, "step " + i);
+      assertEquals(trace.zM(i), frames.get(i).get(1).asDouble(), 1e-4, "step " + i);
+    }
+  }
+
+  /** Asked for again, in parts, or after others, a scene is the same. */
+  @Test
+  void aSceneIsTheSameHoweverItIsAskedFor() throws Exception {
+    String whole = frames(question("shadow", "", 0, 60)).toString();
+    frames(question("original", "", 0, 10));
+    StringBuilder parts = new StringBuilder();
+    for (int from = 0; from < 60; from += 20) {
+      String part = frames(question("shadow", "", from, 20)).toString();
+      parts.append(from == 0 ? "[" : ",").append(part, 1, part.length() - 1);
+    }
+
+    assertEquals(whole, parts.append(']').toString());
+  }
+
+  @Test
+  void whatIsMovedByHandIsThereFromThatStepOn() throws Exception {
+    JsonNode frames =
+        frames(
+            question(
+                "shadow",
+                "{\"step\": 5, \"robot\": [1, 0.5]}, {\"step\": 8, \"obstacle\": [0.2, 0]}",
+                0,
+                20));
+
+    assertTrue(Math.abs(frames.get(4).get(0).asDouble() - 1) > 0.1, frames.get(4).toString());
+    assertEquals(1, frames.get(5).get(0).asDouble(), 1e-9);
+    assertEquals(0, frames.get(7).get(3).asDouble(), 1e-9);
+    assertEquals(0.2, frames.get(8).get(3).asDouble(), 1e-9);
+  }
+
+  /** Beyond the table's 2 m nothing is heard; the reasons say why, of each model its own. */
+  @Test
+  void reasonsAreThoseOfTheModel() throws Exception {
+    String far = "{\"step\": 0, \"robot\": [0, 2.4]}";
+    JsonNode byShadow = frames(question("shadow", far, 0, 1)).get(0);
+    JsonNode byOriginal = frames(question("original", far, 0, 1)).get(0);
+    JsonNode byLevel = frames(question("level", far, 0, 1)).get(0);
+
+    assertTrue(has(byShadow, Reasons.OUTSIDE_SHADOW), byShadow.toString());
+    assertTrue(has(byOriginal, Reasons.HEARD), byOriginal.toString());
+    boolean tooWeak = false;
+    for (int i = 17; i < byLevel.size(); i++) {
+      tooWeak |= byLevel.get(i).asInt() > Reasons.TOO_WEAK;
+    }
+    assertTrue(tooWeak, byLevel.toString());
+  }
+
+  private static boolean has(JsonNode frame, int reason) {
+    for (int i = 17; i < frame.size(); i++) {
+      if (frame.get(i).asInt() == reason) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "simbad-studio/1 | simbad-studio/9 | format",
+        "round | no-such-thing | obstacle",
+        "\"shadow\" | \"no-such-sensor\" | sensor",
+        "0.5, \"seed\" | -1, \"seed\" | speed_m_per_s",
+        "\"seed\": 1 | \"seed\": 1.5 | seed",
+        "\"moves\": [] | \"moves\": [{\"step\": -1, \"robot\": [0, 0]}] | step",
+        "\"moves\": [] | \"moves\": [{\"step\": 1, \"robot\": [0]}] | robot",
+        "\"moves\": [] | \"moves\": [{\"step\": 1, \"robot\": [0, 1e9]}] | robot",
+        "\"moves\": [] | \"moves\": [{\"step\": 3, \"robot\": [0, 0]}, {\"step\": 1, \"robot\": [0, 0]}] | out of order",
+        "\"count\": 5 | \"count\": 1e12 | count"
+      })
+  void aBadQuestionIsRefusedByItsField(String good, String bad, String named) {
+    String question = question("shadow", "", 0, 5).replace(good, bad);
+    String refusal =
+        String.valueOf(
+            assertThrows(DataFormatException.class, () -> worlds.frames(question)).getMessage());
+
+    assertTrue(refusal.contains(named), refusal);
+  }
+}
