@@ -156,6 +156,20 @@ public final class LevelForms {
   }
 
   /**
+   * Returns which of the distances of {@link #RECEIVER_M} comes before a distance; the first of
+   * them for what is nearer.
+   *
+   * @param distanceM metres
+   */
+  public static int receiverKnot(double distanceM) {
+    int knot = 0;
+    while (knot < RECEIVER_M.size() - 1 && distanceM > RECEIVER_M.get(knot + 1)) {
+      knot++;
+    }
+    return knot;
+  }
+
+  /**
    * Returns how much the departure at one of {@link #RECEIVER_M} counts at a distance.
    *
    * @param knot index among them

@@ -248,12 +248,8 @@ public final class Leeway {
   }
 
   private static int place(Trials.Trial trial) {
-    int knots = LevelForms.RECEIVER_M.size();
-    int knot = 0;
-    while (knot < knots - 1 && trial.nearestM() > LevelForms.RECEIVER_M.get(knot + 1)) {
-      knot++;
-    }
-    return trial.target() * knots + knot;
+    return trial.target() * LevelForms.RECEIVER_M.size()
+        + LevelForms.receiverKnot(trial.nearestM());
   }
 
   private static Pull pull(Predictor.Slope slope) {

@@ -47,12 +47,7 @@ final class PlaceError {
       nearest = nearer ? target : nearest;
     }
     double distance = geometry.nearestM(ping * obstacles + nearest);
-    int knot = 0;
-    while (knot < LevelForms.RECEIVER_M.size() - 1
-        && distance > LevelForms.RECEIVER_M.get(knot + 1)) {
-      knot++;
-    }
-    return nearest * LevelForms.RECEIVER_M.size() + knot;
+    return nearest * LevelForms.RECEIVER_M.size() + LevelForms.receiverKnot(distance);
   }
 
   /** Returns by how much levels are off, decibels. */
