@@ -497,7 +497,7 @@ tests_like_ci() {
   new_project
   mkdir -p "$work/include/gpsim"
   touch "$work/include/cmocka.h" "$work/include/gpsim/modules.h"
-  for tool in Xvfb xauth shellcheck chromium cppcheck git-secrets gpsim g++ make; do fake "$work/tools" "$tool" </dev/null; done
+  for tool in Xvfb xauth shellcheck chromium cppcheck git-secrets gpsim g++ make gcc clang avr-gcc simavr; do fake "$work/tools" "$tool" </dev/null; done
   touch "$work/jvm/jdk-17/lib/libawt_xawt.so"
   simbad test -- -pl sonar-model
   check "test: verify, with what follows --" calls 'mvn -B -ntp verify -T 2 .*-pl sonar-model'

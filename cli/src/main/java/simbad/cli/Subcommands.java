@@ -23,6 +23,7 @@ final class Subcommands {
         new DiagnoseCommand(),
         new PredictCommand(),
         new EffectsCommand(),
+        new ExportCommand(),
         new BlindCheckCommand(),
         new BatchCommand(),
         new BatchPlotCommand(),

@@ -59,7 +59,7 @@ record GuideRule(Way way, String subject, String reason) {
     String owner = test[0] + "." + test[1].split("\\.", 2)[0];
     String method = test[1].split("\\.", 2)[1];
     assertTrue(
-        Stream.of(Class.forName("simbad.experiments." + owner).getDeclaredMethods())
+        Stream.of(Class.forName("simbad." + owner).getDeclaredMethods())
             .filter(found -> found.getName().equals(method))
             .anyMatch(
                 found ->
