@@ -87,7 +87,8 @@ class HeaderUsersTest {
         Compilers.run(
             folder,
             lines(List.of(OBSTACLE), HeaderUsersTest::direction)
-                + lines(robots, HeaderUsersTest::direction),
+                + lines(robots, HeaderUsersTest::direction)
+                + "nan 0 1 0\n",
             "./user");
     List<String> printed = output.lines().filter(line -> !line.startsWith("sent")).toList();
     List<Double> sent =
@@ -97,7 +98,8 @@ class HeaderUsersTest {
             .map(HeaderUsersTest::range)
             .toList();
 
-    assertReadings(robots, sent);
+    assertEquals("none", printed.get(POSES), "no number is no place");
+    assertReadings(robots, sent.subList(0, POSES));
     for (int i = 0; i < POSES; i++) {
       double metres = sent.get(i);
       String line = metres < 0 ? "none" : String.format(Locale.ROOT, "%.4f", metres);
