@@ -26,10 +26,7 @@ final class RuleInMetres {
   RuleInMetres(ObstacleType type, SonarSpec sensor, Placement placement) {
     Obstacle obstacle =
         new Obstacle(
-            "post",
-            placement,
-            type.outline(),
-            new TableDetection(type.thresholds().table()));
+            "post", placement, type.outline(), new TableDetection(type.thresholds().table()));
     rule = DetectionRule.SHADOW.bind(sensor, new Scene(List.of(obstacle)), new SplittableRandom(1));
   }
 
