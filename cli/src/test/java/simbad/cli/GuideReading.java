@@ -87,22 +87,11 @@ final class GuideReading implements AutoCloseable {
           compile(piece.text());
         }
       }
-      case "c" -> runInC(piece.text());
+      case "c" -> compileC(piece.text());
       case "csv", "json" -> save(piece);
       case "xml" -> assertTrue(piece.text().contains("<version>" + version() + "</version>"));
       default -> takeLines(piece);
     }
-  }
-
-  /** A whole program: compiled as strictly as can be, and run. */
-  private void runInC(String program) throws Exception {
-    Shell said =
-        shell.bash(
-            "cat >program.c <<'END'\n"
-                + program
-                + "\nEND\ngcc -std=c99 -Wall -Wextra -Werror -pedantic program.c -o program -lm"
-                + "\n./program\n");
-    assertEquals(0, said.status(), said.out());
   }
 
   private static String version() throws IOException {
@@ -248,6 +237,14 @@ final class GuideReading implements AutoCloseable {
             .flatMap(line -> Stream.of(GuideShell.words(line)))
             .anyMatch(word -> !word.isEmpty() && name.startsWith(Path.of(word)));
     assertTrue(isUsed, page + ": no command that is run takes " + name);
+  }
+
+  /** With the headers that the page's commands wrote; it must run as well. */
+  private void compileC(String code) throws Exception {
+    Files.writeString(shell.folder().resolve("guide.c"), code);
+    String compiler = "gcc -std=c99 -Wall -Wextra -Werror -pedantic guide.c -lm -o guide 2>&1";
+    Shell said = shell.bash(compiler + " && ./guide\n");
+    assertEquals(0, said.status(), said.out());
   }
 
   private void compile(String code) throws IOException {

@@ -101,6 +101,7 @@ public final class SonarHeader {
         lines(2 * outline.size(), i -> number(i % 2 == 0 ? outline.xM(i / 2) : outline.zM(i / 2))));
     values.put("cone_sin_m", number(Math.sin(sensor.coneHalfAngleRad())));
     values.put("cone_cos_m", number(Math.cos(sensor.coneHalfAngleRad())));
+    values.put("cone_half_angle_rad", number(sensor.coneHalfAngleRad()));
     values.put("least_m", number(sensor.minRangeM()));
     values.put("most_m", number(sensor.maxRangeM()));
   }

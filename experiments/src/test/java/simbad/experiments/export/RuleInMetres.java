@@ -13,19 +13,20 @@ import simbad.sonar.sensing.Readings;
 import simbad.sonar.sensing.Sensor;
 import simbad.sonar.sensing.TransducerPoses;
 
-/** The one implementation of the rule of detection shadows, before an obstacle at the origin. */
+/** The one implementation of the rule of detection shadows, before one obstacle. */
 final class RuleInMetres {
   private final Sensor rule;
   private final TransducerPoses at = new TransducerPoses(1);
   private final Readings readings = new Readings(1);
 
   RuleInMetres(ObstacleType type, SonarSpec sensor) {
+    this(type, sensor, Placement.IDENTITY);
+  }
+
+  RuleInMetres(ObstacleType type, SonarSpec sensor, Placement placement) {
     Obstacle obstacle =
         new Obstacle(
-            "post",
-            Placement.IDENTITY,
-            type.outline(),
-            new TableDetection(type.thresholds().table()));
+            "post", placement, type.outline(), new TableDetection(type.thresholds().table()));
     rule = DetectionRule.SHADOW.bind(sensor, new Scene(List.of(obstacle)), new SplittableRandom(1));
   }
 
