@@ -23,6 +23,17 @@ final class Frame {
       new BasicStroke(
           6f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 4f, new float[] {0, 16, 6, 90}, 0f);
 
+  private static final String JOIN_ERROR = "sun.java2d.renderer.stroker.joinError";
+
+  static {
+    // Java 20 and later leave out the joins of a line's small turns, Java 17 draws them all. Drawn
+    // by all, a picture has the same bytes on each. Java reads this once, when it draws first; that
+    // is when a chart is laid out.
+    if (System.getProperty(JOIN_ERROR) == null) {
+      System.setProperty(JOIN_ERROR, "0");
+    }
+  }
+
   private Frame() {}
 
   static XYChart chart(Caption caption, int width, String xTitle, String yTitle) {

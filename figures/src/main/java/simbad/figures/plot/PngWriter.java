@@ -25,15 +25,6 @@ record PngWriter(int dpi) {
   private static final double POINTS_PER_INCH = 72;
   private static final double METRES_PER_INCH = 0.0254;
   private static final String FORMAT = "javax_imageio_png_1.0";
-  private static final String JOIN_ERROR = "sun.java2d.renderer.stroker.joinError";
-
-  static {
-    // Java 20 and later leave out the joins of a line's small turns, Java 17 draws them all. Drawn
-    // by all, a picture has the same bytes on each.
-    if (System.getProperty(JOIN_ERROR) == null) {
-      System.setProperty(JOIN_ERROR, "0");
-    }
-  }
 
   PngWriter {
     if (dpi < 1 || dpi > MOST_DPI) {
