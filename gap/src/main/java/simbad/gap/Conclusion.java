@@ -26,9 +26,6 @@ import simbad.sonar.effect.Form;
  * @param atBound values of the best set at the end of the search
  */
 record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
-  /** A gap that is so many times what the simulator expects of itself is no chance. */
-  static final double MANY_TIMES = 2;
-
   /** A place of the gap that is no chance. */
   static final double SURE_PLACE = 0.01;
 
@@ -70,8 +67,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
 
   /** A table is read off the bearings that a half of the log has, and leaves those of the other. */
   private static boolean leavesMuch(Weighed weighed) {
-    return !weighed.taken().hypothesis().hasTable()
-        && weighed.gain().afterM() > MANY_TIMES * weighed.gain().floorM();
+    return !weighed.taken().hypothesis().hasTable() && weighed.gain().leavesMuch();
   }
 
   private static String left(Gain gain) {
@@ -120,14 +116,13 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
   /** Why "none" cannot be said of what no effect explains; empty where it can. */
   private static String doubt(Weighed weighed, List<Place> where) {
     Gain gain = weighed.gain();
-    double floorCm = 100 * gain.floorM();
-    if (100 * gain.beforeM() > MANY_TIMES * floorCm) {
+    if (gain.leavesMuch()) {
       return String.format(
           Locale.ROOT,
           "no effect was found, but the gap is %.2f cm where the simulator expects %.2f cm from"
               + " scatter alone",
           100 * gain.beforeM(),
-          floorCm);
+          100 * gain.floorM());
     }
     if (!weighed.enlarging().isEmpty()) {
       return "what makes these readings likelier ("

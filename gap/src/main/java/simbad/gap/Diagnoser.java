@@ -25,6 +25,7 @@ import simbad.gap.explain.Blocks;
 import simbad.gap.explain.Budget;
 import simbad.gap.explain.Calibration;
 import simbad.gap.explain.Gain;
+import simbad.gap.explain.GapMeter;
 import simbad.gap.explain.ModelError;
 import simbad.gap.explain.Probabilities;
 import simbad.gap.explain.Scored;
@@ -169,15 +170,18 @@ public final class Diagnoser {
     Evidence evidence = inquiry.evidence;
     Calibration calibration = inquiry.calibration;
     Blocks blocks = new Blocks(evidence.log());
-    Weighed whole = inquiry.weighed;
-    double unknown =
-        Unknown.probability(evidence, calibration, whole.gain(), whole.taken().hypothesis());
+    Hypothesis best = inquiry.best();
+    Evidence open = calibration.opened(evidence, best);
+    Weighed whole = inquiry.weighed.beside(open, calibration.clumping());
+    double unknown = Unknown.probability(evidence, open, calibration, whole.gain(), best);
     double tieNats = TIE_NATS * calibration.clumping();
     List<Place> where = places(evidence, whole, blocks);
-    Conclusion first = Conclusion.of(whole, unknown, doubtful(inquiry, where), blocks, tieNats);
+    Conclusion first = Conclusion.of(whole, unknown, doubtful(whole, open, where), blocks, tieNats);
     Optional<Weighed> sure =
         first.verdict() == Verdict.UNEXPLAINED || isTied(first, whole)
-            ? whole.confirmed(evidence, inquiry.sets, inquiry.worthNats)
+            ? whole
+                .confirmed(evidence, inquiry.sets, inquiry.worthNats)
+                .map(part -> beside(calibration, evidence, part))
             : Optional.empty();
     double stated = first.verdict() == Verdict.UNEXPLAINED ? Unknown.besideARest(unknown) : unknown;
     return sure.map(
@@ -186,15 +190,18 @@ public final class Diagnoser {
         .orElse(new Told(whole, where, stated, first));
   }
 
+  private static Weighed beside(Calibration calibration, Evidence evidence, Weighed part) {
+    Evidence open = calibration.opened(evidence, part.taken().hypothesis());
+    return part.beside(open, calibration.clumping());
+  }
+
   /** Places that would make "none" doubtful: of those that the set-up leaves open none does. */
-  private static List<Place> doubtful(Inquiry inquiry, List<Place> where) {
-    if (!inquiry.weighed.taken().hypothesis().forms().isEmpty() || where.isEmpty()) {
+  private static List<Place> doubtful(Weighed weighed, Evidence open, List<Place> where) {
+    if (!weighed.taken().hypothesis().forms().isEmpty() || where.isEmpty()) {
       return where;
     }
-    Evidence settled = inquiry.calibration.settled(inquiry.evidence);
-    Blocks blocks = new Blocks(settled.log());
-    Gain gain = Gain.of(settled, blocks, Hypothesis.NONE);
-    return Places.find(settled, gain.before(), gain.after(), blocks);
+    GapMeter.Gaps gaps = new GapMeter(open).measure(open, Hypothesis.NONE);
+    return Places.find(open, gaps, gaps, new Blocks(open.log()));
   }
 
   /** Undecided between names, not for want of readings. */

@@ -6,6 +6,7 @@ import static simbad.blindworld.effect.Changes.isEcho;
 
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import simbad.blindworld.effect.Changes.Length;
 import simbad.blindworld.effect.Form.Drawn;
 import simbad.blindworld.world.Ping;
@@ -14,6 +15,11 @@ import simbad.blindworld.world.Ping;
 final class ArrivalForms {
 
   private static final double NEAREST_M = 0.05;
+
+  /** Air of 20 degrees. */
+  private static final double SOUND_M_PER_S = 343.2;
+
+  private static final double RANGES = 4;
 
   private ArrivalForms() {}
 
@@ -31,9 +37,23 @@ final class ArrivalForms {
         Form.anywhere("floor-echo", "from the mount", ArrivalForms::floorFromMount),
         Form.anywhere("floor-echo", "fixed", ArrivalForms::floorFixed),
         Form.anywhere("floor-echo", "two joints", ArrivalForms::floorJoints),
-        Form.anywhere("previous-ping", "second bounce", ArrivalForms::secondBounce),
-        Form.anywhere("previous-ping", "share", ArrivalForms::share),
-        Form.anywhere("previous-ping", "constant sum", ArrivalForms::constantSum));
+        stale("second bounce", ArrivalForms::secondBounce),
+        stale("share", ArrivalForms::share),
+        stale("constant sum", ArrivalForms::constantSum));
+  }
+
+  /** Where a ping's echoes can still be heard when the next one listens. */
+  private static Form stale(String label, Function<Circumstances, Drawn> draw) {
+    return new Form("previous-ping", label, ArrivalForms::isStillHeard, draw);
+  }
+
+  /**
+   * Half of the way that sound goes from ping to ping is at most four times the sensor's range:
+   * spreading takes 40 log10(4), that is 24 dB, and from there on no room answers.
+   */
+  private static boolean isStillHeard(Circumstances c) {
+    double wayM = SOUND_M_PER_S * c.recording().periodS() / 2;
+    return wayM <= RANGES * c.sensor().maxRangeM();
   }
 
   private static double reachM(Circumstances c) {

@@ -44,6 +44,7 @@ class EveryFormTest {
       if (c.severalSensors()
           && c.echoShare() > 0.15
           && recording.longestS() > 15
+          && Vocabulary.applies("previous-ping", c)
           && hearsTwoAtOnce()) {
         return;
       }
@@ -111,6 +112,26 @@ class EveryFormTest {
       most = Math.max(most, (double) differ / plain.length);
     }
     assertTrue(most > PLAIN_SHARE, form + ": " + most + " of the readings differ");
+  }
+
+  /** Sound goes 43 m there and back in a quarter of a second; no sonar here reaches 11 m. */
+  @Test
+  void previousPing_needsPingsThatFollowFast() {
+    boolean slow = false;
+    for (int seed = 0; seed < 60; seed++) {
+      SplittableRandom random = new SplittableRandom(seed);
+      Design design = Design.draw("bench", random);
+      Recording bench = design.record(scene, 200, random);
+      boolean applies =
+          Vocabulary.applies("previous-ping", new Circumstances(scene, bench, false, random, 1));
+      slow |= design.periodS() >= 0.25;
+      if (design.periodS() >= 0.25) {
+        assertTrue(!applies, "at " + design.periodS() + " s");
+      } else if (design.periodS() <= 0.05) {
+        assertTrue(applies, "at " + design.periodS() + " s");
+      }
+    }
+    assertTrue(slow, "no slow bench was drawn");
   }
 
   @Test

@@ -44,7 +44,7 @@ public final class Budget {
       rows[blocks.of(ping)]++;
     }
     add(gain.before().observedM(), Fold.ALL, sums[0]);
-    add(gain.after().expectedM(), Fold.ALL, floorSums);
+    add(gain.open().expectedM(), Fold.ALL, floorSums);
     if (sums.length > 1) {
       add(gain.after().observedM(), Fold.ALL, sums[sums.length - 1]);
     }

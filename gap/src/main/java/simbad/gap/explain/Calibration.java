@@ -179,7 +179,7 @@ public final class Calibration {
    *
    * @param evidence of the log
    */
-  public Evidence settled(Evidence evidence) {
+  private Evidence settled(Evidence evidence) {
     return leeway.map(open -> settled(open, evidence)).orElse(evidence);
   }
 
@@ -188,6 +188,21 @@ public final class Calibration {
     Leeway.Pulls pulls = Openness.pulls(geometry, Hypothesis.NONE, open);
     Leeway.Moved levels = moved(open, pulls, evidence, Hypothesis.NONE, geometry);
     return evidence.calibrated(new LevelShift(levels.shiftsDb()).and(evidence.calibration()));
+  }
+
+  /**
+   * Returns a log before a set-up that has moved to where log, reference and an explanation are
+   * most probable together. Under the level law only while nothing is explained: its levels move
+   * within the search already.
+   *
+   * @param evidence of the log
+   * @param explanation that stays as it is
+   */
+  public Evidence opened(Evidence evidence, Hypothesis explanation) {
+    if (leeway.isEmpty()) {
+      return loosened(evidence, explanation);
+    }
+    return explanation.forms().isEmpty() ? settled(evidence) : evidence;
   }
 
   /** Returns how far the reference leaves a level law open; none under the threshold rule. */
@@ -320,7 +335,7 @@ public final class Calibration {
    * @param explanation that stays as it is
    * @return the log before a set-up that is fitted to it and the reference together
    */
-  public Evidence loosened(Evidence evidence, Hypothesis explanation) {
+  Evidence loosened(Evidence evidence, Hypothesis explanation) {
     if (reference.isEmpty()) {
       return evidence;
     }

@@ -14,8 +14,17 @@ import simbad.gap.fit.Refit;
  *
  * @param before gap of each ping under the simulator as it is
  * @param after gap of each ping under the explanation
+ * @param open the same before a set-up that has moved as far as its reference leaves open: what it
+ *     is not known by shows there as scatter
+ * @param clumping by how much more sums vary than those of independent pings
  */
-public record Gain(GapMeter.Gaps before, GapMeter.Gaps after) {
+public record Gain(GapMeter.Gaps before, GapMeter.Gaps after, GapMeter.Gaps open, double clumping) {
+  /** A gap that is so many times what the simulator expects of itself is no matter of scatter. */
+  private static final double MANY_TIMES = 2;
+
+  /** What is as improbable is no chance. */
+  private static final double NO_CHANCE = 0.01;
+
   private static final int RESAMPLES = 1000;
   private static final int EVALUATIONS = 20;
 
@@ -29,6 +38,11 @@ public record Gain(GapMeter.Gaps before, GapMeter.Gaps after) {
   /** Half of a log may lack whole sides of an obstacle, which a table cannot know then. */
   private static final int TABLE_PARTS = 6;
 
+  /** Of a set-up that stays where it is. */
+  public Gain(GapMeter.Gaps before, GapMeter.Gaps after) {
+    this(before, after, after, 1);
+  }
+
   /** Measures. */
   public static Gain of(Evidence evidence, Blocks blocks, Hypothesis explanation) {
     GapMeter meter = new GapMeter(evidence);
@@ -36,22 +50,34 @@ public record Gain(GapMeter.Gaps before, GapMeter.Gaps after) {
     if (explanation.size() == 0) {
       return new Gain(before, before);
     }
-    double[] observed = new double[evidence.log().size()];
-    double[] expected = new double[observed.length];
+    GapMeter.Gaps after = GapMeter.Gaps.empty(evidence.log().size());
     int parts = explanation.hasTable() ? TABLE_PARTS : 2;
     for (int part = 0; part < parts; part++) {
       Fold left = blocks.part(part, parts);
       Hypothesis fitted =
           new Refit(evidence, ping -> !left.holds(ping)).of(explanation, EVALUATIONS);
       GapMeter.Gaps gaps = meter.measure(evidence, fitted);
-      for (int i = 0; i < observed.length; i++) {
+      for (int i = 0; i < evidence.log().size(); i++) {
         if (left.holds(i)) {
-          observed[i] = gaps.observedM()[i];
-          expected[i] = gaps.expectedM()[i];
+          after.take(gaps, i);
         }
       }
     }
-    return new Gain(before, new GapMeter.Gaps(observed, expected));
+    return new Gain(before, after);
+  }
+
+  /** Returns the same beside what is left before a set-up that has moved. */
+  Gain beside(GapMeter.Gaps moved, double moreClumping) {
+    return new Gain(before, after, moved, moreClumping);
+  }
+
+  /**
+   * Whether more is left, of what the set-up cannot take up, than twice the scatter, and more than
+   * chance adds to it.
+   */
+  public boolean leavesMuch() {
+    return mean(open.observedM()) > MANY_TIMES * mean(open.expectedM())
+        && open.chance(MANY_TIMES, clumping) < NO_CHANCE;
   }
 
   /** Returns the mean gap before, metres. */
@@ -64,9 +90,12 @@ public record Gain(GapMeter.Gaps before, GapMeter.Gaps after) {
     return mean(after.observedM());
   }
 
-  /** Returns the gap that a right model would leave, as the explanation itself expects, metres. */
+  /**
+   * Returns the gap that a right model would leave, as the explanation itself expects before a
+   * set-up that has moved, metres.
+   */
   public double floorM() {
-    return Math.min(afterM(), mean(after.expectedM()));
+    return Math.min(afterM(), mean(open.expectedM()));
   }
 
   private static double mean(double[] values) {

@@ -94,17 +94,18 @@ public final class Unknown {
    * Estimates the probability.
    *
    * @param evidence the log
+   * @param open the same before a set-up that has moved as far as its reference leaves open
    * @param calibration of the log
    * @param gain of the best set
    * @param best the best set of effects
    */
   public static double probability(
-      Evidence evidence, Calibration calibration, Gain gain, Hypothesis best) {
+      Evidence evidence, Evidence open, Calibration calibration, Gain gain, Hypothesis best) {
     Misfit misfit =
         calibration
             .leeway()
             .map(leeway -> Misfit.of(evidence, best, leeway))
-            .orElseGet(() -> Misfit.of(calibration.loosened(evidence, best), best));
+            .orElseGet(() -> Misfit.of(open, best));
     double[] vary = calibration.blocksVary();
     double off = misfit.top(TOP, vary[0], vary[1]);
     off /= calibration.misfitTimes(CHANCE, evidence.log().size());

@@ -79,6 +79,17 @@ public record Weighed(
             .anyMatch(set -> set.heldOut() > one.heldOut() - worthNats);
   }
 
+  /**
+   * Returns the same with a gain that knows what is left before a set-up which has moved.
+   *
+   * @param open the log before a set-up that has moved as far as its reference leaves open
+   * @param clumping by how much the readings hang together
+   */
+  public Weighed beside(Evidence open, double clumping) {
+    GapMeter.Gaps gaps = new GapMeter(open).measure(open, taken.hypothesis());
+    return new Weighed(probabilities, taken, gain.beside(gaps, clumping), enlarging);
+  }
+
   /** Returns what could stand in the place of an effect of the set that is concluded upon. */
   public List<Effect> inPlaceOf(Effect effect, double nats) {
     return probabilities.inPlaceOf(effect, taken, nats);
