@@ -14,6 +14,8 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -23,6 +25,7 @@ import simbad.figures.diagnosis.MotionReport;
 import simbad.gap.Diagnoser;
 import simbad.gap.audit.Audit;
 import simbad.gap.audit.AuditFinding;
+import simbad.gap.diagnosis.CorrectedScene;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.gap.diagnosis.Diagnosis;
@@ -33,6 +36,8 @@ import simbad.motion.format.MotionData;
 import simbad.motion.format.MotionFolder;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.SceneWriter;
+import simbad.sonar.format.TextFile;
 
 /** {@code simbad diagnose}: where simulation and reality part, why, how far the gap shrinks. */
 @Command(
@@ -54,7 +59,8 @@ import simbad.sonar.format.DataFormatException;
       "",
       "Example: simbad diagnose my-bench --out diagnoses",
       "Example: simbad diagnose data/gap/*/ --out diagnoses --json",
-      "Example: simbad diagnose my-bench --out audits --audit-only"
+      "Example: simbad diagnose my-bench --out audits --audit-only",
+      "Example: simbad diagnose my-bench --out diagnoses --corrected my-bench-scene.json"
     })
 final class DiagnoseCommand extends Subcommand {
   @Parameters(paramLabel = "DATASET", arity = "1..*", description = "Folders with a data set each.")
@@ -83,6 +89,14 @@ final class DiagnoseCommand extends Subcommand {
   private boolean auditOnly;
 
   @Option(
+      names = "--corrected",
+      paramLabel = "FILE",
+      description =
+          "Write the scene as it should have been: with what was named, as far as a scene can say"
+              + " it. Of one data set.")
+  private @Nullable Path corrected;
+
+  @Option(
       names = "--withhold",
       paramLabel = "EFFECT",
       completionCandidates = EffectWords.class,
@@ -93,11 +107,17 @@ final class DiagnoseCommand extends Subcommand {
 
   private final List<Path> diagnosed = new ArrayList<>();
 
+  /** What is said when all is done. */
+  private final List<String> notes = new ArrayList<>();
+
   @Override
   protected void run() throws Exception {
     Diagnoser diagnoser = new Diagnoser(seed, withheld());
     String version = BuildVersion.text();
     refuseTwins();
+    if (corrected != null && (folders.size() != 1 || auditOnly)) {
+      throw wrongUsage("--corrected: the scene of one data set is corrected, and after a fit");
+    }
     List<Callable<DataSetSummary>> tasks = new ArrayList<>();
     folders.forEach(folder -> tasks.add(() -> diagnose(folder, diagnoser, version)));
     ExecutorService threads =
@@ -116,6 +136,9 @@ final class DiagnoseCommand extends Subcommand {
   }
 
   private void sayWhatToOpen() {
+    if (!json) {
+      notes.forEach(out()::println);
+    }
     if (!json && diagnosed.size() == 1) {
       out().println("report: " + diagnosed.get(0).resolve(DiagnosisReport.PAGE));
     } else if (!json && !diagnosed.isEmpty()) {
@@ -171,13 +194,35 @@ final class DiagnoseCommand extends Subcommand {
       Diagnosis diagnosis = diagnoser.diagnose(data, audit);
       DiagnosisReport.write(staged.path(), folder, data, diagnosis, provenance);
       staged.publish();
+      if (corrected != null) {
+        correct(corrected, CorrectedScene.of(data.setup(), diagnosis));
+      }
       return new DiagnoseSummary(data.name(), diagnosis, target);
     }
+  }
+
+  private void correct(Path file, CorrectedScene scene) throws IOException {
+    TextFile.write(file, SceneWriter.text(scene.setup()));
+    String put = words(scene.corrected());
+    notes.add(file + ": " + (put.isEmpty() ? "the scene as it was" : "corrected by " + put));
+    if (!scene.elsewhere().isEmpty()) {
+      notes.add(
+          "no field of a scene says "
+              + words(scene.elsewhere())
+              + ": predict and drive with model.json");
+    }
+  }
+
+  private static String words(List<Effect> effects) {
+    return effects.stream().map(Effect::word).collect(Collectors.joining(", "));
   }
 
   private DataSetSummary diagnoseMotion(
       Path folder, DataSetFolder source, Path target, String version)
       throws IOException, DataFormatException {
+    if (corrected != null) {
+      throw wrongUsage("--corrected: " + folder + " is a motion folder, which has no scene");
+    }
     MotionData data = new MotionFolder(folder).read(source.name());
     try (StagedDirectory staged = StagedDirectory.beside(target)) {
       if (auditOnly) {

@@ -10,15 +10,19 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.ReadingRow;
 
 /** Diagnose and predict from the command line, on small data. */
 class DiagnoseCommandTest {
@@ -53,6 +57,47 @@ class DiagnoseCommandTest {
 
   private JsonNode diagnosis(String name) throws IOException {
     return new ObjectMapper().readTree(out.resolve(name).resolve("diagnosis.json").toFile());
+  }
+
+  /** Two echoes of five are lost: with that in the scene the same readings have no gap. */
+  @Test
+  void correctedScene_hasWhatWasNamed() throws IOException {
+    SplittableRandom random = new SplittableRandom(11);
+    List<ReadingRow> rows =
+        BenchData.rows(ROWS, 0).stream()
+            .map(row -> random.nextDouble() < 0.4 ? silent(row) : row)
+            .toList();
+    Path bench = BenchData.write(folder.resolve("lossy"), rows);
+    Path corrected = folder.resolve("corrected.json");
+    Shell shell = diagnose(bench, "--corrected", corrected);
+    assertEquals(0, shell.status(), shell.err());
+    assertTrue(shell.out().contains(corrected + ": corrected by dropout"), shell.out());
+    double missed =
+        new ObjectMapper().readTree(corrected.toFile()).at("/sensor/miss_rate").asDouble();
+    assertEquals(0.4, missed, 0.1);
+    Path mended = BenchData.write(folder.resolve("mended"), rows);
+    Files.copy(corrected, mended.resolve("scene.json"), StandardCopyOption.REPLACE_EXISTING);
+    assertTrue(diagnose(mended).out().startsWith("mended: none"), shell.out());
+  }
+
+  private static ReadingRow silent(ReadingRow row) {
+    return new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), NoEcho.NO_ECHO);
+  }
+
+  @Test
+  void whatNoSceneSays_isSaid() throws IOException {
+    Path corrected = folder.resolve("corrected.json");
+    Shell shell = diagnose(data("bench", 0.05), "--corrected", corrected);
+    assertEquals(0, shell.status(), shell.err());
+    assertTrue(shell.out().contains(corrected + ": the scene as it was"), shell.out());
+    assertTrue(shell.out().contains("no field of a scene says range-offset"), shell.out());
+  }
+
+  @Test
+  void correctedOfTwo_isRefused() throws IOException {
+    Shell shell = diagnose(data("a", 0), data("b", 0), "--corrected", folder.resolve("c.json"));
+    assertEquals(2, shell.status());
+    assertTrue(shell.err().contains("--corrected: the scene of one data set"), shell.err());
   }
 
   @Test

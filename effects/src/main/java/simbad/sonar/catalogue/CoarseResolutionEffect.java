@@ -5,6 +5,7 @@ import static simbad.sonar.effect.FittedValues.text;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.sonar.change.CoarseResolution;
@@ -61,6 +62,14 @@ public final class CoarseResolutionEffect implements Definition {
             Forms.find(effect(), "start", setup, log.sensors()).orElseThrow(),
             0,
             Math.max(0.02, 2 * setup.sensor().resolutionM())));
+  }
+
+  @Override
+  public Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
+    return form.with(values) instanceof CoarseResolution steps
+            && steps.reported() == CoarseResolution.Reported.START
+        ? Optional.of(stated.with(stated.sensor().withResolution(values[0])))
+        : Optional.empty();
   }
 
   @Override

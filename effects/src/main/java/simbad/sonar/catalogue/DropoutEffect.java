@@ -3,6 +3,7 @@ package simbad.sonar.catalogue;
 import static simbad.sonar.effect.FittedValues.text;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
@@ -16,9 +17,12 @@ import simbad.sonar.effect.Forms;
 import simbad.sonar.effect.Probe;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
 
 /** Echoes are missed, singly or in bursts, whatever the geometry. */
 public final class DropoutEffect implements Definition {
+  private static final String SINGLE = "single";
+
   @Override
   public Effect effect() {
     return Effect.DROPOUT;
@@ -39,7 +43,7 @@ public final class DropoutEffect implements Definition {
     return List.of(
         Form.of(
             effect(),
-            "single",
+            SINGLE,
             v -> new Dropout(v[0]),
             Parameter.of("share", 0, 0, 1, 0.05, 0.2, 0.5).asClosed()),
         Form.of(
@@ -54,7 +58,20 @@ public final class DropoutEffect implements Definition {
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
     return List.of(
-        Probe.alone(Forms.find(effect(), "single", setup, log.sensors()).orElseThrow(), 0, 0.05));
+        Probe.alone(Forms.find(effect(), SINGLE, setup, log.sensors()).orElseThrow(), 0, 0.05));
+  }
+
+  @Override
+  public Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
+    SonarSpec sensor = stated.sensor();
+    return form.name().equals(SINGLE)
+        ? Optional.of(
+            stated.with(
+                sensor.withScatter(
+                    sensor.rangeNoiseM(),
+                    1 - (1 - sensor.missRate()) * (1 - values[0]),
+                    sensor.edgeWidthM())))
+        : Optional.empty();
   }
 
   @Override

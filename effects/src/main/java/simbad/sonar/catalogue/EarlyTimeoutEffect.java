@@ -3,6 +3,7 @@ package simbad.sonar.catalogue;
 import static simbad.sonar.effect.FittedValues.text;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
@@ -16,9 +17,12 @@ import simbad.sonar.effect.Probe;
 import simbad.sonar.effect.Tries;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
 
 /** Far echoes are lost: the real time-out is shorter. */
 public final class EarlyTimeoutEffect implements Definition {
+  private static final String SHARP = "sharp";
+
   @Override
   public Effect effect() {
     return Effect.EARLY_TIMEOUT;
@@ -54,7 +58,7 @@ public final class EarlyTimeoutEffect implements Definition {
   }
 
   private Form sharp(Parameter start) {
-    return Form.of(effect(), "sharp", v -> new EarlyTimeout(v[0], 0), start);
+    return Form.of(effect(), SHARP, v -> new EarlyTimeout(v[0], 0), start);
   }
 
   private static Parameter start(SensingSetup setup) {
@@ -79,6 +83,14 @@ public final class EarlyTimeoutEffect implements Definition {
             .orElse(Double.POSITIVE_INFINITY);
     double practical = 0.75 * Math.min(setup.sensor().maxRangeM(), reach);
     return List.of(Probe.alone(sharp(start(setup)), 0, practical));
+  }
+
+  @Override
+  public Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
+    SonarSpec sensor = stated.sensor();
+    return form.name().equals(SHARP) && values[0] > sensor.minRangeM()
+        ? Optional.of(stated.with(sensor.withRange(sensor.minRangeM(), values[0])))
+        : Optional.empty();
   }
 
   @Override

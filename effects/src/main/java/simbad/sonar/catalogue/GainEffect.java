@@ -2,7 +2,9 @@ package simbad.sonar.catalogue;
 
 import static simbad.sonar.effect.FittedValues.text;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
@@ -15,7 +17,12 @@ import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.effect.Probe;
 import simbad.sonar.ping.PingLog;
+import simbad.sonar.ping.Scenes;
+import simbad.sonar.scene.Detection;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.TableDetection;
+import simbad.sonar.scene.UniformDetection;
+import simbad.sonar.shape.ThresholdTable;
 
 /** All thresholds shrink or grow in proportion. */
 public final class GainEffect implements Definition {
@@ -71,6 +78,32 @@ public final class GainEffect implements Definition {
   @Override
   public boolean isWithinDays(Form form, double... values) {
     return Math.abs(values[0] - form.neutral()[0]) < 0.3;
+  }
+
+  @Override
+  public Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
+    return form.with(values) instanceof Gain gain
+        ? Optional.of(
+            stated.with(
+                Scenes.detected(
+                    stated.scene(), Optional.empty(), heard -> scaled(heard, gain.factor()))))
+        : Optional.empty();
+  }
+
+  /** Strengths stay: under the level law a gain is one in decibels. */
+  private static Detection scaled(Detection heard, double factor) {
+    if (heard instanceof UniformDetection uniform) {
+      return new UniformDetection(scaled(uniform.rangeM(), factor));
+    }
+    return heard instanceof TableDetection table
+        ? new TableDetection(
+            ThresholdTable.of(
+                Arrays.stream(table.table().valuesM()).map(v -> scaled(v, factor)).toArray()))
+        : heard;
+  }
+
+  private static double scaled(double thresholdM, double factor) {
+    return Math.min(ThresholdTable.GREATEST_THRESHOLD_M, factor * thresholdM);
   }
 
   @Override

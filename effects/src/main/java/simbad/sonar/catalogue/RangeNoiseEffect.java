@@ -1,6 +1,7 @@
 package simbad.sonar.catalogue;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
@@ -15,9 +16,12 @@ import simbad.sonar.effect.LogDesign;
 import simbad.sonar.effect.Probe;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
 
 /** Ranges scatter more than believed. */
 public final class RangeNoiseEffect implements Definition {
+  private static final String CONSTANT = "constant";
+
   @Override
   public Effect effect() {
     return Effect.RANGE_NOISE;
@@ -38,7 +42,7 @@ public final class RangeNoiseEffect implements Definition {
     return List.of(
         Form.of(
             effect(),
-            "constant",
+            CONSTANT,
             v -> new RangeNoise(v[0], 0),
             Parameter.of("added_m", 0, 0, 0.5, 0.01, 0.03, 0.1)),
         Form.of(
@@ -59,13 +63,26 @@ public final class RangeNoiseEffect implements Definition {
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
     return List.of(
-        Probe.alone(Forms.find(effect(), "constant", setup, log.sensors()).orElseThrow(), 0, 0.01));
+        Probe.alone(Forms.find(effect(), CONSTANT, setup, log.sensors()).orElseThrow(), 0, 0.01));
   }
 
   /** What scatters from placement to placement alone is no noise. */
   @Override
   public boolean canShow(Form form, LogDesign log) {
     return log.isNoisier();
+  }
+
+  @Override
+  public Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
+    SonarSpec sensor = stated.sensor();
+    return form.name().equals(CONSTANT)
+        ? Optional.of(
+            stated.with(
+                sensor.withScatter(
+                    Math.hypot(sensor.rangeNoiseM(), values[0]),
+                    sensor.missRate(),
+                    sensor.edgeWidthM())))
+        : Optional.empty();
   }
 
   @Override

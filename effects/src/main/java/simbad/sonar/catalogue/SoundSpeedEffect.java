@@ -5,6 +5,7 @@ import static simbad.sonar.effect.FittedValues.text;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.DoubleStream;
 import simbad.definition.Effect;
@@ -123,13 +124,25 @@ public final class SoundSpeedEffect implements Definition {
   public String remedy(FittedValues values) {
     double speed = values.value("sound_speed_m_s");
     double assumed = values.sensor().assumedSoundSpeedMPerS();
-    if (speed < COLDEST_M_S || speed > HOTTEST_M_S) {
+    if (!isAir(speed)) {
       return text(
           "multiply readings by %.4g: that is a unit or a constant, not the air", speed / assumed);
     }
     return text(
         "compute with %.1f m/s (air of %.0f degrees), not %.1f",
         speed, (speed - FREEZING_M_S) / DEGREES_OF_AIR, assumed);
+  }
+
+  /** A wrong unit is no speed of sound: readings are to be mended then, not the scene. */
+  @Override
+  public Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
+    return isAir(values[0])
+        ? Optional.of(stated.with(stated.sensor().withSoundSpeed(values[0])))
+        : Optional.empty();
+  }
+
+  private static boolean isAir(double speed) {
+    return speed >= COLDEST_M_S && speed <= HOTTEST_M_S;
   }
 
   @Override

@@ -5,7 +5,9 @@ import static simbad.sonar.effect.FittedValues.text;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.definition.Trait;
@@ -16,8 +18,14 @@ import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Probe;
+import simbad.sonar.frame.Placement;
+import simbad.sonar.frame.Point;
 import simbad.sonar.ping.PingLog;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.UniformDetection;
+import simbad.sonar.shape.Outline;
 
 /** Something that is not in the scene answers from a fixed place. */
 public final class UnmodelledObjectEffect implements Definition {
@@ -29,6 +37,8 @@ public final class UnmodelledObjectEffect implements Definition {
   private static final Parameter SURE = Parameter.of("share", 0, 0.1, 1, 0.95).asClosed();
   private static final double AHEAD_M = 0.5;
   private static final int OBJECTS = 6;
+  private static final double LEAST_RADIUS_M = 0.005;
+  private static final int CORNERS = 16;
 
   @Override
   public Effect effect() {
@@ -107,6 +117,31 @@ public final class UnmodelledObjectEffect implements Definition {
       places.add(new double[] {x, z, 0, setup.sensor().maxRangeM(), 0, 90});
     }
     return List.of(new Probe(forms(setup, log.sensors()).get(2), 4, 0.5, places));
+  }
+
+  @Override
+  public Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
+    if (!(form.with(values) instanceof UnmodelledPost post)) {
+      return Optional.empty();
+    }
+    List<Obstacle> obstacles = new ArrayList<>(stated.scene().obstacles());
+    obstacles.add(obstacle(post));
+    return Optional.of(stated.with(new Scene(obstacles)));
+  }
+
+  /** Round, and heard from all sides. */
+  private static Obstacle obstacle(UnmodelledPost post) {
+    double radius = Math.max(LEAST_RADIUS_M, post.radiusM());
+    List<Point> corners =
+        IntStream.range(0, CORNERS)
+            .mapToObj(i -> 2 * Math.PI * i / CORNERS)
+            .map(angle -> new Point(radius * Math.cos(angle), -radius * Math.sin(angle)))
+            .toList();
+    return new Obstacle(
+        "found",
+        new Placement(post.xM(), post.zM(), 0),
+        Outline.of(corners),
+        new UniformDetection(radius + post.reachM()));
   }
 
   @Override

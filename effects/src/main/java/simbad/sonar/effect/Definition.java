@@ -1,10 +1,14 @@
 package simbad.sonar.effect;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import simbad.definition.Effect;
 import simbad.definition.Trait;
+import simbad.sonar.ping.Change;
 import simbad.sonar.ping.PingLog;
+import simbad.sonar.ping.SceneChange;
+import simbad.sonar.ping.SensorChange;
 import simbad.sonar.scene.SensingSetup;
 
 /**
@@ -70,6 +74,26 @@ public interface Definition {
 
   /** Returns what to do about it, in one sentence without a full stop. */
   String remedy(FittedValues values);
+
+  /**
+   * Returns the set-up as it should have been stated, so that the nominal model has in it what was
+   * fitted. By default what changes obstacles or the sensor is put into the scene, and anything
+   * else has no place there.
+   *
+   * @param stated the set-up as the simulator believes it
+   * @param form of this effect
+   * @param values that were fitted, in the units of files
+   * @return empty where a scene has no field that says it
+   */
+  default Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
+    Change change = form.with(values);
+    if (change instanceof SceneChange obstacles) {
+      return Optional.of(stated.with(obstacles.apply(stated.scene())));
+    }
+    return change instanceof SensorChange sensor
+        ? Optional.of(stated.with(sensor.apply(stated.sensor())))
+        : Optional.empty();
+  }
 
   /** Returns what the search has to know of it. */
   default Set<Trait> traits() {

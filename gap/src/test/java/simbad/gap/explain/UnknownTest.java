@@ -94,7 +94,7 @@ class UnknownTest {
       Hypothesis bursts =
           Worlds.effect(Effect.DROPOUT, "bursts", 0.3, i == 0 ? 11 : Burst.LONGEST_PINGS);
       Gain gain = Gain.of(evidence, blocks, bursts);
-      probability[i] = Unknown.probability(evidence, Calibration.none(), gain, bursts);
+      probability[i] = Unknown.probability(evidence, evidence, Calibration.none(), gain, bursts);
     }
     assertTrue(probability[0] < 0.5 && probability[1] > 0.5, () -> Arrays.toString(probability));
   }

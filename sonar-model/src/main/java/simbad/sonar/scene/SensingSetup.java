@@ -22,9 +22,19 @@ public record SensingSetup(SonarSpec sensor, Scene scene, double noEchoM, SetupD
     this(sensor, scene, noEchoM, SetupDetails.NONE);
   }
 
+  /** Returns the same set-up with another sensor. */
+  public SensingSetup with(SonarSpec other) {
+    return new SensingSetup(other, scene, noEchoM, details);
+  }
+
+  /** Returns the same set-up with other obstacles. */
+  public SensingSetup with(Scene other) {
+    return new SensingSetup(sensor, other, noEchoM, details);
+  }
+
   /** Returns the same set-up, believed to hear by a law. */
   public SensingSetup under(SensorLaw.Model model) {
     SensorLaw law = new SensorLaw(Optional.of(model), sensor.law().level());
-    return new SensingSetup(sensor.withLaw(law), scene, noEchoM, details);
+    return with(sensor.withLaw(law));
   }
 }

@@ -171,6 +171,40 @@ public record SonarSpec(
         law);
   }
 
+  /** Returns the same sensor that computes with another speed of sound, metres per second. */
+  public SonarSpec withSoundSpeed(double metresPerSecond) {
+    return new SonarSpec(
+        name,
+        coneHalfAngleRad,
+        minRangeM,
+        maxRangeM,
+        mountHeightM,
+        metresPerSecond,
+        resolutionM,
+        rangeNoiseM,
+        missRate,
+        edgeWidthM,
+        updatePeriodS,
+        law);
+  }
+
+  /** Returns the same sensor with another step of the ranges reported, metres; 0 for none. */
+  public SonarSpec withResolution(double stepM) {
+    return new SonarSpec(
+        name,
+        coneHalfAngleRad,
+        minRangeM,
+        maxRangeM,
+        mountHeightM,
+        assumedSoundSpeedMPerS,
+        stepM,
+        rangeNoiseM,
+        missRate,
+        edgeWidthM,
+        updatePeriodS,
+        law);
+  }
+
   private static void require(boolean holds, String field, double value, String permitted) {
     if (!holds) {
       throw new IllegalArgumentException(field + " = " + value + " is not in " + permitted);
