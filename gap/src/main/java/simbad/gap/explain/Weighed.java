@@ -12,8 +12,8 @@ import simbad.sonar.effect.Definitions;
 
 /**
  * Sets of effects weighed against each other. A set that makes the gap of rows larger that it was
- * not fitted on explains nothing, however much likelier it makes them: the next one takes its
- * place.
+ * not fitted on explains nothing, however much likelier it makes them, nor does one that leaves the
+ * gap as it was: the next one takes its place.
  *
  * @param probabilities of the sets that are left
  * @param taken the set that is concluded upon: the most probable one, or what of it is sure
@@ -62,11 +62,13 @@ public record Weighed(
         continue;
       }
       Gain gain = Gain.of(evidence, blocks, best.hypothesis());
-      if (gain.afterM() <= gain.beforeM()) {
+      if (best.hypothesis().forms().isEmpty() || gain.isWorthNaming()) {
         return new Weighed(probabilities, best, gain, enlarging);
       }
       left.remove(best);
-      enlarging.add(best);
+      if (gain.afterM() > gain.beforeM()) {
+        enlarging.add(best);
+      }
     }
   }
 
@@ -86,8 +88,8 @@ public record Weighed(
    * @param clumping by how much the readings hang together
    */
   public Weighed beside(Evidence open, double clumping) {
-    GapMeter.Gaps gaps = new GapMeter(open).measure(open, taken.hypothesis());
-    return new Weighed(probabilities, taken, gain.beside(gaps, clumping), enlarging);
+    return new Weighed(
+        probabilities, taken, gain.beside(gainOf(open, taken).after(), clumping), enlarging);
   }
 
   /** Returns what could stand in the place of an effect of the set that is concluded upon. */
@@ -97,7 +99,7 @@ public record Weighed(
 
   /**
    * Returns what is sure beside a rest that no effect explains, with its own gain; empty if nothing
-   * is, or if it makes the gap larger.
+   * is, or if it leaves the gap as it was.
    *
    * @param evidence the log
    * @param sets that were fitted
@@ -107,7 +109,7 @@ public record Weighed(
     return new Confirmed(sets, SOAK_UP, worthNats, new Placements(evidence.log()).areRepeated())
         .best()
         .map(sure -> new Weighed(probabilities, sure, gainOf(evidence, sure), enlarging))
-        .filter(sure -> sure.gain.afterM() < sure.gain.beforeM());
+        .filter(sure -> sure.gain.isWorthNaming());
   }
 
   private static Gain gainOf(Evidence evidence, Scored set) {

@@ -46,6 +46,23 @@ class WeighedTest {
     assertEquals(weighed.gain().beforeM(), weighed.gain().afterM());
   }
 
+  /**
+   * Where nothing is shifted an offset of nothing takes nothing away, said to be however likely.
+   */
+  @Test
+  void setThatLeavesTheGapAsItIs_isNotTaken() {
+    Weighed weighed = weighed(shifted(0, 0), new Scored(offset(0), 500, 500));
+    assertEquals(Hypothesis.NONE, weighed.taken().hypothesis());
+  }
+
+  @Test
+  void worthNaming_isAHundredthOfTheGap() {
+    GapMeter.Gaps before = new GapMeter.Gaps(new double[] {1}, new double[1], new double[1]);
+    GapMeter.Gaps less = new GapMeter.Gaps(new double[] {0.991}, new double[1], new double[1]);
+    GapMeter.Gaps worth = new GapMeter.Gaps(new double[] {0.989}, new double[1], new double[1]);
+    assertTrue(!new Gain(before, less).isWorthNaming() && new Gain(before, worth).isWorthNaming());
+  }
+
   @Test
   void setThatShrinksTheGap_isTaken() {
     Scored set = new Scored(offset(0.1), 500, 500);
