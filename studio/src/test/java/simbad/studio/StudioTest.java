@@ -28,6 +28,7 @@ import simbad.experiments.run.SensorKind;
 class StudioTest {
   private static final HttpClient CLIENT = HttpClient.newHttpClient();
   private static final int HANGING = 200;
+  private static final int FAR = 3000;
 
   @SuppressWarnings("NullAway.Init")
   private static Studio studio;
@@ -125,6 +126,19 @@ class StudioTest {
       visitor.await("document.getElementById('clock').textContent.includes('step 5')");
       visitor.click("#step");
       visitor.await("document.getElementById('clock').textContent.includes('step 6')");
+      // The bar's end stands still, and all that a legend names is there.
+      visitor.await("$('scrub').max === String(endStep()) && worlds[0].frames.length < endStep()");
+      visitor.look("go(" + FAR + ")");
+      visitor.await("$('scrub').value === '" + FAR + "'");
+      visitor.await("Math.floor(now) === " + FAR + " && $('scrub').max === String(endStep())");
+      visitor.look("go(6)");
+      visitor.await("!$('ringed').hidden && $('limit').hidden");
+      visitor.look("$('near').value = 'obstacle'; $('near').dispatchEvent(new Event('change'))");
+      visitor.await("$('ringed').hidden");
+      visitor.look("$('near').value = ''; $('near').dispatchEvent(new Event('change'))");
+      // The table of the sonars is on a laptop's first screen.
+      visitor.resize(1280, 800, false);
+      visitor.await("scrollTo(0, 0), $('rows').getBoundingClientRect().bottom <= innerHeight");
       // By hand: the robot goes where it is dragged, and the command line says so.
       String place =
           "(() => { const f = frameOf(worlds[0]), v = view($('plan0'), f), b = $('plan0').getBoundingClientRect();"
@@ -137,14 +151,20 @@ class StudioTest {
       visitor.look("$('plan0').focus()");
       visitor.press("ArrowLeft", 37);
       visitor.await("scene.moves.length === 1 && worlds[0].frames.length > 6");
+      visitor.press("[", 219);
+      visitor.await("scene.moves.some(m => m.turn_deg === 5) && worlds[0].frames.length > 6");
       // Two beside each other.
       visitor.look(
           "$('sensor1').value = 'original'; $('sensor1').dispatchEvent(new Event('change'))");
       visitor.await("!document.getElementById('second').hidden && worlds[1].frames.length > 6");
+      visitor.await("!$('limit').hidden");
       visitor.await("document.getElementById('fault').textContent === ''");
       for (int width : new int[] {390, 1280, 2560}) {
         visitor.resize(width, 900, width == 1280);
         visitor.await("document.documentElement.scrollWidth <= innerWidth");
+        // No reason is broken over two lines.
+        visitor.await(
+            "[...$('rows').rows].every(r => r.getBoundingClientRect().height < 2.2 * parseFloat(getComputedStyle(r).fontSize))");
       }
     }
   }
