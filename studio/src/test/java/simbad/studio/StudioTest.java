@@ -91,6 +91,42 @@ class StudioTest {
     assertTrue(answer.body().contains("\"fault\""), answer.body());
   }
 
+  /** A page elsewhere whose name was made to point here has another Host. */
+  @Test
+  void anotherHostsNameIsRefused() throws Exception {
+    int port = URI.create(studio.url()).getPort();
+    try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+      String request =
+          "GET /"
+              + token()
+              + " HTTP/1.1\r\nHost: evil.example:"
+              + port
+              + "\r\nConnection: close\r\n\r\n";
+      socket.getOutputStream().write(request.getBytes(StandardCharsets.UTF_8));
+      String answer = new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      assertTrue(answer.startsWith("HTTP/1.1 403"), answer);
+    }
+  }
+
+  /**
+   * Questions that are too long, or nested without end, or no text: each is refused, none hurts.
+   */
+  @Test
+  void aFloodOfBadQuestionsIsRefused() throws Exception {
+    List<String> bad = List.of("x".repeat(100_000), "[".repeat(60_000), "\u0000", "");
+    for (int i = 0; i < HANGING; i++) {
+      HttpRequest request =
+          HttpRequest.newBuilder(at("/frames", token()))
+              .POST(BodyPublishers.ofString(bad.get(i % bad.size())))
+              .build();
+      HttpResponse<String> answer = CLIENT.send(request, BodyHandlers.ofString());
+      boolean tooLong = i % bad.size() == 0;
+      assertEquals(tooLong ? 413 : 200, answer.statusCode(), answer.body());
+      assertTrue(tooLong || answer.body().contains("\"fault\""), answer.body());
+    }
+    assertEquals(200, get(at("/", token())).statusCode());
+  }
+
   /** Half a request each, and garbage. */
   @Test
   void itGoesOnServingWhileMostHang() throws Exception {
@@ -139,6 +175,16 @@ class StudioTest {
       // The table of the sonars is on a laptop's first screen.
       visitor.resize(1280, 800, false);
       visitor.await("scrollTo(0, 0), $('rows').getBoundingClientRect().bottom <= innerHeight");
+      // The picture as SVG is XML, and has all that is drawn.
+      visitor.await(
+          "(x => !x.querySelector('parsererror') && x.querySelectorAll('path').length > 20)"
+              + "(new DOMParser().parseFromString(svgOf(0), 'image/svg+xml'))");
+      // Markup in a file that is opened stays text.
+      visitor.look(
+          "try { opened(JSON.stringify({format: FORMAT, moves: [], obstacle: '<img src=x>'})); } catch (e) { fault(e.message); }");
+      visitor.await(
+          "$('fault').textContent.includes('<img src=x>') && !document.querySelector('img')");
+      visitor.look("fault('')");
       // By hand: the robot goes where it is dragged, and the command line says so.
       String place =
           "(() => { const f = frameOf(worlds[0]), v = view($('plan0'), f), b = $('plan0').getBoundingClientRect();"
