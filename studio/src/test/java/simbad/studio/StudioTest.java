@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import com.deque.html.axecore.selenium.AxeBuilder;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -18,6 +20,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -148,6 +151,16 @@ class StudioTest {
     }
   }
 
+  /** What axe-core, an accessibility checker, finds wrong. */
+  private static String violations(Visitor visitor) throws Exception {
+    try (InputStream in =
+        Objects.requireNonNull(AxeBuilder.class.getResourceAsStream("/axe.min.js"))) {
+      visitor.look(new String(in.readAllBytes(), StandardCharsets.UTF_8) + ";1");
+    }
+    return visitor.look(
+        "axe.run().then(r => JSON.stringify(r.violations.map(v => v.id + ' ' + v.nodes.map(n => n.html))))");
+  }
+
   @Test
   void aVisitorPlaysScrubsAndDrags(@TempDir Path folder) throws Exception {
     assumeTrue(Visitor.isThere(), "Chromium is not installed");
@@ -208,6 +221,7 @@ class StudioTest {
       for (int width : new int[] {390, 1280, 2560}) {
         visitor.resize(width, 900, width == 1280);
         visitor.await("document.documentElement.scrollWidth <= innerWidth");
+        assertEquals("[]", violations(visitor));
         // No reason is broken over two lines.
         visitor.await(
             "[...$('rows').rows].every(r => r.getBoundingClientRect().height < 2.2 * parseFloat(getComputedStyle(r).fontSize))");
