@@ -11,6 +11,7 @@ import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.frame.Point;
 import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.shape.Outline;
 
 /** What there is to choose from, for the page. */
 final class CatalogueJson {
@@ -42,6 +43,17 @@ final class CatalogueJson {
     ArrayNode parts = node.putArray("parts");
     type.parts().forEach(part -> add(parts.addArray(), part.corners()));
     add(node.putArray("edge"), type.thresholds().table().points());
+    add(node.putArray("original_edge"), OriginalEdge.of(type.outline()));
+    node.put("round_m", roundM(type));
+  }
+
+  /** The way once round the edge: how long the page's time is. */
+  private static double roundM(ObstacleType type) {
+    double edgeM =
+        type.thresholds().table().greatestM() > 0
+            ? Outline.of(type.thresholds().table().points()).perimeterM()
+            : 0;
+    return Math.max(edgeM, Outline.of(OriginalEdge.of(type.outline())).perimeterM());
   }
 
   private static void add(ArrayNode to, List<Point> points) {
@@ -56,7 +68,9 @@ final class CatalogueJson {
   private static void add(ObjectNode node, SensorKind sensor) {
     SonarSpec sonar = Worlds.sonar(sensor);
     node.put("name", sensor.word()).put("meaning", sensor.meaning());
-    node.put("half_angle_deg", Math.toDegrees(sonar.coneHalfAngleRad()));
+    node.put(
+        "half_angle_deg",
+        sensor.equals(SensorKind.RAY) ? 0 : Math.toDegrees(sonar.coneHalfAngleRad()));
     node.put("diagnosed", sensor.model().isPresent());
   }
 }

@@ -97,22 +97,24 @@ final class LiveWorld {
     }
     Placement at = obstacle.worldFromObstacle();
     obstacle.translateTo(new Vector3d(move.xM() - at.xM(), 0, move.zM() - at.zM()));
+    obstacle.rotateY(move.turnRad() - at.turnRad());
     reasons.obstacleAt(obstacle.worldFromObstacle());
   }
 
-  /** x, z, heading, the obstacle's x and z, ranges in mm or -1, reasons. */
+  /** x, z, heading, the obstacle's x, z and turn, ranges in mm or -1, reasons. */
   private String frame(Pose pose) {
     Placement at = obstacle.worldFromObstacle();
     StringBuilder text = new StringBuilder(160);
     text.append(
         String.format(
             Locale.ROOT,
-            "[%.4f,%.4f,%.4f,%.3f,%.3f",
+            "[%.4f,%.4f,%.4f,%.3f,%.3f,%.4f",
             pose.position().xM(),
             pose.position().zM(),
             pose.heading().radians(),
             at.xM(),
-            at.zM()));
+            at.zM(),
+            at.turnRad()));
     Readings readings = belt.getReadings();
     for (int i = 0; i < readings.size(); i++) {
       text.append(',').append(readings.isEcho(i) ? Math.round(1000 * readings.rangeM(i)) : -1);

@@ -9,8 +9,10 @@ import simbad.sonar.check.Checks;
  * @param thing what it is
  * @param xM where its middle comes to stand, metres, at most {@value #FARTHEST_M} from 0
  * @param zM the same along z
+ * @param turnRad how an obstacle is turned then, counter-clockwise as seen from above; 0 for a
+ *     robot
  */
-record Move(int step, Thing thing, double xM, double zM) {
+record Move(int step, Thing thing, double xM, double zM, double turnRad) {
   static final double FARTHEST_M = 20;
 
   /** What can be moved. */
@@ -25,5 +27,6 @@ record Move(int step, Thing thing, double xM, double zM) {
     }
     Checks.finite("xM", xM);
     Checks.finite("zM", zM);
+    Checks.finite("turnRad", turnRad);
   }
 }

@@ -81,7 +81,19 @@ record StudioScene(
   private static Move move(JsonInput item) throws DataFormatException {
     Move.Thing thing = item.has("robot") ? Move.Thing.ROBOT : Move.Thing.OBSTACLE;
     Point to = point(item.field(thing.name().toLowerCase(Locale.ROOT)));
-    return new Move(step(item.field("step")), thing, to.xM(), to.zM());
+    return new Move(step(item.field("step")), thing, to.xM(), to.zM(), turnRad(item));
+  }
+
+  /** Files from before obstacles could be turned lack it. */
+  private static double turnRad(JsonInput item) throws DataFormatException {
+    if (!item.has("turn_deg")) {
+      return 0;
+    }
+    JsonInput turn = item.field("turn_deg");
+    if (item.has("robot")) {
+      throw turn.fault("is of obstacles only");
+    }
+    return Math.toRadians(turn.number(v -> Math.abs(v) <= 360, "in [-360, 360]"));
   }
 
   static int step(JsonInput field) throws DataFormatException {

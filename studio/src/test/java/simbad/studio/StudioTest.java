@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import com.deque.html.axecore.selenium.AxeBuilder;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -18,6 +20,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -28,6 +31,7 @@ import simbad.experiments.run.SensorKind;
 class StudioTest {
   private static final HttpClient CLIENT = HttpClient.newHttpClient();
   private static final int HANGING = 200;
+  private static final int FAR = 3000;
 
   @SuppressWarnings("NullAway.Init")
   private static Studio studio;
@@ -90,6 +94,42 @@ class StudioTest {
     assertTrue(answer.body().contains("\"fault\""), answer.body());
   }
 
+  /** A page elsewhere whose name was made to point here has another Host. */
+  @Test
+  void anotherHostsNameIsRefused() throws Exception {
+    int port = URI.create(studio.url()).getPort();
+    try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+      String request =
+          "GET /"
+              + token()
+              + " HTTP/1.1\r\nHost: evil.example:"
+              + port
+              + "\r\nConnection: close\r\n\r\n";
+      socket.getOutputStream().write(request.getBytes(StandardCharsets.UTF_8));
+      String answer = new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      assertTrue(answer.startsWith("HTTP/1.1 403"), answer);
+    }
+  }
+
+  /**
+   * Questions that are too long, or nested without end, or no text: each is refused, none hurts.
+   */
+  @Test
+  void aFloodOfBadQuestionsIsRefused() throws Exception {
+    List<String> bad = List.of("x".repeat(100_000), "[".repeat(60_000), "\u0000", "");
+    for (int i = 0; i < HANGING; i++) {
+      HttpRequest request =
+          HttpRequest.newBuilder(at("/frames", token()))
+              .POST(BodyPublishers.ofString(bad.get(i % bad.size())))
+              .build();
+      HttpResponse<String> answer = CLIENT.send(request, BodyHandlers.ofString());
+      boolean tooLong = i % bad.size() == 0;
+      assertEquals(tooLong ? 413 : 200, answer.statusCode(), answer.body());
+      assertTrue(tooLong || answer.body().contains("\"fault\""), answer.body());
+    }
+    assertEquals(200, get(at("/", token())).statusCode());
+  }
+
   /** Half a request each, and garbage. */
   @Test
   void itGoesOnServingWhileMostHang() throws Exception {
@@ -111,6 +151,16 @@ class StudioTest {
     }
   }
 
+  /** What axe-core, an accessibility checker, finds wrong. */
+  private static String violations(Visitor visitor) throws Exception {
+    try (InputStream in =
+        Objects.requireNonNull(AxeBuilder.class.getResourceAsStream("/axe.min.js"))) {
+      visitor.look(new String(in.readAllBytes(), StandardCharsets.UTF_8) + ";1");
+    }
+    return visitor.look(
+        "axe.run().then(r => JSON.stringify(r.violations.map(v => v.id + ' ' + v.nodes.map(n => n.html))))");
+  }
+
   @Test
   void aVisitorPlaysScrubsAndDrags(@TempDir Path folder) throws Exception {
     assumeTrue(Visitor.isThere(), "Chromium is not installed");
@@ -125,6 +175,29 @@ class StudioTest {
       visitor.await("document.getElementById('clock').textContent.includes('step 5')");
       visitor.click("#step");
       visitor.await("document.getElementById('clock').textContent.includes('step 6')");
+      // The bar's end stands still, and all that a legend names is there.
+      visitor.await("$('scrub').max === String(endStep()) && worlds[0].frames.length < endStep()");
+      visitor.look("go(" + FAR + ")");
+      visitor.await("$('scrub').value === '" + FAR + "'");
+      visitor.await("Math.floor(now) === " + FAR + " && $('scrub').max === String(endStep())");
+      visitor.look("go(6)");
+      visitor.await("!$('ringed').hidden && $('limit').hidden");
+      visitor.look("$('near').value = 'obstacle'; $('near').dispatchEvent(new Event('change'))");
+      visitor.await("$('ringed').hidden");
+      visitor.look("$('near').value = ''; $('near').dispatchEvent(new Event('change'))");
+      // The table of the sonars is on a laptop's first screen.
+      visitor.resize(1280, 800, false);
+      visitor.await("scrollTo(0, 0), $('rows').getBoundingClientRect().bottom <= innerHeight");
+      // The picture as SVG is XML, and has all that is drawn.
+      visitor.await(
+          "(x => !x.querySelector('parsererror') && x.querySelectorAll('path').length > 20)"
+              + "(new DOMParser().parseFromString(svgOf(0), 'image/svg+xml'))");
+      // Markup in a file that is opened stays text.
+      visitor.look(
+          "try { opened(JSON.stringify({format: FORMAT, moves: [], obstacle: '<img src=x>'})); } catch (e) { fault(e.message); }");
+      visitor.await(
+          "$('fault').textContent.includes('<img src=x>') && !document.querySelector('img')");
+      visitor.look("fault('')");
       // By hand: the robot goes where it is dragged, and the command line says so.
       String place =
           "(() => { const f = frameOf(worlds[0]), v = view($('plan0'), f), b = $('plan0').getBoundingClientRect();"
@@ -137,14 +210,21 @@ class StudioTest {
       visitor.look("$('plan0').focus()");
       visitor.press("ArrowLeft", 37);
       visitor.await("scene.moves.length === 1 && worlds[0].frames.length > 6");
+      visitor.press("[", 219);
+      visitor.await("scene.moves.some(m => m.turn_deg === 5) && worlds[0].frames.length > 6");
       // Two beside each other.
       visitor.look(
           "$('sensor1').value = 'original'; $('sensor1').dispatchEvent(new Event('change'))");
       visitor.await("!document.getElementById('second').hidden && worlds[1].frames.length > 6");
+      visitor.await("!$('limit').hidden");
       visitor.await("document.getElementById('fault').textContent === ''");
       for (int width : new int[] {390, 1280, 2560}) {
         visitor.resize(width, 900, width == 1280);
         visitor.await("document.documentElement.scrollWidth <= innerWidth");
+        assertEquals("[]", violations(visitor));
+        // No reason is broken over two lines.
+        visitor.await(
+            "[...$('rows').rows].every(r => r.getBoundingClientRect().height < 2.2 * parseFloat(getComputedStyle(r).fontSize))");
       }
     }
   }

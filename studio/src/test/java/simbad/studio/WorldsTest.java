@@ -1,6 +1,7 @@
 package simbad.studio;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -17,13 +18,43 @@ import simbad.experiments.run.Circuit;
 import simbad.experiments.run.SensorKind;
 import simbad.experiments.run.Trace;
 import simbad.obstacles.Catalogue;
+import simbad.sonar.catalogue.LevelForms;
+import simbad.sonar.effect.FittedForm;
+import simbad.sonar.effect.Form;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.frame.Point;
+import simbad.sonar.predict.FittedModel;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SetupDetails;
+import simbad.sonar.shape.Outline;
 
 /** Worlds as the page asks for them. */
 class WorldsTest {
   private static final double SPEED = 0.5;
   private final Worlds worlds =
-      new Worlds(List.of(SensorKind.SHADOW, SensorKind.ORIGINAL, SensorKind.LEVEL));
+      new Worlds(
+          List.of(
+              SensorKind.SHADOW,
+              SensorKind.ORIGINAL,
+              SensorKind.LEVEL,
+              SensorKind.RAY,
+              SensorKind.OVERLAP,
+              fittedByLevel()));
+
+  /** The believed set-up, calibrated to hear by the level law as its own figures state it. */
+  private static SensorKind fittedByLevel() {
+    SensingSetup setup =
+        new SensingSetup(Catalogue.srf04(), new Scene(List.of()), 4, SetupDetails.NONE);
+    Form law = LevelForms.law(setup);
+    List<Double> neutral =
+        law.parameters().stream()
+            .map(value -> Math.max(value.low(), Math.min(value.high(), value.neutral())))
+            .toList();
+    return SensorKind.diagnosed(
+        "by-level",
+        new FittedModel(setup, List.of(), List.of(new FittedForm(law, neutral)), List.of()));
+  }
 
   private static String question(String sensor, String more, int from, int count) {
     return """
@@ -100,14 +131,73 @@ class WorldsTest {
     assertTrue(has(byShadow, Reasons.OUTSIDE_SHADOW), byShadow.toString());
     assertTrue(has(byOriginal, Reasons.HEARD), byOriginal.toString());
     boolean tooWeak = false;
-    for (int i = 17; i < byLevel.size(); i++) {
+    for (int i = 18; i < byLevel.size(); i++) {
       tooWeak |= byLevel.get(i).asInt() > Reasons.TOO_WEAK;
     }
     assertTrue(tooWeak, byLevel.toString());
   }
 
+  /** A fitted sensor that hears by a level law is too far by decibels, not by a table's edge. */
+  @Test
+  void aFittedLevelLawSpeaksInDecibels() throws Exception {
+    String far = "{\"step\": 0, \"robot\": [0, 2.4]}";
+    JsonNode frame = frames(question("diagnosed-by-level", far, 0, 1)).get(0);
+
+    boolean tooWeak = false;
+    for (int i = 18; i < frame.size(); i++) {
+      tooWeak |= frame.get(i).asInt() > Reasons.TOO_WEAK;
+    }
+    assertTrue(tooWeak, frame.toString());
+    assertFalse(has(frame, Reasons.OUTSIDE_SHADOW), frame.toString());
+  }
+
+  /** A ray passes by, or is too short; a cone that the shadow does not meet is apart from it. */
+  @Test
+  void raysAndOverlapHaveReasonsOfTheirOwn() throws Exception {
+    JsonNode near = frames(question("ray", "{\"step\": 0, \"robot\": [0, 1]}", 0, 1)).get(0);
+    JsonNode far = frames(question("ray", "{\"step\": 0, \"robot\": [0, 3]}", 0, 1)).get(0);
+    JsonNode apart = frames(question("overlap", "{\"step\": 0, \"robot\": [0, 9]}", 0, 1)).get(0);
+
+    assertTrue(has(near, Reasons.RAY_PASSES), near.toString());
+    assertFalse(has(near, Reasons.NOTHING_IN_CONE), near.toString());
+    assertTrue(has(far, Reasons.OUT_OF_RANGE), far.toString());
+    assertTrue(has(apart, Reasons.CONE_APART), apart.toString());
+    assertFalse(has(apart, Reasons.OUTSIDE_SHADOW), apart.toString());
+  }
+
+  @Test
+  void anObstacleIsTurnedByHand() throws Exception {
+    JsonNode frames =
+        frames(
+            question(
+                "shadow",
+                "{\"step\": 2, \"obstacle\": [0, 0], \"turn_deg\": 30},"
+                    + " {\"step\": 4, \"obstacle\": [0.1, 0], \"turn_deg\": -45}",
+                0,
+                6));
+
+    assertEquals(0, frames.get(1).get(5).asDouble(), 1e-9);
+    assertEquals(Math.toRadians(30), frames.get(3).get(5).asDouble(), 1e-4);
+    assertEquals(Math.toRadians(-45), frames.get(5).get(5).asDouble(), 1e-4);
+  }
+
+  /** Simbad's own sensor measures to the nearest point, not to the middle. */
+  @Test
+  void theOriginalEdgeIsSoFarFromTheNearestPoint() throws Exception {
+    Outline outline = Catalogue.find("angle").orElseThrow().outline();
+    double leastM = Double.POSITIVE_INFINITY;
+    double mostM = 0;
+    for (Point point : OriginalEdge.of(outline)) {
+      assertEquals(2.5, outline.distanceM(point.xM(), point.zM()), 1e-9);
+      double centreM = Math.hypot(point.xM(), point.zM());
+      leastM = Math.min(leastM, centreM);
+      mostM = Math.max(mostM, centreM);
+    }
+    assertTrue(mostM > leastM + 1e-3, leastM + " to " + mostM);
+  }
+
   private static boolean has(JsonNode frame, int reason) {
-    for (int i = 17; i < frame.size(); i++) {
+    for (int i = 18; i < frame.size(); i++) {
       if (frame.get(i).asInt() == reason) {
         return true;
       }
@@ -126,6 +216,8 @@ class WorldsTest {
         "\"seed\": 1 | \"seed\": 1.5 | seed",
         "\"moves\": [] | \"moves\": [{\"step\": -1, \"robot\": [0, 0]}] | step",
         "\"moves\": [] | \"moves\": [{\"step\": 1, \"robot\": [0]}] | robot",
+        "\"moves\": [] | \"moves\": [{\"step\": 1, \"obstacle\": [0, 0], \"turn_deg\": 400}] | turn_deg",
+        "\"moves\": [] | \"moves\": [{\"step\": 1, \"robot\": [0, 0], \"turn_deg\": 4}] | turn_deg",
         "\"moves\": [] | \"moves\": [{\"step\": 1, \"robot\": [0, 1e9]}] | robot",
         "\"moves\": [] | \"moves\": [{\"step\": 3, \"robot\": [0, 0]}, {\"step\": 1, \"robot\": [0, 0]}] | out of order",
         "\"count\": 5 | \"count\": 1e12 | count"
