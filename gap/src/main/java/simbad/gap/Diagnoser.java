@@ -172,7 +172,7 @@ public final class Diagnoser {
     Blocks blocks = new Blocks(evidence.log());
     Hypothesis best = inquiry.best();
     Evidence open = calibration.opened(evidence, best);
-    Weighed whole = inquiry.weighed.beside(open, calibration.clumping());
+    Weighed whole = inquiry.weighed.beside(open);
     double unknown = Unknown.probability(evidence, open, calibration, whole.gain(), best);
     double tieNats = TIE_NATS * calibration.clumping();
     List<Place> where = places(evidence, whole, blocks);
@@ -192,7 +192,7 @@ public final class Diagnoser {
 
   private static Weighed beside(Calibration calibration, Evidence evidence, Weighed part) {
     Evidence open = calibration.opened(evidence, part.taken().hypothesis());
-    return part.beside(open, calibration.clumping());
+    return part.beside(open);
   }
 
   /** Places that would make "none" doubtful: of those that the set-up leaves open none does. */

@@ -32,9 +32,7 @@ class ConclusionTest {
 
   private static Weighed weighed(Hypothesis best, double gapM, double floorM, Scored... enlarging) {
     Scored only = new Scored(best, 0, 0);
-    GapMeter.Gaps gaps =
-        new GapMeter.Gaps(
-            new double[] {gapM}, new double[] {floorM}, new double[] {floorM * floorM});
+    GapMeter.Gaps gaps = new GapMeter.Gaps(new double[] {gapM}, new double[] {floorM});
     return new Weighed(
         new Probabilities(List.of(only), 10, 1, Set.of()),
         only,

@@ -16,14 +16,10 @@ import simbad.gap.fit.Refit;
  * @param after gap of each ping under the explanation
  * @param open the same before a set-up that has moved as far as its reference leaves open: what it
  *     is not known by shows there as scatter
- * @param clumping by how much more sums vary than those of independent pings
  */
-public record Gain(GapMeter.Gaps before, GapMeter.Gaps after, GapMeter.Gaps open, double clumping) {
+public record Gain(GapMeter.Gaps before, GapMeter.Gaps after, GapMeter.Gaps open) {
   /** A gap that is so many times what the simulator expects of itself is no matter of scatter. */
   private static final double MANY_TIMES = 2;
-
-  /** What is as improbable is no chance. */
-  private static final double NO_CHANCE = 0.01;
 
   /**
    * In 500 worlds what was rightly named took away 2.3 % or more, two effects in nones 0.2 and 0.6
@@ -46,7 +42,7 @@ public record Gain(GapMeter.Gaps before, GapMeter.Gaps after, GapMeter.Gaps open
 
   /** Of a set-up that stays where it is. */
   public Gain(GapMeter.Gaps before, GapMeter.Gaps after) {
-    this(before, after, after, 1);
+    this(before, after, after);
   }
 
   /** Measures. */
@@ -56,34 +52,32 @@ public record Gain(GapMeter.Gaps before, GapMeter.Gaps after, GapMeter.Gaps open
     if (explanation.size() == 0) {
       return new Gain(before, before);
     }
-    GapMeter.Gaps after = GapMeter.Gaps.empty(evidence.log().size());
+    double[] observed = new double[evidence.log().size()];
+    double[] expected = new double[observed.length];
     int parts = explanation.hasTable() ? TABLE_PARTS : 2;
     for (int part = 0; part < parts; part++) {
       Fold left = blocks.part(part, parts);
       Hypothesis fitted =
           new Refit(evidence, ping -> !left.holds(ping)).of(explanation, EVALUATIONS);
       GapMeter.Gaps gaps = meter.measure(evidence, fitted);
-      for (int i = 0; i < evidence.log().size(); i++) {
+      for (int i = 0; i < observed.length; i++) {
         if (left.holds(i)) {
-          after.take(gaps, i);
+          observed[i] = gaps.observedM()[i];
+          expected[i] = gaps.expectedM()[i];
         }
       }
     }
-    return new Gain(before, after);
+    return new Gain(before, new GapMeter.Gaps(observed, expected));
   }
 
   /** Returns the same beside what is left before a set-up that has moved. */
-  Gain beside(GapMeter.Gaps moved, double moreClumping) {
-    return new Gain(before, after, moved, moreClumping);
+  Gain beside(GapMeter.Gaps moved) {
+    return new Gain(before, after, moved);
   }
 
-  /**
-   * Whether more is left, of what the set-up cannot take up, than twice the scatter, and more than
-   * chance adds to it.
-   */
+  /** Whether more than twice the scatter is left of what the set-up cannot take up. */
   public boolean leavesMuch() {
-    return mean(open.observedM()) > MANY_TIMES * mean(open.expectedM())
-        && open.chance(MANY_TIMES, clumping) < NO_CHANCE;
+    return mean(open.observedM()) > MANY_TIMES * mean(open.expectedM());
   }
 
   /**

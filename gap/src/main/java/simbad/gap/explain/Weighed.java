@@ -85,11 +85,9 @@ public record Weighed(
    * Returns the same with a gain that knows what is left before a set-up which has moved.
    *
    * @param open the log before a set-up that has moved as far as its reference leaves open
-   * @param clumping by how much the readings hang together
    */
-  public Weighed beside(Evidence open, double clumping) {
-    return new Weighed(
-        probabilities, taken, gain.beside(gainOf(open, taken).after(), clumping), enlarging);
+  public Weighed beside(Evidence open) {
+    return new Weighed(probabilities, taken, gain.beside(gainOf(open, taken).after()), enlarging);
   }
 
   /** Returns what could stand in the place of an effect of the set that is concluded upon. */

@@ -36,8 +36,8 @@ class UnknownTest {
 
   private static Gain gain(double beforeM, double afterM, double expectedM) {
     return new Gain(
-        new GapMeter.Gaps(new double[] {beforeM}, new double[1], new double[1]),
-        new GapMeter.Gaps(new double[] {afterM}, new double[] {expectedM}, new double[1]));
+        new GapMeter.Gaps(new double[] {beforeM}, new double[] {0}),
+        new GapMeter.Gaps(new double[] {afterM}, new double[] {expectedM}));
   }
 
   /** Twice as much is left of the gap as the explanation expects of itself. */

@@ -57,10 +57,21 @@ class WeighedTest {
 
   @Test
   void worthNaming_isAHundredthOfTheGap() {
-    GapMeter.Gaps before = new GapMeter.Gaps(new double[] {1}, new double[1], new double[1]);
-    GapMeter.Gaps less = new GapMeter.Gaps(new double[] {0.991}, new double[1], new double[1]);
-    GapMeter.Gaps worth = new GapMeter.Gaps(new double[] {0.989}, new double[1], new double[1]);
+    GapMeter.Gaps before = new GapMeter.Gaps(new double[] {1}, new double[1]);
+    GapMeter.Gaps less = new GapMeter.Gaps(new double[] {0.991}, new double[1]);
+    GapMeter.Gaps worth = new GapMeter.Gaps(new double[] {0.989}, new double[1]);
     assertTrue(!new Gain(before, less).isWorthNaming() && new Gain(before, worth).isWorthNaming());
+  }
+
+  /** Before a set-up that has moved less is seen, or more expected. */
+  @Test
+  void whatASetupThatMovesTakesUp_isNotLeft() {
+    GapMeter.Gaps far = new GapMeter.Gaps(new double[] {0.05}, new double[] {0.02});
+    assertTrue(new Gain(far, far).leavesMuch());
+    GapMeter.Gaps moved = new GapMeter.Gaps(new double[] {0.05}, new double[] {0.03});
+    Gain open = new Gain(far, far).beside(moved);
+    assertTrue(!open.leavesMuch());
+    assertEquals(0.03, open.floorM());
   }
 
   @Test
