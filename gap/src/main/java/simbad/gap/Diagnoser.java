@@ -172,7 +172,7 @@ public final class Diagnoser {
     Blocks blocks = new Blocks(evidence.log());
     Hypothesis best = inquiry.best();
     Evidence open = calibration.opened(evidence, best);
-    Weighed whole = inquiry.weighed.beside(open);
+    Weighed whole = inquiry.weighed.beside(evidence, open);
     double unknown = Unknown.probability(evidence, open, calibration, whole.gain(), best);
     double tieNats = TIE_NATS * calibration.clumping();
     List<Place> where = places(evidence, whole, blocks);
@@ -192,7 +192,7 @@ public final class Diagnoser {
 
   private static Weighed beside(Calibration calibration, Evidence evidence, Weighed part) {
     Evidence open = calibration.opened(evidence, part.taken().hypothesis());
-    return part.beside(open);
+    return part.beside(evidence, open);
   }
 
   /** Places that would make "none" doubtful: of those that the set-up leaves open none does. */
@@ -200,7 +200,7 @@ public final class Diagnoser {
     if (!weighed.taken().hypothesis().forms().isEmpty() || where.isEmpty()) {
       return where;
     }
-    GapMeter.Gaps gaps = new GapMeter(open).measure(open, Hypothesis.NONE);
+    GapMeter.Gaps gaps = weighed.gain().open();
     return Places.find(open, gaps, gaps, new Blocks(open.log()));
   }
 

@@ -21,8 +21,6 @@ import simbad.sonar.scene.SonarSpec;
 
 /** Echoes are missed, singly or in bursts, whatever the geometry. */
 public final class DropoutEffect implements Definition {
-  private static final String SINGLE = "single";
-
   @Override
   public Effect effect() {
     return Effect.DROPOUT;
@@ -43,7 +41,7 @@ public final class DropoutEffect implements Definition {
     return List.of(
         Form.of(
             effect(),
-            SINGLE,
+            "single",
             v -> new Dropout(v[0]),
             Parameter.of("share", 0, 0, 1, 0.05, 0.2, 0.5).asClosed()),
         Form.of(
@@ -58,18 +56,18 @@ public final class DropoutEffect implements Definition {
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
     return List.of(
-        Probe.alone(Forms.find(effect(), SINGLE, setup, log.sensors()).orElseThrow(), 0, 0.05));
+        Probe.alone(Forms.find(effect(), "single", setup, log.sensors()).orElseThrow(), 0, 0.05));
   }
 
   @Override
   public Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
     SonarSpec sensor = stated.sensor();
-    return form.name().equals(SINGLE)
+    return form.with(values) instanceof Dropout missed
         ? Optional.of(
             stated.with(
                 sensor.withScatter(
                     sensor.rangeNoiseM(),
-                    1 - (1 - sensor.missRate()) * (1 - values[0]),
+                    1 - (1 - sensor.missRate()) * (1 - missed.share()),
                     sensor.edgeWidthM())))
         : Optional.empty();
   }

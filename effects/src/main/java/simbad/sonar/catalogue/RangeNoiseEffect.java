@@ -20,8 +20,6 @@ import simbad.sonar.scene.SonarSpec;
 
 /** Ranges scatter more than believed. */
 public final class RangeNoiseEffect implements Definition {
-  private static final String CONSTANT = "constant";
-
   @Override
   public Effect effect() {
     return Effect.RANGE_NOISE;
@@ -42,7 +40,7 @@ public final class RangeNoiseEffect implements Definition {
     return List.of(
         Form.of(
             effect(),
-            CONSTANT,
+            "constant",
             v -> new RangeNoise(v[0], 0),
             Parameter.of("added_m", 0, 0, 0.5, 0.01, 0.03, 0.1)),
         Form.of(
@@ -63,7 +61,7 @@ public final class RangeNoiseEffect implements Definition {
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
     return List.of(
-        Probe.alone(Forms.find(effect(), CONSTANT, setup, log.sensors()).orElseThrow(), 0, 0.01));
+        Probe.alone(Forms.find(effect(), "constant", setup, log.sensors()).orElseThrow(), 0, 0.01));
   }
 
   /** What scatters from placement to placement alone is no noise. */
@@ -75,11 +73,11 @@ public final class RangeNoiseEffect implements Definition {
   @Override
   public Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
     SonarSpec sensor = stated.sensor();
-    return form.name().equals(CONSTANT)
+    return form.with(values) instanceof RangeNoise noise && noise.addedPerM() == 0
         ? Optional.of(
             stated.with(
                 sensor.withScatter(
-                    Math.hypot(sensor.rangeNoiseM(), values[0]),
+                    Math.hypot(sensor.rangeNoiseM(), noise.addedM()),
                     sensor.missRate(),
                     sensor.edgeWidthM())))
         : Optional.empty();

@@ -27,9 +27,6 @@ public final class Calibration {
   /** What an effect must gain beside a set-up that is fitted to the log as well. */
   private static final double SUPERFLUOUS_NATS = 15;
 
-  /** A gap that is so many times what the set-up expects of itself is no matter of the set-up. */
-  private static final double MANY_TIMES = 2;
-
   /** Blocks in which less could happen say nothing. */
   private static final double LEAST_VARIANCE = 0.5;
 
@@ -173,16 +170,7 @@ public final class Calibration {
         SetupScores.echoes(hypothesis, changes -> evidence.logLikelihood(changes, geometry)));
   }
 
-  /**
-   * Returns a log before a set-up whose levels have moved to where they and the log are most
-   * probable together; the same log under the threshold rule.
-   *
-   * @param evidence of the log
-   */
-  private Evidence settled(Evidence evidence) {
-    return leeway.map(open -> settled(open, evidence)).orElse(evidence);
-  }
-
+  /** A log before a set-up whose levels have moved to where they and it are likeliest together. */
   private static Evidence settled(Leeway open, Evidence evidence) {
     Geometry geometry = evidence.geometry(evidence.model(Hypothesis.NONE));
     Leeway.Pulls pulls = Openness.pulls(geometry, Hypothesis.NONE, open);
@@ -199,10 +187,9 @@ public final class Calibration {
    * @param explanation that stays as it is
    */
   public Evidence opened(Evidence evidence, Hypothesis explanation) {
-    if (leeway.isEmpty()) {
-      return loosened(evidence, explanation);
-    }
-    return explanation.forms().isEmpty() ? settled(evidence) : evidence;
+    return leeway
+        .map(open -> explanation.forms().isEmpty() ? settled(open, evidence) : evidence)
+        .orElseGet(() -> loosened(evidence, explanation));
   }
 
   /** Returns how far the reference leaves a level law open; none under the threshold rule. */
@@ -283,8 +270,7 @@ public final class Calibration {
    * so far would take up anything, and the gap would be gone from sight.
    */
   private static boolean isFarOff(Evidence log) {
-    Gain gain = Gain.of(log, new Blocks(log.log()), Hypothesis.NONE);
-    return gain.beforeM() > MANY_TIMES * gain.floorM();
+    return Gain.of(log, new Blocks(log.log()), Hypothesis.NONE).leavesMuch();
   }
 
   /** Whether a set-up that fits reference and log together makes an effect superfluous. */

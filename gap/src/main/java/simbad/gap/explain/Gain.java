@@ -22,8 +22,8 @@ public record Gain(GapMeter.Gaps before, GapMeter.Gaps after, GapMeter.Gaps open
   private static final double MANY_TIMES = 2;
 
   /**
-   * In 500 worlds what was rightly named took away 2.3 % or more, two effects in nones 0.2 and 0.6
-   * % (docs/method/gap.md).
+   * What was rightly named took away 2.6 % or more, an effect in two nones 0.3 and 0.6 %
+   * (docs/method/gap.md).
    */
   private static final double LEAST_SHRINKAGE = 0.01;
 

@@ -84,9 +84,13 @@ public record Weighed(
   /**
    * Returns the same with a gain that knows what is left before a set-up which has moved.
    *
-   * @param open the log before a set-up that has moved as far as its reference leaves open
+   * @param evidence the log
+   * @param open the same before a set-up that has moved as far as its reference leaves open
    */
-  public Weighed beside(Evidence open) {
+  public Weighed beside(Evidence evidence, Evidence open) {
+    if (open == evidence) {
+      return this;
+    }
     return new Weighed(probabilities, taken, gain.beside(gainOf(open, taken).after()), enlarging);
   }
 
