@@ -20,7 +20,8 @@ import javax.tools.ToolProvider;
  * against the public names, without this project's rules.
  */
 public final class OldPrograms {
-  private static final Path SOURCES = Path.of("src", "test", "oldprograms", "oldprograms");
+  /** Where their sources are. */
+  public static final Path SOURCES = Path.of("src", "test", "oldprograms", "oldprograms");
 
   private OldPrograms() {}
 
