@@ -32,7 +32,7 @@ import simbad.sonar.format.TextFile;
 final class BatchCommand extends Subcommand {
   @Parameters(
       paramLabel = "SPEC",
-      description = "JSON; the files that it names start at its own folder.")
+      description = "A JSON file. Paths in it are relative to its folder.")
   @SuppressWarnings("NullAway.Init")
   private Path spec;
 

@@ -41,13 +41,13 @@ import simbad.sonar.format.DataFormatException;
 final class BenchCaptureCommand extends Subcommand {
   @Option(
       names = "--auto",
-      description = "Before the simulated board, whose obstacle the program moves.")
+      description = "Use the simulated board; the program moves the obstacle.")
   private boolean auto;
 
   @Option(
       names = "--port",
       paramLabel = "PORT",
-      description = "Of a real sensor, whose obstacle you move.")
+      description = "Serial port of a real sensor; you move the obstacle.")
   private @Nullable Path port;
 
   @Mixin private SweptObstacle obstacle = new SweptObstacle();
@@ -56,39 +56,42 @@ final class BenchCaptureCommand extends Subcommand {
       names = "--out",
       paramLabel = "DIR",
       required = true,
-      description = "Where journal and data set shall be; not there yet, or empty.")
+      description = "Folder for journal and data set: a new one, or an empty one.")
   private Path folder = Path.of("");
 
   @Option(
       names = "--bearings",
       paramLabel = "N",
-      description = "Evenly round the obstacle. Default: ${DEFAULT-VALUE}.")
+      description =
+          "Number of bearings, evenly spaced round the obstacle. Default: ${DEFAULT-VALUE}.")
   private int bearings = 72;
 
   @Option(
       names = "--pings",
       paramLabel = "N",
-      description = "At each distance. Default: ${DEFAULT-VALUE}.")
+      description = "Pings at each distance. Default: ${DEFAULT-VALUE}.")
   private int pings = 10;
 
   @Option(
       names = "--misses",
       paramLabel = "K",
-      description = "From so many misses of the pings on the echo is lost. Default: half of them.")
+      description =
+          "The echo counts as lost at a distance where at least K pings are missed."
+              + " Default: half of the pings.")
   private @Nullable Integer misses;
 
   @Option(
       names = "--step",
       paramLabel = "M",
-      description = "Between the distances that are tried. Default: ${DEFAULT-VALUE}.")
+      description = "Step between the distances that are tried, metres. Default: ${DEFAULT-VALUE}.")
   private double stepM = 0.02;
 
   @Option(
       names = "--mode",
       paramLabel = "MODE",
       description =
-          "In which the board reports: frame (microseconds), or thesis (steps of 2 cm, not"
-              + " protected against a disturbed line). Default: frame.")
+          "How the board reports ranges: frame (microseconds), or thesis (steps of 2"
+              + " cm, not protected against a disturbed line). Default: frame.")
   private String mode = FirmwareMode.FRAME.word();
 
   @Mixin private SimulatedSensor sensor = new SimulatedSensor();

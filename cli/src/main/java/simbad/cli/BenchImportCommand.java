@@ -14,7 +14,7 @@ import simbad.sonar.format.TableFile;
 @Command(
     name = "import",
     description = {
-      "Make a table of a capture as the thesis made it: a number in steps of 2 cm for each bearing,"
+      "Make a table from a capture in the thesis's form: a number in steps of 2 cm for each bearing,"
           + " one on a line, from bearing 0 all round.",
       "The numbers tell the distance to the surface; that to the axis is added."
     },

@@ -76,7 +76,7 @@ final class BenchMeasureCommand extends Subcommand {
   @Option(
       names = "--temperature",
       paramLabel = "CELSIUS",
-      description = "Of the air. Default: not known, 20 assumed.")
+      description = "Temperature of the air. Default: not known, 20 assumed.")
   private @Nullable Double temperatureC;
 
   @Override

@@ -21,7 +21,7 @@ import simbad.sonar.shape.ThresholdTable;
 @Command(
     name = "table",
     description = {
-      "Make the threshold table of a capture that is done; simbad run takes it.",
+      "Make the threshold table from a finished capture; simbad run takes it.",
       "Columns besides bearing and threshold: a 95 %% interval, the furthest distances heard on the"
           + " way out and in, the number of pings."
     },

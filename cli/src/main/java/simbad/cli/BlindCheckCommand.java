@@ -57,13 +57,18 @@ final class BlindCheckCommand extends Subcommand {
           "A folder for everything: one that does not exist yet, or that of a check begun.")
   private Path out = Path.of("");
 
-  @Option(names = "--cases", paramLabel = "N", description = "How many to draw. Default: 40.")
+  @Option(
+      names = "--cases",
+      paramLabel = "N",
+      description = "Number of cases to draw. Default: 40.")
   private @Nullable Integer cases;
 
   @Option(
       names = "--seed",
       paramLabel = "N",
-      description = "Of all chance; a set once opened is no longer blind. Default: 1.")
+      description =
+          "Seed of all random numbers. A check whose truths were opened is no longer"
+              + " blind. Default: 1.")
   private @Nullable Long seed;
 
   @Option(
@@ -74,7 +79,9 @@ final class BlindCheckCommand extends Subcommand {
               + " L2). Default: 0.3.")
   private @Nullable Double reference;
 
-  @Option(names = "--off", description = "All of them so: --reference 1.")
+  @Option(
+      names = "--off",
+      description = "Every case has a set-up that is a little off, and a reference: --reference 1.")
   private boolean off;
 
   @Option(
@@ -91,20 +98,20 @@ final class BlindCheckCommand extends Subcommand {
       names = "--mix",
       paramLabel = "KIND:WEIGHT",
       split = ",",
-      description = "Of none, single, pair, unknown and withheld.")
+      description = "Weights of the kinds none, single, pair, unknown and withheld.")
   private List<String> mix = List.of();
 
   @Option(
       names = "--effects",
       paramLabel = "EFFECT",
       split = ",",
-      description = "Draw none but these, in or outside the vocabulary.")
+      description = "Draw only these effects, from the vocabulary or outside it.")
   private List<String> effects = List.of();
 
   @Option(
       names = "--rows",
       paramLabel = "MIN-MAX",
-      description = "Rows of a data set. Default: 2000-4500, of waves 700-2500.")
+      description = "Number of rows of a data set. Default: 2000-4500, of waves 700-2500.")
   private @Nullable String rows;
 
   @Option(

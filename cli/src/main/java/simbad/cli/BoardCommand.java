@@ -42,7 +42,7 @@ final class BoardCommand extends Subcommand {
   @Option(
       names = "--script",
       paramLabel = "FILE",
-      description = "A session to play: docs/guide/board.md says what stands in it.")
+      description = "A session to play: a csv file (docs/guide/board.md).")
   private @Nullable Path script;
 
   @Option(
@@ -67,13 +67,16 @@ final class BoardCommand extends Subcommand {
   @Option(
       names = "--temperature",
       paramLabel = "CELSIUS",
-      description = "Without a script: of the air. Default: 20.")
+      description = "Without a script: temperature of the air. Default: 20.")
   private @Nullable Double temperatureC;
 
   @Option(
       names = "--sensor",
       paramLabel = "SENSOR",
-      description = "When the sensor hears: " + RuleArgument.NAMES + ". Default: shadow.")
+      description =
+          "The model that decides when the sensor hears: "
+              + RuleArgument.NAMES
+              + ". Default: shadow.")
   private String sensor = "shadow";
 
   @Option(
@@ -82,22 +85,22 @@ final class BoardCommand extends Subcommand {
       description = "The sensor's figures. Default: data/sensors/srf04.json.")
   private @Nullable Path sensorFile;
 
-  @Option(names = "--seed", paramLabel = "N", description = "Of the noisy sensor. Default: 1.")
+  @Option(names = "--seed", paramLabel = "N", description = "Seed of the noisy sensor. Default: 1.")
   private long seed = 1;
 
   @Option(
       names = "--pace",
       paramLabel = "X",
-      description = "Simulated per real second; 0: as fast as it goes. Default: 1.")
+      description = "Simulated seconds per real second; 0: as fast as possible. Default: 1.")
   private double pace = 1;
 
-  @Option(names = "--for", paramLabel = "S", description = "Stop after so many simulated seconds.")
+  @Option(names = "--for", paramLabel = "S", description = "Stop after S simulated seconds.")
   private @Nullable Double endS;
 
   @Option(
       names = "--link",
       paramLabel = "PATH",
-      description = "Where the serial port shall appear. Default: a place of its own.")
+      description = "Path at which the serial port appears. Default: a free one, which is printed.")
   private @Nullable Path link;
 
   @Override

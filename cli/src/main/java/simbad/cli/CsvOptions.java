@@ -28,7 +28,7 @@ final class CsvOptions {
   @ArgGroup(validate = false, heading = "%nTarget and sonar:%n")
   private Believed believed = new Believed();
 
-  @ArgGroup(validate = false, heading = "%nThe file, where it is not found out:%n")
+  @ArgGroup(validate = false, heading = "%nThe file's form, where it is not recognized:%n")
   private Written written = new Written();
 
   /** What the columns of readings are. */
@@ -36,13 +36,15 @@ final class CsvOptions {
     @Option(
         names = "--range",
         paramLabel = "COLUMNS",
-        description = "The ranges; several as a,b or m1-m10.")
+        description = "Column with the ranges; several as a,b or m1-m10.")
     private @Nullable String range;
 
     @Option(
         names = "--range-unit",
         paramLabel = "UNIT",
-        description = "cm, mm, m, in, ft; us, ms, s of flight there and back. Default: the name's.")
+        description =
+            "cm, mm, m, in, ft; us, ms, s for the time of flight there and back. Default: as the column's"
+                + " name says.")
     private @Nullable String rangeUnit;
 
     @Option(
@@ -54,13 +56,15 @@ final class CsvOptions {
     @Option(
         names = "--wide",
         paramLabel = "repeats|sensors",
-        description = "What several columns are. Default: sensors, if --mount names them.")
+        description = "What several range columns mean. Default: sensors, if --mount names them.")
     private @Nullable String wide;
 
     @Option(
         names = "--time",
         paramLabel = COLUMN,
-        description = "Numbers, times of day or dates. Without it no times are invented.")
+        description =
+            "Column with the times: numbers, times of day or dates. Without it no times"
+                + " are made up.")
     private @Nullable String time;
 
     @Option(names = "--time-unit", paramLabel = "UNIT", description = "s, ms, us, ns or min.")
@@ -69,49 +73,57 @@ final class CsvOptions {
     @Option(
         names = "--period",
         paramLabel = "TIME",
-        description = "From ping to ping, such as 60ms, where the log has no times.")
+        description = "Time from ping to ping, such as 60ms, where the log has no times.")
     private @Nullable String period;
 
     @Option(
         names = "--run",
         paramLabel = "COLUMNS",
-        description = "What tells recordings apart. Default: the files.")
+        description = "Columns that tell recordings apart. Default: each file is one recording.")
     private @Nullable String run;
 
-    @Option(names = "--sensor", paramLabel = COLUMN, description = "Names of sensors.")
+    @Option(
+        names = "--sensor",
+        paramLabel = COLUMN,
+        description = "Column with the sensors' names.")
     private @Nullable String sensor;
 
     @Option(
         names = "--placement",
         paramLabel = COLUMN,
-        description = "Alike where nothing was moved. Default: neighbours at equal places.")
+        description =
+            "Column whose value stays the same while nothing is moved. Default:"
+                + " neighbouring rows at equal places.")
     private @Nullable String placement;
 
-    @Option(names = "--temperature", paramLabel = "WHERE", description = "Of the air, Celsius.")
+    @Option(
+        names = "--temperature",
+        paramLabel = "WHERE",
+        description = "Temperature of the air, Celsius.")
     private @Nullable String temperature;
 
     @Option(
         names = "--gap-ms",
         paramLabel = "WHERE",
-        description = "From the ping before to this one.")
+        description = "Milliseconds from the previous ping to this one.")
     private @Nullable String gap;
 
     @Option(
         names = "--pause-ms",
         paramLabel = "WHERE",
-        description = "From the echo before to this ping.")
+        description = "Milliseconds from the previous echo to this ping.")
     private @Nullable String pause;
 
     @Option(
         names = "--only",
         paramLabel = "COLUMN=VALUE",
-        description = "Take these rows; COLUMN=LEAST..MOST for numbers. May be given again.")
+        description = "Take only these rows; COLUMN=LEAST..MOST for numbers. May be repeated.")
     private @Nullable List<String> only;
 
     @Option(
         names = "--without",
         paramLabel = "COLUMN=VALUE",
-        description = "Leave these rows out. May be given again.")
+        description = "Leave these rows out. May be repeated.")
     private @Nullable List<String> without;
   }
 
@@ -143,19 +155,19 @@ final class CsvOptions {
     @Option(
         names = "--bearing",
         paramLabel = "WHERE",
-        description = "With --distance: from which side of the target the sensor looks.")
+        description = "With --distance: the bearing of the sensor, seen from the target.")
     private @Nullable String bearing;
 
     @Option(names = "--x", paramLabel = "WHERE", description = "The sensor's place, to the right.")
     private @Nullable String x;
 
-    @Option(names = "--z", paramLabel = "WHERE", description = "The same, down the page.")
+    @Option(names = "--z", paramLabel = "WHERE", description = "The same, for z (down the page).")
     private @Nullable String z;
 
     @Option(names = "--y", paramLabel = "WHERE", description = "In place of --z: up the page.")
     private @Nullable String y;
 
-    @Option(names = "--pose-unit", paramLabel = "UNIT", description = "Of all places.")
+    @Option(names = "--pose-unit", paramLabel = "UNIT", description = "Unit of all places.")
     private @Nullable String poseUnit;
 
     @Option(
@@ -167,13 +179,13 @@ final class CsvOptions {
     @Option(
         names = "--heading",
         paramLabel = "WHERE",
-        description = "Where the sensor, or the robot, looks to. Default: to the target.")
+        description = "Direction in which the sensor, or the robot, looks. Default: to the target.")
     private @Nullable String heading;
 
     @Option(
         names = "--pan",
         paramLabel = "WHERE",
-        description = "How far the sensor is turned from there.")
+        description = "How far the sensor is turned away from the heading.")
     private @Nullable String pan;
 
     @Option(names = "--angle-unit", paramLabel = "UNIT", description = "deg, rad, gon or turn.")
@@ -182,42 +194,58 @@ final class CsvOptions {
     @Option(
         names = "--angle-positive",
         paramLabel = "ccw|cw",
-        description = "Which way round, seen from above. Default: ccw.")
+        description = "Direction in which angles grow, seen from above. Default: ccw.")
     private @Nullable String anglePositive;
 
     @Option(
         names = "--angle-zero",
         paramLabel = "right|up|left|down|ANGLE",
-        description = "Where a heading of 0 looks. Default: right.")
+        description = "Direction of heading 0. Default: right.")
     private @Nullable String angleZero;
 
-    @Option(names = "--target-turn", paramLabel = "WHERE", description = "A turned target.")
+    @Option(
+        names = "--target-turn",
+        paramLabel = "WHERE",
+        description = "How far the target is turned.")
     private @Nullable String targetTurn;
 
-    @Option(names = "--target-x", paramLabel = "WHERE", description = "A target that is moved.")
+    @Option(
+        names = "--target-x",
+        paramLabel = "WHERE",
+        description = "The target's place, where it is moved: x (to the right).")
     private @Nullable String targetX;
 
-    @Option(names = "--target-z", paramLabel = "WHERE", description = "The same, down the page.")
+    @Option(
+        names = "--target-z",
+        paramLabel = "WHERE",
+        description = "The same, for z (down the page).")
     private @Nullable String targetZ;
 
-    @Option(names = "--target-y", paramLabel = "WHERE", description = "The same, up the page.")
+    @Option(
+        names = "--target-y",
+        paramLabel = "WHERE",
+        description = "The same, for y (up the page), in place of z.")
     private @Nullable String targetY;
 
     @Option(
         names = "--mount",
         paramLabel = "SENSOR=X,Z,TURN",
         description =
-            "Places are the robot's, on which a sensor sits: forward, to the right, turned left;"
-                + " such as left=5cm,-8cm,90deg. Again for each sensor.")
+            "The logged places are the robot's, and a sensor sits on it: so far forward,"
+                + " so far to the right, turned so far to the left, such as left=5cm,-8cm,90deg."
+                + " Repeat it for each sensor.")
     private @Nullable List<String> mount;
 
     @Option(
         names = "--pose-sigma",
         paramLabel = "LENGTH",
-        description = "How well places are known, such as 3mm.")
+        description = "Standard deviation of the places, such as 3mm.")
     private @Nullable String poseSigma;
 
-    @Option(names = "--heading-sigma", paramLabel = "ANGLE", description = "How well headings are.")
+    @Option(
+        names = "--heading-sigma",
+        paramLabel = "ANGLE",
+        description = "Standard deviation of the headings.")
     private @Nullable String headingSigma;
   }
 
@@ -241,7 +269,7 @@ final class CsvOptions {
     @Option(
         names = "--scene",
         paramLabel = "FILE",
-        description = "A scene.json in place of a target and a sonar.")
+        description = "A scene.json that replaces the options for target and sonar.")
     private @Nullable String scene;
 
     @Option(
@@ -250,34 +278,46 @@ final class CsvOptions {
         description = "hc-sr04, srf04, maxbotix-lv-ez1, or a sensor's JSON file.")
     private @Nullable String sonar;
 
-    @Option(names = "--min-range", paramLabel = "LENGTH", description = "Nearer is not heard.")
+    @Option(
+        names = "--min-range",
+        paramLabel = "LENGTH",
+        description = "Least range that the sonar reports.")
     private @Nullable String minRange;
 
-    @Option(names = "--max-range", paramLabel = "LENGTH", description = "Further is not heard.")
+    @Option(
+        names = "--max-range",
+        paramLabel = "LENGTH",
+        description = "Greatest range that the sonar reports.")
     private @Nullable String maxRange;
 
     @Option(
         names = "--resolution",
         paramLabel = "LENGTH",
-        description = "Step of the ranges. Default: that of the log's digits.")
+        description = "Step of the ranges. Default: as the log's digits say.")
     private @Nullable String resolution;
 
-    @Option(names = "--cone", paramLabel = "ANGLE", description = "Half angle of the cone.")
+    @Option(
+        names = "--cone",
+        paramLabel = "ANGLE",
+        description = "Half of the cone's opening angle.")
     private @Nullable String cone;
 
-    @Option(names = "--height", paramLabel = "LENGTH", description = "Of the sonar on the floor.")
+    @Option(
+        names = "--height",
+        paramLabel = "LENGTH",
+        description = "Height of the sonar above the floor.")
     private @Nullable String height;
 
     @Option(
         names = "--sound-speed",
         paramLabel = "M_PER_S",
-        description = "With which ranges were computed. Default: the sonar's.")
+        description = "Speed of sound with which the ranges were computed. Default: the sonar's.")
     private @Nullable String soundSpeed;
 
     @Option(
         names = "--compensated",
         paramLabel = "true|false",
-        description = "Whether ranges follow the temperature already.")
+        description = "Whether the sensor already corrects its ranges for the temperature.")
     private @Nullable String compensated;
   }
 
@@ -289,7 +329,10 @@ final class CsvOptions {
         description = "comma, semicolon, tab, bar or blanks.")
     private @Nullable String separator;
 
-    @Option(names = "--decimal", paramLabel = "point|comma", description = "In numbers.")
+    @Option(
+        names = "--decimal",
+        paramLabel = "point|comma",
+        description = "Decimal mark of the numbers.")
     private @Nullable String decimal;
 
     @Option(names = "--encoding", paramLabel = "NAME", description = "Such as latin1.")
@@ -298,7 +341,7 @@ final class CsvOptions {
     @Option(
         names = "--header",
         paramLabel = "yes|no",
-        description = "Whether the first line names the columns.")
+        description = "Whether the first line holds the columns' names.")
     private @Nullable String header;
 
     @Option(names = "--skip", paramLabel = "N", description = "Lines before the table.")
@@ -307,10 +350,12 @@ final class CsvOptions {
     @Option(
         names = "--comment",
         paramLabel = "TEXT",
-        description = "How comments begin, beside #, %%, //.")
+        description = "Text with which comment lines begin, besides #, %% and //.")
     private @Nullable String comment;
 
-    @Option(names = "--skip-bad", description = "Leave out rows that cannot be read, and say so.")
+    @Option(
+        names = "--skip-bad",
+        description = "Leave out rows that cannot be read, and count them.")
     private boolean skipBad;
   }
 

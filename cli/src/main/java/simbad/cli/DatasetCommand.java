@@ -22,7 +22,7 @@ import simbad.sonar.scene.SonarSpec;
 /** {@code simbad dataset}: data sets for the diagnosis, made of other things. */
 @Command(
     name = "dataset",
-    description = "Make data sets for simbad diagnose: of a threshold table, of others' logs.",
+    description = "Make data sets for simbad diagnose from a log, or from a threshold table.",
     subcommands = {
       DatasetCsvCommand.class,
       DatasetCommand.Grid.class,
@@ -85,7 +85,7 @@ final class DatasetCommand extends CommandGroup {
     @Option(
         names = "--sensor-file",
         paramLabel = "FILE",
-        description = "Figures of the sonar. Default: data/sensors/srf04.json.")
+        description = "File with the sonar's figures. Default: data/sensors/srf04.json.")
     private @Nullable Path sensorFile;
 
     @Override
@@ -114,7 +114,7 @@ final class DatasetCommand extends CommandGroup {
     @Option(
         names = "--set",
         paramLabel = "NAME",
-        description = "Only the rows of this set. Default: all rows.")
+        description = "Take only the rows of this set. Default: all rows.")
     private @Nullable String set;
 
     @Option(
@@ -127,7 +127,7 @@ final class DatasetCommand extends CommandGroup {
         names = "--sound-speed",
         paramLabel = "M_PER_S",
         description =
-            "With which the log's author computed ranges. Default: ${DEFAULT-VALUE} (58 us/cm).")
+            "The speed of sound with which the log's author computed ranges. Default: ${DEFAULT-VALUE} (58 us/cm).")
     private double soundSpeedMPerS = 344.83;
 
     @Override

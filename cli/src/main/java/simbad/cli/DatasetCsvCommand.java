@@ -19,7 +19,7 @@ import simbad.sonar.format.DataFormatException;
     sortOptions = false,
     abbreviateSynopsis = true,
     description = {
-      "Make a data set of a log of your own: a table of ranges with what is known of where sensor"
+      "Make a data set from a log of your own: a table of ranges with what is known of where sensor"
           + " and target were. What is not said is guessed from the columns' names, asked for at a"
           + " terminal, or assumed, and every assumption is written into scene.json.",
       "docs/guide/own-log.md goes through it."

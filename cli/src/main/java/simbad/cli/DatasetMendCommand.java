@@ -75,7 +75,7 @@ final class DatasetMendCommand extends Subcommand {
   @Option(names = "--flip-x", description = "x points to the left.")
   private boolean flipX;
 
-  @Option(names = "--flip-z", description = "z points up the page.")
+  @Option(names = "--flip-z", description = "In the file, z points up the page.")
   private boolean flipZ;
 
   @Option(names = "--pose-scale", paramLabel = "F", description = "Multiply x and z.")

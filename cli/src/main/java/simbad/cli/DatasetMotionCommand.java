@@ -10,7 +10,9 @@ import simbad.motion.format.MotionFolder;
 /** {@code simbad dataset motion}: motion folders out of others' logs. */
 @Command(
     name = "motion",
-    description = "Make a motion folder for simbad diagnose of what a robot was told and did.",
+    description =
+        "Make a motion folder for simbad diagnose from a log of what a robot was told"
+            + " and what it did.",
     subcommands = {DatasetMotionCommand.Mrclam.class},
     footer = {
       "",

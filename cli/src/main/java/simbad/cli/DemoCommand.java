@@ -13,8 +13,9 @@ import simbad.demo.DemoManager;
 @Command(
     name = "demo",
     description = {
-      "Run a demo: in the window, or with --headless as fast as it goes, and say where everybody is then.",
-      "Demos take no chances: the same number of steps ends in the same places."
+      "Run a demo in the window; or, with --headless, as fast as possible, and"
+          + " print where all agents are at the end.",
+      "Demos use no random numbers: the same number of steps ends in the same places."
     },
     footer = {
       "",

@@ -47,8 +47,7 @@ import simbad.sonar.format.TextFile;
           + " the gap shrinks once that effect is in the simulator.",
       "A data set is a folder with scene.json and readings.csv, and perhaps reference.csv; each"
           + " gets a folder of its name in --out with diagnosis.json, model.json and report.html.",
-      "A motion folder has robot.json, commands.csv and track.csv; its diagnosis says how the robot"
-          + " moves otherwise than it is told.",
+      "A motion folder has robot.json, commands.csv and track.csv; its diagnosis says how the robot's motion differs from what it was told.",
       "Before anything is fitted the data are audited: units, axes, codes for no echo, clocks. Data"
           + " of which no reading can be believed are not diagnosed."
     },
@@ -70,14 +69,14 @@ final class DiagnoseCommand extends Subcommand {
       names = "--out",
       paramLabel = "DIR",
       required = true,
-      description = "Where each data set's diagnosis becomes a folder that does not exist yet.")
+      description = "Folder for the results. Each data set's diagnosis becomes a new folder in it.")
   private Path out = Path.of("");
 
   @Option(
       names = "--seed",
       paramLabel = "N",
       description =
-          "Of what is resampled; the same seed gives the same files. Default: ${DEFAULT-VALUE}.")
+          "Seed of the resampling; the same seed gives the same files. Default: ${DEFAULT-VALUE}.")
   private long seed = 1;
 
   @Option(names = "--json", description = "Print one line of JSON per data set.")
@@ -92,8 +91,8 @@ final class DiagnoseCommand extends Subcommand {
       names = "--corrected",
       paramLabel = "FILE",
       description =
-          "Write the scene as it should have been: with what was named, as far as a scene can say"
-              + " it. Of one data set.")
+          "Also write a corrected scene: the believed one with the named effects in it,"
+              + " as far as a scene can hold them. For one data set only.")
   private @Nullable Path corrected;
 
   @Option(

@@ -14,7 +14,7 @@ final class DriveOptions {
   @Option(
       names = "--sensor-file",
       paramLabel = "FILE",
-      description = "Figures of the sonar. Default: data/sensors/srf04.json.")
+      description = "File with the sonar's figures. Default: data/sensors/srf04.json.")
   private @Nullable Path sensorFile;
 
   @Option(

@@ -49,7 +49,8 @@ final class ExportC99Command extends Subcommand {
   @Option(
       names = "--sensor-file",
       paramLabel = "FILE",
-      description = "Its cone and its range count. Default: data/sensors/srf04.json.")
+      description =
+          "File of the sensor, whose cone and range are used. Default: data/sensors/srf04.json.")
   private @Nullable Path sensorFile;
 
   @Override

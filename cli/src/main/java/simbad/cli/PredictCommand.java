@@ -28,8 +28,7 @@ import simbad.sonar.sensing.ReadingRow;
     description = {
       "Predict the readings at the poses of some rows: 19 quantiles per row, a no-echo counted as"
           + " the scene's no_echo_m.",
-      "Rows may come in any order; the predictions stand in the rows' order. What stands in range_m is"
-          + " ignored."
+      "Rows may come in any order; the predictions keep it. A column range_m is ignored."
     },
     footer = {
       "",

@@ -29,7 +29,7 @@ import simbad.sonar.format.TextFile;
     description = {
       "Run a program that was written for Simbad, unedited and without a window: what it opens as"
           + " new Simbad(...) is stepped at full speed.",
-      "With --trace FILE (here it takes a file), where all agents were after each step."
+      "--trace FILE (only here it takes a file) writes where all agents were after each step."
     },
     footer = {
       "",
@@ -48,19 +48,20 @@ final class ProgramCommand extends Subcommand {
       index = "1..*",
       arity = "0..*",
       paramLabel = "ARGUMENT",
-      description = "Given to the program's main.")
+      description = "Arguments for the program's main.")
   private List<String> arguments = List.of();
 
   @Option(
       names = "--class-path",
       paramLabel = "PATHS",
-      description = "Other people's jars and folders, of classes or sources, with : in between.")
+      description = "Other people's jars and folders of classes or sources, separated by a colon.")
   private String classPath = "";
 
   @Option(
       names = "--main",
       paramLabel = "CLASS",
-      description = "What to start. Default: the only class with a main, or the only environment.")
+      description =
+          "The class to start. Default: the only class with a main, or the only environment.")
   private @Nullable String main;
 
   @Option(
@@ -72,7 +73,8 @@ final class ProgramCommand extends Subcommand {
   @Option(
       names = "--seed",
       paramLabel = "N",
-      description = "Of all chance, Math.random too. Default: ${DEFAULT-VALUE}.")
+      description =
+          "Seed of all random numbers, Math.random() included. Default: ${DEFAULT-VALUE}.")
   private long seed = 1;
 
   @Option(

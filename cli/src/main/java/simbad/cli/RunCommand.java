@@ -77,7 +77,8 @@ final class RunCommand extends Subcommand {
   @Option(
       names = "--seed",
       paramLabel = "N",
-      description = "Of all chance; the same seed gives the same files. Default: ${DEFAULT-VALUE}.")
+      description =
+          "Seed of all random numbers; the same seed gives the same files. Default: ${DEFAULT-VALUE}.")
   private long seed = 1;
 
   @Option(

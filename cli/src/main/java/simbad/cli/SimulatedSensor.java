@@ -8,10 +8,14 @@ final class SimulatedSensor {
   @Option(
       names = "--sensor",
       paramLabel = "SENSOR",
-      description = "With --auto, when the sensor hears: " + RuleArgument.NAMES + ".")
+      description =
+          "With --auto: the model that decides when the sensor hears: " + RuleArgument.NAMES + ".")
   private String word = "shadow";
 
-  @Option(names = "--seed", paramLabel = "N", description = "With --auto, of the noisy sensor.")
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description = "With --auto: seed of the noisy sensor.")
   private long seed = 1;
 
   /** As it was typed. */

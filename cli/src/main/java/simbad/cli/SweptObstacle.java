@@ -12,13 +12,13 @@ final class SweptObstacle {
       names = "--obstacle",
       paramLabel = "NAME",
       required = true,
-      description = "What is swept. " + ObstacleArgument.MEANING)
+      description = "The obstacle to sweep round. " + ObstacleArgument.MEANING)
   private String name = "";
 
   @Option(
       names = "--temperature",
       paramLabel = "CELSIUS",
-      description = "Of the air. Default: not known, 20 assumed.")
+      description = "Temperature of the air. Default: not known, 20 assumed.")
   private @Nullable Double temperatureC;
 
   /** As it was typed. */

@@ -89,8 +89,7 @@ final class TableCommand extends CommandGroup {
   @Command(
       name = "plot",
       description = {
-        "Draw a table as a polar plot, PNG or SVG by the ending of --out; of a predicted or captured"
-            + " one the uncertainty as well.",
+        "Draw a table as a polar plot, PNG or SVG by the ending of --out; a predicted or captured table is drawn with its uncertainty.",
         "With --log, draw a robot's logged positions over it and print their errors."
       },
       footer = {

@@ -36,7 +36,10 @@ final class TableCompareCommand extends Subcommand {
   @Parameters(index = "0", paramLabel = "A", description = "An obstacle's name, or TABLE.csv.")
   private String first = "";
 
-  @Parameters(index = "1", paramLabel = "B", description = "The same; read off at A's bearings.")
+  @Parameters(
+      index = "1",
+      paramLabel = "B",
+      description = "The other table; it is read off at A's bearings.")
   private String second = "";
 
   @Option(

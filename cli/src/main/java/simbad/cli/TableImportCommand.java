@@ -18,7 +18,7 @@ import simbad.sonar.format.TableDocument;
 @Command(
     name = "import",
     description = {
-      "Make a threshold table of somebody else's csv file: other column names, m, cm, mm or inches,"
+      "Make a threshold table from somebody else's csv file: other column names, m, cm, mm or inches,"
           + " any even spacing, rows in any order."
     },
     footer = {
@@ -36,13 +36,14 @@ final class TableImportCommand extends Subcommand {
   @Option(
       names = "--bearing",
       paramLabel = "COLUMN",
-      description = "Of the bearings in degrees. Default: bearing, angle, deg and the like.")
+      description =
+          "Column with the bearings, in degrees. Default: bearing, angle, deg and the like.")
   private @Nullable String bearing;
 
   @Option(
       names = "--threshold",
       paramLabel = "COLUMN",
-      description = "Of the thresholds. Default: threshold, distance, range and the like.")
+      description = "Column with the thresholds. Default: threshold, distance, range and the like.")
   private @Nullable String threshold;
 
   @Option(
@@ -57,7 +58,8 @@ final class TableImportCommand extends Subcommand {
   @Option(
       names = "--offset",
       paramLabel = "DEG",
-      description = "Bearing in the obstacle's frame of the file's 0. Default: ${DEFAULT-VALUE}.")
+      description =
+          "The bearing, in the obstacle's frame, that the file calls 0. Default: ${DEFAULT-VALUE}.")
   private double offsetDeg;
 
   @Option(

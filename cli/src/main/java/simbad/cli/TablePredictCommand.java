@@ -45,13 +45,13 @@ final class TablePredictCommand extends Subcommand {
   @Option(
       names = "--temperature",
       paramLabel = "C",
-      description = "Of the air, degrees Celsius. Default: ${DEFAULT-VALUE}.")
+      description = "Temperature of the air, degrees Celsius. Default: ${DEFAULT-VALUE}.")
   private double temperatureC = Air.ROOM.temperatureC();
 
   @Option(
       names = "--humidity",
       paramLabel = "PERCENT",
-      description = "Of the air, relative. Default: ${DEFAULT-VALUE}.")
+      description = "Relative humidity of the air. Default: ${DEFAULT-VALUE}.")
   private double humidityPercent = Air.ROOM.humidityPercent();
 
   @Option(
@@ -64,13 +64,14 @@ final class TablePredictCommand extends Subcommand {
       names = "--sensor-file",
       paramLabel = "FILE",
       description =
-          "Its minimum and maximum range bound the table. Default: data/sensors/srf04.json.")
+          "File of the sensor, whose minimum and maximum range bound the table. Default: data/sensors/srf04.json.")
   private @Nullable Path sensorFile;
 
   @Option(
       names = "--without-angle",
       description =
-          "Calibrated without the angle's measured table, to see how well the angle is predicted.")
+          "Use the calibration that leaves out the angle's measured table, to see how"
+              + " well the angle is predicted.")
   private boolean withoutAngle;
 
   @Mixin private TableResult result = new TableResult();

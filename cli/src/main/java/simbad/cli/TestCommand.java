@@ -25,7 +25,7 @@ final class TestCommand extends Subcommand {
   @SuppressWarnings("UnusedVariable") // the launcher's
   private boolean full;
 
-  @Parameters(paramLabel = "-- MAVEN_ARGUMENT", description = "What Maven shall be told as well.")
+  @Parameters(paramLabel = "-- MAVEN_ARGUMENT", description = "More arguments for Maven.")
   @SuppressWarnings("UnusedVariable") // the launcher's
   private List<String> mavenArguments = List.of();
 

@@ -13,13 +13,14 @@ final class WorkersOption {
   @Option(
       names = "--jobs",
       paramLabel = "N",
-      description = "How many at a time on this machine. Default: one for each core.")
+      description =
+          "How many cases to work on at a time on this machine. Default: one for each core.")
   private int jobs = Runtime.getRuntime().availableProcessors();
 
   @Option(
       names = "--spark",
       paramLabel = "MASTER",
-      description = "Have them done by Apache Spark: spark://HOST:PORT, or local[N].")
+      description = "Let Apache Spark do the work: spark://HOST:PORT, or local[N].")
   private @Nullable String master;
 
   /** Refuses what cannot be, before any work is done. */
