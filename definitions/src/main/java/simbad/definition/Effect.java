@@ -109,6 +109,15 @@ public final class Effect implements Comparable<Effect> {
   /** Readings are off by whole periods of the carrier. */
   public static final Effect WAVE_HOP = own("wave-hop", 29);
 
+  /** Weak echoes read longer than strong ones. */
+  public static final Effect RANGE_WALK = own("range-walk", 30);
+
+  /** The target is over or under the beam, or the floor's corner answers. */
+  public static final Effect VERTICAL_BEAM = own("vertical-beam", 31);
+
+  /** Ranges drift with the time since power-up. */
+  public static final Effect RANGE_DRIFT = own("range-drift", 32);
+
   private final String word;
   private final int order;
 

@@ -4,13 +4,16 @@ import static simbad.sonar.effect.FittedValues.text;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.definition.Trait;
+import simbad.sonar.change.AirTemperature;
 import simbad.sonar.change.ReadingScale;
 import simbad.sonar.change.SoundSpeed;
 import simbad.sonar.effect.Clues;
@@ -18,6 +21,7 @@ import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.LogDesign;
 import simbad.sonar.effect.Modes;
 import simbad.sonar.effect.Probe;
 import simbad.sonar.effect.Tries;
@@ -38,6 +42,14 @@ public final class SoundSpeedEffect implements Definition {
   };
 
   private static final int MODES = 4;
+
+  /** The form that needs the air's temperature ping by ping. */
+  private static final String TEMPERATURE = "temperature";
+
+  /** Air that changes by less changes the speed of sound by less than a thousandth. */
+  private static final double LEAST_CHANGE_C = 0.5;
+
+  private static final double LEAST_FOLLOWED = 0.1;
   private static final double DEGREES_OF_AIR = 0.606;
   private static final double FREEZING_M_S = 331.3;
 
@@ -80,7 +92,13 @@ public final class SoundSpeedEffect implements Definition {
             effect(),
             "reading",
             v -> new ReadingScale(assumed / v[0], resolution),
-            speed(assumed, UNITS)));
+            speed(assumed, UNITS)),
+        Form.of(
+            effect(),
+            TEMPERATURE,
+            v -> new AirTemperature(assumed / v[0], v[1]),
+            speed(assumed, 0.98, 1, 1.02),
+            Parameter.of("follows", 0, 0, 1, 0.5, 1).asClosed()));
   }
 
   private static Parameter speed(double assumed, double... shares) {
@@ -104,7 +122,24 @@ public final class SoundSpeedEffect implements Definition {
     double assumed = form.parameters().get(0).neutral();
     Modes.of(logarithms, 0.02, MODES)
         .forEach(logarithm -> speeds.add(assumed / Math.exp(logarithm)));
-    return Tries.product(form, speeds);
+    return form.parameters().size() == 1
+        ? Tries.product(form, speeds)
+        : Definition.super.starts(form, clues);
+  }
+
+  /** A temperature shows where the log has it, it changes, and the sensor may not know it. */
+  @Override
+  public boolean canShow(Form form, LogDesign log) {
+    if (!form.name().equals(TEMPERATURE)) {
+      return true;
+    }
+    DoubleSummaryStatistics known =
+        IntStream.range(0, log.log().size())
+            .mapToDouble(log.log()::temperatureC)
+            .filter(Double::isFinite)
+            .summaryStatistics();
+    return known.getMax() - known.getMin() >= LEAST_CHANGE_C
+        && !log.setup().details().temperatureCompensated().orElse(false);
   }
 
   /** 3 m/s is 5 degrees of the air. */
@@ -117,13 +152,18 @@ public final class SoundSpeedEffect implements Definition {
   /** Half a kelvin is 0.3 m/s. */
   @Override
   public boolean isWithinDays(Form form, double... values) {
-    return Math.abs(values[0] - form.neutral()[0]) < 0.6;
+    return values.length == 1 && Math.abs(values[0] - form.neutral()[0]) < 0.6;
   }
 
   @Override
   public String remedy(FittedValues values) {
     double speed = values.value("sound_speed_m_s");
     double assumed = values.sensor().assumedSoundSpeedMPerS();
+    if (values.value("follows") > LEAST_FOLLOWED) {
+      return text(
+          "compute with the speed of sound of each reading's temperature: %.1f m/s at 20 degrees",
+          speed);
+    }
     if (!isAir(speed)) {
       return text(
           "multiply readings by %.4g: that is a unit or a constant, not the air", speed / assumed);
@@ -136,7 +176,7 @@ public final class SoundSpeedEffect implements Definition {
   /** A wrong unit is no speed of sound: readings are to be mended then, not the scene. */
   @Override
   public Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
-    return isAir(values[0])
+    return isAir(values[0]) && values.length == 1
         ? Optional.of(stated.with(stated.sensor().withSoundSpeed(values[0])))
         : Optional.empty();
   }

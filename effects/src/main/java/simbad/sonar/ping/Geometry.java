@@ -64,6 +64,9 @@ public final class Geometry {
   /** Of pings of no log: how often each transducer has looked. */
   private final int[] sent;
 
+  /** Since the first ping of the log, or of the run for pings of no log, seconds. */
+  private final double[] sinceStartS;
+
   private final SightLine sight = new SightLine();
   private final TransducerPose from = new TransducerPose();
 
@@ -85,7 +88,7 @@ public final class Geometry {
       }
       pose.set(log.xM(ping), log.zM(ping), log.headingRad(ping));
       track.next(log.timeS(ping), pose);
-      look(ping, pose);
+      look(ping, pose, log.timeS(ping) - log.firstS());
     }
   }
 
@@ -122,6 +125,7 @@ public final class Geometry {
     pathDeviationM = new double[excessDb.length];
     empty = new boolean[pings];
     sent = new int[pings];
+    sinceStartS = new double[pings];
   }
 
   /** Tells whether a change has to be known before geometry can be computed. */
@@ -164,8 +168,20 @@ public final class Geometry {
     Arrays.fill(formerM, Double.POSITIVE_INFINITY);
   }
 
-  /** Looks from a pose, which is where the sensor really is. */
+  /** Looks from a pose, which is where the sensor really is, at the time of the first ping. */
   public void look(int ping, TruePose pose) {
+    look(ping, pose, 0);
+  }
+
+  /**
+   * Looks from a pose.
+   *
+   * @param ping index
+   * @param pose where the sensor really is
+   * @param sinceS time since the first ping, seconds
+   */
+  public void look(int ping, TruePose pose, double sinceS) {
+    sinceStartS[ping] = sinceS;
     xM[ping] = pose.xM();
     zM[ping] = pose.zM();
     headingRad[ping] = pose.headingRad();
@@ -292,6 +308,13 @@ public final class Geometry {
   /** Returns the number of obstacles. */
   public int obstacles() {
     return obstacles;
+  }
+
+  /**
+   * Returns the time since the first ping of the log, or of the run for pings of no log, seconds.
+   */
+  public double sinceStartS(int ping) {
+    return sinceStartS[ping];
   }
 
   /** Returns whether no obstacle has a point in the cone. */

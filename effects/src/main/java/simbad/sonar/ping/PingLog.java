@@ -34,6 +34,8 @@ public final class PingLog {
   private final boolean[] echo;
   private final double[] rangeM;
   private final double[] runStartS;
+  private final double[] temperatureC;
+  private final double firstS;
   private final List<String> runs;
   private final List<String> sensors;
 
@@ -65,7 +67,9 @@ public final class PingLog {
     echo = new boolean[size];
     rangeM = new double[size];
     runStartS = new double[size];
+    temperatureC = new double[size];
     Map<String, Double> starts = runStarts(rows);
+    firstS = starts.values().stream().mapToDouble(s -> s).min().orElse(0);
     for (int i = 0; i < size; i++) {
       run[i] = rowRun[row[i]];
       sensor[i] = rowSensor[row[i]];
@@ -79,6 +83,7 @@ public final class PingLog {
     boolean follows = timed[i] && i > 0 && run[i - 1] == run[i] && sensor[i - 1] == sensor[i];
     sequenceStart[i] = follows ? sequenceStart[i - 1] : i;
     timeS[i] = from.timeS();
+    temperatureC[i] = from.circumstances().temperatureC().orElse(Double.NaN);
     xM[i] = from.pose().position().xM();
     zM[i] = from.pose().position().zM();
     headingRad[i] = from.pose().heading().radians();
@@ -170,6 +175,16 @@ public final class PingLog {
   /** Returns the time of the first ping of a ping's run in seconds, over all its sensors. */
   public double runStartS(int ping) {
     return runStartS[ping];
+  }
+
+  /** Returns the time of the first ping of all in seconds; 0 where no time is known. */
+  public double firstS() {
+    return firstS;
+  }
+
+  /** Returns the temperature of the air at a ping, degrees Celsius; not a number where unknown. */
+  public double temperatureC(int ping) {
+    return temperatureC[ping];
   }
 
   /** Returns the believed x of the sensor in metres. */

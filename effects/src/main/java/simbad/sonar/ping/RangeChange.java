@@ -2,6 +2,16 @@ package simbad.sonar.ping;
 
 /** Every range is read otherwise than it is. */
 public non-sealed interface RangeChange extends Change {
+  /**
+   * Returns what it does to the ranges of one ping; by default the same as to any other.
+   *
+   * @param geometry of all pings
+   * @param ping index
+   */
+  default RangeChange at(Geometry geometry, int ping) {
+    return this;
+  }
+
   /** Which range changes come first: scale, then offset, then scatter. */
   int order();
 

@@ -59,7 +59,7 @@ final class DiagnosedSensor implements Sensor {
     for (int i = 0; i < size; i++) {
       String label = i < labels.size() ? labels.get(i) : "";
       PoseTrack track = new PoseTrack(model.changes(), label, startS);
-      transducers[i] = new Transducer(i, model, pings, track);
+      transducers[i] = new Transducer(i, model, pings, track, startS);
     }
   }
 

@@ -41,6 +41,10 @@ final class PingModel {
   private final LossChange[] losses;
   private final MixtureChange[] detours;
   private final RangeChange[] ranges;
+
+  /** The same as they are at the ping that is mixed. */
+  private final RangeChange[] rangesNow;
+
   private final MixtureChange[] strangers;
   private final @Nullable Hysteresis hysteresis;
   private final boolean fromOrigin;
@@ -72,6 +76,7 @@ final class PingModel {
         Change.only(RangeChange.class, changes).stream()
             .sorted(Comparator.comparingInt(RangeChange::order))
             .toArray(RangeChange[]::new);
+    rangesNow = ranges.clone();
     Memory memory = Memory.of(changes);
     hysteresis = memory.hysteresis();
     fromOrigin = memory.ghosts() && !memory.asRead();
@@ -103,6 +108,9 @@ final class PingModel {
    */
   void mix(int ping, boolean heardBefore, Mixture before, double lost, Mixture into) {
     arrivals.clear();
+    for (int i = 0; i < ranges.length; i++) {
+      rangesNow[i] = ranges[i].at(geometry, ping);
+    }
     if (hysteresis != null && heardBefore) {
       hear(ping, before);
     }
@@ -236,8 +244,8 @@ final class PingModel {
     origin.clear();
     for (int part = 0; part < reading.size(); part++) {
       double range = reading.meanM(part);
-      for (int i = ranges.length - 1; i >= 0; i--) {
-        range = ranges[i].rangeM(range);
+      for (int i = rangesNow.length - 1; i >= 0; i--) {
+        range = rangesNow[i].rangeM(range);
       }
       origin.add(range, reading.deviationM(part), reading.share(part));
     }
@@ -262,7 +270,7 @@ final class PingModel {
       double range = into.meanM(part);
       double own = into.deviationM(part);
       double deviation = own == 0 ? noiseM : Math.sqrt(own * own + noiseM * noiseM);
-      for (RangeChange change : ranges) {
+      for (RangeChange change : rangesNow) {
         deviation = change.deviationM(range, deviation);
         range = change.meanM(range);
       }

@@ -9,6 +9,7 @@ final class Transducer {
   private final int index;
   private final PingModel pings;
   private final PoseTrack track;
+  private final double startS;
   private final Recollection recollection;
 
   /**
@@ -18,11 +19,13 @@ final class Transducer {
    * @param model what it reads
    * @param pings the model's pings, shared with other transducers
    * @param track where it really is
+   * @param startS time of the first ping, seconds
    */
-  Transducer(int index, DiagnosedModel model, PingModel pings, PoseTrack track) {
+  Transducer(int index, DiagnosedModel model, PingModel pings, PoseTrack track, double startS) {
     this.index = index;
     this.pings = pings;
     this.track = track;
+    this.startS = startS;
     recollection = new Recollection(model, pings);
   }
 
@@ -36,7 +39,7 @@ final class Transducer {
    */
   double ping(double timeS, TruePose pose, RandomGenerator random) {
     track.next(timeS, pose);
-    pings.geometry().look(index, pose);
+    pings.geometry().look(index, pose, timeS - startS);
     return recollection.read(index, timeS, random);
   }
 }

@@ -69,7 +69,7 @@ class GatesTest {
   @Test
   void drive_hasNoPlacements_andStepsHideWaves() {
     assertEquals(
-        Set.of(Effect.NO_ECHO_CODE, Effect.PLACEMENT_ERROR, Effect.WAVE_HOP),
+        Set.of(Effect.NO_ECHO_CODE, Effect.PLACEMENT_ERROR, Effect.WAVE_HOP, Effect.RANGE_WALK),
         closed(Worlds.POST, every(0.05)));
   }
 
@@ -87,11 +87,12 @@ class GatesTest {
             Effect.NO_ECHO_CODE,
             Effect.PLACEMENT_ERROR,
             Effect.WAVE_HOP,
+            Effect.RANGE_WALK,
             Effect.ORIENTATION_SHADOW,
             Effect.OBSTACLE_TURN),
         closed(pole(new Point(0, 0)), every(0.05)));
     assertEquals(
-        Set.of(Effect.NO_ECHO_CODE, Effect.PLACEMENT_ERROR, Effect.WAVE_HOP),
+        Set.of(Effect.NO_ECHO_CODE, Effect.PLACEMENT_ERROR, Effect.WAVE_HOP, Effect.RANGE_WALK),
         closed(pole(new Point(0.02, 0)), every(0.05)));
   }
 
@@ -99,10 +100,10 @@ class GatesTest {
   @Test
   void ladder_mayHavePlacementsThatAreOff_andNoiseWhereItShows() {
     assertEquals(
-        Set.of(Effect.NO_ECHO_CODE, Effect.RANGE_NOISE),
+        Set.of(Effect.NO_ECHO_CODE, Effect.RANGE_NOISE, Effect.RANGE_WALK),
         closed(Ladders.BOARD, Ladders.read((range, lot) -> range, 1)));
     assertEquals(
-        Set.of(Effect.NO_ECHO_CODE),
+        Set.of(Effect.NO_ECHO_CODE, Effect.RANGE_WALK),
         closed(Ladders.BOARD, Ladders.read((range, lot) -> range + 0.02 * lot, 1)));
   }
 
