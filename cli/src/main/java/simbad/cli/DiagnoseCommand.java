@@ -230,6 +230,8 @@ final class DiagnoseCommand extends Subcommand {
       MotionDiagnosis diagnosis = new MotionDiagnoser(data).diagnose();
       Provenance provenance = new Provenance(source.sha256(), version, seed);
       MotionReport.write(staged.path(), data.name(), diagnosis, provenance);
+      // What was believed belongs to what was found beside it.
+      Files.copy(folder.resolve(MotionFolder.ROBOT), staged.path().resolve(MotionFolder.ROBOT));
       staged.publish();
       return new MotionSummary(data.name(), diagnosis, target);
     }

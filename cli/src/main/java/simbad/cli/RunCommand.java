@@ -18,6 +18,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.report.RunOrigin;
 import simbad.experiments.run.Experiment;
+import simbad.experiments.run.RobotKind;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.RunSettings;
 import simbad.experiments.run.SensorKind;
@@ -40,7 +41,8 @@ import simbad.sonar.shape.ThresholdTable;
       "",
       "Example: simbad run",
       "Example: simbad run angle my-table.csv --sensor original,shadow,ray --out results",
-      "Example: simbad run angle --sensor shadow,diagnosed:diagnoses/bench-3"
+      "Example: simbad run angle --sensor shadow,diagnosed:diagnoses/bench-3",
+      "Example: simbad run angle --sensor shadow --speed 0.1 --robot diagnosed:diagnoses/my-robot"
     })
 final class RunCommand extends Subcommand {
   private static final String DEFAULT_OUT = "simbad-run";
@@ -63,6 +65,24 @@ final class RunCommand extends Subcommand {
               + " or a model that a jar brings (docs/guide/own-effect.md)."
               + " Default: original,shadow.")
   private List<String> sensors = List.of("original", "shadow");
+
+  @Option(
+      names = "--robot",
+      paramLabel = "ROBOT",
+      description =
+          "Drive each sensor a second time on a robot that does not do exactly what it is told, and"
+              + " say what of the error comes from hearing and what from moving: "
+              + RobotArgument.MEANING
+              + ".")
+  private @Nullable String robot;
+
+  @Option(
+      names = "--wait",
+      paramLabel = "S",
+      description =
+          "Stand still for so many seconds after each step, until a robot that is late has done what"
+              + " it was told. Default: 0.")
+  private double waitS;
 
   @Mixin private DriveOptions drive = new DriveOptions();
 
@@ -139,7 +159,10 @@ final class RunCommand extends Subcommand {
     double speedMPerS = drive.speedMPerS(this);
     List<SensorKind> kinds = kinds();
     Optional<Point> place = start == null ? Optional.empty() : Optional.of(point(start));
-    return new RunSettings(types(), kinds, drive.sonar(), speedMPerS, place, seed);
+    if (!(waitS >= 0 && waitS <= RunSettings.MOST_WAIT_S)) {
+      throw wrongUsage("--wait: " + waitS + " is not in [0, " + RunSettings.MOST_WAIT_S + "] s");
+    }
+    return new RunSettings(types(), kinds, drive.sonar(), speedMPerS, place, seed).waiting(waitS);
   }
 
   private List<SensorKind> kinds() throws DataFormatException {
@@ -152,7 +175,12 @@ final class RunCommand extends Subcommand {
         throw wrongUsage("--sensor: " + word + " stands twice");
       }
     }
-    return List.copyOf(kinds);
+    List<SensorKind> all = new ArrayList<>(kinds);
+    if (robot != null) {
+      RobotKind moving = RobotArgument.parse(robot);
+      kinds.forEach(kind -> all.add(kind.on(moving)));
+    }
+    return all;
   }
 
   private List<ObstacleType> types() throws DataFormatException {

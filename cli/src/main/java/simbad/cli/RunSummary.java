@@ -6,23 +6,21 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import simbad.experiments.report.TableName;
 import simbad.experiments.run.EdgeLoss;
+import simbad.experiments.run.ErrorParts;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.TraceErrors;
 import simbad.experiments.run.TraceMove;
 
 /** The figures of a run for the console. */
 final class RunSummary {
-  private static final String ROW = " %-9s %9s %9s %9s %9s %9s %9s %10s %11s%n";
+  private static final String ROW = " %9s %9s %9s %9s %9s %9s %10s %11s%n";
+  private static final int LEAST_WIDTH = 9;
   private static final String TITLE = "obstacle (table)";
 
   private RunSummary() {}
 
   static void print(PrintWriter out, List<RunResult> results) {
-    int width =
-        Math.max(
-            TITLE.length(),
-            results.stream().mapToInt(result -> name(result).length()).max().orElse(0));
-    String row = "%-" + width + "s" + ROW;
+    String row = row(results);
     out.printf(
         row,
         TITLE,
@@ -56,6 +54,20 @@ final class RunSummary {
     printLegend(out);
     EdgeLoss.of(results).forEach(loss -> out.println(loss.sentence()));
     TraceMove.of(results).forEach(move -> out.println(move.sentence()));
+    ErrorParts.of(results).forEach(parts -> out.println(parts.sentence()));
+  }
+
+  /** As wide as the longest names. */
+  private static String row(List<RunResult> results) {
+    int name = results.stream().mapToInt(result -> name(result).length()).max().orElse(0);
+    int sensor =
+        results.stream().mapToInt(result -> result.sensor().word().length()).max().orElse(0);
+    return "%-"
+        + Math.max(TITLE.length(), name)
+        + "s %-"
+        + Math.max(LEAST_WIDTH, sensor)
+        + "s"
+        + ROW;
   }
 
   private static void printLegend(PrintWriter out) {

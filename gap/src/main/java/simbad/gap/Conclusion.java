@@ -6,15 +6,16 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
+import simbad.definition.Trait;
 import simbad.gap.diagnosis.AtBound;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Place;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.explain.Blocks;
 import simbad.gap.explain.Gain;
-import simbad.gap.explain.Probabilities;
 import simbad.gap.explain.Weighed;
 import simbad.gap.fit.Hypothesis;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
 
 /**
@@ -28,6 +29,11 @@ import simbad.sonar.effect.Form;
 record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
   /** A place of the gap that is no chance. */
   static final double SURE_PLACE = 0.01;
+
+  /** Beside a large gap that its reference excuses, "none" has to be as sure as this. */
+  private static final double SURELY_NOTHING = 0.1;
+
+  private static final long RESAMPLING = 1;
 
   /** Copies the list. */
   Conclusion {
@@ -59,9 +65,9 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
     if (!best.forms().isEmpty()) {
       return leavesMuch(weighed)
           ? new Conclusion(Verdict.UNEXPLAINED, left(weighed.gain()), List.of())
-          : named(weighed.probabilities(), best, tieNats);
+          : named(weighed, blocks, tieNats);
     }
-    String doubt = doubt(weighed, where);
+    String doubt = doubt(weighed, unknown, where);
     return doubt.isEmpty() ? new Conclusion(Verdict.NONE, "", List.of()) : undecided(doubt);
   }
 
@@ -84,15 +90,38 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
   }
 
   /** One that two others could stand for is no name for what happened. */
-  private static Conclusion named(Probabilities probabilities, Hypothesis best, double tieNats) {
-    for (Effect effect : best.effects()) {
-      List<Effect> rivals = probabilities.inPlaceOf(effect, tieNats);
+  private static Conclusion named(Weighed weighed, Blocks blocks, double tieNats) {
+    for (Effect effect : weighed.taken().hypothesis().effects()) {
+      List<Effect> rivals = weighed.probabilities().inPlaceOf(effect, tieNats);
       if (rivals.size() > 1) {
         String reason = "these data cannot tell " + effect.word() + " from " + words(rivals, ", ");
         return new Conclusion(Verdict.UNDECIDED, reason, List.of());
       }
     }
-    return new Conclusion(Verdict.EXPLAINED, "", List.of());
+    String sponge = sponge(weighed, blocks);
+    return sponge.isEmpty() ? new Conclusion(Verdict.EXPLAINED, "", List.of()) : undecided(sponge);
+  }
+
+  /**
+   * Why an explanation that takes up a little of anything is none: the readings are likelier with
+   * it, but the gap may be as large as before. Empty where it shrinks beyond chance.
+   */
+  private static String sponge(Weighed weighed, Blocks blocks) {
+    Interval shrink = weighed.gain().shrinkage95(blocks, RESAMPLING);
+    List<Effect> soaking =
+        weighed.taken().hypothesis().effects().stream()
+            .filter(effect -> Definitions.with(Trait.SOAKS_UP).contains(effect))
+            .toList();
+    return soaking.isEmpty() || shrink.low() > 0
+        ? ""
+        : String.format(
+            Locale.ROOT,
+            "%s takes up a little of anything, and the gap of another log may be as large as before:"
+                + " it shrinks by %.0f %% (95 %% interval %.0f to %.0f %%)",
+            words(soaking, " + "),
+            100 * weighed.gain().shrinkage(),
+            100 * shrink.low(),
+            100 * shrink.high());
   }
 
   private static Conclusion undecided(String reason) {
@@ -114,9 +143,9 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
   }
 
   /** Why "none" cannot be said of what no effect explains; empty where it can. */
-  private static String doubt(Weighed weighed, List<Place> where) {
+  private static String doubt(Weighed weighed, double unknown, List<Place> where) {
     Gain gain = weighed.gain();
-    if (gain.leavesMuch()) {
+    if (gain.leavesMuch() || (unknown > SURELY_NOTHING && gain.isManyFloors())) {
       return String.format(
           Locale.ROOT,
           "no effect was found, but the gap is %.2f cm where the simulator expects %.2f cm from"

@@ -11,7 +11,8 @@ public class DefaultKinematic extends KinematicModel {
   private final BodyDrive drive = new BodyDrive();
   private final DriveStep step = new DriveStep();
 
-  DefaultKinematic() {}
+  /** Creates a model at rest; for models that let the robot move otherwise than it is told. */
+  protected DefaultKinematic() {}
 
   @Override
   protected void reset() {

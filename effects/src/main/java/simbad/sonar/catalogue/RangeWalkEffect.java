@@ -76,9 +76,7 @@ public final class RangeWalkEffect implements Definition {
   /** 1 cm is two waves of 40 kHz. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
-    return List.of(
-        Probe.tried(
-            Forms.find(effect(), BY_DISTANCE, setup, log.sensors()).orElseThrow(), 0, 0.01));
+    return List.of(Probe.tried(Forms.of(this, setup, log.sensors()).get(0), 0, 0.01));
   }
 
   @Override

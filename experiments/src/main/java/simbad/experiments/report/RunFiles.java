@@ -94,6 +94,9 @@ public final class RunFiles {
     document.put("format", "sonar-run/1");
     document.put("version", origin.version());
     document.put("seed", origin.settings().seed());
+    if (origin.settings().waitS() > 0) {
+      document.put("wait_s", origin.settings().waitS());
+    }
     document.put("speed_m_per_s", origin.settings().speedMPerS());
     document.put("sensor", origin.settings().sonar().name());
     document.put("table_sha256", hashes);

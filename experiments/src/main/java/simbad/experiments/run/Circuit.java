@@ -55,7 +55,17 @@ public record Circuit(
    * @return where the robot was
    */
   public Trace drive(Controller controller) {
-    return new Circumnavigation(this, controller).drive();
+    return drive(controller, 1);
+  }
+
+  /**
+   * Does the same with more patience.
+   *
+   * @param controller that has read nothing yet
+   * @param times how many steps it takes for one of a controller that never waits, at least 1
+   */
+  Trace drive(Controller controller, int times) {
+    return new Circumnavigation(this, controller).drive(times);
   }
 
   /**

@@ -4,6 +4,7 @@ import java.util.SplittableRandom;
 import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
 import simbad.experiments.control.Controller;
+import simbad.experiments.motion.DiagnosedKinematic;
 import simbad.gui.Simbatch;
 import simbad.obstacles.ObstacleType;
 import simbad.obstacles.SonarObstacle;
@@ -57,12 +58,21 @@ final class Circumnavigation {
     SplittableRandom random =
         new SplittableRandom(seed(circuit.type(), circuit.sensor(), circuit.seed()));
     RangeSensorBelt belt = circuit.sensor().belt(circuit.sonar(), random);
-    return new FollowerRobot(start(circuit), belt, circuit.sonar().mountHeightM(), controller);
+    FollowerRobot follower =
+        new FollowerRobot(start(circuit), belt, circuit.sonar().mountHeightM(), controller);
+    circuit
+        .sensor()
+        .robot()
+        .ifPresent(kind -> follower.movesBy(new DiagnosedKinematic(kind.motion())));
+    return follower;
   }
 
-  /** Every run has chance of its own, so that none depends on which others are made. */
+  /**
+   * Every run has chance of its own, so that none depends on which others are made. A robot that
+   * moves otherwise hears with the same chance, for the two to be compared.
+   */
   static long seed(ObstacleType type, SensorKind sensor, long seed) {
-    return seed * 1_000_003L + 31L * type.name().hashCode() + sensor.word().hashCode();
+    return seed * 1_000_003L + 31L * type.name().hashCode() + sensor.hearing().hashCode();
   }
 
   private static Pose start(Circuit circuit) {
@@ -72,9 +82,9 @@ final class Circumnavigation {
         .orElseGet(() -> Start.standard(circuit.type(), circuit.sonar()));
   }
 
-  Trace drive() {
+  Trace drive(int times) {
     simulation.reset();
-    long most = mostSteps();
+    long most = times * mostSteps();
     double farthestM = farthestM();
     while (!trace.isClosed()
         && trace.size() < most

@@ -31,6 +31,14 @@ public record EdgeLoss(RunResult result) {
   /** Says how much of the edge was kept, and which parts were not. */
   public String sentence() {
     EdgeKept edge = result.errors().edge();
+    if (edge.share().orElse(0) == 0) {
+      return String.format(
+          Locale.ROOT,
+          "%s, %s: the robot never came within %.0f cm of the edge after it had lost the first echo.",
+          result.type().name(),
+          result.sensor().word(),
+          100 * EdgeKept.NEAR_M);
+    }
     String pieces =
         edge.skipped().stream()
             .sorted(Comparator.comparingDouble(Arc::lengthM).reversed())

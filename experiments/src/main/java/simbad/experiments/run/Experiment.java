@@ -5,7 +5,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import simbad.experiments.control.Controller;
 import simbad.experiments.control.EdgeFollower;
+import simbad.experiments.control.StopAndGo;
 import simbad.experiments.control.Tuning;
 import simbad.obstacles.ObstacleType;
 
@@ -40,8 +42,9 @@ public final class Experiment {
 
   private static RunResult runOne(ObstacleType type, SensorKind sensor, RunSettings settings) {
     Circuit circuit = Circuit.of(type, sensor, settings);
-    Trace trace =
-        circuit.drive(new EdgeFollower(Tuning.standard(settings.speedMPerS(), Circuit.STEP_S)));
+    Controller follower = new EdgeFollower(Tuning.standard(settings.speedMPerS(), Circuit.STEP_S));
+    int waits = settings.waitSteps();
+    Trace trace = circuit.drive(waits == 0 ? follower : new StopAndGo(follower, waits), 1 + waits);
     return new RunResult(
         type,
         sensor,

@@ -4,6 +4,7 @@ import javax.vecmath.Vector3d;
 import simbad.experiments.control.Command;
 import simbad.experiments.control.Controller;
 import simbad.sim.Agent;
+import simbad.sim.KinematicModel;
 import simbad.sim.RangeSensorBelt;
 import simbad.sonar.frame.Pose;
 
@@ -39,6 +40,11 @@ public final class FollowerRobot extends Agent {
     startHeadingRad = start.heading().radians();
     belt.setUpdateOnEachFrame(true);
     addSensorDevice(belt, new Vector3d(0, mountHeightM - HEIGHT_M / 2.0, 0), 0);
+  }
+
+  /** Lets it move otherwise than it is told. */
+  void movesBy(KinematicModel model) {
+    setKinematicModel(model);
   }
 
   @Override

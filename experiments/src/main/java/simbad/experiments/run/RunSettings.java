@@ -16,6 +16,7 @@ import simbad.sonar.scene.SonarSpec;
  * @param start where the robot starts, the obstacle at the origin; by default on the bearing of the
  *     greatest threshold, half-way out
  * @param seed of all chance
+ * @param waitS how long the robot stands still after each decision, seconds, at least 0
  */
 public record RunSettings(
     List<ObstacleType> obstacles,
@@ -23,7 +24,8 @@ public record RunSettings(
     SonarSpec sonar,
     double speedMPerS,
     Optional<Point> start,
-    long seed) {
+    long seed,
+    double waitS) {
   /** Thesis, section 4.3. */
   public static final double THESIS_SPEED_M_PER_S = 0.01;
 
@@ -32,7 +34,35 @@ public record RunSettings(
     obstacles = List.copyOf(obstacles);
     sensors = List.copyOf(sensors);
     requireSpeed(speedMPerS);
+    if (!(waitS >= 0 && waitS <= MOST_WAIT_S)) {
+      throw new IllegalArgumentException(
+          "waitS = " + waitS + " is not in [0, " + MOST_WAIT_S + "]");
+    }
   }
+
+  /** Of a robot that never waits. */
+  public RunSettings(
+      List<ObstacleType> obstacles,
+      List<SensorKind> sensors,
+      SonarSpec sonar,
+      double speedMPerS,
+      Optional<Point> start,
+      long seed) {
+    this(obstacles, sensors, sonar, speedMPerS, start, seed, 0);
+  }
+
+  /** Returns the same with a robot that stands still for so many seconds after each decision. */
+  public RunSettings waiting(double seconds) {
+    return new RunSettings(obstacles, sensors, sonar, speedMPerS, start, seed, seconds);
+  }
+
+  /** Returns the same in steps of the simulator. */
+  int waitSteps() {
+    return (int) Math.round(waitS / Circuit.STEP_S);
+  }
+
+  /** A robot that waits longer takes a day round an obstacle. */
+  public static final double MOST_WAIT_S = 5;
 
   /** A faster robot would pass by the obstacle between two steps. */
   public static final double GREATEST_SPEED_M_PER_S = 1;

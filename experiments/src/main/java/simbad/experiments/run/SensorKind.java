@@ -66,6 +66,7 @@ public final class SensorKind {
   private final String meaning;
   private final BeltMaker maker;
   private final Optional<FittedModel> model;
+  private final Optional<RobotKind> robot;
 
   /** Makes the belt of a sensor, all transducers at its centre. */
   @FunctionalInterface
@@ -78,6 +79,15 @@ public final class SensorKind {
     this.meaning = meaning;
     this.maker = maker;
     model = Optional.empty();
+    robot = Optional.empty();
+  }
+
+  private SensorKind(SensorKind hearing, RobotKind robot) {
+    word = hearing.word + "-on-" + robot.name();
+    meaning = hearing.meaning + "; on a robot that moves as " + robot.name();
+    maker = hearing.maker;
+    model = hearing.model;
+    this.robot = Optional.of(robot);
   }
 
   private SensorKind(String word, FittedModel fitted) {
@@ -85,6 +95,7 @@ public final class SensorKind {
     meaning = DiagnosedMeaning.of(fitted);
     maker = (spec, random) -> new SonarBelt(SONARS, fitted.setup().sensor(), fitted, random);
     model = Optional.of(fitted);
+    robot = Optional.empty();
   }
 
   private static BeltMaker belt(DetectionRule rule) {
@@ -126,6 +137,26 @@ public final class SensorKind {
         name.replaceAll("[^A-Za-z0-9_.-]", "-"),
         meaning,
         (spec, random) -> new SonarBelt(SONARS, spec, model, random));
+  }
+
+  /**
+   * Returns the same sensor on a robot that moves otherwise than it is told. Its name in files and
+   * tables has the robot's behind it.
+   */
+  public SensorKind on(RobotKind moving) {
+    return new SensorKind(this, moving);
+  }
+
+  /** Returns the robot that it sits on; empty for one that does what it is told. */
+  public Optional<RobotKind> robot() {
+    return robot;
+  }
+
+  /** Returns the name of the sensor alone. */
+  String hearing() {
+    return robot
+        .map(moving -> word.substring(0, word.length() - ("-on-" + moving.name()).length()))
+        .orElse(word);
   }
 
   /** Returns the name in files and tables. */

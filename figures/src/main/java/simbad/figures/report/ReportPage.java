@@ -14,6 +14,7 @@ import simbad.experiments.report.RunOrigin;
 import simbad.experiments.report.TableName;
 import simbad.experiments.run.DetectionMap;
 import simbad.experiments.run.EdgeLoss;
+import simbad.experiments.run.ErrorParts;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.SensorKind;
 import simbad.experiments.run.TraceMove;
@@ -177,6 +178,7 @@ final class ReportPage {
         .forEach(result -> addLost(page, result));
     results.forEach(result -> addMissed(page, result));
     TraceMove.of(results).forEach(move -> note(page, Markup.escaped(move.sentence())));
+    ErrorParts.of(results).forEach(parts -> note(page, Markup.escaped(parts.sentence())));
     results.forEach(result -> addIdle(page, result));
     figure(
         page,
@@ -269,6 +271,9 @@ final class ReportPage {
     page.append("<h2>How this was made</h2>\n<ul>\n");
     item(page, "program " + Markup.escaped(origin.version()));
     item(page, "seed " + origin.settings().seed());
+    if (origin.settings().waitS() > 0) {
+      item(page, "the robot stands still for " + origin.settings().waitS() + " s after each step");
+    }
     item(
         page,
         "robot: "

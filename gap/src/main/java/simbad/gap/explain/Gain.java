@@ -80,6 +80,11 @@ public record Gain(GapMeter.Gaps before, GapMeter.Gaps after, GapMeter.Gaps open
     return mean(open.observedM()) > MANY_TIMES * mean(open.expectedM());
   }
 
+  /** Whether the gap before is more than twice the scatter, whatever the set-up may take up. */
+  public boolean isManyFloors() {
+    return beforeM() > MANY_TIMES * floorM();
+  }
+
   /**
    * Whether so much of the gap is gone that an explanation says something of it. What takes away
    * less may well be there, but the simulator does as well without.

@@ -70,6 +70,9 @@ final class Slicing {
     cuts.add(quantiles("distance", 10, distance));
     cuts.add(quantiles("relative distance", 8, relative));
     cuts.add(quantiles("off axis", 8, offAxis));
+    if (geometry.ears() != null) {
+      cuts.add(quantiles("level", 8, this::levelDb));
+    }
     cuts.add(quantiles("heading", 8, log::headingRad));
     cuts.add(quantiles("x", 6, log::xM));
     cuts.add(quantiles("z", 6, log::zM));
@@ -143,6 +146,11 @@ final class Slicing {
       return -1;
     }
     return (int) (geometry.bearingRad(nearest[ping]) / Angles.TURN_RAD * sectors) % sectors;
+  }
+
+  /** How loud its echo is, which what loses echoes "whatever the geometry" does not ask for. */
+  private double levelDb(int ping) {
+    return isSeen(ping) ? geometry.excessDb(nearest[ping]) : Double.POSITIVE_INFINITY;
   }
 
   private double turn(int ping) {
