@@ -1,6 +1,7 @@
 package simbad.cli;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -25,6 +26,7 @@ import simbad.sonar.scene.SonarSpec;
     description = "Make data sets for simbad diagnose from a log, or from a threshold table.",
     subcommands = {
       DatasetCsvCommand.class,
+      DatasetBagCommand.class,
       DatasetCommand.Grid.class,
       DatasetCommand.Ladder.class,
       DatasetCommand.Plotter.class,
@@ -54,14 +56,20 @@ final class DatasetCommand extends CommandGroup {
 
     /** Publishes the data set whole. */
     final void publish(MadeDataSet made) throws IOException, DataFormatException {
-      try (StagedDirectory staged = StagedDirectory.beside(out)) {
-        made.write(staged.path());
-        // What is written can be diagnosed, or is not left behind.
-        new DataSetFolder(staged.path()).read();
-        staged.publish();
-      }
-      out().println(made.readings().size() + " readings, written to " + out);
+      DatasetCommand.publish(made, out, out());
     }
+  }
+
+  /** Publishes a data set whole, and says so. */
+  static void publish(MadeDataSet made, Path folder, PrintWriter said)
+      throws IOException, DataFormatException {
+    try (StagedDirectory staged = StagedDirectory.beside(folder)) {
+      made.write(staged.path());
+      // What is written can be diagnosed, or is not left behind.
+      new DataSetFolder(staged.path()).read();
+      staged.publish();
+    }
+    said.println(made.readings().size() + " readings, written to " + folder);
   }
 
   /** {@code simbad dataset grid}. */

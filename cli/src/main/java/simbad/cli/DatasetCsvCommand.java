@@ -81,6 +81,11 @@ final class DatasetCsvCommand extends DatasetCommand.Maker {
     words.addAll(made.settings().words());
     words.add("--out");
     words.add(folder().toString());
+    return line(words);
+  }
+
+  /** Returns words as one types them in a shell. */
+  static String line(List<String> words) {
     return words.stream().map(DatasetCsvCommand::quoted).collect(Collectors.joining(" "));
   }
 

@@ -62,11 +62,30 @@ public final class LogImport {
   public static Made of(List<Path> files, LogSettings said, Questions questions)
       throws DataFormatException {
     LogFormat format = LogFormats.of(said);
-    LogPoses.requireOrigin(said);
     List<LogTable> logs = new ArrayList<>();
     for (Path file : files) {
       logs.add(LogTable.read(file, format));
     }
+    return ofTables(logs, said, questions);
+  }
+
+  /**
+   * Reads a log that is no file of its own.
+   *
+   * @param name of what it was made of, for messages
+   * @param text of the log
+   * @param said the options
+   * @param questions for what cannot be guessed
+   * @throws DataFormatException naming line and column of the first fault, or the option
+   */
+  public static Made ofText(Path name, String text, LogSettings said, Questions questions)
+      throws DataFormatException {
+    return ofTables(List.of(LogTable.parse(name, text, LogFormats.of(said))), said, questions);
+  }
+
+  private static Made ofTables(List<LogTable> logs, LogSettings said, Questions questions)
+      throws DataFormatException {
+    LogPoses.requireOrigin(said);
     Assumptions assumptions = new Assumptions();
     LogGuess guess = new LogGuess(logs.get(0), questions, assumptions);
     LogSettings settings = sonarNamed(guess.complete(said), logs.get(0));

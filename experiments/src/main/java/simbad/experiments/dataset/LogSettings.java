@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import simbad.sonar.format.DataFormatException;
 
 /**
@@ -15,6 +16,8 @@ import simbad.sonar.format.DataFormatException;
  * guessed or asked for since. Immutable.
  */
 public final class LogSettings {
+  private static final Set<String> OF_A_SCENE = Set.of("max-range", "min-range", "cone", "height");
+
   private final Map<String, List<String>> values;
 
   /** Takes options with their values. */
@@ -27,6 +30,23 @@ public final class LogSettings {
     Map<String, List<String>> more = new LinkedHashMap<>(values);
     more.put(option, List.of(value));
     return new LogSettings(more);
+  }
+
+  /** Returns the same with others where nothing was said; a scene says all of the sonar. */
+  public LogSettings orElse(Map<String, List<String>> others) {
+    Map<String, List<String>> all = new LinkedHashMap<>(others);
+    if (has("scene")) {
+      all.keySet().removeAll(OF_A_SCENE);
+    }
+    all.putAll(values);
+    return new LogSettings(all);
+  }
+
+  /** Returns the same without some options. */
+  public LogSettings without(Set<String> options) {
+    Map<String, List<String>> less = new LinkedHashMap<>(values);
+    less.keySet().removeAll(options);
+    return new LogSettings(less);
   }
 
   /** Returns the same under another option's name. */

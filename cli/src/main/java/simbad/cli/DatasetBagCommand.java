@@ -1,0 +1,118 @@
+package simbad.cli;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import simbad.experiments.bag.BagTable;
+import simbad.experiments.bag.Recording;
+import simbad.experiments.dataset.LogImport;
+import simbad.experiments.dataset.LogSettings;
+
+/** {@code simbad dataset bag}: a recording of ROS 2 as a data set. */
+@Command(
+    name = "bag",
+    sortOptions = false,
+    abbreviateSynopsis = true,
+    description = {
+      "Make a data set from a recording of ROS 2: a folder of rosbag2, or a file in MCAP or SQLite,"
+          + " plain, in lz4 or zstd. Ranges are those of sensor_msgs/msg/Range; where the sensors"
+          + " were is taken from /tf, /tf_static and odometry.",
+      "All options of simbad dataset csv say more, or something else. docs/guide/bags.md goes"
+          + " through it."
+    },
+    footer = {
+      "",
+      "Example: simbad dataset bag data/logs/bags/post --list",
+      "Example: simbad dataset bag data/logs/bags/post --target round:50mm --out my-data"
+    })
+final class DatasetBagCommand extends Subcommand {
+  /** Options of this command alone. */
+  private static final Set<String> OWN = Set.of("topic", "fixed-frame", "list");
+
+  @Spec
+  @SuppressWarnings("NullAway.Init")
+  private CommandSpec self;
+
+  @Parameters(paramLabel = "BAG", description = "The recording: a folder or a file.")
+  private Path bag = Path.of("");
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      description = "The data set's folder, which does not exist yet.")
+  private @Nullable Path out;
+
+  @Option(
+      names = "--list",
+      description = "Print the topics and the frames of the recording, and make nothing.")
+  private boolean list;
+
+  @Option(
+      names = "--topic",
+      paramLabel = "TOPIC",
+      split = ",",
+      description = "Take the ranges of these topics only. Default: of all.")
+  private List<String> topics = List.of();
+
+  @Option(
+      names = "--fixed-frame",
+      paramLabel = "FRAME",
+      description = "Frame in which places are told. Default: the root above the sensors.")
+  private @Nullable String fixedFrame;
+
+  @Mixin
+  @SuppressWarnings("UnusedVariable") // picocli's
+  private CsvOptions options = new CsvOptions();
+
+  @Override
+  protected void run() throws Exception {
+    if (list == (out != null)) {
+      throw wrongUsage("expected either --out DIR or --list");
+    }
+    Recording recording = Recording.read(bag);
+    if (out == null) {
+      recording.contents().forEach(out()::println);
+      return;
+    }
+    BagTable table =
+        BagTable.of(recording, new LinkedHashSet<>(topics), Optional.ofNullable(fixedFrame));
+    LogSettings said = CsvOptions.typed(self).without(OWN);
+    LogImport.Made made =
+        LogImport.ofText(
+            bag, table.text(), said.orElse(table.settings()), TerminalQuestions.here(err()));
+    DatasetCommand.publish(made.data(), out, out());
+    made.notes().forEach(note -> err().println("note: " + note));
+    table.notes().forEach(note -> out().println("read: " + note));
+    made.data()
+        .setup()
+        .details()
+        .assumptions()
+        .forEach(assumption -> out().println("assumed: " + assumption));
+    out().println(made.summary());
+    out().println("again: " + again(said, out));
+  }
+
+  /** What was typed: the rest stands in the recording. */
+  private String again(LogSettings said, Path folder) {
+    List<String> words = new ArrayList<>(List.of("./simbad", "dataset", "bag", bag.toString()));
+    if (!topics.isEmpty()) {
+      words.addAll(List.of("--topic", String.join(",", topics)));
+    }
+    if (fixedFrame != null) {
+      words.addAll(List.of("--fixed-frame", fixedFrame));
+    }
+    words.addAll(said.words());
+    words.addAll(List.of("--out", folder.toString()));
+    return DatasetCsvCommand.line(words);
+  }
+}

@@ -1,0 +1,204 @@
+package simbad.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.ReadingsFile;
+import simbad.sonar.format.SceneFile;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.sensing.Echo;
+import simbad.sonar.sensing.ReadingRow;
+
+/** Recordings that rosbags and mcap wrote (data/logs/bags/make.py), and broken ones. */
+class DatasetBagCommandTest {
+  private static final Path BAGS = Path.of("..", "data", "logs", "bags");
+  private static final String TARGET = "round:50mm@1.5,0.4";
+
+  @TempDir
+  @SuppressWarnings("NullAway.Init")
+  private Path folder;
+
+  private static Shell bag(Path recording, String... words) {
+    List<String> all = new ArrayList<>(List.of("dataset", "bag", recording.toString()));
+    all.addAll(List.of(words));
+    return Shell.simbad(all.toArray(String[]::new));
+  }
+
+  private List<ReadingRow> rows(String name) throws DataFormatException {
+    Path out = folder.resolve("out-" + name);
+    Shell shell = bag(BAGS.resolve(name), "--target", TARGET, "--out", out.toString());
+    assertEquals(0, shell.status(), shell.err());
+    return ReadingsFile.read(out.resolve("readings.csv"));
+  }
+
+  /** 50 pings of each of two sonars, of which one time is no number. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "post-mcap",
+        "post-message-zstd",
+        "post-file-zstd",
+        "post-plain.mcap",
+        "post-lz4.mcap",
+        "post-zstd.mcap"
+      })
+  void everyForm_isTheSameRecording(String name) throws DataFormatException {
+    List<ReadingRow> expected = rows("post");
+    List<ReadingRow> found = rows(name);
+    assertEquals(98, found.size());
+    for (int i = 0; i < found.size(); i++) {
+      assertEquals(expected.get(i).pose(), found.get(i).pose());
+      assertEquals(expected.get(i).timeS(), found.get(i).timeS());
+      assertEquals(expected.get(i).sensor(), found.get(i).sensor());
+      assertEquals(expected.get(i).reading(), found.get(i).reading());
+    }
+  }
+
+  /** Frames are joined rightly if ranges are the way from the sonar to the post's surface. */
+  @Test
+  void echoes_areAsFarAsThePost() throws DataFormatException {
+    int echoes = 0;
+    for (ReadingRow row : rows("post")) {
+      double x = 1.5 - row.pose().position().xM();
+      double z = 0.4 - row.pose().position().zM();
+      double off = Math.atan2(-z, x) - row.pose().heading().radians();
+      boolean inCone = Math.abs(Math.IEEEremainder(off, 2 * Math.PI)) < Math.toRadians(27.5);
+      double distance = Math.hypot(x, z) - 0.025;
+      if (row.reading() instanceof Echo echo) {
+        assertEquals(distance, echo.rangeM(), 4 * 0.003, row.toString());
+        assertTrue(inCone, row.toString());
+        echoes++;
+      } else {
+        assertFalse(inCone && distance < 1.2, row.toString());
+      }
+    }
+    assertTrue(echoes > 5, echoes + " echoes");
+  }
+
+  @Test
+  void scene_hasWhatTheMessagesSay() throws DataFormatException {
+    rows("post");
+    SensingSetup setup = SceneFile.read(folder.resolve("out-post/scene.json"));
+    assertEquals(4, setup.sensor().maxRangeM(), 1e-6);
+    assertEquals(0.03, setup.sensor().minRangeM(), 1e-6);
+    assertEquals(27.5, Math.toDegrees(setup.sensor().coneHalfAngleRad()), 1e-3);
+    assertEquals(0.15, setup.sensor().mountHeightM(), 1e-6);
+  }
+
+  /** What is said counts more, and one sensor can be taken alone. */
+  @Test
+  void options_sayMore() throws DataFormatException {
+    Path out = folder.resolve("one");
+    Shell shell =
+        bag(
+            BAGS.resolve("post"),
+            "--topic",
+            "/sonar_right",
+            "--max-range",
+            "3m",
+            "--target",
+            TARGET,
+            "--out",
+            out.toString());
+    assertEquals(0, shell.status(), shell.err());
+    List<ReadingRow> rows = ReadingsFile.read(out.resolve("readings.csv"));
+    assertTrue(rows.stream().allMatch(row -> row.sensor().equals("sonar_right")));
+    assertEquals(49, rows.size());
+    assertEquals(3, SceneFile.read(out.resolve("scene.json")).sensor().maxRangeM());
+    assertTrue(shell.out().contains("again: ./simbad dataset bag "), shell.out());
+    assertTrue(shell.out().contains("--topic /sonar_right"), shell.out());
+  }
+
+  @Test
+  void contents_areListed() {
+    Shell shell = bag(BAGS.resolve("post"), "--list");
+    assertEquals(0, shell.status(), shell.err());
+    assertEquals(
+        List.of(
+            "/sonar_front: 50 of sensor_msgs/msg/Range",
+            "/sonar_right: 50 of sensor_msgs/msg/Range",
+            "/tf: 151 of tf2_msgs/msg/TFMessage",
+            "/tf_static: 1 of tf2_msgs/msg/TFMessage",
+            "frame base_link in odom (151 poses)",
+            "frame sonar_front in base_link (fixed)",
+            "frame sonar_right in base_link (fixed)"),
+        shell.out().lines().toList());
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "post, --topic, /radar, '--topic: ''/radar'' is not one of /sonar_front, /sonar_right'",
+    "post, --fixed-frame, mars, --fixed-frame",
+    "make.py, --sonar, srf04, is neither MCAP nor SQLite",
+    "none, --sonar, srf04, is no file and no folder"
+  })
+  void whatIsWrong_isSaidInALine(String name, String option, String value, String said) {
+    Shell shell =
+        bag(BAGS.resolve(name), option, value, "--out", folder.resolve("wrong").toString());
+    assertEquals(2, shell.status());
+    assertTrue(shell.err().contains(said), shell.err());
+    assertEquals(1, shell.err().lines().count(), shell.err());
+    assertFalse(Files.exists(folder.resolve("wrong")));
+  }
+
+  @Test
+  void eitherOutOrList() {
+    assertEquals(2, bag(BAGS.resolve("post")).status());
+    assertEquals(2, bag(BAGS.resolve("post"), "--list", "--out", "x").status());
+  }
+
+  private void checkBroken(String name, int mutations, long seed) throws IOException {
+    byte[] whole = Files.readAllBytes(BAGS.resolve(name));
+    Path broken = folder.resolve("broken");
+    Random random = new Random(seed);
+    for (int i = 0; i < mutations; i++) {
+      byte[] bytes = whole.clone();
+      for (int k = random.nextInt(1, 6); k > 0; k--) {
+        bytes[random.nextInt(bytes.length)] = (byte) random.nextInt();
+      }
+      boolean cut = random.nextInt(4) == 0;
+      int length = cut ? random.nextInt(bytes.length) : bytes.length;
+      Files.write(broken, Arrays.copyOf(bytes, length));
+      Shell shell = bag(broken, "--list");
+      String told = name + ", mutation " + i + ": " + shell.err();
+      assertTrue(shell.status() == 0 || shell.status() == 2, told);
+      assertFalse(shell.err().contains("a fault in the program"), told);
+      assertEquals(shell.status() == 0 ? 0 : 1, shell.err().lines().count(), told);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"post/post.db3", "post-plain.mcap", "post-lz4.mcap", "post-zstd.mcap"})
+  void brokenFiles_areRefusedInALine(String name) throws IOException {
+    checkBroken(name, 300, 11);
+  }
+
+  @Tag("full")
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "post/post.db3",
+        "post-file-zstd/post-file-zstd.db3.zstd",
+        "post-plain.mcap",
+        "post-lz4.mcap",
+        "post-zstd.mcap"
+      })
+  void brokenFiles_byTheThousand(String name) throws IOException {
+    checkBroken(name, 20_000, 12);
+  }
+}
