@@ -1,0 +1,290 @@
+package simbad.experiments.dataset;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import simbad.motion.Command;
+import simbad.motion.MotionChain;
+import simbad.motion.MotionRun;
+import simbad.motion.Robot;
+import simbad.motion.TrackPose;
+import simbad.motion.Unicycle;
+import simbad.motion.format.MotionData;
+import simbad.sonar.format.DataFormatException;
+
+/**
+ * A person's log of what a robot was told and where it then was, as motion data: columns by name or
+ * number, units out of the names or said, wheels or speed and turn.
+ */
+public final class MotionImport {
+  /** A rate in a column's name: v_m_s, w [rad/s], speed (cm/s). */
+  private static final Pattern RATE =
+      Pattern.compile("(m|cm|mm|in|ft|rad|deg|turn)\\s*[/_ ]\\s*s\\b");
+
+  private static final Map<String, List<String>> NAMES =
+      Map.ofEntries(
+          Map.entry("time", List.of("t_s", "t", "time", "time_s", "t_ms", "time_ms", "stamp")),
+          Map.entry("speed", List.of("v_m_s", "v", "speed", "linear", "vx", "v_cm_s", "v_mm_s")),
+          Map.entry(
+              "turn", List.of("w_rad_s", "w", "omega", "angular", "wz", "yaw_rate", "w_deg_s")),
+          Map.entry("left", List.of("left_m_s", "left", "vl", "v_left")),
+          Map.entry("right", List.of("right_m_s", "right", "vr", "v_right")),
+          Map.entry("x", List.of("x_m", "x", "x_mm", "x_cm")),
+          Map.entry("y", List.of("y_m", "y", "y_mm", "y_cm")),
+          Map.entry("z", List.of("z_m", "z", "z_mm", "z_cm")),
+          Map.entry(
+              "heading", List.of("heading_deg", "heading", "yaw", "theta", "phi", "heading_rad")),
+          Map.entry("run", List.of("run")));
+
+  private static final Map<String, Double> ZEROS =
+      Map.of("right", 0.0, "up", 90.0, "left", 180.0, "down", 270.0);
+
+  private static final double GREATEST = 1e9;
+
+  private final LogSettings settings;
+  private final Assumptions assumptions = new Assumptions();
+
+  private MotionImport(LogSettings settings) {
+    this.settings = settings;
+  }
+
+  /**
+   * Motion data with what was decided.
+   *
+   * @param data the data
+   * @param assumptions sentences, each once
+   * @param summary what was read, in one line
+   */
+  public record Made(MotionData data, List<String> assumptions, String summary) {
+    /** Copies the list. */
+    public Made {
+      assumptions = List.copyOf(assumptions);
+    }
+  }
+
+  /**
+   * Reads a log.
+   *
+   * @param commands what the robot was told
+   * @param track where it was; may be the same file
+   * @param said the options
+   * @throws DataFormatException naming file, line and column of the first fault, or the option
+   */
+  public static Made of(Path commands, Path track, LogSettings said) throws DataFormatException {
+    LogFormat format = LogFormats.of(said);
+    LogTable told = LogTable.read(commands, format);
+    LogTable seen = commands.equals(track) ? told : LogTable.read(track, format);
+    return new MotionImport(said).made(told, seen);
+  }
+
+  private Made made(LogTable told, LogTable seen) throws DataFormatException {
+    double startS = Math.min(first(told, "time"), first(seen, trackTime()));
+    Map<String, List<Command>> commands = commands(told, startS);
+    Map<String, List<TrackPose>> track = track(seen, startS);
+    List<MotionRun> runs = new ArrayList<>();
+    for (Map.Entry<String, List<TrackPose>> run : track.entrySet()) {
+      List<Command> ofRun = commands.get(run.getKey());
+      if (ofRun == null) {
+        throw seen.fault("has the run '" + run.getKey() + "', of which no command is known");
+      }
+      runs.add(new MotionRun(run.getKey(), ofRun, run.getValue()));
+    }
+    double sigmaM = settings.findMeasure("track-sigma", Unit.Kind.LENGTH).orElse(0.001);
+    double sigmaDeg = settings.findMeasure("heading-sigma", Unit.Kind.ANGLE).orElse(0.1);
+    assume("track-sigma", "The track is good to a millimetre (--track-sigma).");
+    assume("heading-sigma", "Its headings are good to 0.1 degrees (--heading-sigma).");
+    boolean separate = settings.word("clocks", "one", "separate").equals("separate");
+    assume("clocks", "Commands and track have one clock (--clocks separate).");
+    Robot robot =
+        new Robot(false, 0, separate, sigmaM, Math.toRadians(sigmaDeg), MotionChain.EXACT);
+    String summary =
+        String.format(
+            "read %d commands and %d poses in %s",
+            told.size(), seen.size(), Assumptions.counted(runs.size(), "run"));
+    MotionData data = new MotionData("log", robot, runs, List.of());
+    return new Made(data, assumptions.sentences(), summary);
+  }
+
+  private String trackTime() {
+    return settings.has("track-time") ? "track-time" : "time";
+  }
+
+  private void assume(String option, String sentence) {
+    if (!settings.has(option)) {
+      assumptions.add(sentence);
+    }
+  }
+
+  /** A column with what its numbers are multiplied by. */
+  private record Column(LogTable log, int index, double times) {
+    double value(int row) throws DataFormatException {
+      Optional<LogNumber> number = log.findNumber(row, index);
+      double value = number.map(LogNumber::value).orElse(Double.NaN) * times;
+      if (!(Math.abs(value) <= GREATEST * Math.max(1, times))) {
+        throw log.fault(row, index, "'" + log.text(row, index) + "' is not a finite number");
+      }
+      return value;
+    }
+  }
+
+  private OptionalInt find(LogTable log, String option) throws DataFormatException {
+    if (settings.has(option)) {
+      return OptionalInt.of(LogColumns.require(log, settings.find(option).orElse("")));
+    }
+    for (String name : NAMES.getOrDefault(option.replace("track-", ""), List.of())) {
+      OptionalInt found = LogColumns.find(log, name);
+      if (found.isPresent()) {
+        assumptions.add(
+            "'" + log.names().get(found.getAsInt()) + "' is the column for --" + option + ".");
+        return found;
+      }
+    }
+    return OptionalInt.empty();
+  }
+
+  private int require(LogTable log, String option) throws DataFormatException {
+    OptionalInt found = find(log, option);
+    if (found.isEmpty()) {
+      throw log.fault("has no column that is known for --" + option + "; it has " + log.shown());
+    }
+    return found.getAsInt();
+  }
+
+  private Column column(LogTable log, String option, String unitOption, Unit.Kind kind, Unit usual)
+      throws DataFormatException {
+    int index = require(log, option);
+    Optional<Unit> unit = said(unitOption, kind);
+    if (unit.isEmpty()) {
+      unit = Unit.inName(log.names().get(index)).filter(found -> found.kind() == kind);
+    }
+    if (unit.isEmpty()) {
+      assumptions.add(
+          "'" + log.names().get(index) + "' is in " + usual.word() + " (--" + unitOption + ").");
+    }
+    return new Column(log, index, unit.orElse(usual).si(1));
+  }
+
+  private Optional<Unit> said(String option, Unit.Kind kind) throws DataFormatException {
+    Optional<String> word = settings.find(option);
+    if (word.isEmpty()) {
+      return Optional.empty();
+    }
+    Optional<Unit> unit = Unit.find(word.get()).filter(found -> found.kind() == kind);
+    if (unit.isEmpty()) {
+      throw LogSettings.fault(option, "'" + word.get() + "' is not one of " + Unit.words(kind));
+    }
+    return unit;
+  }
+
+  /** A speed in m/s, or a turn in degrees a second. */
+  private Column rate(LogTable log, String option, String unitOption, Unit usual)
+      throws DataFormatException {
+    int index = require(log, option);
+    String name = log.names().get(index);
+    String word = settings.find(unitOption).orElse(name);
+    Matcher rate = RATE.matcher(word.replaceFirst(".*?_(?=(m|cm|mm|in|ft|rad|deg|turn)_s$)", ""));
+    Optional<Unit> unit =
+        rate.find()
+            ? Unit.find(rate.group(1)).filter(u -> u.kind() == usual.kind())
+            : Optional.empty();
+    if (unit.isEmpty() && settings.has(unitOption)) {
+      throw LogSettings.fault(
+          unitOption, "'" + word + "' is no such rate, expected such as " + usual.word() + "/s");
+    }
+    if (unit.isEmpty()) {
+      assumptions.add("'" + name + "' is in " + usual.word() + "/s (--" + unitOption + ").");
+    }
+    return new Column(log, index, unit.orElse(usual).si(1));
+  }
+
+  private double first(LogTable log, String option) throws DataFormatException {
+    Column time = column(log, option, "time-unit", Unit.Kind.TIME, Unit.S);
+    double least = Double.POSITIVE_INFINITY;
+    for (int row = 0; row < log.size(); row++) {
+      least = Math.min(least, time.value(row));
+    }
+    return least;
+  }
+
+  private String run(LogTable log, OptionalInt column, int row) throws DataFormatException {
+    return column.isEmpty() ? "log" : log.label(row, column.getAsInt());
+  }
+
+  private Map<String, List<Command>> commands(LogTable log, double startS)
+      throws DataFormatException {
+    Column time = column(log, "time", "time-unit", Unit.Kind.TIME, Unit.S);
+    OptionalInt run = find(log, "run");
+    boolean isWheels =
+        settings.has("left") || (find(log, "speed").isEmpty() && find(log, "left").isPresent());
+    Column first = rate(log, isWheels ? "left" : "speed", "speed-unit", Unit.M);
+    Column second =
+        isWheels
+            ? rate(log, "right", "speed-unit", Unit.M)
+            : rate(log, "turn", "turn-unit", Unit.find("rad").orElseThrow());
+    double base = isWheels ? wheelBaseM() : 0;
+    Map<String, List<Command>> commands = new LinkedHashMap<>();
+    for (int row = 0; row < log.size(); row++) {
+      double one = first.value(row);
+      double other = second.value(row);
+      double speed = isWheels ? Unicycle.speedOfWheels(one, other) : one;
+      double turn = isWheels ? Unicycle.turnOfWheels(one, other, base) : Math.toRadians(other);
+      commands
+          .computeIfAbsent(run(log, run, row), name -> new ArrayList<>())
+          .add(new Command(time.value(row) - startS, speed, turn));
+    }
+    return commands;
+  }
+
+  private double wheelBaseM() throws DataFormatException {
+    double base = settings.findMeasure("wheel-base", Unit.Kind.LENGTH).orElse(0.0);
+    if (!(base > 0 && base <= 100)) {
+      throw LogSettings.fault(
+          "wheel-base", "is missing, expected the wheels' distance, such as 20cm");
+    }
+    return base;
+  }
+
+  private Map<String, List<TrackPose>> track(LogTable log, double startS)
+      throws DataFormatException {
+    Column time = column(log, trackTime(), "time-unit", Unit.Kind.TIME, Unit.S);
+    boolean isUp = settings.has("y") || (!settings.has("z") && find(log, "z").isEmpty());
+    Column x = column(log, "x", "place-unit", Unit.Kind.LENGTH, Unit.M);
+    Column y = column(log, isUp ? "y" : "z", "place-unit", Unit.Kind.LENGTH, Unit.M);
+    Column heading = column(log, "heading", "angle-unit", Unit.Kind.ANGLE, Unit.DEG);
+    OptionalInt run = find(log, "run");
+    double sign = settings.word("angle-positive", "ccw", "cw").equals("cw") ? -1 : 1;
+    assume("angle-positive", "Headings grow counter-clockwise (--angle-positive cw).");
+    double zeroDeg = zeroDeg();
+    Map<String, List<TrackPose>> track = new LinkedHashMap<>();
+    for (int row = 0; row < log.size(); row++) {
+      if (log.text(row, x.index()).isEmpty()) {
+        continue;
+      }
+      double headingRad = Math.toRadians(zeroDeg + sign * heading.value(row));
+      double up = isUp ? y.value(row) : -y.value(row);
+      track
+          .computeIfAbsent(run(log, run, row), name -> new ArrayList<>())
+          .add(new TrackPose(time.value(row) - startS, x.value(row), up, headingRad));
+    }
+    if (track.isEmpty()) {
+      throw log.fault("has no row with a place");
+    }
+    return track;
+  }
+
+  private double zeroDeg() throws DataFormatException {
+    Optional<String> word = settings.find("angle-zero");
+    if (word.isEmpty()) {
+      assumptions.add("A heading of 0 looks along +x (--angle-zero).");
+      return 0;
+    }
+    Double known = ZEROS.get(word.get());
+    return known != null ? known : LogSettings.measure("angle-zero", word.get(), Unit.Kind.ANGLE);
+  }
+}
