@@ -173,8 +173,17 @@ final class CanvasUniverse {
       view.stopView();
       canvas.stopRenderer();
       view.removeAllCanvas3Ds();
-      view.attachViewPlatform(null);
+      detach();
       universe.removeAllLocales();
+    }
+  }
+
+  /** Java 3D's own thread may have let go of the universe with the last canvas: then it is done. */
+  private void detach() {
+    try {
+      view.attachViewPlatform(null);
+    } catch (NullPointerException alreadyGone) {
+      // It asks a view for its universe without looking whether it has one.
     }
   }
 }
