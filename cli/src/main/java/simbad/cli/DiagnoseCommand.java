@@ -231,7 +231,9 @@ final class DiagnoseCommand extends Subcommand {
       Provenance provenance = new Provenance(source.sha256(), version, seed);
       MotionReport.write(staged.path(), data.name(), diagnosis, provenance);
       // What was believed belongs to what was found beside it.
-      Files.copy(folder.resolve(MotionFolder.ROBOT), staged.path().resolve(MotionFolder.ROBOT));
+      TextFile.write(
+          staged.path().resolve(MotionFolder.ROBOT),
+          TextFile.read(folder.resolve(MotionFolder.ROBOT)));
       staged.publish();
       return new MotionSummary(data.name(), diagnosis, target);
     }

@@ -5,13 +5,14 @@ import java.io.BufferedInputStream;
 import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.channels.Channels;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.WholeFile;
 
 /**
  * A recording: a file in MCAP or SQLite, or a folder of them as rosbag2 has it; each plain or
@@ -107,7 +108,7 @@ final class BagFile {
   private static void unpack(Path packed, Path plain) throws IOException {
     try (InputStream stream =
         new Limited(new ZstdInputStream(new BufferedInputStream(Files.newInputStream(packed))))) {
-      Files.copy(stream, plain, StandardCopyOption.REPLACE_EXISTING);
+      WholeFile.write(plain, channel -> stream.transferTo(Channels.newOutputStream(channel)));
     } catch (RuntimeException e) {
       throw new IOException("is packed with zstd, and broken", e);
     }
