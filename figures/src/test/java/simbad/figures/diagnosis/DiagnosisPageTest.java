@@ -51,7 +51,7 @@ class DiagnosisPageTest {
         "To tell gain and absorption apart, measure at the 40 poses of next-experiment.csv",
         "7.25 nats",
         "gain and latency 4990.0",
-        "(1 of 435 pairs)",
+        "(1 of 528 pairs)",
         "What to do: multiply all thresholds by 0.50, or restore the sensor's drive voltage.",
         "gain 118.55 (100.00 to 130.00); not explained 8.75 (5.00 to 12.00); scatter (floor) 51.50",
         "program 1 &lt;b&gt;, seed 7",
