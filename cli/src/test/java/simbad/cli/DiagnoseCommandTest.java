@@ -120,7 +120,7 @@ class DiagnoseCommandTest {
     assertEquals(0.05, json.at("/effects/0/parameters/offset_m").asDouble(), 0.003);
     assertEquals(7, json.at("/provenance/seed").asInt());
     assertEquals(ROWS, json.at("/provenance/rows/readings").asInt());
-    assertEquals(30, json.at("/effects").size());
+    assertEquals(33, json.at("/effects").size());
     checkPredictions(bench.resolve("readings.csv"));
   }
 
