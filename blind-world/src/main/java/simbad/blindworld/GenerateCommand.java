@@ -79,7 +79,7 @@ final class GenerateCommand {
         rows(options.text("--rows").orElse(worlds == Worlds.WAVE ? "700-2500" : "2000-4500")),
         (int) options.number("--repeats", 400, 40, 100_000),
         worlds,
-        sizes(options.text("--sizes"), worlds));
+        sizes(options.text("--sizes")));
   }
 
   /** Waves have no other levels, and always come with a reference. */
@@ -95,13 +95,9 @@ final class GenerateCommand {
     return level.isEmpty() ? Worlds.EQUATIONS : Worlds.WAVE;
   }
 
-  private static Optional<Order.Sizes> sizes(Optional<String> text, Worlds worlds)
-      throws FormatException {
+  private static Optional<Order.Sizes> sizes(Optional<String> text) throws FormatException {
     if (text.isEmpty()) {
       return Optional.empty();
-    }
-    if (worlds != Worlds.WAVE) {
-      throw new FormatException("--sizes: expected --level wave with it");
     }
     String[] ends = text.get().split("-", -1);
     double least = Options.inside("--sizes", ends[0], 0.01, 100);
@@ -122,7 +118,7 @@ final class GenerateCommand {
                       new FormatException(
                           "--mix: '"
                               + part
-                              + "', expected none:, single:, pair:, unknown: or withheld:"));
+                              + "', expected none:, single:, pair:, triple:, unknown: or withheld:"));
       if (words.length != 2) {
         throw new FormatException("--mix: '" + part + "', expected kind:weight");
       }
@@ -147,7 +143,7 @@ final class GenerateCommand {
   private static void checkChoice(List<String> effects, Map<Kind, Double> mix)
       throws FormatException {
     List<String> inside = effects.stream().filter(Vocabulary::contains).toList();
-    boolean pairs = mix.getOrDefault(Kind.PAIR, 0.0) > 0;
+    boolean pairs = mix.getOrDefault(Kind.PAIR, 0.0) + mix.getOrDefault(Kind.TRIPLE, 0.0) > 0;
     if (inside.isEmpty() && (pairs || mix.getOrDefault(Kind.SINGLE, 0.0) > 0)) {
       throw new FormatException(
           "--effects: none is of the vocabulary, expected one for --mix's single and pair");

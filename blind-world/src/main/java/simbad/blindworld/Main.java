@@ -7,7 +7,7 @@ import java.nio.file.NoSuchFileException;
 import java.util.Arrays;
 import simbad.blindworld.file.FormatException;
 
-/** The command line: {@code generate}, {@code seal}, {@code baseline} and {@code score}. */
+/** The command line: {@code generate, benchmark, seal, baseline, score}. */
 public final class Main {
 
   private Main() {}
@@ -28,9 +28,10 @@ public final class Main {
         case "score" -> ScoreCommand.run(rest, out);
         case "baseline" -> BaselineCommand.run(rest, err);
         case "seal" -> SealCommand.run(rest);
+        case "benchmark" -> BenchmarkCommand.run(rest, out, err);
         default ->
             throw new FormatException(
-                "'" + command + "': expected generate, seal, baseline or score");
+                "'" + command + "': expected generate, benchmark, seal, baseline or score");
       }
       if (out.checkError()) {
         throw new IOException("cannot write to standard output");

@@ -33,6 +33,9 @@ class BlindCheckTest {
       "absorption,beam-width,early-timeout,dead-zone,floor-echo,gain,sound-speed,range-offset,"
           + "noise-side,range-band-loss";
 
+  /** The root over the first two cases of the benchmark's part L1. */
+  private static final String FIRST_OF_L1 = "TWO_ROOT";
+
   private static Path folder = Path.of("");
   private static Path world = Path.of("");
 
@@ -337,6 +340,58 @@ class BlindCheckTest {
         JsonObject truth = JsonObject.read(one.resolve("truth.json"));
         double size = truth.numbers("sizes").get(0);
         assertTrue(size >= 0.1 && size <= 0.2, "size " + size);
+      }
+    }
+  }
+
+  /** The first cases of the benchmark are those of all of it, byte for byte, on any machine. */
+  @Test
+  void benchmark_hasTheSameBytes() throws Exception {
+    Path two = folder.resolve("two of the benchmark");
+    Done done = run("benchmark", "--part", "L1", "--first", "2", "--out", two + "");
+    assertEquals(0, done.status, done.err);
+    assertTrue(done.out.contains("SRB-1.0 L1, first half, root "), done.out);
+    assertEquals(
+        FIRST_OF_L1, JsonObject.read(two.resolve("manifest.json")).text("root"), "other bytes");
+    Path one = folder.resolve("one of the benchmark");
+    assertEquals(0, run("benchmark", "--part", "l1", "--first", "1", "--out", one + "").status);
+    try (var paths = Files.list(one.resolve("cases"))) {
+      Path name = paths.findFirst().orElseThrow().getFileName();
+      for (String file : List.of("cases", "truth", "rows")) {
+        assertEquals(
+            contents(one.resolve(file).resolve(name)), contents(two.resolve(file).resolve(name)));
+      }
+    }
+  }
+
+  @Test
+  void benchmark_keepsItsSecondHalf() {
+    String[] guess = {"benchmark", "--part", "L2w", "--seed", "1", "--out", folder + "/half"};
+    Done done = run(guess);
+    assertEquals(2, done.status);
+    assertTrue(done.err.contains("--seed: not that of the second half of SRB-1.0"), done.err);
+    assertFalse(Files.exists(folder.resolve("half")));
+    assertEquals(2, run("benchmark", "--part", "L3", "--out", folder + "/half").status);
+  }
+
+  /** Sizes that are asked for are drawn in worlds of equations, too, up to three at a time. */
+  @Test
+  void sizesOfEquations_areInTheTruth() throws Exception {
+    Path to = folder.resolve("sizes of equations");
+    Done done =
+        run(
+            "generate --cases 3 --seed 3 --repeats 40 --rows 300-320 --mix triple:1 --sizes 0.2-3"
+                .split(" "),
+            "--out",
+            to + "");
+    assertEquals(0, done.status, done.err);
+    try (var paths = Files.list(to.resolve("truth"))) {
+      for (Path one : paths.toList()) {
+        JsonObject truth = JsonObject.read(one.resolve("truth.json"));
+        assertEquals(3, truth.object("effects").fields().size());
+        assertEquals(3, truth.numbers("sizes").size());
+        truth.numbers("sizes").forEach(size -> assertTrue(size >= 0.2 && size <= 3));
+        assertTrue(Double.isFinite(truth.number("z")));
       }
     }
   }

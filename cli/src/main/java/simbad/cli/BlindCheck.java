@@ -16,6 +16,7 @@ import java.util.stream.Stream;
 import simbad.definition.Effect;
 import simbad.experiments.blindcheck.CheckJson;
 import simbad.experiments.blindcheck.CheckOrder;
+import simbad.experiments.blindcheck.CheckOrder.Benchmark;
 import simbad.experiments.blindcheck.CheckOrder.Drawn;
 import simbad.experiments.blindcheck.CheckOrder.Foreign;
 import simbad.experiments.blindcheck.CheckScores;
@@ -32,6 +33,9 @@ import simbad.sonar.format.WholeFile;
 final class BlindCheck {
   private static final String ORDER = "order.json";
   private static final String MANIFEST = "manifest.json";
+
+  /** About as many cases as a half of a part of the benchmark has, for the progress bar. */
+  private static final int BENCHMARK = 350;
 
   private final Path folder;
   private final CheckOrder order;
@@ -88,6 +92,8 @@ final class BlindCheck {
       try (StagedDirectory staged = StagedDirectory.beside(world)) {
         if (order.source() instanceof Drawn drawn) {
           draw(drawn, staged.path());
+        } else if (order.source() instanceof Benchmark benchmark) {
+          draw(benchmark, staged.path());
         } else if (order.source() instanceof Foreign foreign) {
           takeOver(foreign, staged.path());
         }
@@ -111,6 +117,16 @@ final class BlindCheck {
     arguments.addAll(drawn.options());
     addWithheld(arguments);
     try (Progress progress = Progress.of("drawing worlds", drawn.cases())) {
+      blindWorld.run(arguments, Optional.empty(), line -> progress.step());
+    }
+  }
+
+  private void draw(Benchmark benchmark, Path target)
+      throws IOException, DataFormatException, InterruptedException {
+    List<String> arguments = new ArrayList<>(List.of("benchmark", "--out", target.toString()));
+    arguments.addAll(List.of("--progress", "1"));
+    arguments.addAll(benchmark.options());
+    try (Progress progress = Progress.of("drawing worlds", benchmark.first().orElse(BENCHMARK))) {
       blindWorld.run(arguments, Optional.empty(), line -> progress.step());
     }
   }

@@ -13,6 +13,7 @@ import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import simbad.experiments.blindcheck.CheckOrder;
+import simbad.experiments.blindcheck.CheckOrder.Benchmark;
 import simbad.experiments.blindcheck.CheckOrder.Drawn;
 import simbad.experiments.blindcheck.CheckOrder.Foreign;
 import simbad.sonar.effect.Definitions;
@@ -40,6 +41,7 @@ import simbad.sonar.format.OneLine;
       "Example: simbad blind-check --cases 1000 --seed 7 --spark spark://host:7077 --out"
           + " check-spark",
       "Example: simbad blind-check --cases 8 --audit-only --out check-audit",
+      "Example: simbad blind-check --benchmark L2w --first 50 --out check-benchmark",
       "Example: simbad blind-check --foreign their-data --level 'L3, a bench' --out check-theirs"
     })
 final class BlindCheckCommand extends Subcommand {
@@ -118,9 +120,22 @@ final class BlindCheckCommand extends Subcommand {
       names = "--sizes",
       paramLabel = "MIN-MAX",
       description =
-          "With --level wave: sizes of what is put in, 1 for a practical one, whether it shows or"
-              + " not. Default: 0.5-2, where it shows.")
+          "Sizes of what is put in, 1 for a practical one, whether it shows or not. Default: 0.5-2,"
+              + " where it shows.")
   private @Nullable String sizes;
+
+  @Option(
+      names = "--benchmark",
+      paramLabel = "PART",
+      description =
+          "Draw a part of the benchmark SRB-1, L1, L2 or L2w, whose orders and bytes are frozen.")
+  private @Nullable String benchmark;
+
+  @Option(
+      names = "--first",
+      paramLabel = "N",
+      description = "With --benchmark: only the first N cases of the part, a sample by lot.")
+  private @Nullable Integer first;
 
   @Option(
       names = "--foreign",
@@ -185,6 +200,12 @@ final class BlindCheckCommand extends Subcommand {
         throw wrongUsage("--withhold: '" + word + "' is the name of no effect");
       }
     }
+    if (benchmark != null) {
+      return new CheckOrder(BuildVersion.text(), benchmark(benchmark), List.of());
+    }
+    if (first != null) {
+      throw wrongUsage("--first: expected --benchmark with it");
+    }
     if (foreign == null) {
       return new CheckOrder(BuildVersion.text(), drawn(), withhold);
     }
@@ -209,6 +230,20 @@ final class BlindCheckCommand extends Subcommand {
         BuildVersion.text(), new Foreign(foreign.toString(), Optional.ofNullable(level)), withhold);
   }
 
+  private Benchmark benchmark(String part) {
+    boolean drawing =
+        Stream.of(cases, reference, rows, sizes, level, foreign).anyMatch(option -> option != null)
+            || off
+            || !mix.isEmpty()
+            || !effects.isEmpty()
+            || !withhold.isEmpty();
+    if (drawing) {
+      throw wrongUsage(
+          "--benchmark: its orders are frozen, expected no other option of what is drawn");
+    }
+    return new Benchmark(part, Optional.ofNullable(first), Optional.ofNullable(seed));
+  }
+
   private Drawn drawn() {
     if (level != null && !level.equals(WAVE)) {
       throw wrongUsage(
@@ -217,9 +252,6 @@ final class BlindCheckCommand extends Subcommand {
     if (level != null && (off || reference != null)) {
       throw wrongUsage(
           "--level wave: every case has a reference, expected no --reference or --off");
-    }
-    if (level == null && sizes != null) {
-      throw wrongUsage("--sizes: expected --level wave with it");
     }
     if (off && reference != null) {
       throw wrongUsage("--off and --reference exclude each other");

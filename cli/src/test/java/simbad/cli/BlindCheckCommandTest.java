@@ -214,6 +214,19 @@ class BlindCheckCommandTest {
     assertTrue(page.contains("--level wave --sizes 1-2"), "the command that repeats it");
   }
 
+  /** A part of the benchmark is drawn, diagnosed and scored by one command. */
+  @Test
+  void benchmark_isDrawnDiagnosedAndScored() throws IOException {
+    Shell shell = check("--benchmark", "L1", "--first", "2");
+    assertEquals(0, shell.status(), shell.err());
+    assertEquals("L1", json("order.json").at("/benchmark").asText());
+    assertEquals("SRB-1.0", json("world/manifest.json").at("/benchmark").asText());
+    assertEquals(2, json("check.json").at("/cases").size());
+    assertTrue(
+        Files.readString(out().resolve("report.html")).contains("--benchmark L1 --first 2"),
+        "the command that repeats it");
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
@@ -233,7 +246,12 @@ class BlindCheckCommandTest {
         "--foreign sets --off | --foreign: nothing is drawn then",
         "--level wave --off | --level wave: every case has a reference",
         "--level wave --reference 0.5 | --level wave: every case has a reference",
-        "--sizes 0.1-10 | --sizes: expected --level wave with it",
+        "--sizes 0-10 | --sizes: '0'",
+        "--first 3 | --first: expected --benchmark with it",
+        "--benchmark L9 | --part: 'L9', expected L1, L2 or L2w",
+        "--benchmark L1 --first 351 | --first: '351'",
+        "--benchmark L1 --first 1 --seed 4 | --seed: not that of the second half",
+        "--benchmark L1 --cases 4 | --benchmark: its orders are frozen",
         "--level wave --sizes 0-1 | --sizes: '0'",
         "--mix odd:1 | --mix: 'odd:1'",
         "--mix withheld:1 | --mix: withheld cases, expected --withheld",

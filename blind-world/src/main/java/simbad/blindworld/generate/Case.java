@@ -25,6 +25,7 @@ import simbad.blindworld.world.Setup;
  * @param sealed fresh rows of the same world
  * @param oracle the world's own forecast of the sealed rows
  * @param gaps of the sealed rows, in centimetres
+ * @param shown where sizes were asked for: what they are, and how plainly the effects show
  * @param draws how many draws it took until every effect showed
  */
 record Case(
@@ -38,6 +39,7 @@ record Case(
     Sheet sealed,
     Forecast oracle,
     Gaps gaps,
+    Optional<Shown> shown,
     int draws) {
 
   /** What is written of it. */
@@ -63,11 +65,30 @@ record Case(
     json.put("echo_share", readings.echoShare());
     json.put("no_echo_m", scene.noEchoM());
     json.put("draws", draws);
+    shown.ifPresent(
+        s -> {
+          json.put("sizes", s.sizes());
+          json.put("z", s.z());
+        });
     json.put("setup", setup.toString());
     json.put("sealed_gap_nominal_cm", gaps.nominalCm());
     json.put("sealed_gap_setup_cm", gaps.setupCm());
     json.put("sealed_gap_oracle_cm", gaps.oracleCm());
     return json;
+  }
+
+  /**
+   * How large effects are, and how plainly they show.
+   *
+   * @param sizes of each effect, 1 for a practical one
+   * @param z standard errors by which the true world forecasts the readings better than without the
+   *     effect that shows least; 0 without effects
+   */
+  record Shown(List<Double> sizes, double z) {
+    /** Copies the list. */
+    Shown {
+      sizes = List.copyOf(sizes);
+    }
   }
 
   /** Rows with what was read on them; an infinite reading is a no-echo. */

@@ -19,7 +19,8 @@ import simbad.blindworld.world.World;
 
 /**
  * Draws one case: a design, a scene, a set-up and effects of log-uniform size, again and again
- * until the rows hold echoes enough and each effect shows in them beside the others.
+ * until the rows hold echoes enough and each effect shows in them beside the others. Where sizes
+ * are asked for, effects need not show; the truth says how plainly they do.
  */
 final class Drawing {
 
@@ -68,10 +69,15 @@ final class Drawing {
               && share <= MOST_ECHO_SHARE
               && names.stream().allMatch(name -> Vocabulary.applies(name, circumstances));
       if (fits) {
-        List<Effect> effects = effects(ground);
+        List<Double> sizes = new ArrayList<>();
+        List<Effect> effects = effects(ground, sizes);
         double[] readings = world(ground, effects).at(ground.recording).read(random.nextLong());
+        if (order.sizes().isPresent()) {
+          Case.Shown shown = new Case.Shown(sizes, z(ground, effects, readings));
+          return complete(ground, effects, readings, Optional.of(shown));
+        }
         if (shows(ground, effects, readings)) {
-          Case drawn = complete(ground, effects, readings);
+          Case drawn = complete(ground, effects, readings, Optional.empty());
           if (matters(drawn)) {
             return drawn;
           }
@@ -86,6 +92,7 @@ final class Drawing {
   private List<String> easier() {
     return switch (assignment.kind()) {
       case PAIR -> Plan.otherPair(order, names.get(0), random);
+      case TRIPLE -> Plan.otherTriple(order, names.get(0), random);
       case UNKNOWN -> names.subList(names.size() - 1, names.size());
       case NONE, SINGLE, WITHHELD -> names;
     };
@@ -104,17 +111,29 @@ final class Drawing {
   }
 
   private Circumstances circumstances(Ground ground) {
-    double grown = Math.min(1.5, Math.max(0, (double) (draws - PATIENCE) / PATIENCE));
-    double size = Math.pow(2, random.nextDouble(-1, 1) + grown);
+    return circumstances(ground, size());
+  }
+
+  private Circumstances circumstances(Ground ground, double size) {
     boolean driven = ground.design.kind().equals("run");
     return new Circumstances(ground.scene, ground.recording, driven, random.split(), size);
   }
 
-  /** Each with a size of its own. */
-  private List<Effect> effects(Ground ground) {
+  private double size() {
+    if (order.sizes().isPresent()) {
+      return order.sizes().get().draw(random);
+    }
+    double grown = Math.min(1.5, Math.max(0, (double) (draws - PATIENCE) / PATIENCE));
+    return Math.pow(2, random.nextDouble(-1, 1) + grown);
+  }
+
+  /** Each with a size of its own, which the list at the end is given. */
+  private List<Effect> effects(Ground ground, List<Double> sizes) {
     List<Effect> effects = new ArrayList<>();
     for (String name : names) {
-      effects.add(Vocabulary.draw(name, circumstances(ground)));
+      double size = size();
+      sizes.add(size);
+      effects.add(Vocabulary.draw(name, circumstances(ground, size)));
     }
     return Vocabulary.inOrder(effects);
   }
@@ -153,10 +172,7 @@ final class Drawing {
     }
     Forecast whole = forecast(ground, effects, ground.recording, CHECK_REPEATS);
     for (Effect effect : asked(effects)) {
-      List<Effect> others =
-          effects.stream().filter(other -> !other.name().equals(effect.name())).toList();
-      Forecast without = forecast(ground, others, ground.recording, CHECK_REPEATS);
-      Evidence.Gain gain = Evidence.of(whole, without, readings, ground.scene.noEchoM());
+      Evidence.Gain gain = evidence(ground, effects, effect, whole, readings);
       boolean matters = !isOutside(effect) || gain.gainCm() >= LEAST_OUTSIDE_GAIN_CM;
       if (gain.standardErrors() < LEAST_STANDARD_ERRORS || !matters) {
         return false;
@@ -165,7 +181,29 @@ final class Drawing {
     return true;
   }
 
-  private Case complete(Ground ground, List<Effect> effects, double[] readings) {
+  /** By how many standard errors the least plain effect shows beside the others; 0 without any. */
+  private double z(Ground ground, List<Effect> effects, double[] readings) {
+    if (effects.isEmpty()) {
+      return 0;
+    }
+    double least = Double.POSITIVE_INFINITY;
+    Forecast whole = forecast(ground, effects, ground.recording, CHECK_REPEATS);
+    for (Effect effect : asked(effects)) {
+      least = Math.min(least, evidence(ground, effects, effect, whole, readings).standardErrors());
+    }
+    return least;
+  }
+
+  private Evidence.Gain evidence(
+      Ground ground, List<Effect> effects, Effect effect, Forecast whole, double[] readings) {
+    List<Effect> others =
+        effects.stream().filter(other -> !other.name().equals(effect.name())).toList();
+    Forecast without = forecast(ground, others, ground.recording, CHECK_REPEATS);
+    return Evidence.of(whole, without, readings, ground.scene.noEchoM());
+  }
+
+  private Case complete(
+      Ground ground, List<Effect> effects, double[] readings, Optional<Case.Shown> shown) {
     int sealedRows = random.nextInt(order.rows().least(), order.rows().most() + 1);
     Case.Sheet sealed = read(ground, effects, sealedRows);
     Recording rows = sealed.recording();
@@ -194,6 +232,7 @@ final class Drawing {
             nominal.gapCm(truth, noEchoM),
             setup.gapCm(truth, noEchoM),
             oracle.gapCm(truth, noEchoM)),
+        shown,
         draws);
   }
 

@@ -26,8 +26,25 @@ public final class Generator {
    * @param done told, from any thread, the number of each case that is finished
    */
   public static void run(Order order, Path directory, IntConsumer done) throws IOException {
+    make(order, directory, order.cases(), new LinkedHashMap<>(), done);
+  }
+
+  /**
+   * As {@link #run}, for some of the cases: those of the first names, which are a sample by lot.
+   *
+   * @param order what to make
+   * @param directory where to; it must be empty or absent
+   * @param first how many of the cases
+   * @param more what the manifest says besides
+   * @param done told, from any thread, the number of each case that is finished
+   * @return the root over all commitments
+   */
+  public static String make(
+      Order order, Path directory, int first, Map<String, Object> more, IntConsumer done)
+      throws IOException {
     requireEmpty(directory);
-    List<Plan.Assignment> plan = Plan.of(order);
+    List<Plan.Assignment> whole = Plan.of(order);
+    List<Plan.Assignment> plan = whole.subList(0, Math.min(first, whole.size()));
     CaseFiles files = new CaseFiles(directory);
     List<Map<String, Object>> entries =
         IntStream.range(0, plan.size())
@@ -38,7 +55,9 @@ public final class Generator {
     if (order.worlds() != Worlds.EQUATIONS) {
       manifest.put("worlds", order.worlds().name().toLowerCase(Locale.ROOT));
     }
+    manifest.putAll(more);
     write(directory, manifest);
+    return String.valueOf(manifest.get("root"));
   }
 
   static void write(Path directory, Map<String, Object> manifest) throws IOException {

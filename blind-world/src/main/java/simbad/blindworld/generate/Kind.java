@@ -11,5 +11,7 @@ public enum Kind {
   /** Something outside the vocabulary, alone or beside an effect of it. */
   UNKNOWN,
   /** One effect of the vocabulary that the diagnosis is not told of. */
-  WITHHELD
+  WITHHELD,
+  /** Three effects of the vocabulary. */
+  TRIPLE
 }

@@ -3,6 +3,7 @@ package simbad.blindworld.generate;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SplittableRandom;
 
 /**
  * What to generate.
@@ -31,7 +32,13 @@ public record Order(
     Optional<Sizes> sizes) {
 
   /** Least and most size of an effect, 1 for a practical one; drawn log-uniform between. */
-  public record Sizes(double least, double most) {}
+  public record Sizes(double least, double most) {
+    /** One of them, log-uniform. */
+    double draw(SplittableRandom random) {
+      double log = Math.log(least);
+      return Math.exp(log + (Math.log(most) - log) * random.nextDouble());
+    }
+  }
 
   /** Least and most rows of a data set. */
   public record Rows(int least, int most) {}

@@ -96,6 +96,7 @@ final class Plan {
               ? List.of(inside.next(), outside.next())
               : List.of(outside.next());
       case WITHHELD -> List.of(wheels.withheld().next());
+      case TRIPLE -> triple(inside);
     };
   }
 
@@ -108,6 +109,29 @@ final class Plan {
       }
     }
     throw new IllegalArgumentException("no effect that " + first + " makes a fair pair with");
+  }
+
+  /** A pair with a third effect that is fair beside both. */
+  private static List<String> triple(Wheel inside) {
+    List<String> two = pair(inside);
+    for (int tries = 0; tries < 200; tries++) {
+      String third = inside.next();
+      if (two.stream().allMatch(name -> Vocabulary.isFairPair(name, third))) {
+        return List.of(two.get(0), two.get(1), third);
+      }
+    }
+    throw new IllegalArgumentException("no effect that is fair beside " + two);
+  }
+
+  /** Three effects, the first of which is given. */
+  static List<String> otherTriple(Order order, String first, SplittableRandom random) {
+    Wheel wheel = wheel(order, order.worlds().names(), random);
+    List<String> two = otherPair(order, first, random);
+    String third = wheel.next();
+    while (!Vocabulary.isFairPair(first, third) || !Vocabulary.isFairPair(two.get(1), third)) {
+      third = wheel.next();
+    }
+    return List.of(first, two.get(1), third);
   }
 
   /** A pair of an effect with any other that is fair beside it. */

@@ -140,6 +140,7 @@ final class WaveDrawing {
   private List<String> easier() {
     return switch (assignment.kind()) {
       case PAIR -> Plan.otherPair(order, names.get(0), random);
+      case TRIPLE -> Plan.otherTriple(order, names.get(0), random);
       case UNKNOWN -> names.subList(names.size() - 1, names.size());
       case NONE, SINGLE, WITHHELD -> names;
     };
@@ -174,9 +175,7 @@ final class WaveDrawing {
 
   private double size() {
     if (order.sizes().isPresent()) {
-      double least = Math.log(order.sizes().get().least());
-      double most = Math.log(order.sizes().get().most());
-      return Math.exp(least + (most - least) * random.nextDouble());
+      return order.sizes().get().draw(random);
     }
     double grown = Math.min(1.5, Math.max(0, (double) (draws - PATIENCE) / PATIENCE));
     return Math.pow(2, random.nextDouble(-1, 1) + grown);

@@ -1,5 +1,6 @@
 package simbad.blindworld.score;
 
+import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -86,6 +87,38 @@ public record Graded(Truth truth, Optional<Answer> answer) {
   /** True when the verdict is right and, but for what is strange, so are the names. */
   public boolean right() {
     return verdictRight() && (truth.isStrange() || named());
+  }
+
+  /**
+   * The probability that the answer puts on what is so: on none, on something without a name, or on
+   * all of the effects by the best of the sets of names that the truth accepts.
+   */
+  public double probabilityOfTruth() {
+    if (answer.isEmpty()) {
+      return 0;
+    }
+    Answer said = answer.get();
+    if (truth.isStrange() || truth.effects().isEmpty()) {
+      return said.probabilityOf(truth.verdict());
+    }
+    double own = together(said, truth.effects());
+    double best =
+        truth.accept().stream().mapToDouble(names -> together(said, names)).max().orElse(own);
+    return (1 - said.unknownProbability()) * Math.max(own, best);
+  }
+
+  /** The least probable of the names; what is tied with one may stand for it. */
+  private double together(Answer said, Collection<String> names) {
+    return names.stream()
+        .mapToDouble(
+            name ->
+                said.effects().stream()
+                    .filter(e -> covers(e.name(), name))
+                    .mapToDouble(Answer.Named::probability)
+                    .max()
+                    .orElse(0))
+        .min()
+        .orElse(0);
   }
 
   /** True when something is said to be at work. */

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import simbad.blindworld.score.Calibration.Claim;
 import simbad.blindworld.score.Ranking.Scored;
 
@@ -78,11 +80,39 @@ final class Scores {
   }
 
   private List<Graded> known() {
-    return cases.stream().filter(g -> !g.truth().isStrange()).toList();
+    return plain().filter(g -> !g.truth().isStrange()).toList();
   }
 
   private List<Graded> strange() {
-    return cases.stream().filter(g -> g.truth().isStrange()).toList();
+    return plain().filter(g -> g.truth().isStrange()).toList();
+  }
+
+  private Stream<Graded> plain() {
+    return cases.stream().filter(g -> !g.truth().isFaint());
+  }
+
+  /** The share of right answers of each kind of case, averaged; what is faint has no part in it. */
+  double classMean() {
+    return classMean(cases);
+  }
+
+  private static double classMean(List<Graded> cases) {
+    return cases.stream()
+        .filter(g -> !g.truth().isFaint())
+        .collect(
+            Collectors.groupingBy(
+                g -> g.truth().kind(),
+                Collectors.averagingDouble(g -> g.standing() == Graded.Standing.RIGHT ? 1.0 : 0.0)))
+        .values()
+        .stream()
+        .mapToDouble(Double::doubleValue)
+        .average()
+        .orElse(0);
+  }
+
+  /** The mean probability on what is so, over all cases that are not faint. */
+  double probabilityOfTruth() {
+    return plain().mapToDouble(Graded::probabilityOfTruth).average().orElse(0);
   }
 
   private static List<Scored> scored(List<Graded> of) {
@@ -232,6 +262,13 @@ final class Scores {
     Map<String, Object> shares = new LinkedHashMap<>();
     shares().forEach((name, share) -> shares.put(name, share.json()));
     json.put("shares", shares);
+    json.put("class_mean", classMean());
+    json.put("class_mean_ci95", Spread.interval95(cases, Scores::classMean));
+    json.put("probability_of_truth", probabilityOfTruth());
+    List<Object> power = Power.json(cases);
+    if (!power.isEmpty()) {
+      json.put("power", power);
+    }
     json.put("unknown", unknown());
     json.put("verdict_calibration", Calibration.json(verdictClaims()));
     verdictBetterBy().ifPresent(share -> putVerdictBetterBy(json, share));

@@ -27,6 +27,8 @@ final class Table {
     for (String name : first.shares().keySet()) {
       each(text, "  " + name, s -> String.valueOf(s.shares().get(name)));
     }
+    each(text, "  mean of the classes, right", s -> number(s.classMean()));
+    each(text, "  probability of the truth, mean", s -> number(s.probabilityOfTruth()));
     each(text, "  unknown AUROC", s -> number(s.auroc()));
     each(
         text,

@@ -16,6 +16,7 @@ import simbad.blindworld.effect.Vocabulary;
  * @param nominalCm the nominal gap on the sealed rows, where known
  * @param oracleCm the true world's gap on the sealed rows, where known
  * @param accept the sets of names by which all that is at work may be called
+ * @param z by how many standard errors the least plain effect shows, where known
  */
 public record Truth(
     String id,
@@ -25,9 +26,13 @@ public record Truth(
     List<Double> countedM,
     Optional<Double> nominalCm,
     Optional<Double> oracleCm,
-    List<Set<String>> accept) {
+    List<Set<String>> accept,
+    Optional<Double> z) {
 
   private static final double LEAST_REMOVAL_CM = 0.5;
+
+  /** What shows less plainly is asked of nobody, and scored by itself. */
+  private static final double PLAIN = 5;
 
   /** Copies the collections. */
   public Truth {
@@ -54,7 +59,8 @@ public record Truth(
         countedM,
         nominalCm,
         oracleCm,
-        strange.isEmpty() ? List.of(Set.copyOf(effects)) : List.of());
+        strange.isEmpty() ? List.of(Set.copyOf(effects)) : List.of(),
+        Optional.empty());
   }
 
   /** True for a name that may stand for something that is at work. */
@@ -70,16 +76,24 @@ public record Truth(
     return effects.isEmpty() ? Verdict.NONE : Verdict.EXPLAINED;
   }
 
+  /** True when an effect is at work that hardly shows, as where all sizes are drawn. */
+  public boolean isFaint() {
+    return !effects.isEmpty() && z.isPresent() && z.get() < PLAIN;
+  }
+
   /** True when something is at work that the diagnosis has no name for. */
   public boolean isStrange() {
     return !strange.isEmpty();
   }
 
   /**
-   * What the case asks: none, single, pair (two or more), outside (of the vocabulary), or withheld
-   * (of it, but the diagnosis was not told).
+   * What the case asks: none, single, pair (two or more), outside (of the vocabulary), withheld (of
+   * it, but the diagnosis was not told), or faint (any of these that hardly shows).
    */
   public String kind() {
+    if (isFaint()) {
+      return "faint";
+    }
     if (!strange.isEmpty()) {
       return strange.stream().allMatch(Vocabulary::contains) ? "withheld" : "outside";
     }

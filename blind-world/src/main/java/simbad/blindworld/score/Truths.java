@@ -86,7 +86,8 @@ public final class Truths {
         counted(one, noEchoM(one, json)),
         gapCm(json, "sealed_gap_nominal"),
         gapCm(json, "sealed_gap_oracle"),
-        accept(json, effects, strange));
+        accept(json, effects, strange),
+        json.optionalNumber("z"));
   }
 
   /** A gap in centimetres, which some truths have in metres. */

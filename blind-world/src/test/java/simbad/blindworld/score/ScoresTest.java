@@ -153,7 +153,8 @@ class ScoresTest {
         truth.countedM(),
         truth.nominalCm(),
         truth.oracleCm(),
-        accept);
+        accept,
+        truth.z());
   }
 
   private static void checkStanding(
@@ -220,6 +221,63 @@ class ScoresTest {
     assertEquals(new Proportion(1, 3), scores.shares().get("all cautious"));
     assertEquals(new Proportion(1, 3), scores.shares().get("all wrong"));
     assertEquals(new Proportion(1, 3), scores.shares().get("all wrongly explained"));
+  }
+
+  private static Truth shown(Truth truth, double z) {
+    return new Truth(
+        truth.id(),
+        truth.effects(),
+        truth.strange(),
+        false,
+        truth.countedM(),
+        truth.nominalCm(),
+        truth.oracleCm(),
+        truth.accept(),
+        Optional.of(z));
+  }
+
+  /** The kinds have one weight each, however many cases they have; what hardly shows has none. */
+  @Test
+  void classMean_leavesOutWhatHardlyShows() {
+    Scores scores =
+        new Scores(
+            List.of(
+                graded(shown(truth(), 0), answer(Verdict.NONE, 0.1)),
+                graded(shown(truth(), 0), answer(Verdict.NONE, 0.1)),
+                graded(shown(truth(), 0), answer(Verdict.EXPLAINED, 0.1, "gain")),
+                graded(shown(truth("gain"), 5), answer(Verdict.EXPLAINED, 0.1, "gain")),
+                graded(shown(truth("odd"), 40), answer(Verdict.EXPLAINED, 0.1, "gain")),
+                graded(shown(truth("gain"), 4.9), answer(Verdict.NONE, 0.1)),
+                graded(shown(truth("odd"), 1), answer(Verdict.UNEXPLAINED, 0.1))));
+    assertEquals((2 / 3.0 + 1 + 0) / 3, scores.classMean(), 1e-12);
+    assertEquals(new Proportion(0, 1), scores.shares().get("outside called unexplained"));
+    assertEquals(
+        Map.of(
+            "none", Map.of("right", 2, "wrong", 1),
+            "single", Map.of("right", 1),
+            "outside", Map.of("wrong", 1),
+            "faint", Map.of("right", 1, "wrong", 1)),
+        scores.json().get("standings"));
+    String power = String.valueOf(scores.json().get("power"));
+    assertTrue(power.startsWith("[{z_from=0.0, z_to=2.0, right={hits=1, of=1,"), power);
+    assertTrue(power.contains("{z_from=2.0, z_to=5.0, right={hits=0, of=1,"), power);
+    assertTrue(power.contains("{z_from=40.0, right={hits=0, of=1,"), power);
+  }
+
+  @Test
+  void probabilityOfTruth_isThatOfAllThatIsSo() {
+    assertEquals(
+        0.9 * 0.1, graded(truth(), answer(Verdict.NONE, 0.1, "gain")).probabilityOfTruth(), 1e-12);
+    assertEquals(0.7, graded(truth("odd"), answer(Verdict.NONE, 0.7)).probabilityOfTruth(), 1e-12);
+    assertEquals(
+        0.8 * 0.9,
+        graded(truth("gain", "latency"), answer(Verdict.NONE, 0.2, "latency", "gain"))
+            .probabilityOfTruth(),
+        1e-12);
+    assertEquals(
+        0,
+        graded(truth("gain", "latency"), answer(Verdict.NONE, 0.2, "gain")).probabilityOfTruth());
+    assertEquals(0, new Graded(truth("gain"), Optional.empty()).probabilityOfTruth());
   }
 
   /** What the vocabulary holds but the diagnosis was not told of is a kind of its own. */

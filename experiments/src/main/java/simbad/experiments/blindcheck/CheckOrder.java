@@ -15,7 +15,7 @@ import java.util.Optional;
 public record CheckOrder(String version, Source source, List<String> withheld) {
 
   /** Where cases come from. */
-  public sealed interface Source permits Drawn, Foreign {}
+  public sealed interface Source permits Drawn, Benchmark, Foreign {}
 
   /**
    * Cases that blind-world draws.
@@ -36,6 +36,24 @@ public record CheckOrder(String version, Source source, List<String> withheld) {
     /** True for worlds of waves, all of which come with a reference. */
     public boolean isWave() {
       return options.contains("--level");
+    }
+  }
+
+  /**
+   * A part of the benchmark SRB-1.
+   *
+   * @param part L1, L2 or L2w
+   * @param first how many of its cases, where not all
+   * @param seed of the second half; absent for the first, which everybody may draw
+   */
+  public record Benchmark(String part, Optional<Integer> first, Optional<Long> seed)
+      implements Source {
+    /** How blind-world's command line has it. */
+    public List<String> options() {
+      List<String> options = new ArrayList<>(List.of("--part", part));
+      first.ifPresent(n -> options.addAll(List.of("--first", "" + n)));
+      seed.ifPresent(s -> options.addAll(List.of("--seed", "" + s)));
+      return options;
     }
   }
 
@@ -63,6 +81,10 @@ public record CheckOrder(String version, Source source, List<String> withheld) {
         json.put("reference_share", drawn.referenceShare());
       }
       drawn.options().forEach(json.putArray("options")::add);
+    } else if (source instanceof Benchmark benchmark) {
+      json.put("benchmark", benchmark.part());
+      benchmark.first().ifPresent(n -> json.put("first", n));
+      benchmark.seed().ifPresent(s -> json.put("seed", s));
     } else if (source instanceof Foreign foreign) {
       json.put("foreign", foreign.folder());
       foreign.level().ifPresent(level -> json.put("level", level));
@@ -80,6 +102,10 @@ public record CheckOrder(String version, Source source, List<String> withheld) {
         words.add("--reference " + drawn.referenceShare());
       }
       words.addAll(drawn.options());
+    } else if (source instanceof Benchmark benchmark) {
+      words.add("--benchmark " + benchmark.part());
+      benchmark.first().ifPresent(n -> words.add("--first " + n));
+      benchmark.seed().ifPresent(s -> words.add("--seed " + s));
     } else if (source instanceof Foreign foreign) {
       words.add("--foreign " + foreign.folder());
       foreign.level().ifPresent(level -> words.add("--level '" + level + "'"));

@@ -1,0 +1,134 @@
+"""A rival that learns: boosted trees on residual slices (scikit-learn's HistGradientBoostingClassifier).
+
+    python rival.py features WORLD... --out features.joblib     # folders that blind-world made
+    python rival.py train features.joblib --out rival.joblib
+    python rival.py answer rival.joblib features.joblib --out ANSWERS
+
+An answer is a folder for each case with diagnosis.json, as blind-world's scorer reads it.
+"""
+
+import argparse
+import json
+from pathlib import Path
+
+import joblib
+import numpy as np
+from sklearn.ensemble import HistGradientBoostingClassifier
+from sklearn.model_selection import StratifiedKFold, cross_val_predict
+
+from features import case
+
+SEED = 20261124
+VERDICTS = ("none", "explained", "unexplained")
+
+
+def trees():
+    return HistGradientBoostingClassifier(
+        learning_rate=0.06, max_iter=250, max_leaf_nodes=15, min_samples_leaf=20, l2_regularization=1.0,
+        early_stopping=False, random_state=SEED)
+
+
+def folders(world: Path):
+    return sorted(path for path in (world / "cases").iterdir() if path.is_dir())
+
+
+def truth(world: Path, name: str):
+    file = world / "truth" / name / "truth.json"
+    return json.loads(file.read_text()) if file.exists() else None
+
+
+def features(arguments):
+    jobs = [(world, folder) for world in arguments.worlds for folder in folders(world)]
+    found = joblib.Parallel(n_jobs=arguments.jobs, verbose=1)(joblib.delayed(case)(folder) for _, folder in jobs)
+    # A name that is not there for a case, such as that of strange echoes where there are none, is a missing value.
+    names = sorted({name for one in found for name in one})
+    joblib.dump(
+        {
+            "names": names,
+            "values": np.array([[one.get(name, np.nan) for name in names] for one in found], dtype=np.float32),
+            "cases": [folder.name for _, folder in jobs],
+            "truths": [truth(world, folder.name) for world, folder in jobs],
+        },
+        arguments.out)
+    print(f"{len(jobs)} cases, {len(names)} features, written to {arguments.out}")
+
+
+def verdict(told: dict) -> str:
+    if told["outside_vocabulary"]:
+        return "unexplained"
+    return "explained" if told["effects"] else "none"
+
+
+def columns(data: dict, names: list) -> np.ndarray:
+    where = {name: i for i, name in enumerate(data["names"])}
+    return np.column_stack(
+        [data["values"][:, where[name]] if name in where else np.full(len(data["cases"]), np.nan) for name in names])
+
+
+def train(arguments):
+    data = [joblib.load(file) for file in arguments.features]
+    names = sorted({name for one in data for name in one["names"]})
+    x = np.vstack([columns(one, names) for one in data])
+    truths = [told for one in data for told in one["truths"]]
+    verdicts = np.array([VERDICTS.index(verdict(told)) for told in truths])
+    effects = sorted({name for told in truths for name in told["effects"] if name not in told["outside_vocabulary"]})
+    folds = StratifiedKFold(5, shuffle=True, random_state=SEED)
+    guessed = cross_val_predict(trees(), x, verdicts, cv=folds, method="predict_proba", n_jobs=arguments.jobs)
+    print(f"{len(truths)} cases; cross-validated verdicts right: {np.mean(guessed.argmax(axis=1) == verdicts):.3f}")
+    model = {"names": names, "effects": {}, "verdict": trees().fit(x, verdicts)}
+    for name in effects:
+        y = np.array([name in told["effects"] for told in truths])
+        if y.sum() >= 10:
+            model["effects"][name] = trees().fit(x, y)
+            print(f"  {name}: {y.sum()} cases")
+    joblib.dump(model, arguments.out)
+
+
+def answer(arguments):
+    model = joblib.load(arguments.model)
+    data = joblib.load(arguments.features)
+    x = columns(data, model["names"])
+    verdicts = model["verdict"].predict_proba(x)
+    chances = {name: trees_.predict_proba(x)[:, 1] for name, trees_ in model["effects"].items()}
+    for number, name in enumerate(data["cases"]):
+        stated = dict(zip(VERDICTS, map(float, verdicts[number])))
+        listed = sorted(((float(chances[e][number]), e) for e in chances), key=lambda pair: (-pair[0], pair[1]))
+        said = max(VERDICTS, key=lambda word: stated[word])
+        named = [e for p, e in listed if p > 0.5] or [listed[0][1]]
+        folder = arguments.out / name
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "diagnosis.json").write_text(json.dumps({
+            "format": "sonar-diagnosis/1",
+            "dataset": name,
+            "verdict": said,
+            "explanation": named if said == "explained" else [],
+            "unknown_probability": stated["unexplained"],
+            "verdict_probability": stated,
+            "effects": [{"name": e, "probability": p} for p, e in listed],
+        }, indent=1) + "\n")
+    print(f"{len(data['cases'])} answers, written to {arguments.out}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--jobs", type=int, default=2, help="processes at a time")
+    steps = parser.add_subparsers(required=True)
+    step = steps.add_parser("features", help="turn worlds into numbers")
+    step.add_argument("worlds", nargs="+", type=Path)
+    step.add_argument("--out", type=Path, required=True)
+    step.set_defaults(run=features)
+    step = steps.add_parser("train", help="learn from worlds whose truth is known")
+    step.add_argument("features", nargs="+", type=Path)
+    step.add_argument("--out", type=Path, required=True)
+    step.set_defaults(run=train)
+    step = steps.add_parser("answer", help="answer cases")
+    step.add_argument("model", type=Path)
+    step.add_argument("features", type=Path)
+    step.add_argument("--out", type=Path, required=True)
+    step.set_defaults(run=answer)
+    arguments = parser.parse_args()
+    arguments.run(arguments)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,75 @@
+package simbad.blindworld;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
+import simbad.blindworld.benchmark.Part;
+import simbad.blindworld.file.FormatException;
+import simbad.blindworld.file.Seal;
+import simbad.blindworld.generate.Generator;
+
+/** {@code benchmark --part L1 --out DIR ...}: draws a part of the benchmark SRB-1. */
+final class BenchmarkCommand {
+
+  private static final List<String> OPTIONS =
+      List.of("--part", "--out", "--first", "--seed", "--progress");
+  private static final int PROGRESS_STEP = 25;
+
+  private BenchmarkCommand() {}
+
+  static void run(String[] arguments, PrintStream out, PrintStream err)
+      throws FormatException, IOException {
+    Options options = new Options(arguments, OPTIONS);
+    String name = options.required("--part");
+    Part part =
+        Part.find(name)
+            .orElseThrow(
+                () -> new FormatException("--part: '" + name + "', expected L1, L2 or L2w"));
+    boolean isSecond = options.text("--seed").isPresent();
+    long seed = isSecond ? secondHalf(options) : Part.FIRST_HALF;
+    int first = (int) options.number("--first", part.cases(), 1, part.cases());
+    int step = (int) options.number("--progress", PROGRESS_STEP, 1, 1e6);
+    AtomicInteger finished = new AtomicInteger();
+    Map<String, Object> said = new LinkedHashMap<>();
+    said.put("benchmark", Part.VERSION);
+    said.put("part", part.word());
+    said.put("half", isSecond ? "second" : "first");
+    said.put("first", first);
+    String root =
+        Generator.make(
+            part.order(seed),
+            Path.of(options.required("--out")),
+            first,
+            said,
+            number -> {
+              int count = finished.incrementAndGet();
+              if (count % step == 0 || count == first) {
+                err.println("generated " + count + " of " + first);
+              }
+            });
+    out.println(part + ", " + said.get("half") + " half, root " + root);
+    if (!isSecond && first == part.cases() && !root.equals(part.root())) {
+      throw new IOException(
+          "the root of " + part + " is " + part.root() + ": these are other bytes");
+    }
+  }
+
+  /** The seed of the second half is known by its hash until it is used. */
+  private static long secondHalf(Options options) throws FormatException {
+    long seed = options.whole("--seed", 0);
+    String hash = Seal.sha256(Long.toString(seed).getBytes(StandardCharsets.UTF_8));
+    if (!hash.equals(Part.SECOND_HALF_SHA256)) {
+      throw new FormatException(
+          "--seed: not that of the second half of "
+              + Part.VERSION
+              + ", expected one whose SHA-256 is "
+              + Part.SECOND_HALF_SHA256);
+    }
+    return seed;
+  }
+}

@@ -1,0 +1,109 @@
+package simbad.blindworld.benchmark;
+
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import simbad.blindworld.generate.Kind;
+import simbad.blindworld.generate.Order;
+import simbad.blindworld.generate.Worlds;
+
+/**
+ * A part of the benchmark SRB-1: worlds of one level of independence. What stands here is frozen: a
+ * change of it, or of what is drawn, makes another benchmark with another number.
+ */
+public enum Part {
+  /** The diagnosis' own equations, set up as the scene says. */
+  L1(0, 350, 0, Worlds.EQUATIONS, "L1_ROOT"),
+  /** As L1, with a set-up that is a little off, and a reference. */
+  L2(1, 350, 1, Worlds.EQUATIONS, "L2_ROOT"),
+  /** Waves, with a user's calibration and a reference. */
+  L2W(2, 300, 0, Worlds.WAVE, "L2W_ROOT");
+
+  /** Name and version: of what is drawn, not of the program. */
+  public static final String VERSION = "SRB-1.0";
+
+  /** Chance of the first half, which everybody may draw. */
+  public static final long FIRST_HALF = 20_261_124;
+
+  /** SHA-256 of the seed of the second half, written in decimal digits, until it is used. */
+  public static final String SECOND_HALF_SHA256 =
+      "f1c43c27ef0575897c487f4686e26ae7229237a64f8d6a87c3a3029716f673be";
+
+  private static final Order.Rows EQUATION_ROWS = new Order.Rows(800, 2500);
+  private static final Order.Rows WAVE_ROWS = new Order.Rows(700, 2500);
+  private static final Order.Sizes SIZES = new Order.Sizes(0.35, 4);
+
+  /** Repeats of the true world behind a forecast of the sealed rows. */
+  private static final int REPEATS = 200;
+
+  private final int number;
+  private final int cases;
+  private final double referenceShare;
+  private final Worlds worlds;
+  private final String root;
+
+  Part(int number, int cases, double referenceShare, Worlds worlds, String root) {
+    this.number = number;
+    this.cases = cases;
+    this.referenceShare = referenceShare;
+    this.worlds = worlds;
+    this.root = root;
+  }
+
+  /** The part of a name as it is typed, whatever its case. */
+  public static Optional<Part> find(String name) {
+    return List.of(values()).stream().filter(p -> p.word().equalsIgnoreCase(name)).findFirst();
+  }
+
+  /** Its name: L1, L2 or L2w. */
+  public String word() {
+    return this == L2W ? "L2w" : name();
+  }
+
+  /** How many cases each half has. */
+  public int cases() {
+    return cases;
+  }
+
+  /** The root over the commitments of all its cases of the first half. */
+  public String root() {
+    return root;
+  }
+
+  /**
+   * What is drawn for it.
+   *
+   * @param seed of the half; each part has chance of its own
+   */
+  public Order order(long seed) {
+    return new Order(
+        cases,
+        seed + number,
+        mix(),
+        referenceShare,
+        List.of(),
+        List.of(),
+        worlds == Worlds.WAVE ? WAVE_ROWS : EQUATION_ROWS,
+        REPEATS,
+        worlds,
+        Optional.of(SIZES));
+  }
+
+  /** One case in four holds nothing, one in five something without a name. */
+  private static Map<Kind, Double> mix() {
+    Map<Kind, Double> mix = new EnumMap<>(Kind.class);
+    mix.put(Kind.NONE, 0.25);
+    mix.put(Kind.SINGLE, 0.4);
+    mix.put(Kind.PAIR, 0.1);
+    mix.put(Kind.TRIPLE, 0.05);
+    mix.put(Kind.UNKNOWN, 0.2);
+    return mix;
+  }
+
+  @Override
+  public String toString() {
+    return String.format(Locale.ROOT, "%s %s", VERSION, word());
+  }
+}
