@@ -12,12 +12,15 @@ import simbad.blindworld.benchmark.Part;
 import simbad.blindworld.file.FormatException;
 import simbad.blindworld.file.Seal;
 import simbad.blindworld.generate.Generator;
+import simbad.blindworld.generate.Order;
 
 /** {@code benchmark --part L1 --out DIR ...}: draws a part of the benchmark SRB-1. */
 final class BenchmarkCommand {
 
   private static final List<String> OPTIONS =
-      List.of("--part", "--out", "--first", "--seed", "--progress");
+      List.of("--part", "--out", "--first", "--seed", "--practice", "--progress");
+  private static final String FIRST = "first half";
+  private static final int MOST_PRACTICE_CASES = 100_000;
   private static final int PROGRESS_STEP = 25;
 
   private BenchmarkCommand() {}
@@ -30,19 +33,18 @@ final class BenchmarkCommand {
         Part.find(name)
             .orElseThrow(
                 () -> new FormatException("--part: '" + name + "', expected L1, L2 or L2w"));
-    boolean isSecond = options.text("--seed").isPresent();
-    long seed = isSecond ? secondHalf(options) : Part.FIRST_HALF;
-    int first = (int) options.number("--first", part.cases(), 1, part.cases());
+    Drawn drawn = drawn(options, part);
+    int first = drawn.first();
     int step = (int) options.number("--progress", PROGRESS_STEP, 1, 1e6);
     AtomicInteger finished = new AtomicInteger();
     Map<String, Object> said = new LinkedHashMap<>();
     said.put("benchmark", Part.VERSION);
     said.put("part", part.word());
-    said.put("half", isSecond ? "second" : "first");
+    said.put("drawn", drawn.what());
     said.put("first", first);
     String root =
         Generator.make(
-            part.order(seed),
+            drawn.order(),
             Path.of(options.required("--out")),
             first,
             said,
@@ -52,11 +54,40 @@ final class BenchmarkCommand {
                 err.println("generated " + count + " of " + first);
               }
             });
-    out.println(part + ", " + said.get("half") + " half, root " + root);
-    if (!isSecond && first == part.cases() && !root.equals(part.root())) {
+    out.println(part + ", " + drawn.what() + ", root " + root);
+    if (drawn.isWhole(part) && !root.equals(part.root())) {
       throw new IOException(
           "the root of " + part + " is " + part.root() + ": these are other bytes");
     }
+  }
+
+  /**
+   * What is drawn.
+   *
+   * @param order of all cases
+   * @param first how many of them are made
+   * @param what a word for it
+   */
+  private record Drawn(Order order, int first, String what) {
+    /** True for all of the first half, whose root is known. */
+    boolean isWhole(Part part) {
+      return what.equals(FIRST) && first == part.cases();
+    }
+  }
+
+  private static Drawn drawn(Options options, Part part) throws FormatException {
+    if (options.text("--practice").isPresent()) {
+      if (options.text("--seed").isPresent()) {
+        throw new FormatException("--practice: has a seed of its own, expected no --seed");
+      }
+      int seed = (int) options.number("--practice", 0, 0, Part.MOST_PRACTICE);
+      int count = (int) options.number("--first", part.cases(), 1, MOST_PRACTICE_CASES);
+      return new Drawn(part.practice(seed, count), count, "practice " + seed);
+    }
+    int first = (int) options.number("--first", part.cases(), 1, part.cases());
+    return options.text("--seed").isPresent()
+        ? new Drawn(part.half(secondHalf(options)), first, "second half")
+        : new Drawn(part.half(Part.FIRST_HALF), first, FIRST);
   }
 
   /** The seed of the second half is known by its hash until it is used. */

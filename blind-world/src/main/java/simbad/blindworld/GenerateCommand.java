@@ -79,7 +79,8 @@ final class GenerateCommand {
         rows(options.text("--rows").orElse(worlds == Worlds.WAVE ? "700-2500" : "2000-4500")),
         (int) options.number("--repeats", 400, 40, 100_000),
         worlds,
-        sizes(options.text("--sizes")));
+        sizes(options.text("--sizes")),
+        Set.of());
   }
 
   /** Waves have no other levels, and always come with a reference. */

@@ -34,7 +34,7 @@ class BlindCheckTest {
           + "noise-side,range-band-loss";
 
   /** The root over the first two cases of the benchmark's part L1. */
-  private static final String FIRST_OF_L1 = "TWO_ROOT";
+  private static final String FIRST_OF_L1 = "72b56b12c087d95e85fd95cfb9b0af68f25f4d423bddfd3f60a7bb01f2b9f71a";
 
   private static Path folder = Path.of("");
   private static Path world = Path.of("");

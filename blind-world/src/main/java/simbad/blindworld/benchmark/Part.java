@@ -1,10 +1,12 @@
 package simbad.blindworld.benchmark;
 
 import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import simbad.blindworld.generate.Kind;
 import simbad.blindworld.generate.Order;
 import simbad.blindworld.generate.Worlds;
@@ -15,7 +17,12 @@ import simbad.blindworld.generate.Worlds;
  */
 public enum Part {
   /** The diagnosis' own equations, set up as the scene says. */
-  L1(0, 350, 0, Worlds.EQUATIONS, "L1_ROOT"),
+  L1(
+      0,
+      350,
+      0,
+      Worlds.EQUATIONS,
+      "50bf76cabc0e530ca1a3454c0bbd5206b083ecb64af96ab00800506800b8ff9c"),
   /** As L1, with a set-up that is a little off, and a reference. */
   L2(1, 350, 1, Worlds.EQUATIONS, "L2_ROOT"),
   /** Waves, with a user's calibration and a reference. */
@@ -31,9 +38,20 @@ public enum Part {
   public static final String SECOND_HALF_SHA256 =
       "f1c43c27ef0575897c487f4686e26ae7229237a64f8d6a87c3a3029716f673be";
 
+  /** The greatest seed of practice. */
+  public static final int MOST_PRACTICE = 1_000_000;
+
+  private static final long PRACTICE = 1_000_000_000;
+
+  /** Between two seeds of practice, so that no part has another one's chance. */
+  private static final int STEP = 10;
+
   private static final Order.Rows EQUATION_ROWS = new Order.Rows(800, 2500);
   private static final Order.Rows WAVE_ROWS = new Order.Rows(700, 2500);
-  private static final Order.Sizes SIZES = new Order.Sizes(0.35, 4);
+  private static final Order.Sizes SIZES = new Order.Sizes(0.4, 4);
+
+  /** Single effects are of all sizes, so that power can be told; the others have to show. */
+  private static final Set<Kind> PLAIN = EnumSet.of(Kind.PAIR, Kind.TRIPLE, Kind.UNKNOWN);
 
   /** Repeats of the true world behind a forecast of the sealed rows. */
   private static final int REPEATS = 200;
@@ -73,13 +91,27 @@ public enum Part {
   }
 
   /**
-   * What is drawn for it.
+   * What is drawn for a half of it.
    *
    * @param seed of the half; each part has chance of its own
    */
-  public Order order(long seed) {
+  public Order half(long seed) {
+    return order(seed, cases);
+  }
+
+  /**
+   * Cases of the same kind to practise and to learn on, none of which is of the benchmark.
+   *
+   * @param seed from 0 to {@link #MOST_PRACTICE}, a range in which neither half's is
+   * @param count how many
+   */
+  public Order practice(int seed, int count) {
+    return order(PRACTICE + (long) STEP * seed, count);
+  }
+
+  private Order order(long seed, int count) {
     return new Order(
-        cases,
+        count,
         seed + number,
         mix(),
         referenceShare,
@@ -88,7 +120,8 @@ public enum Part {
         worlds == Worlds.WAVE ? WAVE_ROWS : EQUATION_ROWS,
         REPEATS,
         worlds,
-        Optional.of(SIZES));
+        Optional.of(SIZES),
+        PLAIN);
   }
 
   /** One case in four holds nothing, one in five something without a name. */

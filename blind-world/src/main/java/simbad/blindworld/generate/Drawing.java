@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import simbad.blindworld.design.Design;
 import simbad.blindworld.design.Scenes;
@@ -72,12 +73,9 @@ final class Drawing {
         List<Double> sizes = new ArrayList<>();
         List<Effect> effects = effects(ground, sizes);
         double[] readings = world(ground, effects).at(ground.recording).read(random.nextLong());
-        if (order.sizes().isPresent()) {
-          Case.Shown shown = new Case.Shown(sizes, z(ground, effects, readings));
-          return complete(ground, effects, readings, Optional.of(shown));
-        }
-        if (shows(ground, effects, readings)) {
-          Case drawn = complete(ground, effects, readings, Optional.empty());
+        OptionalDouble z = z(ground, effects, readings);
+        if (z.isPresent()) {
+          Case drawn = complete(ground, effects, readings, shown(sizes, z.getAsDouble()));
           if (matters(drawn)) {
             return drawn;
           }
@@ -120,11 +118,12 @@ final class Drawing {
   }
 
   private double size() {
-    if (order.sizes().isPresent()) {
-      return order.sizes().get().draw(random);
-    }
     double grown = Math.min(1.5, Math.max(0, (double) (draws - PATIENCE) / PATIENCE));
-    return Math.pow(2, random.nextDouble(-1, 1) + grown);
+    return order.size(assignment.kind(), grown, random);
+  }
+
+  private Optional<Case.Shown> shown(List<Double> sizes, double z) {
+    return order.sizes().map(asked -> new Case.Shown(sizes, z));
   }
 
   /** Each with a size of its own, which the list at the end is given. */
@@ -161,37 +160,31 @@ final class Drawing {
 
   /** True when what is outside the vocabulary costs enough on the sealed rows, too. */
   private boolean matters(Case drawn) {
-    return (assignment.kind() != Kind.UNKNOWN && assignment.kind() != Kind.WITHHELD)
+    return !order.hasToShow(assignment.kind())
+        || (assignment.kind() != Kind.UNKNOWN && assignment.kind() != Kind.WITHHELD)
         || drawn.gaps().setupCm() - drawn.gaps().oracleCm() >= LEAST_OUTSIDE_SEALED_CM;
   }
 
-  /** True when leaving out any one effect makes the forecast plainly worse. */
-  private boolean shows(Ground ground, List<Effect> effects, double[] readings) {
+  /**
+   * By how many standard errors leaving out any one effect makes the forecast worse, least of all;
+   * 0 without effects, nothing where one has to show and does not.
+   */
+  private OptionalDouble z(Ground ground, List<Effect> effects, double[] readings) {
     if (effects.isEmpty()) {
-      return true;
+      return OptionalDouble.of(0);
     }
+    boolean hasToShow = order.hasToShow(assignment.kind());
+    double least = Double.POSITIVE_INFINITY;
     Forecast whole = forecast(ground, effects, ground.recording, CHECK_REPEATS);
     for (Effect effect : asked(effects)) {
       Evidence.Gain gain = evidence(ground, effects, effect, whole, readings);
       boolean matters = !isOutside(effect) || gain.gainCm() >= LEAST_OUTSIDE_GAIN_CM;
-      if (gain.standardErrors() < LEAST_STANDARD_ERRORS || !matters) {
-        return false;
+      if (hasToShow && (gain.standardErrors() < LEAST_STANDARD_ERRORS || !matters)) {
+        return OptionalDouble.empty();
       }
+      least = Math.min(least, gain.standardErrors());
     }
-    return true;
-  }
-
-  /** By how many standard errors the least plain effect shows beside the others; 0 without any. */
-  private double z(Ground ground, List<Effect> effects, double[] readings) {
-    if (effects.isEmpty()) {
-      return 0;
-    }
-    double least = Double.POSITIVE_INFINITY;
-    Forecast whole = forecast(ground, effects, ground.recording, CHECK_REPEATS);
-    for (Effect effect : asked(effects)) {
-      least = Math.min(least, evidence(ground, effects, effect, whole, readings).standardErrors());
-    }
-    return least;
+    return OptionalDouble.of(least);
   }
 
   private Evidence.Gain evidence(

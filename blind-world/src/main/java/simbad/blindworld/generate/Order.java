@@ -3,6 +3,7 @@ package simbad.blindworld.generate;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SplittableRandom;
 
 /**
@@ -17,7 +18,8 @@ import java.util.SplittableRandom;
  * @param rows least and most rows of a data set
  * @param repeats how many simulated repeats make an oracle's forecast
  * @param worlds of which kind they are
- * @param sizes of what is put in; where they are asked for nothing has to show
+ * @param sizes of what is put in; where they are asked for nothing has to show, but for
+ * @param plain the kinds of case whose effects have to show all the same
  */
 public record Order(
     int cases,
@@ -29,7 +31,8 @@ public record Order(
     Rows rows,
     int repeats,
     Worlds worlds,
-    Optional<Sizes> sizes) {
+    Optional<Sizes> sizes,
+    Set<Kind> plain) {
 
   /** Least and most size of an effect, 1 for a practical one; drawn log-uniform between. */
   public record Sizes(double least, double most) {
@@ -48,5 +51,24 @@ public record Order(
     mix = Map.copyOf(mix);
     effects = List.copyOf(effects);
     withheld = List.copyOf(withheld);
+    plain = Set.copyOf(plain);
+  }
+
+  /** Whether each effect of a case has to show in its readings. */
+  boolean hasToShow(Kind kind) {
+    return sizes.isEmpty() || plain.contains(kind);
+  }
+
+  /**
+   * A size for an effect, 1 for a practical one.
+   *
+   * @param kind of the case
+   * @param grown by how many powers of two sizes have grown where effects have to show
+   */
+  double size(Kind kind, double grown, SplittableRandom random) {
+    double growth = hasToShow(kind) ? grown : 0;
+    return sizes.isPresent()
+        ? sizes.get().draw(random) * Math.pow(2, growth)
+        : Math.pow(2, random.nextDouble(-1, 1) + growth);
   }
 }

@@ -131,7 +131,7 @@ final class WaveDrawing {
     Repeats altered = ground.world(changes.effects).at(ground.recording);
     double[] readings = altered.read(random.nextLong());
     double z = z(ground, changes.effects, altered, readings);
-    return z >= LEAST_STANDARD_ERRORS || order.sizes().isPresent()
+    return z >= LEAST_STANDARD_ERRORS || !order.hasToShow(assignment.kind())
         ? findComplete(ground, changes, readings, z)
         : Optional.empty();
   }
@@ -174,11 +174,8 @@ final class WaveDrawing {
   }
 
   private double size() {
-    if (order.sizes().isPresent()) {
-      return order.sizes().get().draw(random);
-    }
     double grown = Math.min(1.5, Math.max(0, (double) (draws - PATIENCE) / PATIENCE));
-    return Math.pow(2, random.nextDouble(-1, 1) + grown);
+    return order.size(assignment.kind(), grown, random);
   }
 
   /** Each with a size of its own. */
