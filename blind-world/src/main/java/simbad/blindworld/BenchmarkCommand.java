@@ -42,6 +42,7 @@ final class BenchmarkCommand {
     said.put("part", part.word());
     said.put("drawn", drawn.what());
     said.put("first", first);
+    said.put("licence", "CC-BY-4.0");
     String root =
         Generator.make(
             drawn.order(),
