@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Tests ./simbad against fakes of Java, Maven, git, apt-get and sudo: what it calls, prints and returns.
+# Tests ./simbad against fakes of Java, Maven, git, apt-get and sudo: what it calls, prints and returns. Where the program
+# calls the launcher back, Java and the program are real: JAVA_HOME, and the class path in SIMBAD_TEST_CLASS_PATH.
 # Prints a line "ok NAME" or "not ok NAME: why" for each check; exit status 1 when one is not ok.
 set -u
 
@@ -9,6 +10,8 @@ work=$(mktemp -d)
 chmod 755 "$work"
 trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
 failures=0
+real_java=${JAVA_HOME:-$(dirname "$(dirname "$(readlink -f "$(command -v javac)")")")}
+real_classes=${SIMBAD_TEST_CLASS_PATH:-$here/../cli/target/classes:$here/../cli/target/lib/*}
 account=()
 
 # ---------------------------------------------------------------- fakes
@@ -69,8 +72,28 @@ exit "${FAKE_STATUS:-0}"
 END
 }
 
+# A JDK at $1 that compiles and that runs the real program whichever jar it is to run.
+real_jdk() {
+  fake_jdk "$1" 17
+  fake "$1/bin" javac <<END
+exec "$real_java/bin/javac" "\$@"
+END
+  fake "$1/bin" java <<END
+case " \$* " in
+  *' -XX:DumpLoadedClassList='* | *' -Xshare:dump '*) exit 1 ;;
+  *' simbad.cli.machine.OnTheSpot '*) exec "$real_java/bin/java" "\$@" ;;
+esac
+options=()
+while [[ \$1 != -jar ]]; do
+  [[ \$1 != -Dsimbad.* && \$1 != -Djava.* ]] || options+=("\$1")
+  shift
+done
+exec "$real_java/bin/java" -XX:TieredStopAtLevel=1 "\${options[@]}" -cp "$real_classes" simbad.cli.Main "\${@:3}"
+END
+}
+
 # A Maven that packages; FAKE_MAVEN=fail lets it fail like a compiler error, =crash like a
-# crash, =slow lets it take its time, =kill kills the launcher.
+# crash, =slow lets it take its time, =kill kills the program that had the launcher called.
 fake_maven() {
   fake "$1" mvn <<'END'
 if [[ ${FAKE_MAVEN:-} == fail ]]; then
@@ -81,7 +104,7 @@ if [[ ${FAKE_MAVEN:-} == fail ]]; then
 fi
 [[ ${FAKE_MAVEN:-} == crash ]] && echo 'out of memory' && exit 1
 [[ ${FAKE_MAVEN:-} == slow ]] && sleep 1
-[[ ${FAKE_MAVEN:-} == kill ]] && kill -KILL "$PPID" && exit
+[[ ${FAKE_MAVEN:-} == kill ]] && read -r _ _ _ program _ <"/proc/$PPID/stat" && kill -KILL "$program" && exit
 root=$PWD
 while (($# > 0)); do
   [[ $1 == -f ]] && root=${2%/pom.xml}
@@ -103,10 +126,13 @@ END
 
 # A new project in "$work/my project" with the launcher in it, sources of an hour ago, all tools there.
 new_project() {
-  rm -rf "${work:?}"/{bin,jvm,tools,"my project"}
+  rm -rf "${work:?}"/{bin,jvm,tools,tmp,"my project"}
+  mkdir -m 1777 "$work/tmp"
   project="$work/my project"
-  mkdir -p "$project/.mvn" "$project/cli/src/main/java/deep" "$project/cluster/src/main"
+  mkdir -p "$project/.mvn" "$project/cli/src/main/java/"{deep,simbad/cli} "$project/cluster/src/main" "$project"/{build-config,firmware-pic18}
   cp "$here/../simbad" "$project/simbad"
+  cp "$here/packages.txt" "$project/build-config"
+  cp -r "$here/../cli/src/main/java/simbad/cli/machine" "$project/cli/src/main/java/simbad/cli"
   touch "$project/cluster/src/main/java-options"
   printf '  <version>1.2</version>\n' >"$project/pom.xml"
   touch "$project"/{CHANGELOG.md,LICENSE} "$project/cli/pom.xml" "$project/cli/src/main/java/deep/"{A,B}.java
@@ -125,7 +151,7 @@ simbad() {
     SIMBAD_INCLUDE_DIRECTORY="$work/include" \
     FAKE_UID="${FAKE_UID:-1000}" FAKE_COMMIT="${FAKE_COMMIT:-1234}" FAKE_STATUS="${FAKE_STATUS:-0}" \
     FAKE_MAVEN="${FAKE_MAVEN:-}" FAKE_CHANGES="${FAKE_CHANGES:-}" FAKE_SKIPPED="${FAKE_SKIPPED:-}" FAKE_WORK="$work" CI="${ci:-}" DISPLAY=:7 \
-    TMPDIR="${temporary:-/tmp}" SIMBAD_INSTALL="${install:-}" SIMBAD_TESTING="${testing:-}" SIMBAD_CLASS_PATH="${own_classes:-}" bash "${launcher:-$project/simbad}" "$@" </dev/null 2>&1)
+    TMPDIR="$work/tmp" SIMBAD_JAVA_OPTIONS="${temporary:+-Djava.io.tmpdir=$temporary}" SIMBAD_INSTALL="${install:-}" SIMBAD_TESTING="${testing:-}" SIMBAD_CLASS_PATH="${own_classes:-}" bash "${launcher:-$project/simbad}" "$@" </dev/null 2>&1)
   status=$?
 }
 
@@ -185,10 +211,6 @@ adds_the_users_classes() {
   check "the main class is named" prints $'argument <simbad.cli.Main>\nargument <table>\nargument <types>'
   simbad batch spec.json --out x --spark
   check "Spark gets them too" prints "/*:mine.jar:$work/my classes>"
-  own_classes="jars/*:mine.jar"
-  simbad table types
-  check "a folder of jars that is not there: status 2" status_is 2
-  check "it is named" prints 'simbad: SIMBAD_CLASS_PATH: jars/*: there is no such jar or folder'
   own_classes=
   simbad table types
   check "without any the jar is run" prints $'argument <-jar>\n'
@@ -271,45 +293,35 @@ runs_from_anywhere() {
   check "says where the data are" prints "argument <-Dsimbad.home=$project>"
   FAKE_STATUS=42 simbad run
   check "the exit status passes through" status_is 42
-  simbad run
-  check "without a window: headless" prints 'headless=true'
-  simbad demo one --headless
-  check "a demo without a window: headless" prints 'headless=true'
-  simbad demo
-  check "no demo named: headless" prints 'headless=true'
-  simbad demo one
-  check "a demo: not headless" prints_not 'headless=true'
-  simbad demo --list
-  check "the list of demos: headless" prints 'headless=true'
-  simbad view
-  check "with a window: not headless" prints_not 'headless=true'
+  check "says whom to call back" prints "argument <-Dsimbad.launcher=$project/simbad>"
 }
 
 # The option that every command has may stand before its name.
 finds_the_command_behind_an_option() {
   new_project
   simbad --trace view
-  check "--trace view: not headless" prints_not 'headless=true'
   check "--trace view: arrives as typed" prints $'argument <--trace>\nargument <view>'
-  simbad demo --trace
-  check "demo --trace: no demo named, headless" prints 'headless=true'
   simbad --trace batch spec.json --out x --spark
   check "--trace batch --spark: has Spark" prints 'spark/java-options>'
   simbad --trace table predict square
   check "--trace table predict: without the second compiler" prints TieredStopAtLevel
   simbad bench --trace resume x
   check "bench --trace resume: is made for long" prints UseSerialGC
+  simbad --help test
+  check "--help test: the program's help" prints $'argument <--help>\nargument <test>'
+  check "--help test: no test" calls_not 'mvn.*verify'
+  simbad test --help
+  check "test --help: as well" prints $'argument <test>\nargument <--help>'
+  simbad doctor --help
+  check "doctor --help: the program's help" prints $'argument <doctor>\nargument <--help>'
+  new_project
+  real_jdk "$work/jvm/jdk-17"
   simbad --trace doctor
   check "--trace doctor: is answered" prints 'ok       build'
   simbad doctor --trace
   check "doctor --trace: as well" prints 'ok       build'
   simbad --trace test --ful
   check "--trace test: reads its options" prints "test: '--ful' is not an option"
-  simbad --trace release
-  check "--trace release: reads its options" prints 'release: --out DIR is missing'
-  simbad --help test
-  check "--help test: the program's help" prints $'argument <--help>\nargument <test>'
-  check "--help test: no test" calls_not 'mvn.*verify'
 }
 
 # Makes the next calls those of an account that may read the project and not write to it.
@@ -495,14 +507,15 @@ shows_progress_on_a_terminal() {
 
 tests_like_ci() {
   new_project
+  real_jdk "$work/jvm/jdk-17"
   mkdir -p "$work/include/gpsim"
   touch "$work/include/cmocka.h" "$work/include/gpsim/modules.h"
   for tool in Xvfb xauth shellcheck chromium cppcheck git-secrets gpsim g++ make gcc clang avr-gcc simavr python3; do fake "$work/tools" "$tool" </dev/null; done
-  touch "$work/jvm/jdk-17/lib/libawt_xawt.so"
   simbad test -- -pl sonar-model
   check "test: verify, with what follows --" calls 'mvn -B -ntp verify -T 2 .*-pl sonar-model'
   simbad test --full
   check "test --full: the long campaigns" calls 'mvn -B -ntp verify -T 2 .*-Dsimbad.full=true'
+  check "test: the program is not packaged before" calls_not 'mvn.* package'
   simbad test --ful
   check "test: an unknown option is wrong usage" status_is 2
   FAKE_STATUS=1 simbad test
@@ -516,7 +529,7 @@ tests_like_ci() {
 
 tells_what_works() {
   new_project
-  touch "$work/jvm/jdk-17/lib/libawt_xawt.so"
+  real_jdk "$work/jvm/jdk-17"
   fake "$work/tools" apt-get </dev/null
   simbad doctor
   check "doctor: a JDK and Maven build" prints 'ok       build'
@@ -524,6 +537,15 @@ tells_what_works() {
   check "doctor: says what the board needs" prints 'gpsim'
   check "doctor: builds nothing" calls_not mvn
   check "doctor: installs nothing" calls_not apt-get
+  check "doctor: leaves nothing behind" test -z "$(ls "$work/tmp")"
+  simbad run --help
+  simbad doctor
+  check "doctor: the same of the program that is built" prints 'ok       build'
+  check "doctor: which says what the board needs, too" prints 'gpsim'
+  rm -r "$work/jvm/jdk-17/bin/javac" "$project/cli/src/main/java/deep"
+  simbad doctor
+  check "doctor: without a compiler an old build is asked" calls 'java .*cli.jar doctor'
+  check "doctor: and not renewed" calls_not mvn
   rm -r "${work:?}/jvm" "$work/tools/mvn"
   simbad doctor
   check "doctor: without Java it still answers" prints 'missing  java'
@@ -533,6 +555,7 @@ tells_what_works() {
 
 releases_a_commit() {
   new_project
+  real_jdk "$work/jvm/jdk-17"
   from=$work simbad release --out "my release/"
   check "release: is done" status_is 0
   check "release: is of the commit, built in a clone" calls 'git clone'
@@ -545,6 +568,14 @@ simbad-sonar-1.2-sources.tar.gz simbad-sonar-1.2.cdx.json simbad-sonar-1.2.jar"
   check "release: says what differs from the commit" prints 'made of the commit 1234, without the 2 files that differ'
   simbad release --out changed
   check "release: nothing is overwritten: status 2" status_is 2
+  simbad release --jar-only --out jar
+  check "release --jar-only: is done" status_is 0
+  check "release --jar-only: has the jar and nothing else" test "$(ls "$work/jar")" = simbad.jar
+  check "release --jar-only: of what is compiled already" calls_not 'git .*clone'
+  check "release --jar-only: without checks, SBOM and Javadoc" calls_not 'mvn.*makeBom'
+  FAKE_CHANGES=$' M a\n' simbad release --jar-only --out jar2
+  check "release --jar-only: of the commit where a file differs" calls 'git .*clone'
+  check "release --jar-only: and says so" prints 'made of the commit 1234, without the 1 file that differs'
   FAKE_MAVEN=fail simbad release --out failed
   check "release: a failed build: status 1" status_is 1
   check "release: a failed build: Maven's line" prints '[ERROR] Foo.java:[3,4] cannot find symbol'
@@ -557,11 +588,13 @@ simbad-sonar-1.2-sources.tar.gz simbad-sonar-1.2.cdx.json simbad-sonar-1.2.jar"
 sweeps_after_a_kill() {
   local mark temporary=$work/temporary sleeper start
   new_project
+  real_jdk "$work/jvm/jdk-17"
+  simbad release --help
   mkdir "$temporary"
   FAKE_MAVEN="kill" simbad release --out killed
-  mark=$(cd "$temporary" && echo simbad-release-*-1)
-  mark=${mark#simbad-release-}
-  check "release: killed, it leaves its work" test -d "$temporary/simbad-release-$mark"
+  mark=$(cd "$work" && echo .killed.unfinished-*-1)
+  mark=${mark#.killed.unfinished-}
+  check "release: killed, it leaves its work" test -d "$temporary/simbad-release-${mark%-1}-2"
   check "release: and what it had begun" test -d "$work/.killed.unfinished-$mark"
   sleep 100 &
   sleeper=$!
@@ -581,9 +614,10 @@ sums_are_right() { (cd "$work/my release" && sha256sum --quiet -c SHA256SUMS); }
 
 refuses_a_bad_release() {
   new_project
-  simbad release
+  real_jdk "$work/jvm/jdk-17"
+  simbad --trace release
   check "release: without --out: status 2" status_is 2
-  check "release: without --out: says so" prints 'release: --out DIR is missing'
+  check "release: without --out: says so" prints "Missing required option: '--out=DIR'"
   simbad release --out
   check "release: --out without a folder: status 2" status_is 2
   simbad release --out x y
@@ -592,8 +626,12 @@ refuses_a_bad_release() {
   check "release: below a file: status 2" status_is 2
   simbad release --out "$project"
   check "release: a folder that is not empty: status 2" status_is 2
-  simbad release --help
-  check "release: its help is the program's" prints $'argument <release>\nargument <--help>'
+  FAKE_COMMIT=
+  mv "$work/bin/git" "$work/bin/no-git"
+  fake "$work/bin" git <<<'exit 128'
+  simbad release --out x
+  check "release: of no clone: status 1" status_is 1
+  check "release: of no clone: says so" prints 'is no git clone; a release is made of a commit'
 }
 
 check_style() {

@@ -13,7 +13,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import simbad.bench.board.BoardKit;
 import simbad.bench.capture.PoseMeasurement;
 import simbad.bench.capture.Ranging;
 import simbad.bench.capture.ReadingsLog;
@@ -136,8 +135,7 @@ final class BenchMeasureCommand extends Subcommand {
   private void bySimulation(
       List<ReadingRow> rows, ReadingsLog log, Ranging ranging, SimulatedBench.Setup setup)
       throws Exception {
-    try (SimulatedBench bench =
-            SimulatedBench.start(BoardKit.ofProject(ProjectFolder.find()), setup);
+    try (SimulatedBench bench = SimulatedBench.start(SimulatedBoard.kit(), setup);
         SteadyRanger ranger = bench.connect(FirmwareMode.FRAME, this::note);
         Progress progress = Progress.of("poses", rows.size())) {
       Ending ending = Ending.with(bench::close);

@@ -13,7 +13,6 @@ import simbad.bench.board.BenchScene;
 import simbad.bench.board.BenchTarget;
 import simbad.bench.board.Board;
 import simbad.bench.board.BoardEvent;
-import simbad.bench.board.BoardKit;
 import simbad.bench.board.BoardScript;
 import simbad.bench.board.BoardSetup;
 import simbad.bench.board.ScriptedBench;
@@ -128,7 +127,7 @@ final class BoardCommand extends Subcommand {
 
   private void play(ScriptedBench bench, BoardSetup setup)
       throws IOException, DataFormatException, InterruptedException {
-    try (Board board = Board.start(BoardKit.ofProject(ProjectFolder.find()), setup, bench)) {
+    try (Board board = Board.start(SimulatedBoard.kit(), setup, bench)) {
       // Ctrl-C ends the process while this waits: then nobody else would end gpsim and its files.
       Ending ending = Ending.with(board::close);
       try {

@@ -7,7 +7,6 @@ import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
-import simbad.bench.board.BoardKit;
 import simbad.bench.capture.CaptureSettings;
 import simbad.bench.capture.CapturedReadings;
 import simbad.bench.capture.GuidedSweep;
@@ -69,8 +68,7 @@ final class CaptureRun {
       throws IOException, DataFormatException, InterruptedException {
     concluded(
         () -> {
-          try (SimulatedBench bench =
-                  SimulatedBench.start(BoardKit.ofProject(ProjectFolder.find()), setup);
+          try (SimulatedBench bench = SimulatedBench.start(SimulatedBoard.kit(), setup);
               Progress progress = Progress.of("bearings", settings.plan().bearings());
               SteadyRanger ranger = bench.connect(settings.mode(), this::note)) {
             Recorder known = open(ranger, opening);

@@ -12,6 +12,7 @@ import java.util.regex.Pattern;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
+import simbad.cli.machine.SaidAlreadyException;
 import simbad.sonar.format.OneLine;
 
 /** Says in one line on standard error what went wrong. */
@@ -47,6 +48,9 @@ final class Complaints {
   int about(Throwable fault) {
     // Of what the end took away.
     Ending.goOnUnlessItEnds();
+    if (ExitStatus.unwrapped(fault) instanceof SaidAlreadyException) {
+      return ExitStatus.rules().of(fault);
+    }
     String line = STAGED.matcher(line(fault)).replaceAll("$1");
     err.println(commandName + ": " + OneLine.of(line, LONGEST));
     if (trace) {

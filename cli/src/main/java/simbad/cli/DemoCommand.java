@@ -60,6 +60,9 @@ final class DemoCommand extends Subcommand {
               ? "--steps: " + steps + " is not in [1, 2147483647]"
               : "--steps needs --headless");
     }
+    if (!headless) {
+      Windows.ask();
+    }
     Demo demo = DemoArgument.find(name).orElseThrow(() -> wrongUsage(DemoArgument.unknown(name)));
     if (headless) {
       runHeadless(demo, steps == null ? DEFAULT_STEPS : steps);

@@ -1,10 +1,14 @@
 package simbad.cli;
 
+import java.io.IOException;
 import picocli.CommandLine.Command;
+import simbad.cli.machine.Doctor;
+import simbad.cli.machine.Machine;
+import simbad.cli.machine.SaidAlreadyException;
 
 /**
- * Stands in the help for what the launcher does itself, because it must work where there is no
- * Java.
+ * {@code simbad doctor}. The launcher runs the same where nothing is built ({@link
+ * simbad.cli.machine.OnTheSpot}).
  */
 @Command(
     name = "doctor",
@@ -16,7 +20,9 @@ import picocli.CommandLine.Command;
     footer = {"", "Example: simbad doctor"})
 final class DoctorCommand extends Subcommand {
   @Override
-  protected void run() {
-    throw wrongUsage("only the launcher can look at the machine: call ./simbad doctor");
+  protected void run() throws IOException, InterruptedException {
+    if (!Doctor.examine(Machine.here(ProjectFolder.find()), out()::println)) {
+      throw new SaidAlreadyException();
+    }
   }
 }

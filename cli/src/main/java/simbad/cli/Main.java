@@ -22,11 +22,12 @@ public final class Main {
   public static void main(String... arguments) {
     // Numbers and results look the same wherever the user lives.
     Locale.setDefault(Locale.ROOT);
+    Windows.noneUnlessAsked();
     PrintWriter out = utf8(FileDescriptor.out);
     PrintWriter err = utf8(FileDescriptor.err);
     Interruption interruption = Interruption.announcedOn(err);
     Ending tidying = Ending.with(TemporaryFolder::closeAll);
-    int status = run(Subcommands.all(), out, err, arguments);
+    int status = OwnClasses.areThere(err) ? run(out, err, arguments) : ExitStatus.BAD_INPUT;
     tidying.close();
     interruption.noLongerPossible();
     System.exit(status);

@@ -121,6 +121,9 @@ final class ProgramCommand extends Subcommand {
     if (steps < 1) {
       throw wrongUsage("--steps: " + steps + " is not in [1, infinity)");
     }
+    if (window) {
+      Windows.ask();
+    }
     ProgramFile file = ProgramFile.read(program, libraries(), err()::println);
     file.notes().forEach(out()::println);
     RunPlan plan = plan(file);

@@ -1,11 +1,11 @@
 package simbad.cli;
 
 import java.nio.file.Path;
-import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
+import simbad.cli.machine.Launcher;
 
-/** Stands in the help for what the launcher does itself, because it builds. */
+/** {@code simbad release}. */
 @Command(
     name = "release",
     description = {
@@ -16,6 +16,7 @@ import picocli.CommandLine.Option;
     footer = {
       "",
       "Example: simbad release --out simbad-sonar-0.1.0",
+      "Example: simbad release --jar-only --out my-jar",
       "How to publish one: docs/guide/release.md",
     })
 final class ReleaseCommand extends Subcommand {
@@ -24,11 +25,28 @@ final class ReleaseCommand extends Subcommand {
       paramLabel = "DIR",
       required = true,
       description = "A folder that does not exist yet.")
-  @SuppressWarnings("UnusedVariable") // the launcher's
-  private @Nullable Path out;
+  private Path out = Path.of("");
+
+  @Option(
+      names = "--jar-only",
+      description = "Make simbad.jar and nothing else, quickly: for programs that use it.")
+  private boolean jarOnly;
 
   @Override
-  protected void run() {
-    throw wrongUsage("only the launcher can build a release: call ./simbad release");
+  protected void run() throws Exception {
+    Launcher launcher =
+        Launcher.ofThisProcess()
+            .orElseThrow(
+                () -> wrongUsage("only the launcher can build a release: call ./simbad release"));
+    Release release = Release.of(launcher, line -> err().println("release: " + line));
+    try (StagedDirectory staged = StagedDirectory.beside(out)) {
+      if (jarOnly) {
+        release.writeJar(staged.path());
+      } else {
+        release.write(staged.path());
+      }
+      staged.publish();
+    }
+    err().println("release: wrote " + out);
   }
 }

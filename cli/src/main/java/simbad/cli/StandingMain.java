@@ -30,6 +30,7 @@ final class StandingMain {
    */
   public static void main(String... none) throws IOException {
     Locale.setDefault(Locale.ROOT);
+    Windows.noneUnlessAsked();
     PrintWriter nowhere = new PrintWriter(Writer.nullWriter());
     PrintWriter heard = Main.utf8(FileDescriptor.out);
     BufferedReader lines =

@@ -6,8 +6,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /**
- * Stands in the help for what the launcher does itself, because it must work where nothing is
- * built.
+ * Stands in the help for what the launcher has done where nothing is built ({@link
+ * simbad.cli.machine.OnTheSpot}).
  */
 @Command(
     name = "test",

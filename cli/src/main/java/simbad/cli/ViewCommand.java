@@ -21,6 +21,7 @@ final class ViewCommand extends Subcommand {
 
   @Override
   protected void run() throws Exception {
+    Windows.ask();
     DemoWindow.showRunning(
         DemoArgument.find(name).orElseThrow(() -> wrongUsage(DemoArgument.unknown(name))));
   }

@@ -15,10 +15,12 @@ import org.junit.jupiter.api.TestFactory;
 class LauncherTest {
   @TestFactory
   Stream<DynamicTest> launcher() throws IOException, InterruptedException {
-    Process script =
+    ProcessBuilder builder =
         new ProcessBuilder("bash", Path.of("..", "build-config", "launcher-test.sh").toString())
-            .redirectErrorStream(true)
-            .start();
+            .redirectErrorStream(true);
+    builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
+    builder.environment().put("SIMBAD_TEST_CLASS_PATH", System.getProperty("java.class.path"));
+    Process script = builder.start();
     script.getOutputStream().close();
     String output = new String(script.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     int status = script.waitFor();

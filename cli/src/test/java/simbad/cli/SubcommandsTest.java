@@ -60,7 +60,7 @@ class SubcommandsTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"test,''", "doctor,''", "release,--out x"})
+  @CsvSource({"test,''", "release,--out x"})
   void whatOnlyTheLauncherCanDo_theProgramSaysSo(String command, String arguments) {
     StringWriter err = new StringWriter();
     int status =

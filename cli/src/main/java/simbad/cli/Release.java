@@ -1,0 +1,120 @@
+package simbad.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import simbad.cli.machine.Launcher;
+import simbad.sonar.format.TemporaryFolder;
+
+/**
+ * A release of a commit: the commit's own files, built in a clone, so that nothing else that lies
+ * in the project's folder has a part in them.
+ */
+final class Release {
+  private static final Pattern VERSION = Pattern.compile("(?m)^  <version>(.*)</version>$");
+  private static final String BUILT_JAR = "cli/target/simbad.jar";
+  private static final String BUILD_LOG = "build.log";
+
+  private final Launcher launcher;
+  private final Consumer<String> say;
+  private final Commit commit;
+  private final long changes;
+
+  private Release(Launcher launcher, Consumer<String> say, Commit commit, long changes) {
+    this.launcher = launcher;
+    this.say = say;
+    this.commit = commit;
+    this.changes = changes;
+  }
+
+  /**
+   * Of the project's current commit.
+   *
+   * @param launcher that builds it
+   * @param say told what is done
+   * @throws IOException if the project is no git clone
+   */
+  static Release of(Launcher launcher, Consumer<String> say)
+      throws IOException, InterruptedException {
+    Commit commit = Commit.current(launcher.project());
+    long changes = commit.changes();
+    return new Release(launcher, say, commit, changes);
+  }
+
+  /**
+   * Writes all files of the release into a folder.
+   *
+   * @param folder that is empty
+   */
+  void write(Path folder) throws IOException, InterruptedException {
+    try (TemporaryFolder work = TemporaryFolder.create("simbad-release")) {
+      Path source = clone(work);
+      String name = "simbad-sonar-" + version(source);
+      String time = commit.time();
+      say.accept("building " + name + " of " + time);
+      build(source, work, List.of("cyclonedx:makeBom", "javadoc:aggregate-no-fork"));
+      ReleaseFiles files = new ReleaseFiles(source, folder);
+      files.copy(BUILT_JAR, name + ".jar");
+      files.copy("cli/target/bom.json", name + ".cdx.json");
+      files.copy("cli/target/licences/THIRD-PARTY.txt", "THIRD-PARTY.txt");
+      files.copy("CHANGELOG.md", "CHANGELOG.md");
+      files.copy("LICENSE", "LICENSE");
+      files.archiveJavadoc(time, name + "-javadoc.jar");
+      files.archiveSources(name);
+      files.sum();
+    }
+  }
+
+  /**
+   * Writes nothing but simbad.jar into a folder. Where no file differs from the commit it is built
+   * where the project lies, of what is compiled already.
+   *
+   * @param folder that is empty
+   */
+  void writeJar(Path folder) throws IOException, InterruptedException {
+    try (TemporaryFolder work = TemporaryFolder.create("simbad-release")) {
+      Path source = changes == 0 ? launcher.project() : clone(work);
+      say.accept("building simbad.jar of " + commit.time());
+      build(source, work, List.of());
+      new ReleaseFiles(source, folder).copy(BUILT_JAR, "simbad.jar");
+    }
+  }
+
+  private Path clone(TemporaryFolder work) throws IOException, InterruptedException {
+    if (changes > 0) {
+      say.accept(
+          "made of the commit "
+              + commit.name()
+              + ", without the "
+              + changes
+              + (changes == 1 ? " file that differs from it" : " files that differ from it"));
+    }
+    Path source = work.path().resolve("source");
+    commit.checkOutInto(source);
+    return source;
+  }
+
+  private void build(Path source, TemporaryFolder work, List<String> goals)
+      throws IOException, InterruptedException {
+    List<String> more =
+        Stream.concat(
+                Stream.of("-P", "jar", "-Dproject.build.outputTimestamp=" + commit.time()),
+                goals.stream())
+            .toList();
+    launcher.pack(source, work.path().resolve(BUILD_LOG), more);
+  }
+
+  private static String version(Path source) throws IOException {
+    Path pom = source.resolve("pom.xml");
+    Matcher version = VERSION.matcher(Files.readString(pom));
+    if (!version.find()) {
+      throw new IOException(pom + ": has no line with the project's version");
+    }
+    return version.group(1);
+  }
+}
