@@ -34,7 +34,8 @@ class BlindCheckTest {
           + "noise-side,range-band-loss";
 
   /** The root over the first two cases of the benchmark's part L1. */
-  private static final String FIRST_OF_L1 = "72b56b12c087d95e85fd95cfb9b0af68f25f4d423bddfd3f60a7bb01f2b9f71a";
+  private static final String FIRST_OF_L1 =
+      "72b56b12c087d95e85fd95cfb9b0af68f25f4d423bddfd3f60a7bb01f2b9f71a";
 
   private static Path folder = Path.of("");
   private static Path world = Path.of("");
@@ -502,7 +503,7 @@ class BlindCheckTest {
 
   @Test
   void wrongUsage_isSaidInOneLine() {
-    check("blind-world: '': expected generate, seal, baseline or score", new String[0]);
+    check("blind-world: '': expected generate, benchmark, seal, baseline or score", new String[0]);
     check("--out: missing", "generate");
     check("--cases: '0', expected a number in [1.0, 100000.0]", "generate", "--cases", "0");
     check("--seed: 'x', expected a whole number", "generate", "--seed", "x");

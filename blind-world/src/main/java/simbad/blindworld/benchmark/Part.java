@@ -24,9 +24,14 @@ public enum Part {
       Worlds.EQUATIONS,
       "50bf76cabc0e530ca1a3454c0bbd5206b083ecb64af96ab00800506800b8ff9c"),
   /** As L1, with a set-up that is a little off, and a reference. */
-  L2(1, 350, 1, Worlds.EQUATIONS, "L2_ROOT"),
+  L2(
+      1,
+      350,
+      1,
+      Worlds.EQUATIONS,
+      "98d40ab47c603b1aa99bd7942e96a75ba5d1b74bc2c3b1f748c2e3e14238f298"),
   /** Waves, with a user's calibration and a reference. */
-  L2W(2, 300, 0, Worlds.WAVE, "L2W_ROOT");
+  L2W(2, 300, 0, Worlds.WAVE, "72565c3fbc3c017726fbcac031804ab708a808fa780cfa271b64d81bb8d7acf8");
 
   /** Name and version: of what is drawn, not of the program. */
   public static final String VERSION = "SRB-1.0";
