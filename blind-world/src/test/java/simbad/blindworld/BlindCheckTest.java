@@ -519,7 +519,6 @@ class BlindCheckTest {
     check("--rows: '9'", "generate", "--rows", "9", "--out", "x");
     check("--level: 'L9', expected wave", "generate", "--level", "L9", "--out", "x");
     check("--reference: every case", "generate", "--level", "wave", "--reference", "1");
-    check("--sizes: expected --level wave", "generate", "--sizes", "1-2", "--out", "x");
     check("--sizes: '0'", "generate", "--level", "wave", "--sizes", "0-2", "--out", "x");
     check(
         "no such effect: latency-of-mine",
