@@ -112,7 +112,15 @@ final class Scores {
 
   /** The mean probability on what is so, over all cases that are not faint. */
   double probabilityOfTruth() {
-    return plain().mapToDouble(Graded::probabilityOfTruth).average().orElse(0);
+    return probabilityOfTruth(cases);
+  }
+
+  private static double probabilityOfTruth(List<Graded> cases) {
+    return cases.stream()
+        .filter(g -> !g.truth().isFaint())
+        .mapToDouble(Graded::probabilityOfTruth)
+        .average()
+        .orElse(0);
   }
 
   private static List<Scored> scored(List<Graded> of) {
@@ -265,6 +273,7 @@ final class Scores {
     json.put("class_mean", classMean());
     json.put("class_mean_ci95", Spread.interval95(cases, Scores::classMean));
     json.put("probability_of_truth", probabilityOfTruth());
+    json.put("probability_of_truth_ci95", Spread.interval95(cases, Scores::probabilityOfTruth));
     List<Object> power = Power.json(cases);
     if (!power.isEmpty()) {
       json.put("power", power);

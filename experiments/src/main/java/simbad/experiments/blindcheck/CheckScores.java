@@ -100,6 +100,16 @@ public record CheckScores(ObjectNode document) {
                   strange + " against " + known));
     }
 
+    /** The share of right answers of each kind of case, averaged; nothing in older scores. */
+    public Optional<Estimate> classMean() {
+      return Calibration.estimate(figures, "class_mean", cases());
+    }
+
+    /** The mean probability on what is so; nothing in older scores. */
+    public Optional<Estimate> probabilityOfTruth() {
+      return Calibration.estimate(figures, "probability_of_truth", cases());
+    }
+
     /** Of the probabilities of the three verdicts; nothing without an interval. */
     public Optional<Estimate> verdictLogScore() {
       return Calibration.estimate(figures, "verdict_log_score_better_by", cases());

@@ -49,6 +49,18 @@ public record Measure(
   /** Those with a figure to reach, in the order of the issue, and what stands beside them. */
   public static final List<Measure> ALL =
       Stream.of(
+              new Measure(
+                  "mean of the classes",
+                  "mean of the classes: right",
+                  Unit.SHARE,
+                  OptionalDouble.empty(),
+                  Figures::classMean),
+              new Measure(
+                  "probability of the truth",
+                  "mean probability of what is so",
+                  Unit.AREA,
+                  OptionalDouble.empty(),
+                  Figures::probabilityOfTruth),
               share("none called none", "no effect: called none", 39 / 40.0),
               share("singles named and explained", "one effect: explained, and named", 0.95),
               share("pairs both found and explained", "two effects: explained, both named", 0.8),
@@ -98,7 +110,7 @@ public record Measure(
           .toList();
 
   /** How many of {@link #ALL} stand on the first screen. */
-  public static final int FIRST = 17;
+  public static final int FIRST = 19;
 
   private static Measure share(String name, String words, double reach) {
     return measure(name, words, Unit.SHARE, reach).from(figures -> figures.share(name));

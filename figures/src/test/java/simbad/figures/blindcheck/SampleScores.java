@@ -66,6 +66,10 @@ final class SampleScores {
         .put("auroc_high95", 1);
     calibration(figures.putObject("verdict_calibration"), cases);
     calibration(figures.putObject("first_named_calibration"), cases);
+    figures.put("class_mean", 0.9);
+    figures.putArray("class_mean_ci95").add(0.85).add(0.95);
+    figures.put("probability_of_truth", 0.8);
+    figures.putArray("probability_of_truth_ci95").add(0.7).add(0.85);
     figures.put("verdict_log_score_better_by", 0.7);
     figures.putArray("verdict_log_score_better_by_ci95").add(0.5).add(0.8);
     figures
