@@ -70,10 +70,14 @@ class CheckPageTest {
   })
   void intervalThatHoldsTheReach_leavesItOpen(
       double value, double low, double high, String expected) {
-    Measure singles = Measure.ALL.get(1);
+    Measure singles = measure("singles named and explained");
     String cell =
         ScoreCell.of(singles, new CheckScores.Estimate(value, low, high, "1 of 2"), false);
     assertTrue(cell.contains(expected), cell);
+  }
+
+  private static Measure measure(String name) {
+    return Measure.ALL.stream().filter(m -> m.name().equals(name)).findFirst().orElseThrow();
   }
 
   private static String cells(String words) {
@@ -84,11 +88,10 @@ class CheckPageTest {
 
   @Test
   void reach_isATenthLessWhereTheSetUpIsOff() {
-    Measure none = Measure.ALL.get(0);
+    Measure none = measure("none called none");
     assertEquals(OptionalDouble.of(0.975), none.reach(false));
     assertEquals(0.8775, none.reach(true).getAsDouble(), 1e-12);
-    Measure error =
-        Measure.ALL.stream().filter(m -> m.name().equals("verdict ECE")).findFirst().orElseThrow();
+    Measure error = measure("verdict ECE");
     assertEquals(OptionalDouble.of(0.05), error.reach(true));
     assertTrue(error.isCost());
   }
