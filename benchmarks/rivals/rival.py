@@ -9,7 +9,11 @@ An answer is a folder for each case with diagnosis.json, as blind-world's scorer
 
 import argparse
 import json
+import os
 from pathlib import Path
+
+# One thread each: small trees wait for one another otherwise.
+os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 import joblib
 import numpy as np
