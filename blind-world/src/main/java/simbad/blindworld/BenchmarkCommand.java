@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.atomic.AtomicInteger;
 import simbad.blindworld.benchmark.Part;
 import simbad.blindworld.file.FormatException;
 import simbad.blindworld.file.Seal;
@@ -18,10 +17,9 @@ import simbad.blindworld.generate.Order;
 final class BenchmarkCommand {
 
   private static final List<String> OPTIONS =
-      List.of("--part", "--out", "--first", "--seed", "--practice", "--progress");
+      List.of("--part", "--out", "--first", "--seed", "--practice", Finished.OPTION);
   private static final String FIRST = "first half";
   private static final int MOST_PRACTICE_CASES = 100_000;
-  private static final int PROGRESS_STEP = 25;
 
   private BenchmarkCommand() {}
 
@@ -35,8 +33,6 @@ final class BenchmarkCommand {
                 () -> new FormatException("--part: '" + name + "', expected L1, L2 or L2w"));
     Drawn drawn = drawn(options, part);
     int first = drawn.first();
-    int step = (int) options.number("--progress", PROGRESS_STEP, 1, 1e6);
-    AtomicInteger finished = new AtomicInteger();
     Map<String, Object> said = new LinkedHashMap<>();
     said.put("benchmark", Part.VERSION);
     said.put("part", part.word());
@@ -49,12 +45,7 @@ final class BenchmarkCommand {
             Path.of(options.required("--out")),
             first,
             said,
-            number -> {
-              int count = finished.incrementAndGet();
-              if (count % step == 0 || count == first) {
-                err.println("generated " + count + " of " + first);
-              }
-            });
+            new Finished(options, first, err));
     out.println(part + ", " + drawn.what() + ", root " + root);
     if (drawn.isWhole(part) && !root.equals(part.root())) {
       throw new IOException(

@@ -10,12 +10,12 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.atomic.AtomicInteger;
 import simbad.blindworld.effect.Vocabulary;
 import simbad.blindworld.file.FormatException;
 import simbad.blindworld.generate.Generator;
 import simbad.blindworld.generate.Kind;
 import simbad.blindworld.generate.Order;
+import simbad.blindworld.generate.Plan;
 import simbad.blindworld.generate.Worlds;
 
 /** {@code generate --cases N --seed S --out DIR ...}. */
@@ -34,27 +34,17 @@ final class GenerateCommand {
           "--repeats",
           "--level",
           "--sizes",
-          "--progress");
+          Finished.OPTION);
   private static final String WITHHELD_MIX =
       "none:0.2,single:0.2,pair:0.1,unknown:0.1,withheld:0.4";
-  private static final int PROGRESS_STEP = 25;
 
   private GenerateCommand() {}
 
   static void run(String[] arguments, PrintStream err) throws FormatException, IOException {
     Options options = new Options(arguments, OPTIONS);
     Order order = order(options);
-    int step = (int) options.number("--progress", PROGRESS_STEP, 1, 1e6);
-    AtomicInteger finished = new AtomicInteger();
-    Generator.run(
-        order,
-        Path.of(options.required("--out")),
-        number -> {
-          int count = finished.incrementAndGet();
-          if (count % step == 0 || count == order.cases()) {
-            err.println("generated " + count + " of " + order.cases());
-          }
-        });
+    Finished finished = new Finished(options, order.cases(), err);
+    Generator.run(order, Path.of(options.required("--out")), finished);
   }
 
   private static Order order(Options options) throws FormatException {
@@ -147,7 +137,7 @@ final class GenerateCommand {
     boolean pairs = mix.getOrDefault(Kind.PAIR, 0.0) + mix.getOrDefault(Kind.TRIPLE, 0.0) > 0;
     if (inside.isEmpty() && (pairs || mix.getOrDefault(Kind.SINGLE, 0.0) > 0)) {
       throw new FormatException(
-          "--effects: none is of the vocabulary, expected one for --mix's single and pair");
+          "--effects: none is of the vocabulary, expected one for --mix's single, pair and triple");
     }
     if (inside.size() == effects.size() && mix.getOrDefault(Kind.UNKNOWN, 0.0) > 0) {
       throw new FormatException(
@@ -158,6 +148,10 @@ final class GenerateCommand {
         throw new FormatException(
             "--effects: " + one + " makes a fair pair with none of them, which --mix's pair needs");
       }
+    }
+    if (mix.getOrDefault(Kind.TRIPLE, 0.0) > 0 && !Plan.hasTripleForEach(inside)) {
+      throw new FormatException(
+          "--effects: not every one of them is fair beside two others, which --mix's triple needs");
     }
   }
 

@@ -37,6 +37,9 @@ class BlindCheckTest {
   private static final String FIRST_OF_L1 =
       "72b56b12c087d95e85fd95cfb9b0af68f25f4d423bddfd3f60a7bb01f2b9f71a";
 
+  /** Where what is refused would be written: no folder can be made below a file. */
+  private static final String NOWHERE = "pom.xml/x";
+
   private static Path folder = Path.of("");
   private static Path world = Path.of("");
 
@@ -447,15 +450,15 @@ class BlindCheckTest {
   @Test
   void foreignSets_thatAreNone_areNamed() throws Exception {
     Path sets = Files.createDirectories(folder.resolve("none"));
-    check(sets + ": no data set in it", "seal", "--sets", sets + "", "--out", "x");
+    check(sets + ": no data set in it", "seal", "--sets", sets + "", "--out", NOWHERE);
     Path set = Files.createDirectories(sets.resolve("a"));
-    check("a/scene.json: there is no such file", "seal", "--sets", sets + "", "--out", "x");
+    check("a/scene.json: there is no such file", "seal", "--sets", sets + "", "--out", NOWHERE);
     for (String name : List.of("scene.json", "readings.csv", "sealed.csv")) {
       Files.writeString(set.resolve(name), "");
     }
     Files.writeString(set.resolve("truth.json"), "{\"effects\": 7}");
-    check("effects: expected an object", "seal", "--sets", sets + "", "--out", "x");
-    check("no such folder", "seal", "--sets", folder + "/nowhere", "--out", "x");
+    check("effects: expected an object", "seal", "--sets", sets + "", "--out", NOWHERE);
+    check("no such folder", "seal", "--sets", folder + "/nowhere", "--out", NOWHERE);
   }
 
   private static void checkWithheld(String truth, Path answers) {
@@ -507,19 +510,20 @@ class BlindCheckTest {
     check("--out: missing", "generate");
     check("--cases: '0', expected a number in [1.0, 100000.0]", "generate", "--cases", "0");
     check("--seed: 'x', expected a whole number", "generate", "--seed", "x");
-    check("--mix: 'odd:1'", "generate", "--mix", "odd:1", "--out", "x");
-    check("--mix: 'none', expected kind:weight", "generate", "--mix", "none", "--out", "x");
-    check("expected a weight above 0", "generate", "--mix", "none:0", "--out", "x");
-    check("--effects: no such effect: magic", "generate", "--effects", "magic", "--out", "x");
-    check("--withheld: no such effect: wind", "generate", "--withheld", "wind", "--out", "x");
+    check("--mix: 'odd:1'", "generate", "--mix", "odd:1", "--out", NOWHERE);
+    check("--mix: 'none', expected kind:weight", "generate", "--mix", "none", "--out", NOWHERE);
+    check("expected a weight above 0", "generate", "--mix", "none:0", "--out", NOWHERE);
+    check("--effects: no such effect: magic", "generate", "--effects", "magic", "--out", NOWHERE);
+    check("--withheld: no such effect: wind", "generate", "--withheld", "wind", "--out", NOWHERE);
     checkMix("gain makes a fair pair with none", "gain", "single:1,pair:1");
     checkMix("none is of the vocabulary", "speed-loss", "single:1");
+    checkMix("not every one of them is fair", "gain,latency", "triple:1");
     checkMix("all are of the vocabulary", "gain", "unknown:1");
-    check("expected --withheld", "generate", "--mix", "withheld:1", "--out", "x");
-    check("--rows: '9'", "generate", "--rows", "9", "--out", "x");
-    check("--level: 'L9', expected wave", "generate", "--level", "L9", "--out", "x");
+    check("expected --withheld", "generate", "--mix", "withheld:1", "--out", NOWHERE);
+    check("--rows: '9'", "generate", "--rows", "9", "--out", NOWHERE);
+    check("--level: 'L9', expected wave", "generate", "--level", "L9", "--out", NOWHERE);
     check("--reference: every case", "generate", "--level", "wave", "--reference", "1");
-    check("--sizes: '0'", "generate", "--level", "wave", "--sizes", "0-2", "--out", "x");
+    check("--sizes: '0'", "generate", "--level", "wave", "--sizes", "0-2", "--out", NOWHERE);
     check(
         "no such effect: latency-of-mine",
         "generate",
@@ -533,7 +537,8 @@ class BlindCheckTest {
   }
 
   private static void checkMix(String message, String effects, String mix) {
-    check("--effects: " + message, "generate", "--effects", effects, "--mix", mix, "--out", "x");
+    check(
+        "--effects: " + message, "generate", "--effects", effects, "--mix", mix, "--out", NOWHERE);
   }
 
   private static void check(String message, String... arguments) {

@@ -3,7 +3,6 @@ package simbad.blindworld.benchmark;
 import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -142,6 +141,6 @@ public enum Part {
 
   @Override
   public String toString() {
-    return String.format(Locale.ROOT, "%s %s", VERSION, word());
+    return VERSION + " " + word();
   }
 }

@@ -18,8 +18,8 @@ import java.util.SplittableRandom;
  * @param rows least and most rows of a data set
  * @param repeats how many simulated repeats make an oracle's forecast
  * @param worlds of which kind they are
- * @param sizes of what is put in; where they are asked for nothing has to show, but for
- * @param plain the kinds of case whose effects have to show all the same
+ * @param sizes of what is put in; where they are asked for nothing has to show
+ * @param plain kinds of case whose effects have to show even then
  */
 public record Order(
     int cases,

@@ -14,9 +14,12 @@ import simbad.blindworld.effect.Vocabulary;
  * Which cases there will be, before any is drawn: kinds in the asked shares, effects evenly, in
  * random order under random names.
  */
-final class Plan {
+public final class Plan {
 
   private static final double BESIDE_SHARE = 0.2;
+
+  /** After so many names in vain nothing is fair. */
+  private static final int TRIES = 200;
 
   /**
    * One case to make.
@@ -102,7 +105,7 @@ final class Plan {
 
   private static List<String> pair(Wheel inside) {
     String first = inside.next();
-    for (int tries = 0; tries < 200; tries++) {
+    for (int tries = 0; tries < TRIES; tries++) {
       String second = inside.next();
       if (Vocabulary.isFairPair(first, second)) {
         return List.of(first, second);
@@ -114,9 +117,9 @@ final class Plan {
   /** A pair with a third effect that is fair beside both. */
   private static List<String> triple(Wheel inside) {
     List<String> two = pair(inside);
-    for (int tries = 0; tries < 200; tries++) {
+    for (int tries = 0; tries < TRIES; tries++) {
       String third = inside.next();
-      if (two.stream().allMatch(name -> Vocabulary.isFairPair(name, third))) {
+      if (areFair(two, third)) {
         return List.of(two.get(0), two.get(1), third);
       }
     }
@@ -128,10 +131,31 @@ final class Plan {
     Wheel wheel = wheel(order, order.worlds().names(), random);
     List<String> two = otherPair(order, first, random);
     String third = wheel.next();
-    while (!Vocabulary.isFairPair(first, third) || !Vocabulary.isFairPair(two.get(1), third)) {
+    for (int tries = 0; !areFair(two, third); tries++) {
+      if (tries % TRIES == TRIES - 1) {
+        // No third one may be fair beside these two.
+        two = otherPair(order, first, random);
+      }
       third = wheel.next();
     }
     return List.of(first, two.get(1), third);
+  }
+
+  private static boolean areFair(List<String> two, String third) {
+    return two.stream().allMatch(name -> Vocabulary.isFairPair(name, third));
+  }
+
+  /** Whether each effect has two others that are fair beside it and beside one another. */
+  public static boolean hasTripleForEach(List<String> effects) {
+    return effects.stream()
+        .allMatch(
+            one ->
+                effects.stream()
+                    .filter(other -> Vocabulary.isFairPair(one, other))
+                    .anyMatch(
+                        other ->
+                            effects.stream()
+                                .anyMatch(third -> areFair(List.of(one, other), third))));
   }
 
   /** A pair of an effect with any other that is fair beside it. */

@@ -80,14 +80,14 @@ final class Scores {
   }
 
   private List<Graded> known() {
-    return plain().filter(g -> !g.truth().isStrange()).toList();
+    return plain(cases).filter(g -> !g.truth().isStrange()).toList();
   }
 
   private List<Graded> strange() {
-    return plain().filter(g -> g.truth().isStrange()).toList();
+    return plain(cases).filter(g -> g.truth().isStrange()).toList();
   }
 
-  private Stream<Graded> plain() {
+  private static Stream<Graded> plain(List<Graded> cases) {
     return cases.stream().filter(g -> !g.truth().isFaint());
   }
 
@@ -97,8 +97,7 @@ final class Scores {
   }
 
   private static double classMean(List<Graded> cases) {
-    return cases.stream()
-        .filter(g -> !g.truth().isFaint())
+    return plain(cases)
         .collect(
             Collectors.groupingBy(
                 g -> g.truth().kind(),
@@ -116,11 +115,7 @@ final class Scores {
   }
 
   private static double probabilityOfTruth(List<Graded> cases) {
-    return cases.stream()
-        .filter(g -> !g.truth().isFaint())
-        .mapToDouble(Graded::probabilityOfTruth)
-        .average()
-        .orElse(0);
+    return plain(cases).mapToDouble(Graded::probabilityOfTruth).average().orElse(0);
   }
 
   private static List<Scored> scored(List<Graded> of) {
