@@ -76,7 +76,8 @@ final class BlindCheck {
   void begin() throws IOException, DataFormatException {
     Path file = folder.resolve(ORDER);
     String text = CheckJson.text(order.json());
-    if (!Files.isRegularFile(file)) {
+    // Before anything is drawn an order may still be mended, such as one that was refused.
+    if (!Files.isRegularFile(file) || !Files.exists(world)) {
       Files.createDirectories(folder);
       TextFile.write(file, text);
     } else if (!Files.readString(file).equals(text)) {

@@ -51,6 +51,9 @@ final class BlindCheckCommand extends Subcommand {
   private static final double MOST_LIMIT_S = 1e6;
   private static final String WAVE = "wave";
 
+  /** Of the benchmark SRB-1, as blind-world calls them. */
+  private static final List<String> PARTS = List.of("L1", "L2", "L2w");
+
   @Option(
       names = "--out",
       paramLabel = "DIR",
@@ -241,7 +244,15 @@ final class BlindCheckCommand extends Subcommand {
       throw wrongUsage(
           "--benchmark: its orders are frozen, expected no other option of what is drawn");
     }
-    return new Benchmark(part, Optional.ofNullable(first), Optional.ofNullable(seed));
+    String known =
+        PARTS.stream()
+            .filter(part::equalsIgnoreCase)
+            .findFirst()
+            .orElseThrow(
+                () ->
+                    wrongUsage(
+                        "--benchmark: '" + part + "', expected " + String.join(", ", PARTS)));
+    return new Benchmark(known, Optional.ofNullable(first), Optional.ofNullable(seed));
   }
 
   private Drawn drawn() {

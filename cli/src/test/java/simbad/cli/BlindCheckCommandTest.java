@@ -248,7 +248,7 @@ class BlindCheckCommandTest {
         "--level wave --reference 0.5 | --level wave: every case has a reference",
         "--sizes 0-10 | --sizes: '0'",
         "--first 3 | --first: expected --benchmark with it",
-        "--benchmark L9 | --part: 'L9', expected L1, L2 or L2w",
+        "--benchmark L9 | --benchmark: 'L9', expected L1, L2, L2w",
         "--benchmark L1 --first 351 | --first: '351'",
         "--benchmark L1 --first 1 --seed 4 | --seed: not that of the second half",
         "--benchmark L1 --cases 4 | --benchmark: its orders are frozen",
@@ -267,6 +267,15 @@ class BlindCheckCommandTest {
     assertEquals(1, shell.complaints().size(), shell.err());
     assertTrue(shell.err().contains(complaint), shell.err());
     assertFalse(Files.exists(out().resolve("world")), "nothing half-made stays");
+  }
+
+  /** Who mistypes an option may mend it and keep the folder. */
+  @Test
+  void orderThatWasRefused_mayBeMended() throws IOException {
+    assertEquals(2, check("--mix", "odd:1").status());
+    Shell mended = check("--benchmark", "l1", "--first", "1");
+    assertEquals(0, mended.status(), mended.err());
+    assertEquals("L1", json("order.json").at("/benchmark").asText());
   }
 
   @Test
