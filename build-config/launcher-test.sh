@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Tests ./simbad against fakes of Java, Maven, git, apt-get and sudo: what it calls, prints and returns. Where the program
 # calls the launcher back, Java and the program are real: JAVA_HOME, and the class path in SIMBAD_TEST_CLASS_PATH.
+# SIMBAD_TEST_AGENT, where it is set, is an option for that Java: it measures which lines run.
 # Prints a line "ok NAME" or "not ok NAME: why" for each check; exit status 1 when one is not ok.
 set -u
 
@@ -12,6 +13,7 @@ trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
 failures=0
 real_java=${JAVA_HOME:-$(dirname "$(dirname "$(readlink -f "$(command -v javac)")")")}
 real_classes=${SIMBAD_TEST_CLASS_PATH:-$here/../cli/target/classes:$here/../cli/target/lib/*}
+agent=${SIMBAD_TEST_AGENT:-}
 account=()
 
 # ---------------------------------------------------------------- fakes
@@ -88,7 +90,10 @@ while [[ \$1 != -jar ]]; do
   [[ \$1 != -Dsimbad.* && \$1 != -Djava.* ]] || options+=("\$1")
   shift
 done
-exec "$real_java/bin/java" -XX:TieredStopAtLevel=1 "\${options[@]}" -cp "$real_classes" simbad.cli.Main "\${@:3}"
+# Another account cannot write what the agent measures.
+agent=()
+[[ -z "$agent" || \$EUID != $EUID ]] || agent=("$agent")
+exec "$real_java/bin/java" "\${agent[@]}" -XX:TieredStopAtLevel=1 "\${options[@]}" -cp "$real_classes" simbad.cli.Main "\${@:3}"
 END
 }
 

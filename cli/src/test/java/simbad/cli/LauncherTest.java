@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
@@ -20,6 +21,10 @@ class LauncherTest {
             .redirectErrorStream(true);
     builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
     builder.environment().put("SIMBAD_TEST_CLASS_PATH", System.getProperty("java.class.path"));
+    ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
+        .filter(argument -> argument.startsWith("-javaagent:"))
+        .findFirst()
+        .ifPresent(agent -> builder.environment().put("SIMBAD_TEST_AGENT", agent));
     Process script = builder.start();
     script.getOutputStream().close();
     String output = new String(script.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
