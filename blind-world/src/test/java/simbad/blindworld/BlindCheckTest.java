@@ -281,7 +281,7 @@ class BlindCheckTest {
 
   private static Done waves(Path to, String... more) {
     return run(
-        "generate --level wave --cases 2 --seed 6 --repeats 40 --mix single:1".split(" "),
+        "generate --level wave --seed 6 --repeats 40 --mix single:1".split(" "),
         Stream.concat(Stream.of("--out", to + ""), Arrays.stream(more)).toArray(String[]::new));
   }
 
@@ -289,7 +289,8 @@ class BlindCheckTest {
   @Test
   void waves_areDrawnSealedAndScored() throws Exception {
     Path first = folder.resolve("waves");
-    Done done = waves(first, "--effects", "range-offset,dropout", "--rows", "1200-1300");
+    Done done =
+        waves(first, "--cases", "2", "--effects", "range-offset,dropout", "--rows", "1200-1300");
     assertEquals(0, done.status, done.err);
     try (var paths = Files.list(first.resolve("cases"))) {
       for (Path one : paths.toList()) {
@@ -333,7 +334,9 @@ class BlindCheckTest {
   @Test
   void sizesAskedFor_needNotShow() throws Exception {
     Path to = folder.resolve("sizes");
-    String[] small = {"--effects", "gain", "--sizes", "0.1-0.2", "--rows", "300-350"};
+    String[] small = {
+      "--effects", "gain", "--sizes", "0.1-0.2", "--rows", "300-350", "--cases", "1"
+    };
     Done done = waves(to, small);
     assertEquals(0, done.status, done.err);
     Path again = folder.resolve("sizes again");
