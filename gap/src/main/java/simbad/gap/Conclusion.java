@@ -3,6 +3,8 @@ package simbad.gap;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
@@ -33,6 +35,12 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
   /** Beside a large gap that its reference excuses, "none" has to be as sure as this. */
   private static final double SURELY_NOTHING = 0.1;
 
+  /**
+   * A name is said where it, or a tie with it, is as probable as this: a wrong name costs four
+   * times what it costs to leave the log undecided.
+   */
+  private static final double SURE_NAME = 0.8;
+
   private static final long RESAMPLING = 1;
 
   /** Copies the list. */
@@ -44,13 +52,13 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
    * Concludes.
    *
    * @param weighed the best set and what it gains
-   * @param unknown probability of something that has no name
+   * @param unnamed something that has no name
    * @param where the places of the gap
    * @param blocks of the log
    * @param tieNats evidence that still leaves two effects alike
    */
   static Conclusion of(
-      Weighed weighed, double unknown, List<Place> where, Blocks blocks, double tieNats) {
+      Weighed weighed, Unnamed unnamed, List<Place> where, Blocks blocks, double tieNats) {
     if (!blocks.canBeHeldOut()) {
       return undecided(noHalves(weighed.gain()));
     }
@@ -59,13 +67,14 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
     if (!atBound.isEmpty()) {
       return new Conclusion(Verdict.UNEXPLAINED, bounds(atBound), atBound);
     }
+    double unknown = unnamed.probability();
     if (unknown > 0.5) {
-      return new Conclusion(Verdict.UNEXPLAINED, "", List.of());
+      return new Conclusion(Verdict.UNEXPLAINED, unnamed.reason(), List.of());
     }
     if (!best.forms().isEmpty()) {
       return leavesMuch(weighed)
           ? new Conclusion(Verdict.UNEXPLAINED, left(weighed.gain()), List.of())
-          : named(weighed, blocks, tieNats);
+          : named(weighed, unknown, blocks, tieNats);
     }
     String doubt = doubt(weighed, unknown, where);
     return doubt.isEmpty() ? new Conclusion(Verdict.NONE, "", List.of()) : undecided(doubt);
@@ -89,17 +98,32 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
     return new Conclusion(Verdict.PARTLY, whole.reason, List.of());
   }
 
-  /** One that two others could stand for is no name for what happened. */
-  private static Conclusion named(Weighed weighed, Blocks blocks, double tieNats) {
+  /** One that two others could stand for is no name for what happened, nor is one hardly likely. */
+  private static Conclusion named(Weighed weighed, double unknown, Blocks blocks, double tieNats) {
     for (Effect effect : weighed.taken().hypothesis().effects()) {
       List<Effect> rivals = weighed.probabilities().inPlaceOf(effect, tieNats);
       if (rivals.size() > 1) {
         String reason = "these data cannot tell " + effect.word() + " from " + words(rivals, ", ");
-        return new Conclusion(Verdict.UNDECIDED, reason, List.of());
+        return undecided(reason);
+      }
+      Set<Effect> tie = new TreeSet<>(rivals);
+      tie.add(effect);
+      double probability = (1 - unknown) * weighed.probabilities().ofAny(tie);
+      if (probability < SURE_NAME) {
+        return undecided(unsure(tie, probability));
       }
     }
     String sponge = sponge(weighed, blocks);
     return sponge.isEmpty() ? new Conclusion(Verdict.EXPLAINED, "", List.of()) : undecided(sponge);
+  }
+
+  private static String unsure(Set<Effect> tie, double probability) {
+    return String.format(
+        Locale.ROOT,
+        "%s is likely, at %.0f %%, but not so likely that it can be named (%.0f %%)",
+        words(List.copyOf(tie), " or "),
+        100 * probability,
+        100 * SURE_NAME);
   }
 
   /**

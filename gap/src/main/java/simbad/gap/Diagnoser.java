@@ -31,6 +31,7 @@ import simbad.gap.explain.Probabilities;
 import simbad.gap.explain.Scored;
 import simbad.gap.explain.Search;
 import simbad.gap.explain.SetupLeave;
+import simbad.gap.explain.Strangers;
 import simbad.gap.explain.Uncertainty;
 import simbad.gap.explain.Unknown;
 import simbad.gap.explain.Weighed;
@@ -42,6 +43,7 @@ import simbad.gap.place.Undetectables;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
 import simbad.sonar.ping.PingLog;
+import simbad.sonar.scene.SensorLaw;
 
 /** Diagnoses data sets. Deterministic: the same data set and seed give the same diagnosis. */
 public final class Diagnoser {
@@ -173,10 +175,12 @@ public final class Diagnoser {
     Hypothesis best = inquiry.best();
     Evidence open = calibration.opened(evidence, best);
     Weighed whole = inquiry.weighed.beside(evidence, open);
-    double unknown = Unknown.probability(evidence, open, calibration, whole.gain(), best);
+    Unnamed unnamed =
+        unnamed(inquiry, Unknown.probability(evidence, open, calibration, whole.gain(), best));
+    double unknown = unnamed.probability();
     double tieNats = TIE_NATS * calibration.clumping();
     List<Place> where = places(evidence, whole, blocks);
-    Conclusion first = Conclusion.of(whole, unknown, doubtful(whole, open, where), blocks, tieNats);
+    Conclusion first = Conclusion.of(whole, unnamed, doubtful(whole, open, where), blocks, tieNats);
     Optional<Weighed> sure =
         first.verdict() == Verdict.UNEXPLAINED || isTied(first, whole)
             ? whole
@@ -188,6 +192,19 @@ public final class Diagnoser {
             part ->
                 new Told(part, places(evidence, part, blocks), stated, Conclusion.partly(first)))
         .orElse(new Told(whole, where, stated, first));
+  }
+
+  /** What no effect does, as misfits show it, or as it is likelier than the effects. */
+  private static Unnamed unnamed(Inquiry inquiry, double misfits) {
+    Calibration calibration = inquiry.calibration;
+    if (calibration.model() != SensorLaw.Model.LEVEL || misfits > 0.5) {
+      return new Unnamed(misfits, "");
+    }
+    Evidence evidence = inquiry.evidence;
+    Strangers.Found found =
+        new Strangers(evidence, new SetupLeave(evidence, calibration))
+            .against(inquiry.best(), inquiry.worthNats, calibration.clumping());
+    return new Unnamed(1 - (1 - misfits) * found.share(), found.what());
   }
 
   private static Weighed beside(Calibration calibration, Evidence evidence, Weighed part) {

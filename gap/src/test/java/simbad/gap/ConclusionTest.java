@@ -45,7 +45,7 @@ class ConclusionTest {
   }
 
   private static Conclusion of(Weighed weighed, double unknown, Place... where) {
-    return Conclusion.of(weighed, unknown, List.of(where), BLOCKS, TIE_NATS);
+    return Conclusion.of(weighed, new Unnamed(unknown, ""), List.of(where), BLOCKS, TIE_NATS);
   }
 
   private static void isUndecided(String why, Conclusion conclusion) {
@@ -84,15 +84,49 @@ class ConclusionTest {
   @Test
   void oneBlock_isUndecidedWhateverFits() {
     Conclusion few =
-        Conclusion.of(weighed(OFFSET, 0.01, 0.01), 0.9, List.of(place(1e-9)), blocks(49), TIE_NATS);
+        Conclusion.of(
+            weighed(OFFSET, 0.01, 0.01),
+            new Unnamed(0.9, ""),
+            List.of(place(1e-9)),
+            blocks(49),
+            TIE_NATS);
     isUndecided("too few readings: 1, where 50 are needed", few);
   }
 
   @Test
   void whatIsNotKnown_decidesBetweenExplainedAndUnexplained() {
-    assertEquals(Verdict.EXPLAINED, of(weighed(OFFSET, 0.01, 0.01), 0.5).verdict());
+    assertEquals(Verdict.EXPLAINED, of(weighed(OFFSET, 0.01, 0.01), 0.2).verdict());
+    isUndecided(
+        "range-offset is likely, at 50 %, but not so likely that it can be named (80 %)",
+        of(weighed(OFFSET, 0.01, 0.01), 0.5));
     assertEquals(Verdict.UNEXPLAINED, of(weighed(OFFSET, 0.01, 0.01), 0.51).verdict());
     assertEquals(Verdict.UNEXPLAINED, of(weighed(Hypothesis.NONE, 0.01, 0.01), 0.51).verdict());
+  }
+
+  /** One of two effects is there as often as not: the other alone would be wrong as often. */
+  @Test
+  void whatIsHardlyLikely_isNotNamed() {
+    Hypothesis gain = Worlds.effect(Effect.GAIN, "factor", 0.8);
+    Hypothesis both = OFFSET.and(gain.forms().get(0), 0.8);
+    isUndecided("gain is likely, at", of(two(both, 13, OFFSET), 0.01));
+    assertEquals(Verdict.EXPLAINED, of(two(both, 14, OFFSET), 0.01).verdict());
+  }
+
+  /** Either of two that do alike is named, with the other as its tie. */
+  @Test
+  void aTie_isAsLikelyAsBothOfIt() {
+    Hypothesis gain = Worlds.effect(Effect.GAIN, "factor", 0.8);
+    assertEquals(Verdict.EXPLAINED, of(two(OFFSET, 0.5, gain), 0.01).verdict());
+  }
+
+  private static Weighed two(Hypothesis best, double moreNats, Hypothesis other) {
+    Scored first = new Scored(best, moreNats, moreNats);
+    GapMeter.Gaps gaps = new GapMeter.Gaps(new double[] {0.01}, new double[] {0.01});
+    return new Weighed(
+        new Probabilities(List.of(first, new Scored(other, 0, 0)), 10, 1, Set.of()),
+        first,
+        new Gain(gaps, gaps),
+        List.of());
   }
 
   /** Twice what the model that is diagnosed expects of itself is a rest. */

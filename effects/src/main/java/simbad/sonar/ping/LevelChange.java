@@ -11,4 +11,9 @@ public non-sealed interface LevelChange extends Change {
    * @return decibels; 0 changes nothing
    */
   double addedDb(LevelEars ears, Geometry geometry, int line);
+
+  /** Returns by how much more the excess of every echo scatters, decibels, at least 0. */
+  default double scatterDb() {
+    return 0;
+  }
 }

@@ -28,6 +28,10 @@ final class LevelHearing {
   private final double minRangeM;
   private final double maxRangeM;
   private final double heardShare;
+
+  /** By which changes let the excess scatter more, decibels. */
+  private final double moreScatterDb;
+
   private int size;
   private double[] distanceM = new double[2];
   private double[] excessDb = new double[2];
@@ -58,6 +62,11 @@ final class LevelHearing {
     minRangeM = sensor.minRangeM();
     maxRangeM = sensor.maxRangeM();
     heardShare = 1 - sensor.missRate();
+    double variance = 0;
+    for (LevelChange change : this.changes) {
+      variance += change.scatterDb() * change.scatterDb();
+    }
+    moreScatterDb = Math.sqrt(variance);
   }
 
   void clear() {
@@ -92,7 +101,7 @@ final class LevelHearing {
       excess += change.addedDb(ears, geometry, line);
     }
     distanceM[size] = geometry.nearestM(line);
-    deviationDb[size] = geometry.excessDeviationDb(line);
+    deviationDb[size] = together(geometry.excessDeviationDb(line), moreScatterDb);
     addedM[size] = geometry.pathM(line);
     addedDeviationM[size] = geometry.pathDeviationM(line);
     kept[size] = keptShare * heardShare;

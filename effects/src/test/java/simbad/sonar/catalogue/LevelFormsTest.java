@@ -19,7 +19,9 @@ import simbad.sonar.change.Gain;
 import simbad.sonar.change.GatedOffset;
 import simbad.sonar.change.LevelAbsorption;
 import simbad.sonar.change.LevelAperture;
+import simbad.sonar.change.LevelDrift;
 import simbad.sonar.change.LevelGain;
+import simbad.sonar.change.LevelScatter;
 import simbad.sonar.change.RangeOffset;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.FittedForm;
@@ -112,6 +114,23 @@ class LevelFormsTest {
     assertEquals(0.98 / 2, chance(1.7, 0, new LevelGain(loss)), 1e-6);
     assertTrue(chance(1.7, 0, new LevelGain(loss + law)) > 0.8);
     assertEquals(0.98 / 2, chance(1.7, 0, new LevelAbsorption(-loss / (2 * 1.7))), 1e-6);
+  }
+
+  /** What scatters for two reasons scatters by the root of their squares. */
+  @Test
+  void moreScatter_flattensTheEdge() {
+    double law = SETUP.sensor().levelLaw().excessSdDb();
+
+    assertEquals(0.98 * 0.841345, chance(THRESHOLD_M, 0, new LevelScatter(law, 0)), 1e-3);
+    assertEquals(
+        0.98 * 0.691462, chance(THRESHOLD_M, 0, new LevelScatter(law, Math.sqrt(3) * law)), 1e-3);
+  }
+
+  @Test
+  void aDrift_beginsWithItsFirstLevel() {
+    double loss = SETUP.sensor().levelLaw().lossDb(1.7) - SETUP.sensor().levelLaw().lossDb(1.5);
+
+    assertEquals(0.98 / 2, chance(1.7, 0, new LevelDrift(loss, 0, 0, 1)), 1e-6);
   }
 
   /** A factor of the threshold means the same under both laws: it is lost so much further off. */

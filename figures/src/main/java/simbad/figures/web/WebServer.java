@@ -132,6 +132,10 @@ public final class WebServer implements AutoCloseable {
         .header(Header.REFERRER_POLICY, "no-referrer")
         .header(Header.CROSS_ORIGIN_RESOURCE_POLICY, "same-origin")
         .header(Header.CONTENT_SECURITY_POLICY, policy);
+    if (context.contentLength() > MOST_QUESTION_BYTES) {
+      // It is not read to its end, and the connection ends: nobody shall ask on it again.
+      context.header("Connection", "close");
+    }
     String origin = context.header(Header.ORIGIN);
     if (!guard.admits(context.queryString(), context.header(Header.HOST), origin)) {
       throw new ForbiddenResponse("forbidden");

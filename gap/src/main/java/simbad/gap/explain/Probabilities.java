@@ -17,9 +17,10 @@ public final class Probabilities {
   public static final double UNSEEN = 4;
 
   /** Likelihoods of models that are all a little wrong are taken for less than they say. */
-  private static final double TEMPERATURE = 2;
+  static final double TEMPERATURE = 2;
 
-  private static final double NATS_PER_VALUE = 0.5;
+  /** What a value gains by chance. */
+  static final double NATS_PER_VALUE = 0.5;
 
   private final List<Scored> sets;
   private final Set<Effect> unseen;
@@ -97,6 +98,16 @@ public final class Probabilities {
       }
     }
     return sums;
+  }
+
+  /** Returns the probability that at least one of some effects is at work. */
+  public double ofAny(Set<Effect> effects) {
+    double sum = 0;
+    for (int i = 0; i < weight.length; i++) {
+      boolean hasOne = sets.get(i).hypothesis().effects().stream().anyMatch(effects::contains);
+      sum += hasOne ? weight[i] : 0;
+    }
+    return sum;
   }
 
   /** Returns what could stand in the place of an effect of the most probable set. */
