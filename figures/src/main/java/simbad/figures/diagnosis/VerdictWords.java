@@ -63,7 +63,10 @@ final class VerdictWords {
                   + " name here accounts for")
           + "</strong>"
           + withinFigures(diagnosis.gap())
-          + ".";
+          + "."
+          + (diagnosis.reason().isEmpty()
+              ? ""
+              : " What happens: " + Markup.escaped(diagnosis.reason()) + ".");
     }
     boolean one = diagnosis.explanation().size() == 1;
     return "<strong>No named effect accounts for the gap.</strong> Nearest "

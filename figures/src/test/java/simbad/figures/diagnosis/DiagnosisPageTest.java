@@ -113,6 +113,9 @@ class DiagnosisPageTest {
         page);
     assertTrue(page.contains("probability of 97 %"));
     GapFigures large = new GapFigures(20, 9, 9, 2, 0, none.gap().shrinkCi95());
+    String drifts =
+        words(Samples.page(as(Verdict.UNEXPLAINED, "it drifts", List.of(), large), DATA));
+    assertTrue(drifts.contains("What happens: it drifts."), drifts);
     String much = words(Samples.page(as(Verdict.UNEXPLAINED, "", List.of(), large), DATA));
     assertTrue(much.contains("There is a gap, and no effect that has a name here accounts for it"));
   }
