@@ -74,7 +74,7 @@ public final class RangeDriftEffect implements Definition {
   /** A rate is what leads to some centimetres in the time that the log takes. */
   @Override
   public List<double[]> starts(Form form, Clues clues) {
-    double lastsS = lastsS(clues.log());
+    double lastsS = clues.log().lastsS();
     if (!form.name().equals(LINEAR) || !(lastsS > 0)) {
       return Definition.super.starts(form, clues);
     }
@@ -94,15 +94,7 @@ public final class RangeDriftEffect implements Definition {
   /** It needs times. */
   @Override
   public boolean canShow(Form form, LogDesign log) {
-    return lastsS(log.log()) > 0;
-  }
-
-  private static double lastsS(PingLog log) {
-    double last = 0;
-    for (int ping = 0; ping < log.size(); ping++) {
-      last = log.isTimed(ping) ? Math.max(last, log.timeS(ping) - log.firstS()) : last;
-    }
-    return last;
+    return log.log().lastsS() > 0;
   }
 
   @Override

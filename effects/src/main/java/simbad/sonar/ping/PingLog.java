@@ -182,6 +182,15 @@ public final class PingLog {
     return firstS;
   }
 
+  /** Returns how long after it the last ping with a time was, seconds; 0 where none has one. */
+  public double lastsS() {
+    double last = 0;
+    for (int ping = 0; ping < size(); ping++) {
+      last = timed[ping] ? Math.max(last, timeS[ping] - firstS) : last;
+    }
+    return last;
+  }
+
   /** Returns the temperature of the air at a ping, degrees Celsius; not a number where unknown. */
   public double temperatureC(int ping) {
     return temperatureC[ping];
