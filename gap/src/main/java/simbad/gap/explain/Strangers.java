@@ -44,15 +44,9 @@ public final class Strangers {
   public Strangers(Evidence evidence, SetupLeave leave) {
     this.evidence = evidence;
     this.leave = leave;
-    forms = forms(durationS(evidence.log()));
-  }
-
-  private static double durationS(PingLog log) {
-    double last = log.firstS();
-    for (int i = 0; i < log.size(); i++) {
-      last = Math.max(last, log.timeS(i));
-    }
-    return last - log.firstS();
+    PingLog log = evidence.log();
+    // Where things are placed one after the other, a drift is what each placement is off by.
+    forms = forms(new Placements(log).areRepeated() ? 0 : log.lastsS());
   }
 
   private static List<Form> forms(double durationS) {
@@ -82,7 +76,8 @@ public final class Strangers {
    * What was found.
    *
    * @param share probability of the named set against all of them, in (0, 1]
-   * @param what the likeliest of them does, in words
+   * @param what the likeliest of them does, in words; empty where the named set is likelier than
+   *     all
    */
   public record Found(double share, String what) {}
 
@@ -104,7 +99,7 @@ public final class Strangers {
         rivals.add(new Rival(named.without(effect), form, cost));
       }
     }
-    double own = nats(new Fitter(evidence, Fold.ALL).polish(named, 20 + 15 * named.size()));
+    double own = nats(polished(new Fitter(evidence, Fold.ALL), named));
     List<Weight> weights =
         rivals.parallelStream()
             .map(rival -> rival.fitted(this))
@@ -112,7 +107,7 @@ public final class Strangers {
             .toList();
     double sum = weights.stream().mapToDouble(Weight::times).sum();
     Weight most = Collections.max(weights, Comparator.comparingDouble(Weight::times));
-    return new Found(1 / (1 + sum), words(most.set));
+    return new Found(1 / (1 + sum), sum > 1 ? words(most.set) : "");
   }
 
   /** Whether an effect is itself a matter of levels: a stranger does all that it does. */
@@ -128,7 +123,7 @@ public final class Strangers {
       Hypothesis first = rest.and(form, start);
       Fitter fitter = new Fitter(log.evidence, Fold.ALL);
       Fit far = fitter.refine(first, rest.size(), 20 + 20 * start.length);
-      Fit fit = fitter.polish(far.hypothesis(), 20 + 15 * first.size());
+      Fit fit = polished(fitter, far.hypothesis());
       return new Fitted(fit.hypothesis(), log.nats(fit) - costNats);
     }
   }
@@ -141,6 +136,11 @@ public final class Strangers {
 
   /** How many times as likely as the named set. */
   private record Weight(Hypothesis set, double times) {}
+
+  /** A table has too many values for it: it stays as it was read off the log. */
+  private static Fit polished(Fitter fitter, Hypothesis set) {
+    return fitter.polish(set, set.hasTable() ? 0 : 20 + 15 * set.size());
+  }
 
   private double nats(Fit fit) {
     Hypothesis set = fit.hypothesis();

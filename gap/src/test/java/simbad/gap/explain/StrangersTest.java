@@ -1,5 +1,6 @@
 package simbad.gap.explain;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -69,8 +70,9 @@ class StrangersTest {
   @Test
   void gainStays() {
     Form gain = Forms.find(Effect.GAIN, "level", LevelWorlds.POST, List.of("s")).orElseThrow();
-    double share = found(LevelWorlds.truth().and(gain, -5), Hypothesis.NONE.and(gain, -5)).share();
-    assertTrue(share > 0.99, () -> "share " + share);
+    Strangers.Found found = found(LevelWorlds.truth().and(gain, -5), Hypothesis.NONE.and(gain, -5));
+    assertTrue(found.share() > 0.99, found::toString);
+    assertEquals("", found.what(), "nothing is said of what is not there");
   }
 
   /** Strong echoes are lost as often as weak ones: nothing of their strength does that. */
