@@ -93,8 +93,9 @@ final class LevelMove {
       for (int i = 0; i < row.index.length; i++) {
         score[row.index[i]] += at[1] * row.value[i];
         double[] into = information[row.index[i]];
-        for (int j = 0; j < row.index.length; j++) {
-          into[row.index[j]] += down * row.value[i] * row.value[j];
+        double own = down * row.value[i];
+        for (int j = 0; j < row.index.length && own != 0; j++) {
+          into[row.index[j]] += own * row.value[j];
         }
       }
     }

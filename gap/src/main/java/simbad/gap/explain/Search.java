@@ -10,6 +10,8 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
@@ -54,6 +56,8 @@ public final class Search {
   private final double worthNats;
   private final Optional<SetupLeave> leave;
   private final Map<Set<Effect>, Fit> fits = new LinkedHashMap<>();
+  private final Map<Hypothesis, Double> leaves = new ConcurrentHashMap<>();
+  private final Map<Hypothesis, Double> farLeaves = new ConcurrentHashMap<>();
   private List<Fit> singles = List.of();
   private Fit best = new Fit(Hypothesis.NONE, Double.NEGATIVE_INFINITY);
 
@@ -252,9 +256,9 @@ public final class Search {
   }
 
   /** Sets before a set-up that moves with each; of those in front the values move as well. */
-  private static List<Scored> moved(List<Scored> sets, SetupLeave open) {
+  private List<Scored> moved(List<Scored> sets, SetupLeave open) {
     List<Scored> moved =
-        sets.parallelStream().map(one -> plus(one, open.nats(one.hypothesis()))).toList();
+        sets.parallelStream().map(one -> plus(one, once(leaves, one, open::nats))).toList();
     double front = moved.stream().mapToDouble(Scored::heldOut).max().orElse(0) - FRONT_NATS;
     return IntStream.range(0, sets.size())
         .parallel()
@@ -262,8 +266,18 @@ public final class Search {
             i ->
                 moved.get(i).heldOut() < front
                     ? moved.get(i)
-                    : plus(sets.get(i), open.natsWithValues(sets.get(i).hypothesis())))
+                    : plus(sets.get(i), once(farLeaves, sets.get(i), open::natsWithValues)))
         .toList();
+  }
+
+  /** What costs as much as a fit is asked once of a set, however often sets are scored. */
+  private static double once(
+      Map<Hypothesis, Double> known, Scored set, ToDoubleFunction<Hypothesis> nats) {
+    // Two threads that ask at once find the same.
+    Double before = known.get(set.hypothesis());
+    double now = before == null ? nats.applyAsDouble(set.hypothesis()) : before;
+    known.put(set.hypothesis(), now);
+    return now;
   }
 
   private static Scored plus(Scored set, double nats) {

@@ -142,13 +142,19 @@ public final class Evidence {
   private void weighed(DiagnosedModel model, Geometry geometry, double[] into) {
     double[] echoes = new double[into.length];
     model.likelihood(geometry, into, echoes);
+    double silent = -1;
+    double logSilent = 0;
     for (int i = 0; i < into.length; i++) {
-      double read = Math.log((1 - BROAD) * into[i] + broad[i]);
       if (log.echo(i)) {
+        double read = Math.log((1 - BROAD) * into[i] + broad[i]);
         double echo = Math.log((1 - BROAD) * echoes[i] + BROAD * (1 - BROAD_NO_ECHO));
         into[i] = echoWeight * echo + rangeWeight * (read - echo);
       } else {
-        into[i] = echoWeight * read;
+        if (into[i] != silent) {
+          silent = into[i];
+          logSilent = Math.log((1 - BROAD) * silent + broad[i]);
+        }
+        into[i] = echoWeight * logSilent;
       }
     }
   }

@@ -11,9 +11,13 @@ public final class Curve {
   private final double least;
   private final double greatest;
 
+  /** Pieces to a unit of x, on the average. */
+  private final double perUnit;
+
   private Curve(double[] x, double[] y) {
     this.x = x;
     this.y = y;
+    perUnit = x.length == 1 ? 0 : (x.length - 1) / (x[x.length - 1] - x[0]);
     least = Arrays.stream(y).min().orElseThrow();
     greatest = Arrays.stream(y).max().orElseThrow();
   }
@@ -104,6 +108,17 @@ public final class Curve {
     if (at >= x[last]) {
       return y[last];
     }
+    int low = piece(at, last);
+    int high = low + 1;
+    return y[low] + (y[high] - y[low]) * (at - x[low]) / (x[high] - x[low]);
+  }
+
+  /** The piece that holds a place between the ends: most curves have pieces of one width. */
+  private int piece(double at, int last) {
+    int guess = Math.min(last - 1, (int) ((at - x[0]) * perUnit));
+    if (x[guess] <= at && at < x[guess + 1]) {
+      return guess;
+    }
     int low = 0;
     int high = last;
     while (high - low > 1) {
@@ -114,7 +129,7 @@ public final class Curve {
         high = middle;
       }
     }
-    return y[low] + (y[high] - y[low]) * (at - x[low]) / (x[high] - x[low]);
+    return low;
   }
 
   @Override
