@@ -3,6 +3,7 @@ package simbad.gap;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -24,6 +25,7 @@ import simbad.gap.diagnosis.Verdict;
 import simbad.gap.explain.Blocks;
 import simbad.gap.explain.Budget;
 import simbad.gap.explain.Calibration;
+import simbad.gap.explain.Constants;
 import simbad.gap.explain.Gain;
 import simbad.gap.explain.GapMeter;
 import simbad.gap.explain.ModelError;
@@ -31,6 +33,7 @@ import simbad.gap.explain.Probabilities;
 import simbad.gap.explain.Scored;
 import simbad.gap.explain.Search;
 import simbad.gap.explain.SetupLeave;
+import simbad.gap.explain.Signs;
 import simbad.gap.explain.Strangers;
 import simbad.gap.explain.Uncertainty;
 import simbad.gap.explain.Unknown;
@@ -54,9 +57,6 @@ public final class Diagnoser {
   private static final double OFF = 2;
 
   private static final double TIE_NATS = 3;
-
-  /** Of the effects named in logs that were checked, so many were there (docs/method/gap.md). */
-  private static final double NAMED_RIGHTLY = 0.985;
 
   private static final double NORMAL_95 = 1.96;
 
@@ -127,7 +127,7 @@ public final class Diagnoser {
       boolean isFull) {
     static Inquiry of(Evidence evidence, Calibration calibration, double worthNats, Search search) {
       List<Scored> sets = search.run();
-      Weighed weighed = Weighed.of(evidence, sets, worthNats, calibration.clumping());
+      Weighed weighed = Weighed.of(evidence, sets, worthNats, calibration.temperature());
       return new Inquiry(evidence, calibration, worthNats, search, sets, weighed, !search.isOff());
     }
 
@@ -148,7 +148,7 @@ public final class Diagnoser {
           worthNats,
           search,
           more,
-          Weighed.of(evidence, more, worthNats, calibration.clumping()),
+          Weighed.of(evidence, more, worthNats, calibration.temperature()),
           true);
     }
   }
@@ -166,7 +166,12 @@ public final class Diagnoser {
   }
 
   /** What is concluded, of which set, with the places of its gap. */
-  private record Told(Weighed weighed, List<Place> where, double unknown, Conclusion conclusion) {}
+  private record Told(
+      Weighed weighed,
+      List<Place> where,
+      double unknown,
+      Map<String, Double> signs,
+      Conclusion conclusion) {}
 
   private static Told conclude(Inquiry inquiry) {
     Evidence evidence = inquiry.evidence;
@@ -175,8 +180,8 @@ public final class Diagnoser {
     Hypothesis best = inquiry.best();
     Evidence open = calibration.opened(evidence, best);
     Weighed whole = inquiry.weighed.beside(evidence, open);
-    Unnamed unnamed =
-        unnamed(inquiry, Unknown.probability(evidence, open, calibration, whole.gain(), best));
+    Signs signs = Unknown.signs(evidence, open, calibration, whole.gain(), best);
+    Unnamed unnamed = unnamed(inquiry, signs);
     double unknown = unnamed.probability();
     double tieNats = TIE_NATS * calibration.clumping();
     List<Place> where = places(evidence, whole, blocks);
@@ -190,21 +195,29 @@ public final class Diagnoser {
     double stated = first.verdict() == Verdict.UNEXPLAINED ? Unknown.besideARest(unknown) : unknown;
     return sure.map(
             part ->
-                new Told(part, places(evidence, part, blocks), stated, Conclusion.partly(first)))
-        .orElse(new Told(whole, where, stated, first));
+                new Told(
+                    part,
+                    places(evidence, part, blocks),
+                    stated,
+                    unnamed.signs(),
+                    Conclusion.partly(first)))
+        .orElse(new Told(whole, where, stated, unnamed.signs(), first));
   }
 
-  /** What no effect does, as misfits show it, or as it is likelier than the effects. */
-  private static Unnamed unnamed(Inquiry inquiry, double misfits) {
+  /** What no effect does, as signs show it, or as it is likelier than the effects. */
+  private static Unnamed unnamed(Inquiry inquiry, Signs signs) {
     Calibration calibration = inquiry.calibration;
-    if (calibration.model() != SensorLaw.Model.LEVEL || misfits > 0.5) {
-      return new Unnamed(misfits, "");
+    double bySigns = Constants.own().unknown(signs.byName());
+    if (calibration.model() != SensorLaw.Model.LEVEL || bySigns > 0.5) {
+      return new Unnamed(bySigns, signs.byName(), "");
     }
     Evidence evidence = inquiry.evidence;
     Strangers.Found found =
         new Strangers(evidence, new SetupLeave(evidence, calibration))
-            .against(inquiry.best(), inquiry.worthNats, calibration.clumping());
-    return new Unnamed(1 - (1 - misfits) * found.share(), found.what());
+            .against(inquiry.best(), inquiry.worthNats, calibration.temperature());
+    Map<String, Double> all = new LinkedHashMap<>(signs.byName());
+    all.put("strangers_odds", found.odds());
+    return new Unnamed(1 - (1 - bySigns) * found.share(), all, found.what());
   }
 
   private static Weighed beside(Calibration calibration, Evidence evidence, Weighed part) {
@@ -240,6 +253,7 @@ public final class Diagnoser {
     Verdict verdict = told.conclusion.verdict();
     Hypothesis best = weighed.taken().hypothesis();
     boolean isPartly = verdict == Verdict.PARTLY;
+    SensorLaw.Model law = inquiry.calibration.model();
     return new Diagnosis(
         verdict,
         told.conclusion.reason(),
@@ -255,7 +269,8 @@ public final class Diagnoser {
         nextExperiment(evidence, sets, weighed, clumping),
         best,
         inquiry.calibration.setup(),
-        attempts(sets),
+        attempts(sets, weighed.probabilities(), Constants.own().temperature(law)),
+        told.signs,
         inquiry.calibration.modelError().map(ModelError::finding),
         audit);
   }
@@ -296,7 +311,8 @@ public final class Diagnoser {
         shrink);
   }
 
-  private static List<Diagnosis.Attempt> attempts(List<Scored> sets) {
+  private static List<Diagnosis.Attempt> attempts(
+      List<Scored> sets, Probabilities probabilities, double temperature) {
     double nominal =
         sets.stream()
             .filter(set -> set.hypothesis().forms().isEmpty())
@@ -304,7 +320,12 @@ public final class Diagnoser {
             .findFirst()
             .orElse(0);
     return sets.stream()
-        .map(set -> new Diagnosis.Attempt(set.hypothesis().effects(), set.heldOut() - nominal))
+        .map(
+            set ->
+                new Diagnosis.Attempt(
+                    set.hypothesis().effects(),
+                    set.heldOut() - nominal,
+                    temperature * probabilities.behind(set)))
         .toList();
   }
 
@@ -322,7 +343,7 @@ public final class Diagnoser {
       weighed.probabilities().ofEffects().forEach((e, p) -> probability.put(e, stated(p)));
       Hypothesis best = weighed.taken().hypothesis();
       if (isPartly) {
-        best.effects().forEach(effect -> probability.put(effect, NAMED_RIGHTLY));
+        best.effects().forEach(effect -> probability.put(effect, Constants.own().namedRightly()));
       }
       double[] deviations = new Uncertainty(evidence, clumping).deviations(best);
       List<EffectFinding> findings = new ArrayList<>();
@@ -338,7 +359,7 @@ public final class Diagnoser {
 
     /** That it is at work: beside what has no name, those named nearly all only stand in for it. */
     private double stated(double amongTheNamed) {
-      return NAMED_RIGHTLY * (1 - unknown) * amongTheNamed;
+      return Constants.own().namedRightly() * (1 - unknown) * amongTheNamed;
     }
 
     private static double[] infinite(int size) {

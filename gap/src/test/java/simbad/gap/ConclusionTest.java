@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
@@ -34,7 +35,7 @@ class ConclusionTest {
     Scored only = new Scored(best, 0, 0);
     GapMeter.Gaps gaps = new GapMeter.Gaps(new double[] {gapM}, new double[] {floorM});
     return new Weighed(
-        new Probabilities(List.of(only), 10, 1, Set.of()),
+        new Probabilities(List.of(only), 10, 2, Set.of()),
         only,
         new Gain(gaps, gaps),
         List.of(enlarging));
@@ -45,7 +46,8 @@ class ConclusionTest {
   }
 
   private static Conclusion of(Weighed weighed, double unknown, Place... where) {
-    return Conclusion.of(weighed, new Unnamed(unknown, ""), List.of(where), BLOCKS, TIE_NATS);
+    return Conclusion.of(
+        weighed, new Unnamed(unknown, Map.of(), ""), List.of(where), BLOCKS, TIE_NATS);
   }
 
   private static void isUndecided(String why, Conclusion conclusion) {
@@ -86,7 +88,7 @@ class ConclusionTest {
     Conclusion few =
         Conclusion.of(
             weighed(OFFSET, 0.01, 0.01),
-            new Unnamed(0.9, ""),
+            new Unnamed(0.9, Map.of(), ""),
             List.of(place(1e-9)),
             blocks(49),
             TIE_NATS);
@@ -123,7 +125,7 @@ class ConclusionTest {
     Scored first = new Scored(best, moreNats, moreNats);
     GapMeter.Gaps gaps = new GapMeter.Gaps(new double[] {0.01}, new double[] {0.01});
     return new Weighed(
-        new Probabilities(List.of(first, new Scored(other, 0, 0)), 10, 1, Set.of()),
+        new Probabilities(List.of(first, new Scored(other, 0, 0)), 10, 2, Set.of()),
         first,
         new Gain(gaps, gaps),
         List.of());

@@ -178,6 +178,7 @@ class DiagnosisPageTest {
         whole.fitted(),
         Hypothesis.NONE,
         whole.tried(),
+        whole.signs(),
         whole.setupError(),
         whole.audit());
   }

@@ -82,9 +82,10 @@ final class Samples {
         Hypothesis.NONE.and(gain, 0.5),
         Hypothesis.NONE,
         List.of(
-            new Diagnosis.Attempt(List.of(Effect.GAIN), 5000),
-            new Diagnosis.Attempt(List.of(Effect.GAIN, Effect.LATENCY), 4990.04),
-            new Diagnosis.Attempt(List.of(), 0)),
+            new Diagnosis.Attempt(List.of(Effect.GAIN), 5000, 0),
+            new Diagnosis.Attempt(List.of(Effect.GAIN, Effect.LATENCY), 4990.04, 20),
+            new Diagnosis.Attempt(List.of(), 0, 4990)),
+        Map.of(),
         Optional.empty(),
         List.of());
   }
@@ -106,7 +107,8 @@ final class Samples {
         Optional.empty(),
         Hypothesis.NONE,
         Hypothesis.NONE,
-        List.of(new Diagnosis.Attempt(List.of(), 0)),
+        List.of(new Diagnosis.Attempt(List.of(), 0, 0)),
+        Map.of(),
         Optional.empty(),
         List.of());
   }

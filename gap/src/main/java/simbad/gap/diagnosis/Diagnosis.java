@@ -1,6 +1,9 @@
 package simbad.gap.diagnosis;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import simbad.definition.Effect;
 import simbad.gap.audit.AuditFinding;
@@ -30,6 +33,7 @@ import simbad.sonar.scene.SensorLaw;
  * @param calibration what was calibrated of the set-up on the reference
  * @param tried sets of effects that were fitted together, best first, with their held-out log
  *     likelihood beyond the nominal model's in nats
+ * @param signs of something without a name, by the names that their weights have
  * @param setupError how far the calibrated set-up is off on rows of the reference that it was not
  *     fitted on; empty where none were held out
  * @param audit what was found of the data before anything was fitted, worst first
@@ -50,6 +54,7 @@ public record Diagnosis(
     Hypothesis fitted,
     Hypothesis calibration,
     List<Attempt> tried,
+    Map<String, Double> signs,
     Optional<SetupError> setupError,
     List<AuditFinding> audit) {
   /** Copies the lists. */
@@ -61,6 +66,8 @@ public record Diagnosis(
     where = List.copyOf(where);
     undetectable = List.copyOf(undetectable);
     tried = List.copyOf(tried);
+    // In their order, which Map.copyOf does not keep.
+    signs = Collections.unmodifiableMap(new LinkedHashMap<>(signs));
     audit = List.copyOf(audit);
   }
 
@@ -90,8 +97,10 @@ public record Diagnosis(
    *
    * @param effects in the set; empty for the nominal model
    * @param heldOutNats held-out log likelihood beyond the nominal model's
+   * @param behindNats by how much it is behind the likeliest set once each has paid for its effects
+   *     and values and hanging together is divided out; infinity for a set that was left out
    */
-  public record Attempt(List<Effect> effects, double heldOutNats) {
+  public record Attempt(List<Effect> effects, double heldOutNats, double behindNats) {
     /** Copies the list. */
     public Attempt {
       effects = List.copyOf(effects);

@@ -119,6 +119,8 @@ public final class DiagnosisJson {
     calibration(root.putObject("calibration"), diagnosis.calibration());
     ArrayNode tried = root.putArray("tried");
     diagnosis.tried().forEach(attempt -> attempt(tried.addObject(), attempt));
+    ObjectNode signs = root.putObject("signs");
+    diagnosis.signs().forEach((name, value) -> put(signs, name, value));
     int heldOut = diagnosis.gap().rowsHeldOut();
     provenance(root.putObject("provenance"), heldOut, data, provenance);
     return root;
@@ -219,6 +221,7 @@ public final class DiagnosisJson {
   private static void attempt(ObjectNode node, Diagnosis.Attempt attempt) {
     words(node.putArray("effects"), attempt.effects());
     put(node, "held_out_nats", attempt.heldOutNats());
+    put(node, "behind_nats", attempt.behindNats());
   }
 
   private static void provenance(

@@ -234,6 +234,14 @@ public final class Calibration {
     return clumping;
   }
 
+  /**
+   * Returns by what nats are divided where sets of effects are weighed: likelihoods of models that
+   * are all a little wrong say too much, and more so where readings hang together.
+   */
+  public double temperature() {
+    return Constants.own().temperature(model()) * clumping;
+  }
+
   /** Returns the same of where ranges lie in their distributions. */
   double rangeClumping() {
     return rangeClumping;

@@ -16,9 +16,6 @@ public final class Probabilities {
   /** What does not show in the gap costs so many times more. */
   public static final double UNSEEN = 4;
 
-  /** Likelihoods of models that are all a little wrong are taken for less than they say. */
-  static final double TEMPERATURE = 2;
-
   /** What a value gains by chance. */
   static final double NATS_PER_VALUE = 0.5;
 
@@ -26,18 +23,23 @@ public final class Probabilities {
   private final Set<Effect> unseen;
   private final double[] weight;
 
+  /** By how much each is behind the most probable one, natural logarithms. */
+  private final double[] behind;
+
   /**
    * Weighs sets.
    *
    * @param sets with their held-out scores
    * @param costNats what a further effect must gain to be as probable as its absence
-   * @param clumping by how much the readings hang together; 1 for independent ones
+   * @param temperature by which nats are divided: likelihoods of models that are all a little
+   *     wrong, of readings that hang together, are taken for less than they say
    * @param unseen effects that do not show in the gap
    */
-  public Probabilities(List<Scored> sets, double costNats, double clumping, Set<Effect> unseen) {
+  public Probabilities(List<Scored> sets, double costNats, double temperature, Set<Effect> unseen) {
     this.sets = List.copyOf(sets);
     this.unseen = Set.copyOf(unseen);
     weight = new double[sets.size()];
+    behind = new double[sets.size()];
     double most = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < weight.length; i++) {
       Scored set = sets.get(i);
@@ -45,12 +47,13 @@ public final class Probabilities {
       double shares = shares(effects.size());
       shares += UNSEEN * effects.stream().filter(unseen::contains).count();
       double nats = set.heldOut() - costNats * shares - NATS_PER_VALUE * values(set.hypothesis());
-      weight[i] = nats / (TEMPERATURE * clumping);
+      weight[i] = nats / temperature;
       most = Math.max(most, weight[i]);
     }
     double sum = 0;
     for (int i = 0; i < weight.length; i++) {
-      weight[i] = Math.exp(weight[i] - most);
+      behind[i] = most - weight[i];
+      weight[i] = Math.exp(-behind[i]);
       sum += weight[i];
     }
     for (int i = 0; i < weight.length; i++) {
@@ -78,6 +81,15 @@ public final class Probabilities {
       best = weight[i] > weight[best] ? i : best;
     }
     return sets.get(best);
+  }
+
+  /**
+   * Returns by how many natural logarithms a set's probability is behind the most probable one's;
+   * infinity for a set that was left out.
+   */
+  public double behind(Scored set) {
+    int at = sets.indexOf(set);
+    return at < 0 ? Double.POSITIVE_INFINITY : behind[at];
   }
 
   /** Returns the probability that no effect of the vocabulary is at work. */

@@ -75,11 +75,16 @@ public final class Strangers {
   /**
    * What was found.
    *
-   * @param share probability of the named set against all of them, in (0, 1]
+   * @param odds how many times as likely as the named set they are, together
    * @param what the likeliest of them does, in words; empty where the named set is likelier than
    *     all
    */
-  public record Found(double share, String what) {}
+  public record Found(double odds, String what) {
+    /** Returns the probability of the named set against all of them, in (0, 1]. */
+    public double share() {
+      return 1 / (1 + odds);
+    }
+  }
 
   /**
    * Weighs a set of effects against what does as well without a name: in the place of each of its
@@ -88,9 +93,9 @@ public final class Strangers {
    *
    * @param named the set
    * @param worthNats what a further effect must gain to be as probable as its absence
-   * @param clumping by how much the readings hang together
+   * @param temperature by which nats are divided
    */
-  public Found against(Hypothesis named, double worthNats, double clumping) {
+  public Found against(Hypothesis named, double worthNats, double temperature) {
     List<Rival> rivals = new ArrayList<>();
     for (Form form : forms) {
       rivals.add(new Rival(named, form, worthNats));
@@ -103,11 +108,11 @@ public final class Strangers {
     List<Weight> weights =
         rivals.parallelStream()
             .map(rival -> rival.fitted(this))
-            .map(fit -> fit.weight(own, Probabilities.TEMPERATURE * clumping))
+            .map(fit -> fit.weight(own, temperature))
             .toList();
     double sum = weights.stream().mapToDouble(Weight::times).sum();
     Weight most = Collections.max(weights, Comparator.comparingDouble(Weight::times));
-    return new Found(1 / (1 + sum), sum > 1 ? words(most.set) : "");
+    return new Found(sum, sum > 1 ? words(most.set) : "");
   }
 
   /** Whether an effect is itself a matter of levels: a stranger does all that it does. */

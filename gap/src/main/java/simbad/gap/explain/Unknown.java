@@ -13,39 +13,22 @@ import simbad.sonar.frame.Point;
 import simbad.sonar.ping.Change;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.shape.Outline;
 
 /**
- * How probable it is that something is at work that the best set of effects does not account for.
+ * What speaks for something that the best set of effects does not account for; how probable that
+ * makes it, {@link Constants} say.
  */
 public final class Unknown {
   /** How many of the greatest misfits count. */
   static final int TOP = 5;
 
-  /**
-   * Of logs that were checked and fitted well, so many held what has no name; of those that fitted
-   * badly, so many did (docs/method/gap.md).
-   */
-  private static final double LEAST = 0.005;
-
-  private static final double MOST = 0.965;
-
   /** By chance the mean of the five greatest misfits reaches this. */
   private static final double CHANCE = 3;
 
-  // A logistic regression over development worlds (docs/method/gap.md).
-  private static final double BASE = -4.8;
-  private static final double PER_MISFIT = 2.2;
-  private static final double SOAKING = 0.75;
-  private static final double PER_LEFT = 1.75;
-  private static final double PER_SHARE_LEFT = 1;
-  private static final double THIRD = 1;
-  private static final double LITTLE = -0.5;
-
   /** Two effects that take away less than this share of the gap stand for something else. */
   private static final double WORTH_TWO = 0.2;
-
-  private static final double TWO_FOR_LITTLE = 2.5;
 
   /** What hangs on no place takes up a little of anything. */
   static final Set<Effect> SOAK = Definitions.with(Trait.SOAKS_UP);
@@ -76,13 +59,6 @@ public final class Unknown {
 
   private static final double PRACTICAL_M = 0.002;
 
-  /**
-   * In 711 checked worlds the longest bursts there may be were never bursts (21 of 21); in 375 none
-   * of the posts beside a known obstacle was there (5 of 5), and those that were stood 0.59 m off
-   * or more (6 of 6).
-   */
-  private static final double STAND_IN = 6;
-
   /** Nobody overlooks what stands so near to what he put up. */
   private static final double BESIDE_M = 0.05;
 
@@ -91,7 +67,7 @@ public final class Unknown {
   private Unknown() {}
 
   /**
-   * Estimates the probability.
+   * Finds what speaks for it.
    *
    * @param evidence the log
    * @param open the same before a set-up that has moved as far as its reference leaves open
@@ -99,7 +75,7 @@ public final class Unknown {
    * @param gain of the best set
    * @param best the best set of effects
    */
-  public static double probability(
+  public static Signs signs(
       Evidence evidence, Evidence open, Calibration calibration, Gain gain, Hypothesis best) {
     Misfit misfit =
         calibration
@@ -112,17 +88,26 @@ public final class Unknown {
     if (calibration.modelError().isPresent() && isWithinItself(gain)) {
       off = Math.min(off, CHANCE + MOST_UNSEEN);
     }
-    double logit =
-        BASE + PER_MISFIT * Math.max(0, off - CHANCE) + left(gain, calibration.gapTimes());
-    if (best.size() > 0) {
-      logit += named(best, gain.shrinkage());
-    }
-    Scene scene = evidence.setup().scene();
+    return signs(Math.max(0, off - CHANCE), gain, calibration.gapTimes(), best, evidence.setup());
+  }
+
+  /** Three effects at once are rarer than one thing that has no name. */
+  static Signs signs(double misfit, Gain gain, double times, Hypothesis best, SensingSetup setup) {
+    double shrinkage = gain.shrinkage();
+    boolean isNamed = best.size() > 0;
     // A value that would go on beyond what there is fits something else.
-    if (best.isAtBound() || best.changes().stream().anyMatch(c -> isStandIn(c, scene))) {
-      logit += STAND_IN;
-    }
-    return LEAST + (MOST - LEAST) / (1 + Math.exp(-logit));
+    boolean standIn =
+        best.isAtBound() || best.changes().stream().anyMatch(c -> isStandIn(c, setup.scene()));
+    return new Signs(
+        misfit,
+        left(gain, times),
+        isLittle(gain, times),
+        isNamed ? Math.min(1, 1 - shrinkage) : 0,
+        best.effects().stream().anyMatch(SOAK::contains),
+        best.forms().size() > 2,
+        best.forms().size() > 1 && shrinkage < WORTH_TWO,
+        standIn,
+        setup.sensor().law().isLevel());
   }
 
   /** Whether the gap before is hardly more than the set-up expects of itself. */
@@ -138,30 +123,21 @@ public final class Unknown {
     return probability > 0.5 ? probability : REST;
   }
 
-  /** By what is left of the gap; next to nothing does not matter, however sure it is. */
-  static double left(Gain gain) {
-    return left(gain, 1);
-  }
-
-  /** The same where the set-up itself is off by some times what it expects. */
-  private static double left(Gain gain, double times) {
+  /**
+   * What is left of the gap over what is expected, as a logarithm, where the set-up itself is off
+   * by some times what it expects.
+   */
+  static double left(Gain gain, double times) {
     double expected = times * mean(gain.after().expectedM());
     double ratio = (gain.afterM() + MILLIMETRE) / (expected + MILLIMETRE);
-    double over = PER_LEFT * Math.log(Math.max(LEAST_LEFT, Math.min(MOST_LEFT, ratio)));
-    double little = Math.max(PRACTICAL_M, SMALL_SHARE * (gain.beforeM() - gain.floorM()));
-    return over + (gain.afterM() - expected < little ? LITTLE : 0);
+    return Math.log(Math.max(LEAST_LEFT, Math.min(MOST_LEFT, ratio)));
   }
 
-  /**
-   * By what was named and what it takes away: three effects at once are rarer than one thing that
-   * has no name.
-   */
-  static double named(Hypothesis best, double shrinkage) {
-    boolean soaks = best.effects().stream().anyMatch(SOAK::contains);
-    return (soaks ? SOAKING : 0)
-        + (best.forms().size() > 2 ? THIRD : 0)
-        + (best.forms().size() > 1 && shrinkage < WORTH_TWO ? TWO_FOR_LITTLE : 0)
-        + PER_SHARE_LEFT * Math.min(1, 1 - shrinkage);
+  /** Whether what is left does not matter, however sure it is. */
+  static boolean isLittle(Gain gain, double times) {
+    double expected = times * mean(gain.after().expectedM());
+    double little = Math.max(PRACTICAL_M, SMALL_SHARE * (gain.beforeM() - gain.floorM()));
+    return gain.afterM() - expected < little;
   }
 
   /** Bursts longer than there are, or an object where a known one stands. */

@@ -41,10 +41,10 @@ public record Weighed(
    * @param evidence the log
    * @param sets that were fitted
    * @param worthNats what a further effect must gain to be as probable as its absence
-   * @param clumping by how much the readings hang together
+   * @param temperature by which nats are divided
    */
   public static Weighed of(
-      Evidence evidence, List<Scored> sets, double worthNats, double clumping) {
+      Evidence evidence, List<Scored> sets, double worthNats, double temperature) {
     PracticalSize size = new PracticalSize(evidence, sets);
     Blocks blocks = new Blocks(evidence.log());
     double most = (1 + Probabilities.UNSEEN) * worthNats;
@@ -56,7 +56,7 @@ public record Weighed(
     left.removeIf(set -> isOutdone(set, sets, worthNats));
     List<Scored> enlarging = new ArrayList<>();
     while (true) {
-      Probabilities probabilities = new Probabilities(left, worthNats, clumping, unseen);
+      Probabilities probabilities = new Probabilities(left, worthNats, temperature, unseen);
       Scored best = probabilities.best();
       if (unseen.addAll(size.unseen(best, most))) {
         continue;

@@ -82,8 +82,9 @@ final class Samples {
         Hypothesis.NONE.and(offset, 0.05),
         Hypothesis.NONE.and(tails, 0.1, 0.03),
         List.of(
-            new Diagnosis.Attempt(List.of(Effect.RANGE_OFFSET), 123.456),
-            new Diagnosis.Attempt(List.of(), 0)),
+            new Diagnosis.Attempt(List.of(Effect.RANGE_OFFSET), 123.456, 0),
+            new Diagnosis.Attempt(List.of(), 0, Double.POSITIVE_INFINITY)),
+        Map.of("misfit", 0.25),
         Optional.empty(),
         List.of());
   }

@@ -1,6 +1,7 @@
 package simbad.gap.explain;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Set;
@@ -23,16 +24,19 @@ class ProbabilitiesTest {
   void anEffectCosts() {
     Probabilities even =
         new Probabilities(
-            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -89.5)), 10, 1, Set.of());
+            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -89.5)), 10, 2, Set.of());
     assertEquals(0.5, even.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
     Probabilities four =
         new Probabilities(
-            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -85.5)), 10, 1, Set.of());
+            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -85.5)), 10, 2, Set.of());
     assertEquals(1 / (1 + Math.exp(-2)), four.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
     assertEquals(GAIN, four.best().hypothesis());
+    assertEquals(2, four.behind(scored(Hypothesis.NONE, -100)), 1e-12);
+    assertEquals(0, four.behind(four.best()));
+    assertTrue(Double.isInfinite(four.behind(scored(BOTH, -85.5))), "was not weighed");
     Probabilities clumped =
         new Probabilities(
-            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -85.5)), 10, 2, Set.of());
+            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -85.5)), 10, 4, Set.of());
     assertEquals(1 / (1 + Math.exp(-1)), clumped.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
   }
 
@@ -50,7 +54,7 @@ class ProbabilitiesTest {
   private static void checkEven(Hypothesis set, double nats) {
     Probabilities even =
         new Probabilities(
-            List.of(scored(Hypothesis.NONE, -100), scored(set, -100 + nats)), 10, 1, Set.of());
+            List.of(scored(Hypothesis.NONE, -100), scored(set, -100 + nats)), 10, 2, Set.of());
     assertEquals(0.5, even.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12, set.toString());
   }
 
@@ -58,8 +62,8 @@ class ProbabilitiesTest {
   @Test
   void anUnseenEffectCostsMore() {
     List<Scored> sets = List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -59.5));
-    assertEquals(GAIN, new Probabilities(sets, 10, 1, Set.of()).best().hypothesis());
-    Probabilities unseen = new Probabilities(sets, 10, 1, Set.of(Effect.GAIN));
+    assertEquals(GAIN, new Probabilities(sets, 10, 2, Set.of()).best().hypothesis());
+    Probabilities unseen = new Probabilities(sets, 10, 2, Set.of(Effect.GAIN));
     assertEquals(1 / (1 + Math.exp(5)), unseen.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
   }
 
@@ -69,7 +73,7 @@ class ProbabilitiesTest {
     Hypothesis settling = Worlds.effect(Effect.HEADING_DRIFT, "settling", 5, 0.1);
     Hypothesis turn = Worlds.effect(Effect.BEAM_MISALIGNMENT, "all", 5);
     Probabilities alike =
-        new Probabilities(List.of(scored(settling, -50), scored(turn, -50)), 10, 1, Set.of());
+        new Probabilities(List.of(scored(settling, -50), scored(turn, -50)), 10, 2, Set.of());
     assertEquals(turn, alike.best().hypothesis());
     assertEquals(
         1 / (1 + Math.exp(0.25)), alike.ofEffects().getOrDefault(Effect.HEADING_DRIFT, 0.0), 1e-12);
@@ -78,7 +82,7 @@ class ProbabilitiesTest {
   @Test
   void tiesAreWhatCouldStandInItsPlace() {
     Probabilities close =
-        new Probabilities(List.of(scored(GAIN, -50), scored(ABSORPTION, -52)), 10, 1, Set.of());
+        new Probabilities(List.of(scored(GAIN, -50), scored(ABSORPTION, -52)), 10, 2, Set.of());
     assertEquals(List.of(Effect.ABSORPTION), close.inPlaceOf(Effect.GAIN, 3));
     assertEquals(List.of(), close.inPlaceOf(Effect.GAIN, 1));
   }

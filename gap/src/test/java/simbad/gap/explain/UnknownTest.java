@@ -17,21 +17,33 @@ import simbad.sonar.effect.Forms;
 class UnknownTest {
   private static final Hypothesis OFFSET = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.04);
 
+  private static Signs signs(Hypothesis best, double shrinkage) {
+    return Unknown.signs(0, gain(1, 1 - shrinkage, 1 - shrinkage), 1, best, Worlds.POST);
+  }
+
+  private static double unknown(Signs signs) {
+    return Constants.own().unknown(signs.byName());
+  }
+
   /** A detour with an offset against it blurs like noise: such a pair takes away little. */
   @Test
   void twoEffectsForLittle_standForSomethingElse() {
     Hypothesis pair =
         OFFSET.and(
             Forms.find(Effect.DROPOUT, "single", Worlds.POST, List.of("s")).orElseThrow(), 0.1);
-    assertTrue(Unknown.named(pair, 0.19) > Unknown.named(pair, 0.21) + 2);
-    assertEquals(Unknown.named(OFFSET, 0.19), Unknown.named(OFFSET, 0.21), 0.03);
+    assertTrue(signs(pair, 0.19).twoForLittle());
+    assertFalse(signs(pair, 0.21).twoForLittle());
+    assertFalse(signs(OFFSET, 0.19).twoForLittle());
+    assertTrue(unknown(signs(pair, 0.19)) > 3 * unknown(signs(pair, 0.21)));
   }
 
   @Test
   void whatHangsOnNoPlace_mayStandForSomethingElse() {
     Hypothesis dropout = Worlds.effect(Effect.DROPOUT, "single", 0.1);
-    assertTrue(Unknown.named(dropout, 0.5) > Unknown.named(OFFSET, 0.5));
-    assertTrue(Unknown.named(OFFSET, 0.1) > Unknown.named(OFFSET, 0.9));
+    assertTrue(signs(dropout, 0.5).soaks());
+    assertTrue(unknown(signs(dropout, 0.5)) > unknown(signs(OFFSET, 0.5)));
+    assertTrue(unknown(signs(OFFSET, 0.1)) > unknown(signs(OFFSET, 0.9)));
+    assertEquals(0, signs(Hypothesis.NONE, 0).shareLeft());
   }
 
   private static Gain gain(double beforeM, double afterM, double expectedM) {
@@ -43,25 +55,18 @@ class UnknownTest {
   /** Twice as much is left of the gap as the explanation expects of itself. */
   @Test
   void whatIsLeftOfTheGap_speaksForSomethingElse() {
-    assertEquals(
-        Unknown.left(gain(0.3, 0.04, 0.04)) + 1.75 * Math.log(81.0 / 41) + 0.5,
-        Unknown.left(gain(0.3, 0.08, 0.04)),
-        1e-9);
-    assertEquals(
-        Unknown.left(gain(9, 4.5, 0.5)), Unknown.left(gain(9, 6, 0.5)), "no more than fourfold");
+    assertEquals(0, Unknown.left(gain(0.3, 0.04, 0.04), 1), 1e-9);
+    assertEquals(Math.log(81.0 / 41), Unknown.left(gain(0.3, 0.08, 0.04), 1), 1e-9);
+    assertEquals(0, Unknown.left(gain(0.3, 0.08, 0.04), 2), 1e-9, "a set-up that is off itself");
+    assertEquals(Math.log(4), Unknown.left(gain(9, 6, 0.5), 1), 1e-9, "no more than fourfold");
   }
 
   /** 1 cm more than expected: a twentieth of what was there to take away is 5 mm, or 15. */
   @Test
   void aTwentiethOfTheGap_doesNotMatter() {
-    double over = 1.75 * Math.log(111.0 / 101);
-    assertEquals(over, Unknown.left(gain(0.2, 0.11, 0.1)), 1e-9);
-    assertEquals(over - 0.5, Unknown.left(gain(0.4, 0.11, 0.1)), 1e-9);
-    assertEquals(
-        1.75 * Math.log(2.9 / 2) - 0.5,
-        Unknown.left(gain(0.002, 0.0019, 0.001)),
-        1e-9,
-        "2 mm never do");
+    assertFalse(Unknown.isLittle(gain(0.2, 0.11, 0.1), 1));
+    assertTrue(Unknown.isLittle(gain(0.4, 0.11, 0.1), 1));
+    assertTrue(Unknown.isLittle(gain(0.002, 0.0019, 0.001), 1), "2 mm never do");
   }
 
   private static boolean standsIn(Effect effect, String form, double... values) {
@@ -94,7 +99,7 @@ class UnknownTest {
       Hypothesis bursts =
           Worlds.effect(Effect.DROPOUT, "bursts", 0.3, i == 0 ? 11 : Burst.LONGEST_PINGS);
       Gain gain = Gain.of(evidence, blocks, bursts);
-      probability[i] = Unknown.probability(evidence, evidence, Calibration.none(), gain, bursts);
+      probability[i] = unknown(Unknown.signs(evidence, evidence, Calibration.none(), gain, bursts));
     }
     assertTrue(probability[0] < 0.5 && probability[1] > 0.5, () -> Arrays.toString(probability));
   }

@@ -1,0 +1,194 @@
+package simbad.benchmarks.constants;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Predicate;
+import org.hipparchus.optim.InitialGuess;
+import org.hipparchus.optim.MaxEval;
+import org.hipparchus.optim.SimpleBounds;
+import org.hipparchus.optim.nonlinear.scalar.GoalType;
+import org.hipparchus.optim.nonlinear.scalar.ObjectiveFunction;
+import org.hipparchus.optim.nonlinear.scalar.noderiv.BOBYQAOptimizer;
+import org.hipparchus.optim.univariate.BrentOptimizer;
+import org.hipparchus.optim.univariate.SearchInterval;
+import org.hipparchus.optim.univariate.UnivariateObjectiveFunction;
+import simbad.gap.explain.Constants;
+
+/**
+ * Most probable constants, given checked cases and the constants that were known before.
+ *
+ * <p>The weights of the signs are those of a logistic regression with a normal prior around the
+ * former ones, so that a few hundred cases move what they speak of and leave the rest. Each
+ * temperature makes the accepted sets most probable among those that were weighed, with a
+ * log-normal prior around the former one.
+ */
+final class ConstantsFit {
+  /** A weight of 0 may well be 1, a weight of 4 may well be 2. */
+  private static final double LEAST_SPREAD = 1;
+
+  private static final double SPREAD = 0.5;
+
+  private static final double TEMPERATURE_SPREAD = 0.35;
+  private static final double FURTHEST = 4;
+  private static final int EVALUATIONS = 5000;
+
+  /** What the former share of right names counts for, in cases. */
+  private static final double FORMER_CASES = 100;
+
+  /** Signs that may speak either way; all others keep the sense that their name says. */
+  private static final Set<String> EITHER = Set.of("level", "level_misfit");
+
+  private final Constants former;
+
+  ConstantsFit(Constants former) {
+    this.former = former;
+  }
+
+  /** Returns the constants that the cases make most probable. */
+  Constants of(List<CheckedCase> cases) {
+    double[] fitted = regression(cases);
+    return new Constants(
+        former.least(),
+        former.most(),
+        fitted[0],
+        weights(fitted),
+        temperature(cases, one -> !one.isLevel(), former.thresholdTemperature()),
+        temperature(cases, CheckedCase::isLevel, former.levelTemperature()),
+        namedRightly(cases));
+  }
+
+  /**
+   * Returns the probability that something without a name is at work.
+   *
+   * @param constants by which signs count
+   * @param one case
+   */
+  static double unknown(Constants constants, CheckedCase one) {
+    return 1 - (1 - constants.unknown(one.signs())) / (1 + one.strangersOdds());
+  }
+
+  /** What has no name but may be called by names, and was, needs no other word. */
+  static boolean isUnknown(CheckedCase one) {
+    return one.hasNameless() && !one.isNamedRightly();
+  }
+
+  private double[] start() {
+    List<Double> values = new ArrayList<>(List.of(former.base()));
+    values.addAll(former.weights().values());
+    return values.stream().mapToDouble(value -> value).toArray();
+  }
+
+  private Map<String, Double> weights(double[] values) {
+    Map<String, Double> weights = new LinkedHashMap<>();
+    int at = 1;
+    for (String name : former.weights().keySet()) {
+      weights.put(name, values[at++]);
+    }
+    return weights;
+  }
+
+  private Constants with(double[] values) {
+    return new Constants(
+        former.least(),
+        former.most(),
+        values[0],
+        weights(values),
+        former.thresholdTemperature(),
+        former.levelTemperature(),
+        former.namedRightly());
+  }
+
+  private double[] regression(List<CheckedCase> cases) {
+    double[] start = start();
+    double[] spread =
+        Arrays.stream(start).map(v -> Math.max(LEAST_SPREAD, SPREAD * Math.abs(v))).toArray();
+    double[] low = new double[start.length];
+    double[] high = new double[start.length];
+    List<String> names = new ArrayList<>(List.of("base"));
+    names.addAll(former.weights().keySet());
+    for (int i = 0; i < start.length; i++) {
+      boolean isFree = i == 0 || EITHER.contains(names.get(i));
+      low[i] = start[i] - FURTHEST * spread[i];
+      high[i] = start[i] + FURTHEST * spread[i];
+      if (!isFree) {
+        low[i] = start[i] < 0 ? low[i] : Math.max(0, low[i]);
+        high[i] = start[i] < 0 ? Math.min(0, high[i]) : high[i];
+      }
+    }
+    return new BOBYQAOptimizer(2 * start.length + 1)
+        .optimize(
+            new MaxEval(EVALUATIONS),
+            new ObjectiveFunction(values -> cost(cases, values, start, spread)),
+            GoalType.MINIMIZE,
+            new InitialGuess(start),
+            new SimpleBounds(low, high))
+        .getPoint();
+  }
+
+  private double cost(List<CheckedCase> cases, double[] values, double[] start, double[] spread) {
+    double cost = -logScore(with(values), cases);
+    for (int i = 0; i < values.length; i++) {
+      double away = (values[i] - start[i]) / spread[i];
+      cost += away * away / 2;
+    }
+    return cost;
+  }
+
+  /** Returns the sum over cases of the log probability of what is so, natural. */
+  static double logScore(Constants constants, List<CheckedCase> cases) {
+    double sum = 0;
+    for (CheckedCase one : cases) {
+      double unknown = unknown(constants, one);
+      sum += Math.log(isUnknown(one) ? unknown : 1 - unknown);
+    }
+    return sum;
+  }
+
+  private static double temperature(
+      List<CheckedCase> all, Predicate<CheckedCase> law, double before) {
+    List<CheckedCase> cases = all.stream().filter(law).filter(one -> !one.hasNameless()).toList();
+    double log =
+        new BrentOptimizer(1e-4, 1e-4)
+            .optimize(
+                new MaxEval(200),
+                new UnivariateObjectiveFunction(
+                    t -> {
+                      double away = (t - Math.log(before)) / TEMPERATURE_SPREAD;
+                      return away * away / 2 - setScore(cases, Math.exp(t));
+                    }),
+                GoalType.MINIMIZE,
+                new SearchInterval(Math.log(before / 4), Math.log(before * 4), Math.log(before)))
+            .getPoint();
+    return Math.exp(log);
+  }
+
+  /**
+   * Returns the sum of the log probabilities of the accepted sets, of cases in which one of them
+   * was weighed.
+   */
+  static double setScore(List<CheckedCase> cases, double temperature) {
+    double sum = 0;
+    for (CheckedCase one : cases) {
+      double accepted = 0;
+      double all = 0;
+      for (CheckedCase.Weighed set : one.tried()) {
+        double weight = Math.exp(-set.behindNats() / temperature);
+        all += weight;
+        accepted += one.accepted().contains(set.effects()) ? weight : 0;
+      }
+      // Below that a search that went astray would decide alone.
+      sum += accepted > 0 ? Math.log(Math.max(1e-3, accepted / all)) : 0;
+    }
+    return sum;
+  }
+
+  private double namedRightly(List<CheckedCase> cases) {
+    long explained = cases.stream().filter(CheckedCase::isExplained).count();
+    long rightly = cases.stream().filter(one -> one.isExplained() && one.isNamedRightly()).count();
+    return (rightly + FORMER_CASES * former.namedRightly()) / (explained + FORMER_CASES);
+  }
+}

@@ -1,0 +1,129 @@
+package simbad.benchmarks.constants;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import simbad.gap.explain.Constants;
+
+/**
+ * Fits the constants that decide to finished checks, and writes them with where they come from.
+ * {@code benchmarks/fit-constants} draws the worlds, has them diagnosed and calls it.
+ */
+public final class FitConstants {
+  private static final int FOLDS = 5;
+  private static final int BINS = 10;
+  private static final MathContext DIGITS = new MathContext(4);
+
+  private FitConstants() {}
+
+  /**
+   * Fits and writes.
+   *
+   * @param arguments the file to write, the date that it shall say, and folders of checks
+   * @throws IOException if a file cannot be read or written
+   */
+  public static void main(String[] arguments) throws IOException {
+    if (arguments.length < 3) {
+      throw new IllegalArgumentException("give OUT.json DATE CHECK...");
+    }
+    List<CheckedCase> all = new ArrayList<>();
+    ObjectNode root = new ObjectMapper().createObjectNode();
+    root.put("format", "simbad-constants/1");
+    ObjectNode origin = root.putObject("origin");
+    origin.put("how", "benchmarks/fit-constants");
+    origin.put("date", arguments[1]);
+    ArrayNode checks = origin.putArray("checks");
+    for (String check : Arrays.asList(arguments).subList(2, arguments.length)) {
+      List<CheckedCase> cases = CheckedCase.read(Path.of(check));
+      all.addAll(cases);
+      ObjectNode node = checks.addObject();
+      node.set(
+          "order", new ObjectMapper().readTree(Files.readString(Path.of(check, "order.json"))));
+      node.put("cases", cases.size());
+    }
+    all.sort(Comparator.comparing(CheckedCase::name));
+    ConstantsFit fit = new ConstantsFit(Constants.own());
+    figures(origin, all, fit);
+    constants(root, fit.of(all));
+    Files.writeString(
+        Path.of(arguments[0]),
+        new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsString(root) + "\n");
+  }
+
+  /** How well it does on cases that it was not fitted on, beside the former constants. */
+  private static void figures(ObjectNode origin, List<CheckedCase> all, ConstantsFit fit) {
+    double[] before = new double[all.size()];
+    double[] after = new double[all.size()];
+    for (int fold = 0; fold < FOLDS; fold++) {
+      List<CheckedCase> rest = new ArrayList<>();
+      for (int i = 0; i < all.size(); i++) {
+        if (i % FOLDS != fold) {
+          rest.add(all.get(i));
+        }
+      }
+      Constants fitted = fit.of(rest);
+      for (int i = fold; i < all.size(); i += FOLDS) {
+        before[i] = ConstantsFit.unknown(Constants.own(), all.get(i));
+        after[i] = ConstantsFit.unknown(fitted, all.get(i));
+      }
+    }
+    ObjectNode node = origin.putObject("unknown_held_out");
+    score(node.putObject("former"), all, before);
+    score(node.putObject("fitted"), all, after);
+  }
+
+  private static void score(ObjectNode node, List<CheckedCase> all, double[] probability) {
+    double log = 0;
+    for (int i = 0; i < probability.length; i++) {
+      boolean unknown = ConstantsFit.isUnknown(all.get(i));
+      log += Math.log(unknown ? probability[i] : 1 - probability[i]);
+    }
+    node.put("mean_log_score", rounded(log / probability.length));
+    node.put("calibration_error", rounded(calibrationError(all, probability)));
+    System.out.printf(Locale.ROOT, "%s%n", node);
+  }
+
+  /** In bins of equal numbers of cases. */
+  private static double calibrationError(List<CheckedCase> all, double[] probability) {
+    Integer[] order = new Integer[probability.length];
+    Arrays.setAll(order, i -> i);
+    Arrays.sort(order, Comparator.comparingDouble(i -> probability[i]));
+    double error = 0;
+    for (int bin = 0; bin < BINS; bin++) {
+      int from = bin * order.length / BINS;
+      int to = (bin + 1) * order.length / BINS;
+      double off = 0;
+      for (int i = from; i < to; i++) {
+        off += probability[order[i]] - (ConstantsFit.isUnknown(all.get(order[i])) ? 1 : 0);
+      }
+      error += Math.abs(off);
+    }
+    return error / order.length;
+  }
+
+  private static void constants(ObjectNode root, Constants fitted) {
+    ObjectNode unknown = root.putObject("unknown");
+    unknown.put("least", fitted.least());
+    unknown.put("most", fitted.most());
+    unknown.put("base", rounded(fitted.base()));
+    fitted.weights().forEach((name, weight) -> unknown.put(name, rounded(weight)));
+    ObjectNode temperature = root.putObject("temperature");
+    temperature.put("threshold", rounded(fitted.thresholdTemperature()));
+    temperature.put("level", rounded(fitted.levelTemperature()));
+    root.put("named_rightly", rounded(fitted.namedRightly()));
+  }
+
+  private static double rounded(double value) {
+    return new BigDecimal(value).round(DIGITS).doubleValue();
+  }
+}

@@ -1,0 +1,148 @@
+package simbad.benchmarks.constants;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Random;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import simbad.gap.explain.Constants;
+
+class ConstantsFitTest {
+  private static final Set<String> GAIN = Set.of("gain");
+
+  /** A case of level waves whose truth is gain, with sets that are behind by some nats. */
+  private static CheckedCase weighed(double gainBehind, double otherBehind) {
+    return new CheckedCase(
+        "c",
+        true,
+        Map.of("misfit", 0.0),
+        0,
+        List.of(
+            new CheckedCase.Weighed(GAIN, gainBehind),
+            new CheckedCase.Weighed(Set.of("absorption"), otherBehind)),
+        Set.of(GAIN),
+        false,
+        true,
+        GAIN);
+  }
+
+  private static CheckedCase signed(double misfit, boolean isUnknown) {
+    return new CheckedCase(
+        "c",
+        false,
+        Map.of("misfit", misfit),
+        0,
+        List.of(),
+        Set.of(isUnknown ? Set.of("wind") : Set.of()),
+        isUnknown,
+        false,
+        Set.of());
+  }
+
+  private static double weight(Constants constants, String name) {
+    return Objects.requireNonNull(constants.weights().get(name), name);
+  }
+
+  @Test
+  void noCases_leaveWhatWasKnown() {
+    Constants former = Constants.own();
+    Constants fitted = new ConstantsFit(former).of(List.of());
+    assertEquals(former.base(), fitted.base(), 1e-3);
+    former.weights().forEach((name, w) -> assertEquals(w, weight(fitted, name), 1e-3, name));
+    assertEquals(former.thresholdTemperature(), fitted.thresholdTemperature(), 1e-3);
+    assertEquals(former.namedRightly(), fitted.namedRightly(), 1e-12);
+  }
+
+  /** Drawn by base -2 and weight 1: two thousand cases outweigh what was believed before. */
+  @Test
+  void manyCases_bringTheirOwnWeights() {
+    Random random = new Random(3);
+    Map<String, Double> weights = new LinkedHashMap<>(Constants.own().weights());
+    weights.put("misfit", 1.0);
+    Constants truth = new Constants(0.005, 0.965, -2, weights, 2, 2, 0.985);
+    List<CheckedCase> cases = new ArrayList<>();
+    for (int i = 0; i < 2000; i++) {
+      double misfit = 4 * random.nextDouble();
+      boolean unknown = random.nextDouble() < truth.unknown(Map.of("misfit", misfit));
+      cases.add(signed(misfit, unknown));
+    }
+    Constants fitted = new ConstantsFit(Constants.own()).of(cases);
+    assertEquals(-2, fitted.base(), 0.3);
+    assertEquals(1, weight(fitted, "misfit"), 0.15);
+    assertEquals(6, weight(fitted, "stand_in"), 0.01, "no case speaks of it");
+    assertTrue(
+        ConstantsFit.logScore(fitted, cases) > ConstantsFit.logScore(Constants.own(), cases));
+  }
+
+  /** Gain wins by 6 nats and is wrong one time in five: nats that say too much are cooled. */
+  @Test
+  void wrongSetsThatSeemSure_heat() {
+    List<CheckedCase> cases = new ArrayList<>();
+    for (int i = 0; i < 4000; i++) {
+      cases.add(i % 5 == 0 ? weighed(6, 0) : weighed(0, 6));
+    }
+    Constants fitted = new ConstantsFit(Constants.own()).of(cases);
+    // A fifth is exp(-6 / T) of the rest: T = 6 / ln 4 = 4.3, and a little of what was believed.
+    assertEquals(6 / Math.log(4), fitted.levelTemperature(), 0.05);
+    assertEquals(2, fitted.thresholdTemperature(), 1e-3, "no case of that law");
+  }
+
+  @Test
+  void strangers_addToTheUnknown() {
+    CheckedCase one =
+        new CheckedCase("c", true, Map.of(), 3, List.of(), Set.of(), true, false, Set.of());
+    double bySigns = Constants.own().unknown(Map.of());
+    assertEquals(1 - (1 - bySigns) / 4, ConstantsFit.unknown(Constants.own(), one), 1e-12);
+  }
+
+  @Test
+  void answersAndTruths_areRead(@TempDir Path check) throws IOException {
+    write(
+        check,
+        "answers/c1/diagnosis.json",
+        "{\"verdict\": \"explained\", \"explanation\": [\"gain\"], \"model\": \"level\","
+            + " \"signs\": {\"misfit\": 0.5, \"strangers_odds\": 2},"
+            + " \"tried\": [{\"effects\": [\"gain\"], \"behind_nats\": 0},"
+            + " {\"effects\": [], \"behind_nats\": null}]}");
+    write(
+        check,
+        "world/truth/c1/truth.json",
+        "{\"effects\": {\"short-burst\": {}}, \"unknown\": [\"short-burst\"],"
+            + " \"accept\": [[\"short-burst\"], [\"gain\"]]}");
+    CheckedCase one = CheckedCase.read(check).get(0);
+    assertEquals(2, one.strangersOdds());
+    assertEquals(Map.of("misfit", 0.5), one.signs());
+    assertEquals(1, one.tried().size(), "what was left out has no odds");
+    assertTrue(one.hasNameless() && one.isNamedRightly() && !ConstantsFit.isUnknown(one));
+    write(check, "answers/c1/diagnosis.json", "{}");
+    IOException old = assertThrows(IOException.class, () -> CheckedCase.read(check));
+    assertTrue(old.toString().contains("signs: not there"), old.toString());
+  }
+
+  @Test
+  void missingNumber_isNamed() throws IOException {
+    JsonNode root = new ObjectMapper().readTree("{\"format\": \"simbad-constants/1\"}");
+    IllegalArgumentException wrong =
+        assertThrows(IllegalArgumentException.class, () -> Constants.of(root));
+    assertTrue(wrong.toString().contains("misfit: "), wrong.toString());
+  }
+
+  private static void write(Path folder, String name, String text) throws IOException {
+    Path file = folder.resolve(name);
+    Files.createDirectories(file.getParent());
+    Files.writeString(file, text);
+  }
+}

@@ -1,0 +1,5 @@
+/** Tests of fitted constants. */
+@NullMarked
+package simbad.benchmarks.constants;
+
+import org.jspecify.annotations.NullMarked;
