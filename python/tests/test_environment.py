@@ -40,6 +40,10 @@ def test_vector_is_what_single_robots_are(mode: AutoresetMode) -> None:
         ended += done.sum()
         if mode == AutoresetMode.SAME_STEP and done.any():
             np.testing.assert_array_equal(ours[4]["_final_obs"], theirs[4]["_final_obs"])
+            for key in ("poses", "_poses"):
+                np.testing.assert_array_equal(
+                    ours[4]["final_info"][key], theirs[4]["final_info"][key]
+                )
             for robot in np.flatnonzero(done):
                 np.testing.assert_array_equal(
                     ours[4]["final_obs"][robot], theirs[4]["final_obs"][robot]
@@ -94,7 +98,7 @@ def test_wrong_words_are_refused() -> None:
         VectorEnv(1, robot="no-such-robot.json")
     with pytest.raises(sonar.SonarError, match="mostSteps = 0"):
         VectorEnv(1, max_steps=0)
-    with pytest.raises(ValueError, match="finite"):
+    with pytest.raises(ValueError, match="NaN"):
         robots = VectorEnv(1)
         robots.reset(seed=1)
         robots.step(np.full((1, 2), np.nan))

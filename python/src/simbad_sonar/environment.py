@@ -38,7 +38,7 @@ def _fleet(
     sensor: str,
     robot: Optional[PathLike],
     sensor_file: Optional[PathLike],
-    max_steps: int,
+    limits: tuple[int, float, float],
 ) -> Any:
     """Makes the robots in Java."""
     path = java_class("java.nio.file.Path")
@@ -62,7 +62,7 @@ def _fleet(
         heard = kind.model()
         most_m = (heard.get().setup().sensor() if heard.isPresent() else spec).maxRangeM()
         setup = java_class("simbad.experiments.fleet.FleetSetup")(
-            _obstacle(obstacle), others, kind, spec, int(max_steps), most_m
+            _obstacle(obstacle), others, kind, spec, *limits, most_m
         )
         mode = java_class("simbad.experiments.fleet.Autoreset").valueOf(autoreset.name)
         return java_class("simbad.experiments.fleet.Fleet")(setup, int(size), mode)
@@ -128,7 +128,14 @@ class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, Floats]):
         self.num_envs = num_envs
         self.copy = copy
         self._fleet = _fleet(
-            num_envs, self.autoreset_mode, obstacle, around, sensor, robot, sensor_file, max_steps
+            num_envs,
+            self.autoreset_mode,
+            obstacle,
+            around,
+            sensor,
+            robot,
+            sensor_file,
+            (int(max_steps), float(max_speed_m_per_s), float(max_turn_rad_per_s)),
         )
         shared = lambda buffer, *shape: np.asarray(memoryview(buffer)).reshape(num_envs, *shape)  # noqa: E731
         self._commands: Floats = shared(self._fleet.commands(), 2)
@@ -136,6 +143,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, Floats]):
         self._read_last: Floats = shared(self._fleet.lastReadings(), -1)
         self._gains: Floats = shared(self._fleet.rewards())
         self._poses: Floats = shared(self._fleet.poses(), 4)
+        self._poses_last: Floats = shared(self._fleet.lastPoses(), 4)
         self._terminated: Bools = shared(self._fleet.terminated()).view(np.bool_)
         self._truncated: Bools = shared(self._fleet.truncated()).view(np.bool_)
         self.single_action_space = spaces.Box(-1.0, 1.0, (2,), np.float32)
@@ -145,6 +153,8 @@ class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, Floats]):
         self.action_space = batch_space(self.single_action_space, num_envs)
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self._most = np.array([max_speed_m_per_s, max_turn_rad_per_s])
+        self._all = np.ones(num_envs, dtype=np.bool_)
+        self._all.flags.writeable = False
         self._seeded = False
 
     @property
@@ -216,26 +226,19 @@ class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, Floats]):
 
     def step(self, actions: Floats) -> tuple[Floats, Floats, Bools, Bools, dict[str, Any]]:
         """Steps every robot once; see the class and Gymnasium's vector environments."""
-        asked = np.asarray(actions, dtype=np.float64)
-        if asked.shape != self._commands.shape or not np.isfinite(asked).all():
+        if np.shape(actions) != self._commands.shape:
             raise ValueError(
-                f"actions: expected {self._commands.shape} finite numbers, found {asked.shape}"
+                f"actions: expected shape {self._commands.shape}, found {np.shape(actions)}"
             )
         if self.autoreset_mode == AutoresetMode.DISABLED and (
             self._terminated.any() or self._truncated.any()
         ):
             raise ValueError("an episode has ended: reset it, with reset_mask in options")
-        np.clip(asked, -1.0, 1.0, out=self._commands)
-        self._commands *= self._most
-        self._fleet.step()
-        infos = self._info(None)
+        np.multiply(actions, self._most, out=self._commands)
+        self._step()
+        infos = self._info(self._all)
         if self.autoreset_mode == AutoresetMode.SAME_STEP:
-            ended = self._terminated | self._truncated
-            if ended.any():
-                last = np.full(self.num_envs, None, dtype=object)
-                for robot in np.flatnonzero(ended):
-                    last[robot] = self._read_last[robot].copy()
-                infos.update(final_obs=last, _final_obs=ended)
+            infos.update(self._final())
         return (
             self._handed_out(self._read),
             self.reward(),
@@ -244,12 +247,28 @@ class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, Floats]):
             infos,
         )
 
+    def _final(self) -> dict[str, Any]:
+        """What Gymnasium wants to know of episodes that ended in a step that began the next."""
+        ended = self._terminated | self._truncated
+        if not ended.any():
+            return {}
+        last = np.full(self.num_envs, None, dtype=object)
+        for robot in np.flatnonzero(ended):
+            last[robot] = self._read_last[robot].copy()
+        info = {"poses": np.where(ended[:, np.newaxis], self._poses_last, 0.0), "_poses": ended}
+        return {"final_obs": last, "_final_obs": ended, "final_info": info, "_final_info": ended}
+
+    def _step(self) -> None:
+        try:
+            self._fleet.step()
+        except java_class("java.lang.IllegalArgumentException") as error:
+            raise ValueError(f"actions: {error.getMessage()}") from error
+
     def _handed_out(self, values: Floats) -> Floats:
         return values.copy() if self.copy else values
 
-    def _info(self, mask: Optional[Bools]) -> dict[str, Any]:
-        there = np.ones(self.num_envs, dtype=np.bool_) if mask is None else mask
-        return {"poses": self._handed_out(self._poses), "_poses": there}
+    def _info(self, mask: Bools) -> dict[str, Any]:
+        return {"poses": self._handed_out(self._poses), "_poses": mask}
 
 
 class Env(gymnasium.Env[Floats, Floats]):

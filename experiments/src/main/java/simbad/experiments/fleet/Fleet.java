@@ -39,6 +39,7 @@ public final class Fleet {
   private final FloatBuffer lastReadings;
   private final DoubleBuffer rewards;
   private final DoubleBuffer poses;
+  private final DoubleBuffer lastPoses;
   private final ByteBuffer terminated;
   private final ByteBuffer truncated;
 
@@ -66,6 +67,7 @@ public final class Fleet {
     lastReadings = bytes(size * SensorKind.SONARS * Float.BYTES).asFloatBuffer();
     rewards = bytes(size * Double.BYTES).asDoubleBuffer();
     poses = bytes(size * POSES * Double.BYTES).asDoubleBuffer();
+    lastPoses = bytes(size * POSES * Double.BYTES).asDoubleBuffer();
     terminated = bytes(size);
     truncated = bytes(size);
   }
@@ -107,6 +109,11 @@ public final class Fleet {
   /** Returns where the robots are, {@value #POSES} numbers each. */
   public DoubleBuffer poses() {
     return poses;
+  }
+
+  /** Returns where robots were at the end of episodes that ended in the latest step. */
+  public DoubleBuffer lastPoses() {
+    return lastPoses;
   }
 
   /** Returns 1 for each robot that an obstacle stopped in the latest step, 0 for the others. */
@@ -157,7 +164,11 @@ public final class Fleet {
     read(robot, readings);
   }
 
-  /** Steps every robot once by its command, {@link simbad.experiments.run.Circuit#STEP_S} long. */
+  /**
+   * Steps every robot once by its command, {@link simbad.experiments.run.Circuit#STEP_S} long.
+   *
+   * @throws IllegalArgumentException if a command is NaN; some robots may have moved then
+   */
   public void step() {
     IntStream all = IntStream.range(0, robots.length);
     IntConsumer one = this::step;
@@ -189,12 +200,15 @@ public final class Fleet {
       }
     }
     FleetRobot moved = robots[robot];
-    moved.step(commands.get(COMMANDS * robot), commands.get(COMMANDS * robot + 1));
+    moved.step(
+        cut(commands.get(COMMANDS * robot), setup.mostMPerS()),
+        cut(commands.get(COMMANDS * robot + 1), setup.mostRadPerS()));
     boolean isStopped = moved.isStoppedByObstacle();
     double gain = gains[robot].moved(moved.xM(), moved.zM()) - (isStopped ? PENALTY : 0);
     boolean isLong = moved.isAtItsEnd();
     if (autoreset == Autoreset.SAME_STEP && (isStopped || isLong)) {
       read(robot, lastReadings);
+      locate(robot, lastPoses);
       start(robot);
     } else {
       read(robot, readings);
@@ -202,15 +216,26 @@ public final class Fleet {
     end(robot, gain, isStopped, isLong);
   }
 
+  private static double cut(double commanded, double most) {
+    if (Double.isNaN(commanded)) {
+      throw new IllegalArgumentException("a command is NaN, expected a number");
+    }
+    return Math.max(-most, Math.min(most, commanded));
+  }
+
   private void end(int robot, double gain, boolean isStopped, boolean isLong) {
     rewards.put(robot, gain);
     terminated.put(robot, (byte) (isStopped ? 1 : 0));
     truncated.put(robot, (byte) (isLong ? 1 : 0));
+    locate(robot, poses);
+  }
+
+  private void locate(int robot, DoubleBuffer into) {
     FleetRobot at = robots[robot];
-    poses.put(POSES * robot, at.xM());
-    poses.put(POSES * robot + 1, at.zM());
-    poses.put(POSES * robot + 2, at.getHeadingRad());
-    poses.put(POSES * robot + 3, gains[robot].distanceM());
+    into.put(POSES * robot, at.xM());
+    into.put(POSES * robot + 1, at.zM());
+    into.put(POSES * robot + 2, at.getHeadingRad());
+    into.put(POSES * robot + 3, gains[robot].distanceM());
   }
 
   private void read(int robot, FloatBuffer into) {

@@ -14,6 +14,8 @@ import simbad.sonar.scene.SonarSpec;
  * @param sensor of the robots, on the robot that it sits on
  * @param sonar figures of the sensor
  * @param mostSteps of an episode, at least 1
+ * @param mostMPerS speed that a faster command is cut to, either way; positive
+ * @param mostRadPerS turn rate that a faster command is cut to; positive
  * @param noEchoM what stands in the place of no echo, and of every longer range, metres; positive
  */
 public record FleetSetup(
@@ -22,6 +24,8 @@ public record FleetSetup(
     SensorKind sensor,
     SonarSpec sonar,
     int mostSteps,
+    double mostMPerS,
+    double mostRadPerS,
     double noEchoM) {
 
   /** Copies the list and checks the figures. */
@@ -30,8 +34,14 @@ public record FleetSetup(
     if (mostSteps < 1) {
       throw new IllegalArgumentException("mostSteps = " + mostSteps + " is not at least 1");
     }
-    if (!(noEchoM > 0 && noEchoM < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException("noEchoM = " + noEchoM + " is not in (0, infinity)");
+    positive("mostMPerS", mostMPerS);
+    positive("mostRadPerS", mostRadPerS);
+    positive("noEchoM", noEchoM);
+  }
+
+  private static void positive(String name, double value) {
+    if (!(value > 0 && value < Double.POSITIVE_INFINITY)) {
+      throw new IllegalArgumentException(name + " = " + value + " is not in (0, infinity)");
     }
   }
 }
