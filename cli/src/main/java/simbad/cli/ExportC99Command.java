@@ -6,12 +6,17 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import simbad.experiments.export.FoldedDiagnosis;
 import simbad.experiments.export.SonarHeader;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.SceneFile;
 import simbad.sonar.format.SensorFile;
 import simbad.sonar.format.TextFile;
+import simbad.sonar.predict.FittedModel;
+import simbad.sonar.predict.ModelFile;
+import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
 
 /** {@code simbad export c99}. */
@@ -20,18 +25,21 @@ import simbad.sonar.scene.SonarSpec;
     description = {
       "Write what a sonar reads of an obstacle as one C99 header without allocation: the rule of"
           + " detection shadows in whole numbers (no float, under 2 kB on an AVR) and in floats.",
-      "The level model and diagnoses cannot be exported; they are refused. More:"
-          + " docs/guide/export.md."
+      "Of a diagnosis' folder the effects are folded in; one that has no form in C is refused by"
+          + " name. More: docs/guide/export.md."
     },
     footer = {
       "",
       "Example: simbad export c99 angle --out angle.h",
-      "Example: simbad export c99 my-table.csv --name post --out post.h"
+      "Example: simbad export c99 my-table.csv --name post --out post.h",
+      "Example: simbad export c99 diagnoses/my-log --out sonar.h"
     })
 final class ExportC99Command extends Subcommand {
   private static final String MODEL = "model.json";
 
-  @Parameters(paramLabel = "OBSTACLE", description = ObstacleArgument.MEANING)
+  @Parameters(
+      paramLabel = "OBSTACLE|DIAGNOSIS",
+      description = ObstacleArgument.MEANING + "; or the folder of a diagnosis.")
   private String obstacle = "";
 
   @Option(names = "--out", paramLabel = "FILE", required = true, description = "A new file, *.h.")
@@ -53,25 +61,41 @@ final class ExportC99Command extends Subcommand {
           "File of the sensor, whose cone and range are used. Default: data/sensors/srf04.json.")
   private @Nullable Path sensorFile;
 
+  @Option(
+      names = "--obstacle",
+      paramLabel = "LABEL",
+      description = "Which obstacle of a diagnosis' scene; needed where there are several.")
+  private String label = "";
+
   @Override
   protected void run() throws Exception {
-    if (Files.exists(Path.of(obstacle).resolve(MODEL))) {
-      throw DataFormatException.inArgument(
-          "OBSTACLE '" + obstacle + "'",
-          "is a diagnosis: its effects have no form in C, expected an obstacle (simbad table types)");
-    }
-    ObstacleType type = ObstacleArgument.parse(obstacle);
-    SonarSpec sensor = sensorFile == null ? Catalogue.srf04() : SensorFile.read(sensorFile);
     OutputFile.refuseExisting(file);
-    TextFile.create(file, header(type, sensor).text(BuildVersion.text()));
-    out().println("written to " + file);
-  }
-
-  private SonarHeader header(ObstacleType type, SonarSpec sensor) throws DataFormatException {
+    SonarHeader header;
     try {
-      return new SonarHeader(type, sensor, name);
+      header = Files.exists(Path.of(obstacle).resolve(MODEL)) ? ofDiagnosis() : ofObstacle();
     } catch (IllegalArgumentException e) {
       throw DataFormatException.inArgument(obstacle, String.valueOf(e.getMessage()));
     }
+    TextFile.create(file, header.text(BuildVersion.text()));
+    out().println("written to " + file);
+  }
+
+  private SonarHeader ofObstacle() throws Exception {
+    if (!label.isEmpty()) {
+      throw wrongUsage("--obstacle: names one of a diagnosis' scene, and this is no diagnosis");
+    }
+    ObstacleType type = ObstacleArgument.parse(obstacle);
+    SonarSpec sensor = sensorFile == null ? Catalogue.srf04() : SensorFile.read(sensorFile);
+    return new SonarHeader(type, sensor, name);
+  }
+
+  private SonarHeader ofDiagnosis() throws Exception {
+    if (sensorFile != null) {
+      throw wrongUsage("--sensor-file: a diagnosis brings its own sensor");
+    }
+    Path folder = Path.of(obstacle);
+    SensingSetup setup = SceneFile.read(folder.resolve("scene.json"));
+    FittedModel model = ModelFile.read(folder.resolve(MODEL), setup);
+    return new SonarHeader(new FoldedDiagnosis(model, label), name);
   }
 }

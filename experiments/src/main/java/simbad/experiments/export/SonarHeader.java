@@ -7,12 +7,14 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import simbad.obstacles.ObstacleType;
+import simbad.sonar.frame.Placement;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.shape.Outline;
 
@@ -22,6 +24,8 @@ import simbad.sonar.shape.Outline;
  */
 public final class SonarHeader {
   private static final String TEMPLATE = "sonar.h.txt";
+  private static final String DIAGNOSIS = "diagnosis.h.txt";
+  private static final String DIAGNOSIS_IN_FLOATS = "diagnosis-m.h.txt";
   private static final Pattern NAME = Pattern.compile("[a-z][a-z0-9_]{0,30}");
   private static final Pattern TOKEN = Pattern.compile("@(\\w+)@");
   private static final int PER_LINE = 12;
@@ -30,6 +34,7 @@ public final class SonarHeader {
   private final SonarSpec sensor;
   private final String name;
   private final HeaderFigures figures;
+  private final Optional<FoldedDiagnosis> diagnosis;
 
   /**
    * Prepares a header.
@@ -40,6 +45,22 @@ public final class SonarHeader {
    * @throws IllegalArgumentException for a figure that a header cannot hold, or no such name
    */
   public SonarHeader(ObstacleType type, SonarSpec sensor, String name) {
+    this(type, sensor, name, Optional.empty());
+  }
+
+  /**
+   * Prepares the header of a diagnosis.
+   *
+   * @param diagnosis before one obstacle
+   * @param name that all names in the header begin with
+   * @throws IllegalArgumentException for a figure that a header cannot hold, or no such name
+   */
+  public SonarHeader(FoldedDiagnosis diagnosis, String name) {
+    this(diagnosis.type(), diagnosis.sensor(), name, Optional.of(diagnosis));
+  }
+
+  private SonarHeader(
+      ObstacleType type, SonarSpec sensor, String name, Optional<FoldedDiagnosis> diagnosis) {
     if (!NAME.matcher(name).matches()) {
       throw new IllegalArgumentException(
           "name '"
@@ -50,7 +71,17 @@ public final class SonarHeader {
     this.type = type;
     this.sensor = sensor;
     this.name = name;
+    this.diagnosis = diagnosis;
     figures = HeaderFigures.of(type, sensor);
+  }
+
+  /**
+   * Returns the diagnosed sensor in whole numbers, bit for bit.
+   *
+   * @throws java.util.NoSuchElementException for a header without a diagnosis
+   */
+  public IntegerDiagnosis diagnosisInIntegers() {
+    return new IntegerDiagnosis(inIntegers(), DiagnosisFigures.of(diagnosis.orElseThrow()));
   }
 
   /** Returns the same rule in whole numbers, bit for bit. */
@@ -73,9 +104,54 @@ public final class SonarHeader {
     values.put("version", line(version));
     whole(values);
     inFloats(values);
-    Matcher tokens = TOKEN.matcher(template());
+    values.put("effects", "");
+    values.put("diagnosis", "");
+    values.put("diagnosis_m", "");
+    diagnosis.ifPresent(folded -> diagnosed(folded, values));
+    return filled(TEMPLATE, values);
+  }
+
+  private static String filled(String template, Map<String, String> values) {
+    Matcher tokens = TOKEN.matcher(template(template));
     return tokens.replaceAll(
         token -> Matcher.quoteReplacement(Objects.requireNonNull(values.get(token.group(1)))));
+  }
+
+  private void diagnosed(FoldedDiagnosis folded, Map<String, String> values) {
+    values.putAll(DiagnosisFigures.of(folded).words(name));
+    values.put("held_mm", lines(HeaderFigures.thresholds(folded.held())));
+    double[] held = folded.held().valuesM();
+    values.put("held_m", lines(held.length, i -> number(held[i])));
+    RangeFigures ranges = folded.ranges();
+    values.put("scale_m", number(ranges.scale()));
+    values.put("offset_m", number(ranges.offsetM()));
+    values.put("clamp_m", number(ranges.clampM()));
+    values.put("step_m", number(ranges.stepM()));
+    values.put("from_share", number(ranges.fromHalves() / 2.0));
+    values.put("report_share", number(ranges.reportHalves() / 2.0));
+    values.put("code_m", number(ranges.codeM()));
+    Placement moved = folded.moved();
+    values.put("at_x_m", number(moved.xM()));
+    values.put("at_z_m", number(moved.zM()));
+    values.put("turned_cos", number(Math.cos(moved.turnRad())));
+    values.put("turned_sin", number(Math.sin(moved.turnRad())));
+    values.put("turned_rad", number(moved.turnRad()));
+    values.put("turn_rad", number(folded.turnRad()));
+    values.put("effects", effects(folded));
+    values.put("diagnosis", filled(DIAGNOSIS, values));
+    values.put("diagnosis_m", filled(DIAGNOSIS_IN_FLOATS, values));
+  }
+
+  /** What a diagnosis found, for the comment. */
+  private String effects(FoldedDiagnosis folded) {
+    String in = folded.folded().isEmpty() ? "none" : String.join(", ", folded.folded());
+    String out = folded.leftOut().isEmpty() ? "none" : String.join(", ", folded.leftOut());
+    return line(" * Of a diagnosis; folded in: " + in + "; only scatter, left out: " + out + ".")
+        + "\n * "
+        + name
+        + "_read_next reads with all of them; what it remembers is in "
+        + name
+        + "_memory.\n *\n";
   }
 
   private void whole(Map<String, String> values) {
@@ -141,11 +217,11 @@ public final class SonarHeader {
         .collect(Collectors.joining(",\n"));
   }
 
-  private static String template() {
-    try (InputStream in = Objects.requireNonNull(SonarHeader.class.getResourceAsStream(TEMPLATE))) {
+  private static String template(String name) {
+    try (InputStream in = Objects.requireNonNull(SonarHeader.class.getResourceAsStream(name))) {
       return new String(in.readAllBytes(), StandardCharsets.UTF_8);
     } catch (IOException e) {
-      throw new IllegalStateException(TEMPLATE + " cannot be read from the jar", e);
+      throw new IllegalStateException(name + " cannot be read from the jar", e);
     }
   }
 }

@@ -179,7 +179,8 @@ class FleetTest {
     ObstacleType round = Catalogue.find("round").orElseThrow();
     Neighbour near = new Neighbour(round, new Placement(0.2, 0, 0));
     FleetSetup setup =
-        new FleetSetup(ANGLE, List.of(near), SensorKind.RAY, Catalogue.srf04(), 10, 1, 6, NO_ECHO_M);
+        new FleetSetup(
+            ANGLE, List.of(near), SensorKind.RAY, Catalogue.srf04(), 10, 1, 6, NO_ECHO_M);
     Fleet fleet = new Fleet(setup, 1, Autoreset.DISABLED);
     for (int seed = 0; seed < 300; seed++) {
       fleet.seed(0, seed);
