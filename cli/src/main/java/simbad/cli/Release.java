@@ -116,7 +116,7 @@ final class Release {
               sign ? "publish,sign" : "publish",
               "-Dproject.build.outputTimestamp=" + commit.time(),
               "-DaltDeploymentRepository=folder::" + folder.toAbsolutePath().toUri(),
-              "deploy"));
+              "deploy:deploy"));
     }
   }
 
