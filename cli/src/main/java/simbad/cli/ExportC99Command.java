@@ -7,6 +7,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.export.FoldedDiagnosis;
+import simbad.experiments.export.LevelHeader;
 import simbad.experiments.export.SonarHeader;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
@@ -24,7 +25,8 @@ import simbad.sonar.scene.SonarSpec;
     name = "c99",
     description = {
       "Write what a sonar reads of an obstacle as one C99 header without allocation: the rule of"
-          + " detection shadows in whole numbers (no float, under 2 kB on an AVR) and in floats.",
+          + " detection shadows in whole numbers (no float, under 2 kB on an AVR) and in floats;"
+          + " or the level model, in both.",
       "Of a diagnosis' folder the effects are folded in; one that has no form in C is refused by"
           + " name. More: docs/guide/export.md."
     },
@@ -36,6 +38,7 @@ import simbad.sonar.scene.SonarSpec;
     })
 final class ExportC99Command extends Subcommand {
   private static final String MODEL = "model.json";
+  private static final String LEVEL = "level";
 
   @Parameters(
       paramLabel = "OBSTACLE|DIAGNOSIS",
@@ -62,6 +65,13 @@ final class ExportC99Command extends Subcommand {
   private @Nullable Path sensorFile;
 
   @Option(
+      names = "--model",
+      paramLabel = "MODEL",
+      defaultValue = "shadow",
+      description = "shadow or level: what an obstacle is heard by. Default: ${DEFAULT-VALUE}.")
+  private String model = "";
+
+  @Option(
       names = "--obstacle",
       paramLabel = "LABEL",
       description = "Which obstacle of a diagnosis' scene; needed where there are several.")
@@ -70,32 +80,38 @@ final class ExportC99Command extends Subcommand {
   @Override
   protected void run() throws Exception {
     OutputFile.refuseExisting(file);
-    SonarHeader header;
+    if (!model.equals("shadow") && !model.equals(LEVEL)) {
+      throw wrongUsage("--model: '" + model + "' is not one of shadow, level");
+    }
+    String header;
     try {
       header = Files.exists(Path.of(obstacle).resolve(MODEL)) ? ofDiagnosis() : ofObstacle();
     } catch (IllegalArgumentException e) {
       throw DataFormatException.inArgument(obstacle, String.valueOf(e.getMessage()));
     }
-    TextFile.create(file, header.text(BuildVersion.text()));
+    TextFile.create(file, header);
     out().println("written to " + file);
   }
 
-  private SonarHeader ofObstacle() throws Exception {
+  private String ofObstacle() throws Exception {
     if (!label.isEmpty()) {
       throw wrongUsage("--obstacle: names one of a diagnosis' scene, and this is no diagnosis");
     }
     ObstacleType type = ObstacleArgument.parse(obstacle);
     SonarSpec sensor = sensorFile == null ? Catalogue.srf04() : SensorFile.read(sensorFile);
-    return new SonarHeader(type, sensor, name);
+    return model.equals(LEVEL)
+        ? new LevelHeader(type, sensor, name).text(BuildVersion.text())
+        : new SonarHeader(type, sensor, name).text(BuildVersion.text());
   }
 
-  private SonarHeader ofDiagnosis() throws Exception {
-    if (sensorFile != null) {
-      throw wrongUsage("--sensor-file: a diagnosis brings its own sensor");
+  private String ofDiagnosis() throws Exception {
+    if (sensorFile != null || model.equals(LEVEL)) {
+      throw wrongUsage(
+          (sensorFile == null ? "--model" : "--sensor-file") + ": a diagnosis brings its own");
     }
     Path folder = Path.of(obstacle);
     SensingSetup setup = SceneFile.read(folder.resolve("scene.json"));
-    FittedModel model = ModelFile.read(folder.resolve(MODEL), setup);
-    return new SonarHeader(new FoldedDiagnosis(model, label), name);
+    FittedModel fitted = ModelFile.read(folder.resolve(MODEL), setup);
+    return new SonarHeader(new FoldedDiagnosis(fitted, label), name).text(BuildVersion.text());
   }
 }

@@ -56,11 +56,11 @@ public final class IntegerSonar {
     return (angle & TURN / 2) == 0 ? value : -value;
   }
 
-  private static int cos(int angle) {
+  static int cos(int angle) {
     return sin(angle + TURN / 4);
   }
 
-  private static int angle(int cdeg) {
+  static int angle(int cdeg) {
     return ((cdeg + TURN_CDEG) * STEPS_PER_CDEG) >>> 14;
   }
 
@@ -142,11 +142,11 @@ public final class IntegerSonar {
     return Math.min(dot(a, a), dot(b, b));
   }
 
-  private static int dot(int[] a, int[] b) {
+  static int dot(int[] a, int[] b) {
     return a[0] * b[0] + a[1] * b[1];
   }
 
-  private static int[] cut(int[] in, int[] out, int[] line) {
+  static int[] cut(int[] in, int[] out, int[] line) {
     int[] inside = in;
     int[] outside = out;
     for (int step = 0; step < STEPS; step++) {

@@ -24,6 +24,7 @@ import simbad.sonar.shape.Outline;
  */
 public final class SonarHeader {
   private static final String TEMPLATE = "sonar.h.txt";
+  static final String BASE = "base.h.txt";
   private static final String DIAGNOSIS = "diagnosis.h.txt";
   private static final String DIAGNOSIS_IN_FLOATS = "diagnosis-m.h.txt";
   private static final Pattern NAME = Pattern.compile("[a-z][a-z0-9_]{0,30}");
@@ -61,13 +62,7 @@ public final class SonarHeader {
 
   private SonarHeader(
       ObstacleType type, SonarSpec sensor, String name, Optional<FoldedDiagnosis> diagnosis) {
-    if (!NAME.matcher(name).matches()) {
-      throw new IllegalArgumentException(
-          "name '"
-              + name
-              + "' is no beginning of names in C: small letters, digits and"
-              + " underscores, a letter first, 31 at most");
-    }
+    requireName(name);
     this.type = type;
     this.sensor = sensor;
     this.name = name;
@@ -84,6 +79,16 @@ public final class SonarHeader {
     return new IntegerDiagnosis(inIntegers(), DiagnosisFigures.of(diagnosis.orElseThrow()));
   }
 
+  static void requireName(String name) {
+    if (!NAME.matcher(name).matches()) {
+      throw new IllegalArgumentException(
+          "name '"
+              + name
+              + "' is no beginning of names in C: small letters, digits and"
+              + " underscores, a letter first, 31 at most");
+    }
+  }
+
   /** Returns the same rule in whole numbers, bit for bit. */
   public IntegerSonar inIntegers() {
     return new IntegerSonar(figures);
@@ -95,23 +100,32 @@ public final class SonarHeader {
    * @param version of the program, for the comment
    */
   public String text(String version) {
-    Map<String, String> values = new LinkedHashMap<>();
-    values.put("name", name);
-    values.put("NAME", name.toUpperCase(Locale.ROOT));
-    values.put("object", line(type.thresholds().header("object").orElse(type.name())));
-    values.put("sensor", line(sensor.name()));
-    values.put("origin", origin());
-    values.put("version", line(version));
+    Map<String, String> values = words(type, sensor, name, version);
     whole(values);
     inFloats(values);
     values.put("effects", "");
     values.put("diagnosis", "");
     values.put("diagnosis_m", "");
     diagnosis.ifPresent(folded -> diagnosed(folded, values));
+    values.put("base", filled(BASE, values));
     return filled(TEMPLATE, values);
   }
 
-  private static String filled(String template, Map<String, String> values) {
+  /** What every header says of itself. */
+  static Map<String, String> words(
+      ObstacleType type, SonarSpec sensor, String name, String version) {
+    Map<String, String> values = new LinkedHashMap<>();
+    values.put("name", name);
+    values.put("NAME", name.toUpperCase(Locale.ROOT));
+    values.put("object", line(type.thresholds().header("object").orElse(type.name())));
+    values.put("sensor", line(sensor.name()));
+    values.put("origin", origin(type));
+    values.put("version", line(version));
+    return values;
+  }
+
+  /** A template with its places filled. */
+  static String filled(String template, Map<String, String> values) {
     Matcher tokens = TOKEN.matcher(template(template));
     return tokens.replaceAll(
         token -> Matcher.quoteReplacement(Objects.requireNonNull(values.get(token.group(1)))));
@@ -183,7 +197,7 @@ public final class SonarHeader {
   }
 
   /** What the table's file says of itself: a reconstructed one says so here as well. */
-  private String origin() {
+  private static String origin(ObstacleType type) {
     return type.thresholds().header().entrySet().stream()
         .map(entry -> " *   " + line(entry.getKey() + ": " + entry.getValue()))
         .collect(Collectors.joining("\n"));
@@ -194,20 +208,20 @@ public final class SonarHeader {
     return text.replaceAll("[^\\x20-\\x7e]+", " ").replace("*/", "* /").replace("/*", "/ *");
   }
 
-  private static String millimetres(double metres) {
+  static String millimetres(double metres) {
     return String.format(Locale.ROOT, "%.0f", 1000 * metres);
   }
 
-  private static String number(double value) {
+  static String number(double value) {
     String digits = Float.toString((float) value);
     return (digits.contains(".") || digits.contains("E") ? digits : digits + ".0") + "f";
   }
 
-  private static String lines(int[] values) {
+  static String lines(int[] values) {
     return lines(values.length, i -> Integer.toString(values[i]));
   }
 
-  private static String lines(int size, IntFunction<String> value) {
+  static String lines(int size, IntFunction<String> value) {
     return IntStream.rangeClosed(0, (size - 1) / PER_LINE)
         .mapToObj(
             line ->
