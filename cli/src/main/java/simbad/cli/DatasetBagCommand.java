@@ -17,6 +17,8 @@ import simbad.experiments.bag.BagTable;
 import simbad.experiments.bag.Recording;
 import simbad.experiments.dataset.LogImport;
 import simbad.experiments.dataset.LogSettings;
+import simbad.figures.report.LogPicture;
+import simbad.gap.diagnosis.DataSet;
 
 /** {@code simbad dataset bag}: a recording of ROS 2 as a data set. */
 @Command(
@@ -37,7 +39,7 @@ import simbad.experiments.dataset.LogSettings;
     })
 final class DatasetBagCommand extends Subcommand {
   /** Options of this command alone. */
-  private static final Set<String> OWN = Set.of("topic", "fixed-frame", "list");
+  private static final Set<String> OWN = Set.of("topic", "fixed-frame", "list", "picture");
 
   @Spec
   @SuppressWarnings("NullAway.Init")
@@ -70,6 +72,14 @@ final class DatasetBagCommand extends Subcommand {
       description = "Frame in which places are told. Default: the root above the sensors.")
   private @Nullable String fixedFrame;
 
+  @Option(
+      names = "--picture",
+      paramLabel = "FILE",
+      description =
+          "Draw what was understood, seen from above: where the sensors were, and the places that"
+              + " echoes tell of; *.svg or *.png.")
+  private @Nullable Path picture;
+
   @Mixin
   @SuppressWarnings("UnusedVariable") // picocli's
   private CsvOptions options = new CsvOptions();
@@ -78,6 +88,10 @@ final class DatasetBagCommand extends Subcommand {
   protected void run() throws Exception {
     if (list == (out != null)) {
       throw wrongUsage("expected either --out DIR or --list");
+    }
+    if (picture != null) {
+      requirePicture("--picture", picture);
+      OutputFile.refuseExisting(picture);
     }
     Recording recording = Recording.read(bag);
     if (out == null) {
@@ -91,6 +105,15 @@ final class DatasetBagCommand extends Subcommand {
         LogImport.ofText(
             bag, table.text(), said.orElse(table.settings()), TerminalQuestions.here(err()));
     DatasetCommand.publish(made.data(), out, out());
+    if (picture != null) {
+      DataSet data =
+          new DataSet(
+              String.valueOf(out.getFileName()),
+              made.data().setup(),
+              made.data().readings(),
+              List.of());
+      OutputFile.draw(LogPicture.of(data, "recording: " + bag.getFileName()), picture);
+    }
     made.notes().forEach(note -> err().println("note: " + note));
     table.notes().forEach(note -> out().println("read: " + note));
     made.data()

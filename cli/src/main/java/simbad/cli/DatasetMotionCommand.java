@@ -13,10 +13,15 @@ import simbad.motion.format.MotionFolder;
     description =
         "Make a motion folder for simbad diagnose from a log of what a robot was told"
             + " and what it did.",
-    subcommands = {DatasetMotionCsvCommand.class, DatasetMotionCommand.Mrclam.class},
+    subcommands = {
+      DatasetMotionCsvCommand.class,
+      DatasetMotionBagCommand.class,
+      DatasetMotionCommand.Mrclam.class
+    },
     footer = {
       "",
       "Example: simbad dataset motion csv my-commands.csv my-track.csv --out my-robot",
+      "Example: simbad dataset motion bag my-drive --out my-robot",
       "Example: simbad dataset motion mrclam my-odometry.txt my-track.txt --out my-robot"
     })
 final class DatasetMotionCommand extends CommandGroup {

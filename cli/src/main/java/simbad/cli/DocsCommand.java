@@ -19,7 +19,9 @@ import simbad.sonar.format.TextFile;
       "Write the project's guides as a folder of pages with a search, to be opened with any"
           + " browser.",
       "Or, with --figures, put the measured figures of docs/figures into README.md and draw"
-          + " docs/pictures/rooms.svg from the poms."
+          + " docs/pictures/rooms.svg from the poms, and write CITATION.cff and codemeta.json from "
+          + Publication.FILE
+          + "."
     },
     footer = {"", "Example: simbad docs --out site", "Example: simbad docs --figures"})
 final class DocsCommand extends Subcommand {
@@ -55,6 +57,9 @@ final class DocsCommand extends Subcommand {
     Path readme = project.resolve("README.md");
     update(readme, FigureBlocks.filled(Files.readString(readme), project.resolve("docs/figures")));
     update(project.resolve("docs/pictures/rooms.svg"), RoomDiagram.svg(project));
+    Publication publication = Publication.read(project);
+    update(project.resolve("CITATION.cff"), publication.citation());
+    update(project.resolve("codemeta.json"), publication.codemeta());
   }
 
   private void update(Path file, String content) throws IOException {

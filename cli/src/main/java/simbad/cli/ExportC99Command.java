@@ -6,12 +6,18 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import simbad.experiments.export.FoldedDiagnosis;
+import simbad.experiments.export.LevelHeader;
 import simbad.experiments.export.SonarHeader;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.SceneFile;
 import simbad.sonar.format.SensorFile;
 import simbad.sonar.format.TextFile;
+import simbad.sonar.predict.FittedModel;
+import simbad.sonar.predict.ModelFile;
+import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
 
 /** {@code simbad export c99}. */
@@ -19,19 +25,24 @@ import simbad.sonar.scene.SonarSpec;
     name = "c99",
     description = {
       "Write what a sonar reads of an obstacle as one C99 header without allocation: the rule of"
-          + " detection shadows in whole numbers (no float, under 2 kB on an AVR) and in floats.",
-      "The level model and diagnoses cannot be exported; they are refused. More:"
-          + " docs/guide/export.md."
+          + " detection shadows in whole numbers (no float, under 2 kB on an AVR) and in floats;"
+          + " or the level model, in both.",
+      "Of a diagnosis' folder the effects are folded in; one that has no form in C is refused by"
+          + " name. More: docs/guide/export.md."
     },
     footer = {
       "",
       "Example: simbad export c99 angle --out angle.h",
-      "Example: simbad export c99 my-table.csv --name post --out post.h"
+      "Example: simbad export c99 my-table.csv --name post --out post.h",
+      "Example: simbad export c99 diagnoses/my-log --out sonar.h"
     })
 final class ExportC99Command extends Subcommand {
   private static final String MODEL = "model.json";
+  private static final String LEVEL = "level";
 
-  @Parameters(paramLabel = "OBSTACLE", description = ObstacleArgument.MEANING)
+  @Parameters(
+      paramLabel = "OBSTACLE|DIAGNOSIS",
+      description = ObstacleArgument.MEANING + "; or the folder of a diagnosis.")
   private String obstacle = "";
 
   @Option(names = "--out", paramLabel = "FILE", required = true, description = "A new file, *.h.")
@@ -53,25 +64,54 @@ final class ExportC99Command extends Subcommand {
           "File of the sensor, whose cone and range are used. Default: data/sensors/srf04.json.")
   private @Nullable Path sensorFile;
 
+  @Option(
+      names = "--model",
+      paramLabel = "MODEL",
+      defaultValue = "shadow",
+      description = "shadow or level: what an obstacle is heard by. Default: ${DEFAULT-VALUE}.")
+  private String model = "";
+
+  @Option(
+      names = "--obstacle",
+      paramLabel = "LABEL",
+      description = "Which obstacle of a diagnosis' scene; needed where there are several.")
+  private String label = "";
+
   @Override
   protected void run() throws Exception {
-    if (Files.exists(Path.of(obstacle).resolve(MODEL))) {
-      throw DataFormatException.inArgument(
-          "OBSTACLE '" + obstacle + "'",
-          "is a diagnosis: its effects have no form in C, expected an obstacle (simbad table types)");
-    }
-    ObstacleType type = ObstacleArgument.parse(obstacle);
-    SonarSpec sensor = sensorFile == null ? Catalogue.srf04() : SensorFile.read(sensorFile);
     OutputFile.refuseExisting(file);
-    TextFile.create(file, header(type, sensor).text(BuildVersion.text()));
-    out().println("written to " + file);
-  }
-
-  private SonarHeader header(ObstacleType type, SonarSpec sensor) throws DataFormatException {
+    if (!model.equals("shadow") && !model.equals(LEVEL)) {
+      throw wrongUsage("--model: '" + model + "' is not one of shadow, level");
+    }
+    String header;
     try {
-      return new SonarHeader(type, sensor, name);
+      header = Files.exists(Path.of(obstacle).resolve(MODEL)) ? ofDiagnosis() : ofObstacle();
     } catch (IllegalArgumentException e) {
       throw DataFormatException.inArgument(obstacle, String.valueOf(e.getMessage()));
     }
+    TextFile.create(file, header);
+    out().println("written to " + file);
+  }
+
+  private String ofObstacle() throws Exception {
+    if (!label.isEmpty()) {
+      throw wrongUsage("--obstacle: names one of a diagnosis' scene, and this is no diagnosis");
+    }
+    ObstacleType type = ObstacleArgument.parse(obstacle);
+    SonarSpec sensor = sensorFile == null ? Catalogue.srf04() : SensorFile.read(sensorFile);
+    return model.equals(LEVEL)
+        ? new LevelHeader(type, sensor, name).text(BuildVersion.text())
+        : new SonarHeader(type, sensor, name).text(BuildVersion.text());
+  }
+
+  private String ofDiagnosis() throws Exception {
+    if (sensorFile != null || model.equals(LEVEL)) {
+      throw wrongUsage(
+          (sensorFile == null ? "--model" : "--sensor-file") + ": a diagnosis brings its own");
+    }
+    Path folder = Path.of(obstacle);
+    SensingSetup setup = SceneFile.read(folder.resolve("scene.json"));
+    FittedModel fitted = ModelFile.read(folder.resolve(MODEL), setup);
+    return new SonarHeader(new FoldedDiagnosis(fitted, label), name).text(BuildVersion.text());
   }
 }

@@ -5,8 +5,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import simbad.cli.machine.Launcher;
 import simbad.sonar.format.TemporaryFolder;
@@ -16,7 +14,6 @@ import simbad.sonar.format.TemporaryFolder;
  * in the project's folder has a part in them.
  */
 final class Release {
-  private static final Pattern VERSION = Pattern.compile("(?m)^  <version>(.*)</version>$");
   private static final String BUILT_JAR = "cli/target/simbad.jar";
   private static final String BUILD_LOG = "build.log";
 
@@ -54,7 +51,7 @@ final class Release {
   void write(Path folder) throws IOException, InterruptedException {
     try (TemporaryFolder work = TemporaryFolder.create("simbad-release")) {
       Path source = clone(work);
-      String name = "simbad-sonar-" + version(source);
+      String name = "simbad-sonar-" + Publication.version(source);
       String time = commit.time();
       say.accept("building " + name + " of " + time);
       build(source, work, List.of("cyclonedx:makeBom", "javadoc:aggregate-no-fork"));
@@ -85,6 +82,44 @@ final class Release {
     }
   }
 
+  /**
+   * Writes what a Maven repository takes, as a repository: each room's jar with sources, Javadoc
+   * and a pom that says whose it is, and the list of their versions.
+   *
+   * @param folder that is empty
+   * @param sign whether gpg signs every file
+   * @throws UnpublishableException if the project does not say whose it is, or is no version
+   */
+  void writeRepository(Path folder, boolean sign)
+      throws IOException, InterruptedException, UnpublishableException {
+    try (TemporaryFolder work = TemporaryFolder.create("simbad-release")) {
+      Path source = clone(work);
+      Publication publication = Publication.read(source);
+      if (!publication.missing().isEmpty()) {
+        throw new UnpublishableException(publication.complaint());
+      }
+      if (publication.isSnapshot()) {
+        throw new UnpublishableException(
+            "pom.xml: version "
+                + publication.version()
+                + " is no release, expected one without -SNAPSHOT");
+      }
+      Path pom = source.resolve("pom.xml");
+      Files.writeString(pom, publication.filled(Files.readString(pom)));
+      say.accept("building " + publication.version() + " of " + commit.time());
+      launcher.pack(
+          source,
+          "cli,build-config/bom",
+          work.path().resolve(BUILD_LOG),
+          List.of(
+              "-P",
+              sign ? "publish,sign" : "publish",
+              "-Dproject.build.outputTimestamp=" + commit.time(),
+              "-DaltDeploymentRepository=folder::" + folder.toAbsolutePath().toUri(),
+              "deploy:deploy"));
+    }
+  }
+
   private Path clone(TemporaryFolder work) throws IOException, InterruptedException {
     if (changes > 0) {
       say.accept(
@@ -106,15 +141,6 @@ final class Release {
                 Stream.of("-P", "jar", "-Dproject.build.outputTimestamp=" + commit.time()),
                 goals.stream())
             .toList();
-    launcher.pack(source, work.path().resolve(BUILD_LOG), more);
-  }
-
-  private static String version(Path source) throws IOException {
-    Path pom = source.resolve("pom.xml");
-    Matcher version = VERSION.matcher(Files.readString(pom));
-    if (!version.find()) {
-      throw new IOException(pom + ": has no line with the project's version");
-    }
-    return version.group(1);
+    launcher.pack(source, "cli", work.path().resolve(BUILD_LOG), more);
   }
 }

@@ -17,6 +17,7 @@ import simbad.cli.machine.Launcher;
       "",
       "Example: simbad release --out simbad-sonar-0.1.0",
       "Example: simbad release --jar-only --out my-jar",
+      "Example: simbad release --publish --out repository",
       "How to publish one: docs/guide/release.md",
     })
 final class ReleaseCommand extends Subcommand {
@@ -32,15 +33,33 @@ final class ReleaseCommand extends Subcommand {
       description = "Make simbad.jar and nothing else, quickly: for programs that use it.")
   private boolean jarOnly;
 
+  @Option(
+      names = "--publish",
+      description =
+          "Make what a Maven repository takes instead, as a folder to be handed in. Needs gpg, and"
+              + " what "
+              + Publication.FILE
+              + " asks for.")
+  private boolean publish;
+
+  @Option(names = "--unsigned", description = "With --publish: without signatures, to look at it.")
+  private boolean unsigned;
+
   @Override
   protected void run() throws Exception {
+    if (jarOnly && publish || unsigned && !publish) {
+      throw wrongUsage(
+          jarOnly ? "--jar-only and --publish exclude each other" : "--unsigned needs --publish");
+    }
     Launcher launcher =
         Launcher.ofThisProcess()
             .orElseThrow(
                 () -> wrongUsage("only the launcher can build a release: call ./simbad release"));
     Release release = Release.of(launcher, line -> err().println("release: " + line));
     try (StagedDirectory staged = StagedDirectory.beside(out)) {
-      if (jarOnly) {
+      if (publish) {
+        writeRepository(release, staged.path());
+      } else if (jarOnly) {
         release.writeJar(staged.path());
       } else {
         release.write(staged.path());
@@ -48,5 +67,13 @@ final class ReleaseCommand extends Subcommand {
       staged.publish();
     }
     err().println("release: wrote " + out);
+  }
+
+  private void writeRepository(Release release, Path folder) throws Exception {
+    try {
+      release.writeRepository(folder, !unsigned);
+    } catch (UnpublishableException e) {
+      throw wrongUsage("--publish: " + e.getMessage());
+    }
   }
 }

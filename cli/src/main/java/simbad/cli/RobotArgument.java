@@ -1,8 +1,6 @@
 package simbad.cli;
 
-import java.nio.file.Path;
 import simbad.experiments.run.RobotKind;
-import simbad.motion.format.DiagnosedMotion;
 import simbad.sonar.format.DataFormatException;
 
 /** A robot on the command line: a diagnosis' folder, or a file that says what is believed. */
@@ -10,8 +8,6 @@ final class RobotArgument {
   /** What help says of it. */
   static final String MEANING =
       "diagnosed:DIR (the folder that simbad diagnose made of a motion folder), or a robot.json";
-
-  private static final String DIAGNOSED = "diagnosed:";
 
   private RobotArgument() {}
 
@@ -22,16 +18,6 @@ final class RobotArgument {
    * @throws DataFormatException if a file is missing or wrong
    */
   static RobotKind parse(String word) throws DataFormatException {
-    if (word.startsWith(DIAGNOSED)) {
-      Path folder = Path.of(word.substring(DIAGNOSED.length()));
-      return new RobotKind(name(folder), DiagnosedMotion.read(folder));
-    }
-    Path file = Path.of(word);
-    return new RobotKind(name(file).replaceFirst("[.]json$", ""), DiagnosedMotion.believed(file));
-  }
-
-  private static String name(Path path) {
-    Path last = path.toAbsolutePath().normalize().getFileName();
-    return last == null ? "robot" : last.toString();
+    return RobotKind.read(word);
   }
 }

@@ -47,6 +47,25 @@ class DatasetBagCommandTest {
     return ReadingsFile.read(out.resolve("readings.csv"));
   }
 
+  @Test
+  void whatWasUnderstood_isDrawn() throws Exception {
+    Path out = folder.resolve("drawn");
+    Path picture = folder.resolve("drawn.svg");
+    Shell shell =
+        bag(
+            BAGS.resolve("post"),
+            "--target",
+            TARGET,
+            "--out",
+            out.toString(),
+            "--picture",
+            picture.toString());
+    assertEquals(0, shell.status(), shell.err());
+    String svg = Files.readString(picture);
+    assertTrue(svg.contains("What was understood of drawn"), svg);
+    assertEquals(2, bag(BAGS.resolve("post"), "--out", "x", "--picture", "x.doc").status());
+  }
+
   /** 50 pings of each of two sonars, of which one time is no number. */
   @ParameterizedTest
   @ValueSource(

@@ -40,14 +40,38 @@ class ExportC99CommandTest {
     assertFalse(text.contains("@"), "a place that was not filled");
   }
 
-  @Test
-  void aDiagnosisIsRefusedByName() throws Exception {
+  private Path diagnosis(String changes) throws Exception {
     Path diagnosis = Files.createDirectory(folder.resolve("diagnosis"));
-    Files.writeString(diagnosis.resolve("model.json"), "{}");
-    Shell run = export(diagnosis.toString());
+    Files.copy(
+        Path.of("../data/gap/angle-against-uniform/scene.json"), diagnosis.resolve("scene.json"));
+    Files.writeString(
+        diagnosis.resolve("model.json"),
+        "{\"format\": \"sonar-model/1\", \"sensors\": [\"SRF04\"], \"changes\": ["
+            + changes
+            + "]}");
+    return diagnosis;
+  }
+
+  @Test
+  void aDiagnosisIsFoldedIn() throws Exception {
+    String gain = "{\"effect\": \"gain\", \"form\": \"factor\", \"parameters\": {\"factor\": 0.8}}";
+    Shell run = export(diagnosis(gain).toString());
+
+    assertEquals(0, run.status(), run.err());
+    String text = Files.readString(header());
+    assertTrue(text.contains("folded in: gain/factor"), text);
+    assertTrue(text.contains("sonar_read_next(sonar_memory *memory, sonar_pose at)"), text);
+    assertFalse(text.contains("@"), "a place that was not filled");
+  }
+
+  @Test
+  void anEffectWithoutAFormInCIsRefusedByName() throws Exception {
+    String late =
+        "{\"effect\": \"latency\", \"form\": \"time\", \"parameters\": {\"delay_s\": 0.2}}";
+    Shell run = export(diagnosis(late).toString());
 
     assertEquals(2, run.status());
-    assertTrue(run.err().contains("is a diagnosis: its effects have no form in C"), run.err());
+    assertTrue(run.err().contains("effect latency/time"), run.err());
     assertFalse(Files.exists(header()));
   }
 

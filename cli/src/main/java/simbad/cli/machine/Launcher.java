@@ -60,19 +60,20 @@ public record Launcher(Path script) {
   }
 
   /**
-   * Has Maven package the command line of a project, without tests and checks.
+   * Has Maven package rooms of a project and what they use, without tests and checks.
    *
    * @param folder of the project, or of a clone of it
+   * @param rooms separated by commas
    * @param log file for all that Maven says; what is wrong is said on standard error, too
    * @param more arguments for Maven
    * @throws SaidAlreadyException if it fails
    * @throws IOException if the launcher cannot be called
    * @throws InterruptedException if the thread is interrupted meanwhile
    */
-  public void pack(Path folder, Path log, List<String> more)
+  public void pack(Path folder, String rooms, Path log, List<String> more)
       throws IOException, InterruptedException {
     List<String> words =
-        new ArrayList<>(List.of("--package", folder.toString(), "cli", log.toString()));
+        new ArrayList<>(List.of("--package", folder.toString(), rooms, log.toString()));
     words.addAll(more);
     call(words);
   }

@@ -12,6 +12,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.TemporaryFolder;
 import simbad.sonar.format.WholeFile;
 
 /**
@@ -67,12 +68,11 @@ final class BagFile {
   private static void readOne(Path file, BagMessage.Sink sink) throws IOException {
     byte[] head = head(file);
     if (startsWith(head, ZSTD)) {
-      Path plain = Files.createTempFile("simbad-bag-", ".plain");
-      try {
+      // What a killed process leaves of it, the next one sweeps.
+      try (TemporaryFolder work = TemporaryFolder.create("simbad-bag")) {
+        Path plain = work.path().resolve("plain");
         unpack(file, plain);
         readPlain(plain, head(plain), sink);
-      } finally {
-        Files.deleteIfExists(plain);
       }
     } else {
       readPlain(file, head, sink);

@@ -8,17 +8,20 @@ import java.util.Map;
 import java.util.TreeMap;
 import simbad.sonar.format.DataFormatException;
 
-/** What a recording holds of ranges and poses. */
+/** What a recording holds of ranges, poses and commanded speeds. */
 public final class Recording {
   private static final String RANGE = "sensor_msgs/msg/Range";
   private static final String TF = "tf2_msgs/msg/TFMessage";
   private static final String ODOMETRY = "nav_msgs/msg/Odometry";
+  private static final String TWIST = "geometry_msgs/msg/Twist";
+  private static final String TWIST_STAMPED = "geometry_msgs/msg/TwistStamped";
   private static final int LEAST_TRANSFORM = 64;
   private static final String STATIC = "tf_static";
 
   private final Path file;
   private final Map<String, Topic> topics = new TreeMap<>();
   private final List<RangeMessage> ranges = new ArrayList<>();
+  private final List<TwistMessage> twists = new ArrayList<>();
   private final Transforms transforms = new Transforms();
 
   /** A topic's type, and how many messages it has. */
@@ -55,6 +58,8 @@ public final class Recording {
         case RANGE -> range(message);
         case TF -> transforms(message);
         case ODOMETRY -> odometry(message);
+        case TWIST -> twist(message, new Cdr(message.data()), message.timeNs());
+        case TWIST_STAMPED -> stampedTwist(message);
         default -> {
           // Not needed.
         }
@@ -79,6 +84,25 @@ public final class Recording {
     float least = cdr.single();
     float most = cdr.single();
     ranges.add(new RangeMessage(message.topic(), frame, stampNs, field, least, most, cdr.single()));
+  }
+
+  private void stampedTwist(BagMessage message) throws IOException {
+    Cdr cdr = new Cdr(message.data());
+    long stampNs = stamp(cdr, message);
+    cdr.text();
+    twist(message, cdr, stampNs);
+  }
+
+  /** Linear x, y, z, then angular x, y, z: of a robot on the floor the first and the last count. */
+  private void twist(BagMessage message, Cdr cdr, long stampNs) throws IOException {
+    double[] numbers = new double[6];
+    for (int i = 0; i < numbers.length; i++) {
+      numbers[i] = cdr.real();
+    }
+    if (!Double.isFinite(numbers[0]) || !Double.isFinite(numbers[5])) {
+      throw new IOException("has a speed that is no number");
+    }
+    twists.add(new TwistMessage(message.topic(), stampNs, numbers[0], numbers[5]));
   }
 
   /** A driver that leaves the stamp empty means the time of recording. */
@@ -124,6 +148,10 @@ public final class Recording {
 
   List<RangeMessage> ranges() {
     return ranges;
+  }
+
+  List<TwistMessage> twists() {
+    return twists;
   }
 
   Transforms transforms() {

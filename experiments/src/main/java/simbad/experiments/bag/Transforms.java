@@ -71,6 +71,25 @@ final class Transforms {
     return way;
   }
 
+  /** Returns the frames that move and carry none that moves: what drives through the world. */
+  Set<String> drivers() {
+    Set<String> drivers = new TreeSet<>(moving.keySet());
+    moving
+        .keySet()
+        .forEach(frame -> drivers.removeAll(upwards(frame).subList(1, upwards(frame).size())));
+    return drivers;
+  }
+
+  /** Returns when a frame's place was told, rising; none for one that does not move. */
+  Set<Long> timesNs(String frame) {
+    return moving.getOrDefault(frame, new TreeMap<>()).navigableKeySet();
+  }
+
+  /** Tells whether nothing but an odometry told where a frame was. */
+  boolean isByOdometry(String frame) {
+    return byOdometry.contains(frame);
+  }
+
   /** Returns every frame with its parent, sorted: child, below parent, moving or not. */
   List<String> lines() {
     List<String> lines = new ArrayList<>();

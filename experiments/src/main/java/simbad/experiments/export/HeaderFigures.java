@@ -59,7 +59,7 @@ record HeaderFigures(
         (int) Math.rint(2000 * sensor.maxRangeM()));
   }
 
-  private static int[] thresholds(ThresholdTable table) {
+  static int[] thresholds(ThresholdTable table) {
     int[] all = new int[table.size() + 1];
     Arrays.setAll(all, i -> (int) Math.rint(1000 * table.valueM(i % table.size())));
     return all;

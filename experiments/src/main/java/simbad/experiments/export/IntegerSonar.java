@@ -56,11 +56,11 @@ public final class IntegerSonar {
     return (angle & TURN / 2) == 0 ? value : -value;
   }
 
-  private static int cos(int angle) {
+  static int cos(int angle) {
     return sin(angle + TURN / 4);
   }
 
-  private static int angle(int cdeg) {
+  static int angle(int cdeg) {
     return ((cdeg + TURN_CDEG) * STEPS_PER_CDEG) >>> 14;
   }
 
@@ -83,7 +83,14 @@ public final class IntegerSonar {
    * @return millimetres, or {@link #NO_ECHO}; nothing is heard beyond {@link #MOST_PLACE_MM}
    */
   public int readMm(int xMm, int zMm, int headingCdeg) {
-    if (Math.abs(xMm) > MOST_PLACE_MM || Math.abs(zMm) > MOST_PLACE_MM || !isInShadow(xMm, zMm)) {
+    return readMm(thresholdMm, xMm, zMm, headingCdeg);
+  }
+
+  /** The same by any table of as many thresholds. */
+  int readMm(int[] thresholds, int xMm, int zMm, int headingCdeg) {
+    if (Math.abs(xMm) > MOST_PLACE_MM
+        || Math.abs(zMm) > MOST_PLACE_MM
+        || !isInShadow(thresholds, xMm, zMm)) {
       return NO_ECHO;
     }
     int best = nearestSquare(xMm, zMm, headingCdeg);
@@ -135,11 +142,11 @@ public final class IntegerSonar {
     return Math.min(dot(a, a), dot(b, b));
   }
 
-  private static int dot(int[] a, int[] b) {
+  static int dot(int[] a, int[] b) {
     return a[0] * b[0] + a[1] * b[1];
   }
 
-  private static int[] cut(int[] in, int[] out, int[] line) {
+  static int[] cut(int[] in, int[] out, int[] line) {
     int[] inside = in;
     int[] outside = out;
     for (int step = 0; step < STEPS; step++) {
@@ -154,11 +161,11 @@ public final class IntegerSonar {
   }
 
   /** Counts the edges of the shadow that lie beyond a place towards +x. */
-  private boolean isInShadow(int xMm, int zMm) {
+  private boolean isInShadow(int[] thresholds, int xMm, int zMm) {
     boolean inside = false;
-    int[] last = shadowPoint(0, xMm, zMm);
+    int[] last = shadowPoint(thresholds, 0, xMm, zMm);
     for (int i = 1; i <= bearings; i++) {
-      int[] here = shadowPoint(i, xMm, zMm);
+      int[] here = shadowPoint(thresholds, i, xMm, zMm);
       if (last[1] < 0 != here[1] < 0) {
         int beside = dot(last, new int[] {here[1], -here[0]});
         inside ^= beside < 0 == here[1] < 0;
@@ -168,12 +175,22 @@ public final class IntegerSonar {
     return inside;
   }
 
-  private int[] shadowPoint(int at, int xMm, int zMm) {
-    int threshold = HALVES * thresholdMm[at];
+  private int[] shadowPoint(int[] thresholds, int at, int xMm, int zMm) {
+    int threshold = HALVES * thresholds[at];
     int angle = (at * step(bearings) + 128) >> 8;
     return new int[] {
       scaled(threshold, sin(angle)) - HALVES * xMm, scaled(threshold, cos(angle)) - HALVES * zMm
     };
+  }
+
+  /** Takes a place from the world's frame to that of an obstacle: x and z. */
+  static int[] placed(int xMm, int zMm, int turnCdeg) {
+    if (Math.abs(xMm) > MOST_PLACE_MM || Math.abs(zMm) > MOST_PLACE_MM) {
+      return new int[] {Short.MAX_VALUE, Short.MAX_VALUE};
+    }
+    int cos = cos(angle(turnCdeg));
+    int sin = sin(angle(turnCdeg));
+    return new int[] {turned(xMm, cos, -zMm, sin), turned(zMm, cos, xMm, sin)};
   }
 
   /** From a bearing of the table to the next, in 256ths of an angle's step. */

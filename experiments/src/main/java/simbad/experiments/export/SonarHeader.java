@@ -7,12 +7,14 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import simbad.obstacles.ObstacleType;
+import simbad.sonar.frame.Placement;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.shape.Outline;
 
@@ -22,6 +24,9 @@ import simbad.sonar.shape.Outline;
  */
 public final class SonarHeader {
   private static final String TEMPLATE = "sonar.h.txt";
+  static final String BASE = "base.h.txt";
+  private static final String DIAGNOSIS = "diagnosis.h.txt";
+  private static final String DIAGNOSIS_IN_FLOATS = "diagnosis-m.h.txt";
   private static final Pattern NAME = Pattern.compile("[a-z][a-z0-9_]{0,30}");
   private static final Pattern TOKEN = Pattern.compile("@(\\w+)@");
   private static final int PER_LINE = 12;
@@ -30,6 +35,7 @@ public final class SonarHeader {
   private final SonarSpec sensor;
   private final String name;
   private final HeaderFigures figures;
+  private final Optional<FoldedDiagnosis> diagnosis;
 
   /**
    * Prepares a header.
@@ -40,6 +46,40 @@ public final class SonarHeader {
    * @throws IllegalArgumentException for a figure that a header cannot hold, or no such name
    */
   public SonarHeader(ObstacleType type, SonarSpec sensor, String name) {
+    this(type, sensor, name, Optional.empty());
+  }
+
+  /**
+   * Prepares the header of a diagnosis.
+   *
+   * @param diagnosis before one obstacle
+   * @param name that all names in the header begin with
+   * @throws IllegalArgumentException for a figure that a header cannot hold, or no such name
+   */
+  public SonarHeader(FoldedDiagnosis diagnosis, String name) {
+    this(diagnosis.type(), diagnosis.sensor(), name, Optional.of(diagnosis));
+  }
+
+  private SonarHeader(
+      ObstacleType type, SonarSpec sensor, String name, Optional<FoldedDiagnosis> diagnosis) {
+    requireName(name);
+    this.type = type;
+    this.sensor = sensor;
+    this.name = name;
+    this.diagnosis = diagnosis;
+    figures = HeaderFigures.of(type, sensor);
+  }
+
+  /**
+   * Returns the diagnosed sensor in whole numbers, bit for bit.
+   *
+   * @throws java.util.NoSuchElementException for a header without a diagnosis
+   */
+  public IntegerDiagnosis diagnosisInIntegers() {
+    return new IntegerDiagnosis(inIntegers(), DiagnosisFigures.of(diagnosis.orElseThrow()));
+  }
+
+  static void requireName(String name) {
     if (!NAME.matcher(name).matches()) {
       throw new IllegalArgumentException(
           "name '"
@@ -47,10 +87,6 @@ public final class SonarHeader {
               + "' is no beginning of names in C: small letters, digits and"
               + " underscores, a letter first, 31 at most");
     }
-    this.type = type;
-    this.sensor = sensor;
-    this.name = name;
-    figures = HeaderFigures.of(type, sensor);
   }
 
   /** Returns the same rule in whole numbers, bit for bit. */
@@ -64,18 +100,72 @@ public final class SonarHeader {
    * @param version of the program, for the comment
    */
   public String text(String version) {
+    Map<String, String> values = words(type, sensor, name, version);
+    whole(values);
+    inFloats(values);
+    values.put("effects", "");
+    values.put("diagnosis", "");
+    values.put("diagnosis_m", "");
+    diagnosis.ifPresent(folded -> diagnosed(folded, values));
+    values.put("base", filled(BASE, values));
+    return filled(TEMPLATE, values);
+  }
+
+  /** What every header says of itself. */
+  static Map<String, String> words(
+      ObstacleType type, SonarSpec sensor, String name, String version) {
     Map<String, String> values = new LinkedHashMap<>();
     values.put("name", name);
     values.put("NAME", name.toUpperCase(Locale.ROOT));
     values.put("object", line(type.thresholds().header("object").orElse(type.name())));
     values.put("sensor", line(sensor.name()));
-    values.put("origin", origin());
+    values.put("origin", origin(type));
     values.put("version", line(version));
-    whole(values);
-    inFloats(values);
-    Matcher tokens = TOKEN.matcher(template());
+    return values;
+  }
+
+  /** A template with its places filled. */
+  static String filled(String template, Map<String, String> values) {
+    Matcher tokens = TOKEN.matcher(template(template));
     return tokens.replaceAll(
         token -> Matcher.quoteReplacement(Objects.requireNonNull(values.get(token.group(1)))));
+  }
+
+  private void diagnosed(FoldedDiagnosis folded, Map<String, String> values) {
+    values.putAll(DiagnosisFigures.of(folded).words(name));
+    values.put("held_mm", lines(HeaderFigures.thresholds(folded.held())));
+    double[] held = folded.held().valuesM();
+    values.put("held_m", lines(held.length, i -> number(held[i])));
+    RangeFigures ranges = folded.ranges();
+    values.put("scale_m", number(ranges.scale()));
+    values.put("offset_m", number(ranges.offsetM()));
+    values.put("clamp_m", number(ranges.clampM()));
+    values.put("step_m", number(ranges.stepM()));
+    values.put("from_share", number(ranges.fromHalves() / 2.0));
+    values.put("report_share", number(ranges.reportHalves() / 2.0));
+    values.put("code_m", number(ranges.codeM()));
+    Placement moved = folded.moved();
+    values.put("at_x_m", number(moved.xM()));
+    values.put("at_z_m", number(moved.zM()));
+    values.put("turned_cos", number(Math.cos(moved.turnRad())));
+    values.put("turned_sin", number(Math.sin(moved.turnRad())));
+    values.put("turned_rad", number(moved.turnRad()));
+    values.put("turn_rad", number(folded.turnRad()));
+    values.put("effects", effects(folded));
+    values.put("diagnosis", filled(DIAGNOSIS, values));
+    values.put("diagnosis_m", filled(DIAGNOSIS_IN_FLOATS, values));
+  }
+
+  /** What a diagnosis found, for the comment. */
+  private String effects(FoldedDiagnosis folded) {
+    String in = folded.folded().isEmpty() ? "none" : String.join(", ", folded.folded());
+    String out = folded.leftOut().isEmpty() ? "none" : String.join(", ", folded.leftOut());
+    return line(" * Of a diagnosis; folded in: " + in + "; only scatter, left out: " + out + ".")
+        + "\n * "
+        + name
+        + "_read_next reads with all of them; what it remembers is in "
+        + name
+        + "_memory.\n *\n";
   }
 
   private void whole(Map<String, String> values) {
@@ -107,7 +197,7 @@ public final class SonarHeader {
   }
 
   /** What the table's file says of itself: a reconstructed one says so here as well. */
-  private String origin() {
+  private static String origin(ObstacleType type) {
     return type.thresholds().header().entrySet().stream()
         .map(entry -> " *   " + line(entry.getKey() + ": " + entry.getValue()))
         .collect(Collectors.joining("\n"));
@@ -118,20 +208,20 @@ public final class SonarHeader {
     return text.replaceAll("[^\\x20-\\x7e]+", " ").replace("*/", "* /").replace("/*", "/ *");
   }
 
-  private static String millimetres(double metres) {
+  static String millimetres(double metres) {
     return String.format(Locale.ROOT, "%.0f", 1000 * metres);
   }
 
-  private static String number(double value) {
+  static String number(double value) {
     String digits = Float.toString((float) value);
     return (digits.contains(".") || digits.contains("E") ? digits : digits + ".0") + "f";
   }
 
-  private static String lines(int[] values) {
+  static String lines(int[] values) {
     return lines(values.length, i -> Integer.toString(values[i]));
   }
 
-  private static String lines(int size, IntFunction<String> value) {
+  static String lines(int size, IntFunction<String> value) {
     return IntStream.rangeClosed(0, (size - 1) / PER_LINE)
         .mapToObj(
             line ->
@@ -141,11 +231,11 @@ public final class SonarHeader {
         .collect(Collectors.joining(",\n"));
   }
 
-  private static String template() {
-    try (InputStream in = Objects.requireNonNull(SonarHeader.class.getResourceAsStream(TEMPLATE))) {
+  private static String template(String name) {
+    try (InputStream in = Objects.requireNonNull(SonarHeader.class.getResourceAsStream(name))) {
       return new String(in.readAllBytes(), StandardCharsets.UTF_8);
     } catch (IOException e) {
-      throw new IllegalStateException(TEMPLATE + " cannot be read from the jar", e);
+      throw new IllegalStateException(name + " cannot be read from the jar", e);
     }
   }
 }

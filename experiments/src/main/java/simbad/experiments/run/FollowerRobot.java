@@ -12,10 +12,11 @@ import simbad.sonar.frame.Pose;
  * A robot of 2 cm radius with a belt at its centre; the controller sees the belt and nothing else.
  */
 public final class FollowerRobot extends Agent {
-  /** Small enough to go where the tables go. */
-  static final float RADIUS_M = 0.02f;
+  /** Small enough to go where the tables go, metres. */
+  public static final float RADIUS_M = 0.02f;
 
-  private static final float HEIGHT_M = 0.3f;
+  /** How high it is, metres. */
+  public static final float HEIGHT_M = 0.3f;
 
   private final RangeSensorBelt belt;
   private final Controller controller;

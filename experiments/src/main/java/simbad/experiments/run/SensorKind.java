@@ -1,5 +1,6 @@
 package simbad.experiments.run;
 
+import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -9,10 +10,14 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import simbad.obstacles.SonarBelt;
 import simbad.sim.RangeSensorBelt;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.SceneFile;
 import simbad.sonar.model.DetectionRule;
 import simbad.sonar.model.NamedSensorModel;
 import simbad.sonar.model.SensorModel;
 import simbad.sonar.predict.FittedModel;
+import simbad.sonar.predict.ModelFile;
+import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.sensing.Sensor;
 
@@ -22,6 +27,8 @@ import simbad.sonar.sensing.Sensor;
 public final class SensorKind {
   /** Number of sonars on the belt; with half angles over 15 degrees their cones look all round. */
   public static final int SONARS = 12;
+
+  private static final String DIAGNOSED = "diagnosed:";
 
   /** Simbad's sensor as the thesis describes it: every obstacle is heard up to 2.5 m. */
   public static final SensorKind ORIGINAL =
@@ -204,13 +211,41 @@ public final class SensorKind {
     return kinds.stream().filter(kind -> kind.word.equals(word)).findFirst();
   }
 
+  /**
+   * Reads a sensor of the command line: a name, or the folder of a diagnosis.
+   *
+   * @param word as {@link #find}, or "diagnosed:" and a folder
+   * @return empty for a word that names no sensor
+   * @throws DataFormatException if a diagnosis' files are missing or wrong
+   */
+  public static Optional<SensorKind> read(String word) throws DataFormatException {
+    if (!word.startsWith(DIAGNOSED)) {
+      return find(word);
+    }
+    Path folder = Path.of(word.substring(DIAGNOSED.length()));
+    SensingSetup setup = SceneFile.read(folder.resolve("scene.json"));
+    Path name = folder.toAbsolutePath().normalize().getFileName();
+    return Optional.of(
+        diagnosed(
+            name == null ? "" : name.toString(),
+            ModelFile.read(folder.resolve("model.json"), setup)));
+  }
+
   /** Returns all names of the command line, separated by commas. */
   public static String words() {
     return all().stream().map(SensorKind::word).collect(Collectors.joining(", "))
-        + ", diagnosed:DIR";
+        + ", "
+        + DIAGNOSED
+        + "DIR";
   }
 
-  RangeSensorBelt belt(SonarSpec spec, RandomGenerator random) {
+  /**
+   * Makes a belt of this sensor, {@value #SONARS} transducers at its centre.
+   *
+   * @param spec figures of the sonar; a fitted model brings its own
+   * @param random source of chance
+   */
+  public RangeSensorBelt belt(SonarSpec spec, RandomGenerator random) {
     return maker.belt(spec, random);
   }
 

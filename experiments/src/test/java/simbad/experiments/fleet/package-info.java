@@ -1,0 +1,5 @@
+/** Tests. */
+@NullMarked
+package simbad.experiments.fleet;
+
+import org.jspecify.annotations.NullMarked;
