@@ -76,8 +76,10 @@ final class SourceCompiler {
       List<String> lines = errors(said);
       lines.forEach(errors);
       String first = lines.isEmpty() ? "" : ", the first: " + lines.get(0);
+      int own = simbads(folder).size();
+      String without = own == 0 ? "" : " with this Simbad in place of its own " + own + " classes";
       throw DataFormatException.inFile(
-          folder, "does not compile: " + lines.size() + " errors" + first);
+          folder, "does not compile" + without + ": " + lines.size() + " errors" + first);
     }
     return memory.bytes();
   }
@@ -96,14 +98,22 @@ final class SourceCompiler {
     return String.join(File.pathSeparator, entries);
   }
 
+  /** Returns the names of the classes among a folder's sources that this Simbad has. */
+  static List<String> simbads(Path folder) throws IOException {
+    return all(folder).stream().map(Source::className).filter(ProgramClasses::isSimbads).toList();
+  }
+
   private static List<Source> sources(Path folder) throws IOException {
+    List<Source> sources = all(folder);
+    sources.removeIf(source -> ProgramClasses.isSimbads(source.className()));
+    return sources;
+  }
+
+  private static List<Source> all(Path folder) throws IOException {
     List<Source> sources = new ArrayList<>();
     try (Stream<Path> files = Files.walk(folder)) {
       for (Path file : files.filter(SourceCompiler::isSource).sorted().toList()) {
-        Source source = new Source(file, text(Files.readAllBytes(file)));
-        if (!ProgramClasses.isSimbads(source.className())) {
-          sources.add(source);
-        }
+        sources.add(new Source(file, text(Files.readAllBytes(file))));
       }
     }
     return sources;
