@@ -8,7 +8,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.jar.Attributes.Name;
 import java.util.jar.JarEntry;
@@ -52,7 +54,7 @@ record ProgramClasses(
       (isOfSources(library) ? sources : compiled).add(library);
     }
     String mainOfJar = "";
-    List<String> own = new ArrayList<>();
+    Set<String> own = new TreeSet<>();
     if (Files.isRegularFile(program)) {
       mainOfJar = readJar(program, found);
     } else if (Files.isDirectory(program)) {
@@ -66,7 +68,7 @@ record ProgramClasses(
     }
     found.keySet().stream().filter(ProgramClasses::isSimbads).forEach(own::add);
     own.forEach(found::remove);
-    return new ProgramClasses(found, places(program, libraries), own, mainOfJar);
+    return new ProgramClasses(found, places(program, libraries), List.copyOf(own), mainOfJar);
   }
 
   /** True for a class that this Simbad has, too. */

@@ -179,7 +179,7 @@ public final class ProgramRun implements StepListener {
         step(simulator, plan.steps());
       } catch (ProgramEnd e) {
         // That was the last step.
-      } catch (RuntimeException | LinkageError e) {
+      } catch (RuntimeException | Error e) {
         throw ProgramException.of("step " + (done(simulator) + 1), e);
       }
     }

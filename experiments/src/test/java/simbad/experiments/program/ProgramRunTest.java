@@ -269,29 +269,64 @@ class ProgramRunTest {
     return file;
   }
 
-  /** Sources that carry a Simbad of their own, with a member that this one has not. */
+  /** Sources that carry a Simbad of their own, with members that this one has not. */
   @Test
-  void editedSources_runWithThisSimbad_orSayWhatIsMissing() throws Exception {
+  void editedSources_runWithThisSimbad_asFarAsItGoes() throws Exception {
     Path program =
         sources(
             "Edits",
             """
             public class Edits {
               public static void main(String[] args) {
-                new Simbad(Driver.world(new Driver()), false);
+                new Simbad(Driver.world(new Driver() {
+                  public void performBehavior() {
+                    super.performBehavior();
+                    if (getCounter() == Integer.parseInt(args.length > 0 ? args[0] : "1000")) {
+                      mine(heading);
+                    }
+                  }
+                }), false);
               }
             }
             """);
     Path own = Files.createDirectories(program.resolve("simbad/sim")).resolve("Agent.java");
-    Files.writeString(own, "package simbad.sim; public class Agent { void mine() {} }");
-    List<String> notes = ProgramFile.read(program, List.of(), errors::add).notes();
-    assertTrue(notes.get(0).contains("1 classes of a Simbad of its own"), notes.toString());
     Files.writeString(
-        program.resolve("More.java"), "class More { void m(Driver d) { d.mine(); } }");
+        own,
+        """
+        package simbad.sim;
+        public class Agent extends SimpleAgent {
+          public double heading;
+          public Agent(javax.vecmath.Vector3d p, String n) { super(p, n); }
+          public void setTranslationalVelocity(double v) {}
+          public void mine(double h) {}
+        }
+        """);
+    ProgramFile file = ProgramFile.read(program, List.of(), errors::add);
+    assertEquals(
+        List.of(
+            "passed over: 1 classes of a Simbad of its own, such as simbad.sim.Agent",
+            "not there: Edits.java:13: simbad.sim.Agent.heading",
+            "not there: Edits.java:13: simbad.sim.Agent.mine(double)"),
+        file.notes());
+    RunPlan.Settings settings = new RunPlan.Settings("", 100, 1, true);
+    assertEquals(100, ProgramRun.run(file.plan(null, List.of(), settings), null).steps());
+    RunPlan asking = file.plan(null, List.of("10"), settings);
+    String message =
+        String.valueOf(
+            assertThrows(ProgramException.class, () -> ProgramRun.run(asking, null)).getMessage());
+    assertTrue(message.startsWith("step 11: java.lang.NoSuchFieldError"), message);
+    assertTrue(message.endsWith(" at Edits.java:13"), message);
+  }
+
+  @Test
+  void editedSources_thatNothingCompiles_areRefused() throws Exception {
+    Path program = sources("Wrong", "public class Wrong { void m(Driver d) { d.mine(); } }\n");
+    Path own = Files.createDirectories(program.resolve("simbad/sim")).resolve("Agent.java");
+    Files.writeString(own, "package simbad.sim; public class Agent {}");
     String message =
         String.valueOf(
             assertThrows(DataFormatException.class, () -> run(program, List.of(), 1)).getMessage());
-    assertTrue(message.contains("in place of its own 1 classes"), message);
-    assertTrue(errors.get(0).contains("More.java:1: cannot find symbol"), errors.toString());
+    assertTrue(message.contains("in place of its own 1 classes: 1 errors"), message);
+    assertTrue(errors.get(0).contains("Wrong.java:7: cannot find symbol"), errors.toString());
   }
 }
