@@ -48,7 +48,12 @@ record RandomProgram(List<Thing> things, boolean physics, int resetEvery, int st
     PLANNER;
 
     private static final List<Kind> ALL = List.of(values());
-    private static final List<Kind> WITHOUT_MOTORS = ALL.subList(0, KHEPERA.ordinal());
+    private static final List<Kind> WITHOUT_MOTORS =
+        ALL.stream().filter(kind -> !kind.drives()).toList();
+
+    boolean drives() {
+      return compareTo(KHEPERA) >= 0;
+    }
   }
 
   /**
@@ -61,7 +66,7 @@ record RandomProgram(List<Thing> things, boolean physics, int resetEvery, int st
    */
   record Thing(Kind kind, double x, double y, double z, long seed) {
     boolean drives() {
-      return kind.compareTo(Kind.KHEPERA) >= 0;
+      return kind.drives();
     }
 
     /** How far it reaches from where it stands, metres, whichever way it is turned. */

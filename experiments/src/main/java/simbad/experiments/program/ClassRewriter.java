@@ -3,6 +3,7 @@ package simbad.experiments.program;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.ClassVisitor;
 import org.objectweb.asm.ClassWriter;
@@ -131,7 +132,7 @@ final class ClassRewriter {
       }
     }
 
-    private String staticStandIn(String owner, String name, String descriptor) {
+    private @Nullable String staticStandIn(String owner, String name, String descriptor) {
       String key = owner + "." + name + descriptor;
       String always = ALWAYS.get(key);
       return always == null && headless ? HEADLESS.get(key) : always;

@@ -181,10 +181,10 @@ class ProgramRunTest {
 
   @Test
   void clockAndChance_followFromTheSeed_inLibrariesToo() throws Exception {
-    Path library = Files.createDirectories(folder.resolve("lib/helper"));
+    Path library = Files.createDirectories(folder.resolve("lib"));
     Path source =
         Files.writeString(
-            library.resolve("Luck.java"),
+            folder.resolve("Luck.java"),
             """
             package helper;
             public class Luck {
@@ -193,7 +193,7 @@ class ProgramRunTest {
               }
             }
             """);
-    assertEquals(0, compile(library.getParent(), source));
+    assertEquals(0, compile(library, source));
     Files.delete(source);
     Path program =
         sources(
@@ -214,7 +214,7 @@ class ProgramRunTest {
               }
             }
             """);
-    List<Path> libraries = List.of(library.getParent());
+    List<Path> libraries = List.of(library);
     String first = run(program, libraries, 1).trace().csv();
     assertEquals(first, run(program, libraries, 1).trace().csv());
     assertNotEquals(first, run(program, libraries, 2).trace().csv());
