@@ -59,7 +59,7 @@ class BenchmarksTest {
 
   @Test
   void benchmarks_areAllThere() {
-    assertEquals(10, names().size(), names()::toString);
+    assertEquals(11, names().size(), names()::toString);
   }
 
   @TestFactory

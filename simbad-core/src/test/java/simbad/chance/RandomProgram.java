@@ -9,16 +9,17 @@ import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
 import javax.vecmath.Vector3f;
 import simbad.gui.Simbatch;
-import simbad.sim.Agent;
-import simbad.sim.BallAgent;
+import simbad.sim.Arch;
+import simbad.sim.BlockWorldObject;
 import simbad.sim.Box;
 import simbad.sim.CherryAgent;
 import simbad.sim.Compatibility;
 import simbad.sim.EnvironmentDescription;
-import simbad.sim.Plan;
-import simbad.sim.RangeSensorBelt;
-import simbad.sim.RobotFactory;
+import simbad.sim.KheperaRobot;
+import simbad.sim.Line;
 import simbad.sim.SimpleAgent;
+import simbad.sim.Simulator;
+import simbad.sim.Wall;
 
 /**
  * A program for Simbad as people write them: a world, robots with sensors and a behaviour, balls,
@@ -34,11 +35,25 @@ record RandomProgram(List<Thing> things, boolean physics, int resetEvery, int st
   enum Kind {
     BOX,
     TRAVERSABLE_BOX,
+    WALL,
+    ARCH,
+    LINE,
+    BALL,
+    CHERRY,
+    KHEPERA,
     WANDERER,
     AVOIDER,
-    PLANNER,
-    BALL,
-    CHERRY
+    SEEKER,
+    WHEELED,
+    PLANNER;
+
+    private static final List<Kind> ALL = List.of(values());
+    private static final List<Kind> WITHOUT_MOTORS =
+        ALL.stream().filter(kind -> !kind.drives()).toList();
+
+    boolean drives() {
+      return compareTo(KHEPERA) >= 0;
+    }
   }
 
   /**
@@ -50,36 +65,56 @@ record RandomProgram(List<Thing> things, boolean physics, int resetEvery, int st
    * @param seed of what else it is: sides, sensors, speeds
    */
   record Thing(Kind kind, double x, double y, double z, long seed) {
-    boolean moves() {
-      return kind != Kind.BOX && kind != Kind.TRAVERSABLE_BOX;
+    boolean drives() {
+      return kind.drives();
+    }
+
+    /** How far it reaches from where it stands, metres, whichever way it is turned. */
+    double reachM() {
+      return switch (kind) {
+        case BOX, TRAVERSABLE_BOX -> 0.36;
+        case WALL -> 0.62;
+        case ARCH -> 2.1;
+        case LINE -> 0;
+        case BALL -> radiusM();
+        case CHERRY -> 0.1;
+        case KHEPERA -> 0.03;
+        default -> 0.3;
+      };
+    }
+
+    /** Radius of a ball, metres. */
+    float radiusM() {
+      return 0.1f + 0.3f * new Random(~seed).nextFloat();
     }
   }
 
   /**
    * What came of a run.
    *
-   * @param poses x, y, z, heading and collision of all agents after each step
+   * @param poses x, y, z, heading, collision and what is known of all agents after each step
    * @param touched the switches that anything depended on
    */
   record Outcome(List<double[]> poses, Set<Compatibility> touched) {}
 
   /** What looks at a run after each step. */
   interface Watcher {
-    void look(int step, List<SimpleAgent> agents);
+    void look(int step, Simulator simulator);
   }
 
   RandomProgram {
     things = List.copyOf(things);
   }
 
-  /** Makes a program by chance. */
+  /** Makes a program by chance: one in five is a crowd, one in five has no motors. */
   static RandomProgram of(long seed) {
     Random random = new Random(seed);
-    boolean physics = random.nextInt(3) == 0;
-    int count = 1 + random.nextInt(9);
+    boolean physics = random.nextInt(2) == 0;
+    int count = 1 + random.nextInt(random.nextInt(5) == 0 ? 40 : 9);
+    List<Kind> kinds = random.nextInt(5) == 0 ? Kind.WITHOUT_MOTORS : Kind.ALL;
     List<Thing> things = new ArrayList<>();
     for (int i = 0; i < count; i++) {
-      Kind kind = Kind.values()[random.nextInt(Kind.values().length)];
+      Kind kind = kinds.get(random.nextInt(kinds.size()));
       double y = random.nextInt(6) == 0 ? random.nextDouble() : 0;
       Thing thing =
           new Thing(
@@ -92,7 +127,8 @@ record RandomProgram(List<Thing> things, boolean physics, int resetEvery, int st
   }
 
   private static boolean near(Thing one, Thing other) {
-    return Math.hypot(one.x - other.x, one.z - other.z) < 1.2;
+    double reachM = one.reachM() + other.reachM() + 0.02;
+    return Math.hypot(one.x - other.x, one.z - other.z) < reachM;
   }
 
   /** Returns the program without one of its things. */
@@ -108,7 +144,7 @@ record RandomProgram(List<Thing> things, boolean physics, int resetEvery, int st
   }
 
   boolean hasMotors() {
-    return things.stream().anyMatch(t -> t.moves() && t.kind != Kind.BALL && t.kind != Kind.CHERRY);
+    return things.stream().anyMatch(Thing::drives);
   }
 
   /** Runs it with some switches. */
@@ -126,24 +162,25 @@ record RandomProgram(List<Thing> things, boolean physics, int resetEvery, int st
         simulation.reset();
       }
       simulation.step();
-      List<SimpleAgent> agents = simulation.getSimulator().getAgentList();
-      poses.add(poses(agents));
-      watcher.look(step, agents);
+      poses.add(poses(simulation.getSimulator().getAgentList()));
+      watcher.look(step, simulation.getSimulator());
     }
     simulation.dispose();
     return new Outcome(poses, environment.touched());
   }
 
   private static double[] poses(List<SimpleAgent> agents) {
-    double[] row = new double[5 * agents.size()];
+    double[] row = new double[6 * agents.size()];
     Point3d at = new Point3d();
     for (int i = 0; i < agents.size(); i++) {
-      agents.get(i).getCoords(at);
-      row[5 * i] = at.x;
-      row[5 * i + 1] = at.y;
-      row[5 * i + 2] = at.z;
-      row[5 * i + 3] = agents.get(i).getHeadingRad();
-      row[5 * i + 4] = agents.get(i).collisionDetected() ? 1 : 0;
+      SimpleAgent agent = agents.get(i);
+      agent.getCoords(at);
+      row[6 * i] = at.x;
+      row[6 * i + 1] = at.y;
+      row[6 * i + 2] = at.z;
+      row[6 * i + 3] = agent.getHeadingRad();
+      row[6 * i + 4] = agent.collisionDetected() ? 1 : 0;
+      row[6 * i + 5] = agent instanceof RandomRobot robot ? robot.known() : 0;
     }
     return row;
   }
@@ -152,72 +189,51 @@ record RandomProgram(List<Thing> things, boolean physics, int resetEvery, int st
     Random random = new Random(thing.seed);
     Vector3d at = new Vector3d(thing.x, thing.y, thing.z);
     switch (thing.kind) {
-      case BOX, TRAVERSABLE_BOX -> {
-        Vector3f sides =
-            new Vector3f(
-                0.1f + 0.4f * random.nextFloat(),
-                0.1f + random.nextFloat(),
-                0.1f + 0.4f * random.nextFloat());
-        Box box = new Box(at, sides, environment);
-        box.setCanBeTraversed(thing.kind == Kind.TRAVERSABLE_BOX);
-        environment.add(box);
-      }
-      case BALL -> environment.add(new BallAgent(at, "ball", 0.1f + 0.3f * random.nextFloat()));
+      case BOX, TRAVERSABLE_BOX, WALL, ARCH, LINE -> addStatic(thing, at, random, environment);
+      case BALL -> environment.add(new RandomBall(at, random, thing.radiusM()));
       case CHERRY -> {
         CherryAgent cherry = new CherryAgent(at, "cherry", 0.1f);
         cherry.setCanBeTraversed(true);
         environment.add(cherry);
       }
-      default -> environment.add(new Robot(thing, at, random));
+      case KHEPERA -> environment.add(new Khepera(at, random));
+      default -> environment.add(new RandomRobot(thing.kind, at, random));
     }
   }
 
-  /** Drives by its sensors, by a plan or by chance. */
-  private static final class Robot extends Agent {
-    private final Kind kind;
-    private final RangeSensorBelt belt;
-    private final Plan plan = new Plan(this);
+  private static void addStatic(
+      Thing thing, Vector3d at, Random random, EnvironmentDescription environment) {
+    BlockWorldObject block =
+        switch (thing.kind) {
+          case WALL -> new Wall(at, 1.2f * random.nextFloat(), random.nextFloat(), environment);
+          case ARCH -> new Arch(at, environment);
+          case LINE -> new Line(at, 3 * random.nextFloat(), environment);
+          default -> new Box(at, sides(random), environment);
+        };
+    block.rotate90(random.nextInt(4));
+    block.setCanBeTraversed(thing.kind == Kind.TRAVERSABLE_BOX || thing.kind == Kind.LINE);
+    environment.add(block);
+  }
+
+  private static Vector3f sides(Random random) {
+    return new Vector3f(
+        0.1f + 0.4f * random.nextFloat(),
+        0.1f + random.nextFloat(),
+        0.1f + 0.4f * random.nextFloat());
+  }
+
+  /** Turns away from what its eyes see. */
+  private static final class Khepera extends KheperaRobot {
     private final double speed;
-    private final double turn;
 
-    Robot(Thing thing, Vector3d at, Random random) {
-      super(at, "robot");
-      kind = thing.kind;
-      belt = RobotFactory.addSonarBeltSensor(this, 1 + random.nextInt(12));
-      belt.setUpdateOnEachFrame(random.nextBoolean());
-      speed = random.nextDouble();
-      turn = random.nextDouble() - 0.5;
-      for (int i = random.nextInt(4); i >= 0; i--) {
-        plan.forward(random.nextDouble(), 0.1 + random.nextDouble());
-        plan.turn(random.nextDouble(), 0.1 + random.nextDouble());
-      }
-      if (random.nextBoolean()) {
-        plan.loop();
-      }
+    Khepera(Vector3d at, Random random) {
+      super(at, "khepera");
+      speed = 0.1 * random.nextDouble();
     }
 
     @Override
-    protected void initBehavior() {
-      plan.reset();
-    }
-
-    @Override
-    protected void performBehavior() {
-      switch (kind) {
-        case PLANNER -> plan.doStep();
-        case AVOIDER -> avoid();
-        default -> drive(speed, turn);
-      }
-    }
-
-    private void avoid() {
-      boolean blocked = collisionDetected() || belt.getFrontQuadrantMeasurement() < 0.6;
-      drive(blocked ? 0.1 : speed, blocked || anOtherAgentIsVeryNear() ? 1 : turn);
-    }
-
-    private void drive(double t, double r) {
-      setTranslationalVelocity(t);
-      setRotationalVelocity(r);
+    public void performBehavior() {
+      setWheelsVelocity(speed, getIRSensors().oneHasHit() ? -speed : 0.9 * speed);
     }
   }
 }

@@ -1,6 +1,7 @@
 package simbad.experiments.program;
 
 import java.awt.event.ActionEvent;
+import java.awt.event.ActionListener;
 import javax.swing.JDesktopPane;
 import org.jspecify.annotations.Nullable;
 import simbad.sim.EnvironmentDescription;
@@ -9,36 +10,42 @@ import simbad.sim.World;
 
 /**
  * Stands in for the main window in a program that runs without one: it has the members of {@link
- * simbad.gui.Simbad} of its own. What a program calls of a window besides does nothing.
+ * simbad.gui.Simbad} of its own.
  */
-public class HeadlessFrame {
+public class HeadlessFrame extends HeadlessWindow implements ActionListener {
+  private static final long serialVersionUID = 1;
+
   private static volatile @Nullable HeadlessFrame instance;
 
-  private final World world;
-  private final Simulator simulator;
+  private final JDesktopPane desktop = new JDesktopPane();
+  private final transient World world;
+  private final transient Simulator simulator;
 
   /**
-   * Makes the world and its agents; steps come when the program's main has ended.
+   * Makes the world and its agents; steps come when the program's main has ended or sleeps.
    *
    * @param environment what the world contains
    * @param backgroundMode of no account
    */
   @SuppressWarnings("ThisEscapedInObjectConstruction") // As the window does.
   public HeadlessFrame(EnvironmentDescription environment, boolean backgroundMode) {
-    world = new World(environment);
-    simulator = new Simulator(null, world, environment);
     instance = this;
-    ProgramRun.opened(simulator);
+    world = new World(environment);
+    simulator = new Simulator(desktop, world, environment);
+    setContentPane(desktop);
+    ProgramRun.started(simulator);
   }
 
   /** Does nothing: there is no menu. */
+  @Override
   public void actionPerformed(ActionEvent event) {
     // Nobody chooses a demo.
   }
 
   /** Returns a desktop that nobody sees. */
+  @Override
   public JDesktopPane getDesktopPane() {
-    return new JDesktopPane();
+    return desktop;
   }
 
   /** Returns what steps the agents. */

@@ -8,10 +8,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.Consumer;
+import java.util.jar.Attributes.Name;
 import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
+import java.util.jar.Manifest;
 import java.util.stream.Stream;
 import java.util.zip.ZipException;
 import org.objectweb.asm.ClassReader;
@@ -23,8 +27,10 @@ import simbad.sonar.format.DataFormatException;
  * @param bytes of the class files by the classes' names, in the order of the names
  * @param places the program's own files, then the libraries
  * @param own the classes of Simbad that came with the program, which this Simbad stands in for
+ * @param mainOfJar the class that a jar says is to be started, empty if none does
  */
-record ProgramClasses(Map<String, byte[]> bytes, List<URL> places, List<String> own) {
+record ProgramClasses(
+    Map<String, byte[]> bytes, List<URL> places, List<String> own, String mainOfJar) {
   private static final String ENDING = ".class";
 
   /**
@@ -47,19 +53,22 @@ record ProgramClasses(Map<String, byte[]> bytes, List<URL> places, List<String> 
       }
       (isOfSources(library) ? sources : compiled).add(library);
     }
+    String mainOfJar = "";
+    Set<String> own = new TreeSet<>();
     if (Files.isRegularFile(program)) {
-      readJar(program, found);
+      mainOfJar = readJar(program, found);
     } else if (Files.isDirectory(program)) {
       readFolder(program, found);
       if (found.isEmpty()) {
+        own.addAll(SourceCompiler.simbads(program));
         found.putAll(SourceCompiler.compile(program, sources, compiled, errors));
       }
     } else {
       throw DataFormatException.inFile(program, "no such jar or folder");
     }
-    List<String> own = found.keySet().stream().filter(ProgramClasses::isSimbads).toList();
+    found.keySet().stream().filter(ProgramClasses::isSimbads).forEach(own::add);
     own.forEach(found::remove);
-    return new ProgramClasses(found, places(program, libraries), own);
+    return new ProgramClasses(found, places(program, libraries), List.copyOf(own), mainOfJar);
   }
 
   /** True for a class that this Simbad has, too. */
@@ -85,12 +94,17 @@ record ProgramClasses(Map<String, byte[]> bytes, List<URL> places, List<String> 
     return places;
   }
 
-  private static void readJar(Path file, Map<String, byte[]> found)
+  /** Returns the class that the jar says is to be started, empty if it does not. */
+  private static String readJar(Path file, Map<String, byte[]> found)
       throws DataFormatException, IOException {
     try (JarFile jar = new JarFile(file.toFile())) {
       for (JarEntry entry : jar.stream().filter(e -> e.getName().endsWith(ENDING)).toList()) {
         found.put(name(entry.getName()), jar.getInputStream(entry).readAllBytes());
       }
+      Manifest manifest = jar.getManifest();
+      String main =
+          manifest == null ? null : manifest.getMainAttributes().getValue(Name.MAIN_CLASS);
+      return main == null ? "" : main.strip();
     } catch (ZipException e) {
       throw DataFormatException.inFile(file, "is no jar");
     }

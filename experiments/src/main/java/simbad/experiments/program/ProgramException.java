@@ -1,5 +1,6 @@
 package simbad.experiments.program;
 
+import java.awt.HeadlessException;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
@@ -19,6 +20,10 @@ public final class ProgramException extends Exception {
             .findFirst()
             .map(frame -> " at " + frame.getFileName() + ":" + frame.getLineNumber())
             .orElse("");
-    return new ProgramException(where + ": " + fault + place, fault);
+    String said =
+        fault instanceof HeadlessException
+            ? "opens what needs a display" + place + "; where there is one, add --window"
+            : fault + place;
+    return new ProgramException(where + ": " + said, fault);
   }
 }

@@ -81,6 +81,9 @@ public final class ProgramFile {
 
   private String only(MainClass found) throws DataFormatException {
     List<String> candidates = found.mains().isEmpty() ? found.environments() : found.mains();
+    if (candidates.contains(classes.mainOfJar())) {
+      return classes.mainOfJar();
+    }
     if (candidates.size() == 1) {
       return candidates.get(0);
     }

@@ -1,17 +1,37 @@
 package simbad.experiments.program;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.net.URL;
 import java.net.URLClassLoader;
+import java.util.Optional;
 
-/** Loads a program's classes anew, rewritten for a run; what it does not have, this program has. */
+/**
+ * Loads a program's classes and those of its libraries anew, rewritten for a run; what they do not
+ * have, this program has.
+ */
 final class ProgramLoader extends URLClassLoader {
   private final ProgramClasses classes;
-  private final boolean headless;
+  private final ClassRewriter rewriter;
 
   ProgramLoader(ProgramClasses classes, boolean headless) {
     super(classes.places().toArray(URL[]::new), ProgramLoader.class.getClassLoader());
     this.classes = classes;
-    this.headless = headless;
+    rewriter = new ClassRewriter(this::bytes, headless);
+  }
+
+  private Optional<byte[]> bytes(String name) {
+    byte[] own = classes.bytes().get(name);
+    URL url = own == null ? findResource(name.replace('.', '/') + ".class") : null;
+    if (url == null) {
+      return Optional.ofNullable(own);
+    }
+    try (InputStream in = url.openStream()) {
+      return Optional.of(in.readAllBytes());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   @Override
@@ -28,11 +48,8 @@ final class ProgramLoader extends URLClassLoader {
 
   @Override
   protected Class<?> findClass(String name) throws ClassNotFoundException {
-    byte[] bytes = classes.bytes().get(name);
-    if (bytes == null) {
-      return super.findClass(name);
-    }
-    byte[] rewritten = ClassRewriter.rewrite(bytes, headless);
+    byte[] bytes = bytes(name).orElseThrow(() -> new ClassNotFoundException(name));
+    byte[] rewritten = rewriter.rewrite(bytes);
     return defineClass(name, rewritten, 0, rewritten.length);
   }
 }

@@ -3,12 +3,13 @@ package simbad.experiments.program;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.InvocationTargetException;
-import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import simbad.sim.Agent;
@@ -23,10 +24,12 @@ import simbad.sim.World;
 
 /**
  * One run of a program without a window. Its main runs first; then whatever worlds it showed in the
- * main window are stepped. A program that steps by itself is ended after the number of steps.
+ * main window, or started, are stepped. A main that sleeps meanwhile gets the steps of that time. A
+ * program that steps by itself is ended after the number of steps.
  */
 public final class ProgramRun implements StepListener {
   private static final long PATIENCE_S = 10;
+  private static final int STEPS_PER_S = 20;
 
   private static volatile @Nullable ProgramRun current;
 
@@ -34,9 +37,12 @@ public final class ProgramRun implements StepListener {
   private final PoseTrace trace = new PoseTrace();
   private final Map<Simulator, Integer> numbers = new LinkedHashMap<>();
   private final Map<Simulator, Long> steps = new LinkedHashMap<>();
-  private final List<Simulator> shown = new ArrayList<>();
+  private final List<Simulator> shown = new CopyOnWriteArrayList<>();
+  private final Set<Simulator> begun = ConcurrentHashMap.newKeySet();
+  private final Set<Simulator> stopped = ConcurrentHashMap.newKeySet();
   private final Set<Compatibility> touched = EnumSet.noneOf(Compatibility.class);
   private final @Nullable Pictures pictures;
+  private volatile @Nullable Thread main;
 
   private ProgramRun(RunPlan plan, @Nullable Pictures pictures) {
     this.plan = plan;
@@ -72,30 +78,63 @@ public final class ProgramRun implements StepListener {
     return run;
   }
 
-  /** A window was asked for: its world is stepped when the program's main has ended. */
-  static void opened(Simulator simulator) {
+  /**
+   * A window was asked for, or the program started a simulation: it is stepped when the program's
+   * main has ended or sleeps.
+   */
+  static void started(Simulator simulator) {
     ProgramRun run = current;
     if (run != null) {
-      run.shown.add(simulator);
+      run.stopped.remove(simulator);
+      if (run.begun.contains(simulator)) {
+        simulator.initBehaviors();
+      } else if (!run.shown.contains(simulator)) {
+        run.shown.add(simulator);
+      }
     }
+  }
+
+  /** The program stopped a simulation: it gets no more steps unless it is started again. */
+  static void stopped(Simulator simulator) {
+    ProgramRun run = current;
+    if (run != null) {
+      run.stopped.add(simulator);
+    }
+  }
+
+  /**
+   * Does the steps of a time for which a program's main sleeps.
+   *
+   * @return false if the thread is not that of a main whose simulation has begun
+   */
+  static boolean stepFor(long millis) {
+    ProgramRun run = current;
+    if (run == null || Thread.currentThread() != run.main || run.shown.isEmpty()) {
+      return false;
+    }
+    long due = (millis * STEPS_PER_S + 999) / 1000;
+    StandIns.setStepping(true);
+    try {
+      for (Simulator simulator : run.shown) {
+        run.step(simulator, Math.min(run.plan.steps(), run.done(simulator) + due));
+      }
+    } finally {
+      StandIns.setStepping(false);
+    }
+    return true;
   }
 
   private void runMain() throws ProgramException {
     ProgramLoader loader = new ProgramLoader(plan.classes(), true);
     Throwable[] fault = new Throwable[1];
-    Thread main =
-        new Thread(
-            () -> {
-              StandIns.setStepping(false);
-              fault[0] = faultOfMain(loader);
-            },
-            "program");
-    main.setDaemon(true);
-    main.setContextClassLoader(loader);
-    main.start();
+    Thread thread = new Thread(() -> fault[0] = faultOfMain(loader), "program");
+    main = thread;
+    thread.setDaemon(true);
+    thread.setContextClassLoader(loader);
+    thread.start();
     try {
-      while (main.isAlive()) {
-        main.join(TimeUnit.SECONDS.toMillis(PATIENCE_S));
+      while (thread.isAlive()) {
+        thread.join(TimeUnit.SECONDS.toMillis(PATIENCE_S));
         if (!shown.isEmpty()) {
           break;
         }
@@ -133,19 +172,28 @@ public final class ProgramRun implements StepListener {
 
   private void stepShown() throws ProgramException {
     StandIns.setStepping(true);
-    for (Simulator simulator : shown) {
+    // A step may open another world.
+    for (int i = 0; i < shown.size(); i++) {
+      Simulator simulator = shown.get(i);
       try {
-        simulator.initBehaviors();
-        while (done(simulator) < plan.steps()) {
-          simulator.simulateOneStep();
-        }
+        step(simulator, plan.steps());
       } catch (ProgramEnd e) {
         // That was the last step.
-      } catch (RuntimeException | LinkageError e) {
+      } catch (RuntimeException | Error e) {
         throw ProgramException.of("step " + (done(simulator) + 1), e);
       }
     }
     StandIns.setStepping(false);
+  }
+
+  /** Steps until so many steps are done, or the program stops it. */
+  private void step(Simulator simulator, long until) {
+    if (begun.add(simulator)) {
+      simulator.initBehaviors();
+    }
+    while (done(simulator) < until && !stopped.contains(simulator)) {
+      simulator.simulateOneStep();
+    }
   }
 
   private long done(Simulator simulator) {
@@ -162,6 +210,7 @@ public final class ProgramRun implements StepListener {
   public void stepped(Simulator simulator) {
     long step = done(simulator) + 1;
     steps.put(simulator, step);
+    StandIns.pass(TimeUnit.SECONDS.toNanos(1) / STEPS_PER_S);
     record(simulator, step);
     note(simulator);
     if (step >= plan.steps()) {

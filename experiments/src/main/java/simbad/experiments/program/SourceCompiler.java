@@ -44,42 +44,66 @@ final class SourceCompiler {
 
   private SourceCompiler() {}
 
+  /** What came of compiling: class files by the classes' names, or errors by file and line. */
+  private record Compiled(Map<String, byte[]> bytes, List<String> errors) {}
+
   /**
-   * Compiles all sources below a folder, less those of classes that this Simbad has.
+   * Compiles all sources below a folder, less those of classes that this Simbad has. Where the rest
+   * needs what its own Simbad has and this one has not, all is compiled.
    *
    * @param folder of the program
    * @param more folders of sources that it needs
    * @param libraries jars and folders of classes that it needs
    * @param errors is told each error, by file and line
-   * @return class files by the classes' names
+   * @return class files by the classes' names, perhaps with classes that this Simbad has
    * @throws DataFormatException with the first error, if they do not compile
    */
   static Map<String, byte[]> compile(
       Path folder, List<Path> more, List<Path> libraries, Consumer<String> errors)
       throws DataFormatException, IOException {
+    List<Source> all = sources(folder);
+    for (Path other : more) {
+      all.addAll(sources(other));
+    }
+    List<Source> without = new ArrayList<>(all);
+    without.removeIf(source -> ProgramClasses.isSimbads(source.className()));
+    if (without.isEmpty()) {
+      throw DataFormatException.inFile(folder, "has neither classes nor Java sources");
+    }
+    Compiled compiled = compile(without, libraries);
+    if (compiled.errors.isEmpty()) {
+      return compiled.bytes;
+    }
+    int own = all.size() - without.size();
+    Compiled withOwn = own == 0 ? compiled : compile(all, libraries);
+    if (withOwn.errors.isEmpty()) {
+      return withOwn.bytes;
+    }
+    compiled.errors.forEach(errors);
+    String instead = own == 0 ? "" : " with this Simbad in place of its own " + own + " classes";
+    throw DataFormatException.inFile(
+        folder,
+        "does not compile"
+            + instead
+            + ": "
+            + compiled.errors.size()
+            + " errors, the first: "
+            + compiled.errors.get(0));
+  }
+
+  private static Compiled compile(List<Source> sources, List<Path> libraries) throws IOException {
     JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
     if (compiler == null) {
       throw new IOException("sources need a JDK; this Java has no compiler");
-    }
-    List<Source> sources = sources(folder);
-    for (Path other : more) {
-      sources.addAll(sources(other));
-    }
-    if (sources.isEmpty()) {
-      throw DataFormatException.inFile(folder, "has neither classes nor Java sources");
     }
     DiagnosticCollector<JavaFileObject> said = new DiagnosticCollector<>();
     Memory memory = new Memory(compiler.getStandardFileManager(said, Locale.ROOT, null));
     List<String> options =
         List.of("-nowarn", "-proc:none", "-g", "-cp", classPath(libraries), "-Xmaxerrs", "1000");
-    if (!compiler.getTask(null, memory, said, options, null, sources).call()) {
-      List<String> lines = errors(said);
-      lines.forEach(errors);
-      String first = lines.isEmpty() ? "" : ", the first: " + lines.get(0);
-      throw DataFormatException.inFile(
-          folder, "does not compile: " + lines.size() + " errors" + first);
-    }
-    return memory.bytes();
+    boolean done = compiler.getTask(null, memory, said, options, null, sources).call();
+    List<String> errors = errors(said);
+    return new Compiled(
+        memory.bytes(), done || !errors.isEmpty() ? errors : List.of("the compiler failed"));
   }
 
   private static String classPath(List<Path> libraries) {
@@ -96,14 +120,19 @@ final class SourceCompiler {
     return String.join(File.pathSeparator, entries);
   }
 
+  /** Returns the names of the classes among a folder's sources that this Simbad has. */
+  static List<String> simbads(Path folder) throws IOException {
+    return sources(folder).stream()
+        .map(Source::className)
+        .filter(ProgramClasses::isSimbads)
+        .toList();
+  }
+
   private static List<Source> sources(Path folder) throws IOException {
     List<Source> sources = new ArrayList<>();
     try (Stream<Path> files = Files.walk(folder)) {
       for (Path file : files.filter(SourceCompiler::isSource).sorted().toList()) {
-        Source source = new Source(file, text(Files.readAllBytes(file)));
-        if (!ProgramClasses.isSimbads(source.className())) {
-          sources.add(source);
-        }
+        sources.add(new Source(file, text(Files.readAllBytes(file))));
       }
     }
     return sources;
