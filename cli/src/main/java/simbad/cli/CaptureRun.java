@@ -25,11 +25,11 @@ import simbad.bench.session.Disturbance;
 import simbad.bench.session.SteadyRanger;
 import simbad.experiments.bench.CaptureFolder;
 import simbad.experiments.bench.SimulatedBench;
-import simbad.figures.bench.LivePage;
-import simbad.figures.bench.LiveState;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
+import simbad.studio.bench.LivePage;
+import simbad.studio.bench.LiveState;
 
 /** A capture from where its journal ends to where it is done or ends for another reason. */
 final class CaptureRun {

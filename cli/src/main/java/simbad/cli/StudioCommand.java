@@ -2,14 +2,18 @@ package simbad.cli;
 
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
 import simbad.experiments.run.SensorKind;
 import simbad.sonar.format.DataFormatException;
 import simbad.studio.Studio;
+import simbad.studio.folders.Folders;
 
 /** {@code simbad studio}. */
 @Command(
@@ -17,6 +21,8 @@ import simbad.studio.Studio;
     description = {
       "Show a robot, its sonars and an obstacle live, on a page in the browser: play, step, scrub"
           + " back, drag the robot or the obstacle, see what each sonar reads and why not.",
+      "With FOLDER also what lies in it: runs, batches, captures and diagnoses, with pictures that"
+          + " answer to the mouse, two beside each other.",
       "It needs no display. More: docs/guide/studio.md."
     },
     footer = {
@@ -24,10 +30,24 @@ import simbad.studio.Studio;
       "The page is for this computer only; its address holds a token. Ctrl-C ends it.",
       "",
       "Example: simbad studio",
+      "Example: simbad studio diagnoses --data data/gap",
       "Example: simbad studio --sensor diagnosed:diagnoses/bench-3 --port 8123"
     })
 final class StudioCommand extends Subcommand {
   private static final int GREATEST_PORT = 65_535;
+
+  @Parameters(
+      arity = "0..1",
+      paramLabel = "FOLDER",
+      description = "Folder with runs, batches, captures and diagnoses, at any depth.")
+  private Optional<Path> folder = Optional.empty();
+
+  @Option(
+      names = "--data",
+      paramLabel = "FOLDER",
+      description =
+          "Where the data sets of diagnoses are looked for besides; may be given several times.")
+  private List<Path> data = new ArrayList<>();
 
   @Option(
       names = "--sensor",
@@ -47,8 +67,13 @@ final class StudioCommand extends Subcommand {
     if (port < 0 || port > GREATEST_PORT) {
       throw wrongUsage("--port: " + port + " is not in [0, " + GREATEST_PORT + "]");
     }
+    if (folder.isEmpty() && !data.isEmpty()) {
+      throw wrongUsage("--data: wants a FOLDER with diagnoses");
+    }
+    Optional<Folders> folders =
+        folder.isPresent() ? Optional.of(Folders.of(folder.get(), data)) : Optional.empty();
     InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
-    try (Studio studio = Studio.open(address, sensors())) {
+    try (Studio studio = Studio.open(address, sensors(), folders)) {
       out().println(studio.url());
       err().println("studio: open this address; Ctrl-C ends it");
       new CountDownLatch(1).await();

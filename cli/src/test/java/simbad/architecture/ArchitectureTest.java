@@ -75,7 +75,7 @@ class ArchitectureTest {
   private static final String FIGURES = "simbad.figures..";
   private static final String STUDIO = "simbad.studio..";
   private static final String CLI = "simbad.cli..";
-  private static final String WEB = "simbad.figures.web..";
+  private static final String WEB = "simbad.studio.web..";
 
   /** Rooms that nothing below them may name: whoever works with values and files needs no page. */
   private static final String[] ABOVE_OBSTACLES = {EXPERIMENTS, FIGURES, STUDIO, CLI};
@@ -112,8 +112,8 @@ class ArchitectureTest {
         "simbad.blindworld, 40",
         "simbad.scattering, 10",
         "simbad.experiments.control, 8",
-        "simbad.figures.web, 5",
-        "simbad.studio, 6",
+        "simbad.studio.web, 5",
+        "simbad.studio, 25",
         "simbad, 160"
       })
   void import_foundTheClasses(String packageAndLeast) {
@@ -265,7 +265,15 @@ class ArchitectureTest {
         .resideInAnyPackage(
             "io.javalin..", "org.eclipse.jetty..", "jakarta..", "kotlin..", "com.sun.net..")
         .check(CLASSES);
-    apart(WEB, EXPERIMENTS, CLI, "simbad.figures.(bench|report|diagnosis)..", "simbad.bench..")
+    apart(
+            WEB,
+            EXPERIMENTS,
+            CLI,
+            FIGURES,
+            "simbad.studio",
+            "simbad.studio.bench..",
+            "simbad.studio.folders..",
+            "simbad.bench..")
         .check(CLASSES);
   }
 

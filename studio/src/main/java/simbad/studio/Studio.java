@@ -2,17 +2,20 @@ package simbad.studio;
 
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import java.io.IOException;
-import java.io.InputStream;
 import java.net.InetSocketAddress;
-import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Supplier;
 import simbad.experiments.run.SensorKind;
-import simbad.figures.web.Content;
-import simbad.figures.web.PagePolicy;
-import simbad.figures.web.WebServer;
 import simbad.sonar.format.DataFormatException;
+import simbad.studio.folders.Folders;
+import simbad.studio.web.Content;
+import simbad.studio.web.Guard;
+import simbad.studio.web.PageFiles;
+import simbad.studio.web.WebServer;
 
 /**
  * The live page on this computer. Who has its address, which holds a token, may ask for worlds;
@@ -20,9 +23,11 @@ import simbad.sonar.format.DataFormatException;
  */
 public final class Studio implements AutoCloseable {
   private final WebServer server;
+  private final String view;
 
-  private Studio(WebServer server) {
+  private Studio(WebServer server, String view) {
     this.server = server;
+    this.view = view;
   }
 
   /**
@@ -30,40 +35,50 @@ public final class Studio implements AutoCloseable {
    *
    * @param address where; port 0 for any that is free
    * @param sensors that can be chosen, the first at the beginning; names distinct
+   * @param folders what is shown besides the live world; empty for nothing
    * @throws IOException if the address is taken or none of this computer's
    * @throws DataFormatException if an obstacle of the user's own cannot be read
    */
-  public static Studio open(InetSocketAddress address, List<SensorKind> sensors)
+  public static Studio open(
+      InetSocketAddress address, List<SensorKind> sensors, Optional<Folders> folders)
       throws IOException, DataFormatException {
-    String page = page();
+    Guard guard = Guard.withToken(address.getAddress());
+    Map<String, Supplier<Content>> answers =
+        PageFiles.of(guard, Map.of("/", "index.html", "/bench", "bench.html"));
     String catalogue = CatalogueJson.of(sensors);
+    answers.put("/catalogue", () -> Content.json(catalogue));
+    answers.put(
+        "/folders", () -> answer("", none -> folders.isPresent() ? folders.get().list() : "{}"));
     Worlds worlds = new Worlds(sensors);
+    Map<String, Function<String, Content>> questions = new HashMap<>();
+    questions.put("/frames", question -> answer(question, worlds::frames));
+    folders.ifPresent(
+        shown -> {
+          questions.put("/folder", question -> answer(question, shown::open));
+          questions.put("/capture", question -> answer(question, shown::capture));
+        });
     return new Studio(
-        WebServer.openWithToken(
-            address,
-            PagePolicy.of(page),
-            Map.of("/", () -> Content.html(page), "/catalogue", () -> Content.json(catalogue)),
-            Map.of("/frames", question -> answer(worlds, question))));
+        WebServer.open(address, guard, answers, questions), folders.isPresent() ? "#folders" : "");
   }
 
-  private static Content answer(Worlds worlds, String question) {
+  /** What is answered to a question. */
+  @FunctionalInterface
+  private interface Answering {
+    String to(String question) throws DataFormatException;
+  }
+
+  private static Content answer(String question, Answering answering) {
     try {
-      return Content.json(worlds.frames(question));
+      return Content.json(answering.to(question));
     } catch (DataFormatException e) {
       String fault = String.valueOf(e.getMessage());
       return Content.json(JsonNodeFactory.instance.objectNode().put("fault", fault).toString());
     }
   }
 
-  private static String page() throws IOException {
-    try (InputStream in = Objects.requireNonNull(Studio.class.getResourceAsStream("studio.html"))) {
-      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-    }
-  }
-
-  /** Returns the page's address with its token. */
+  /** Returns the page's address with its token; with a folder it opens that first. */
   public String url() {
-    return server.url();
+    return server.url() + view;
   }
 
   /** Ends the page; a question that is being answered ends unanswered. */

@@ -2,12 +2,14 @@ package simbad.studio;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.deque.html.axecore.selenium.AxeBuilder;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.BufferedReader;
 import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
@@ -19,6 +21,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionStage;
@@ -28,7 +31,7 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** Somebody with mouse and keyboard before a page in headless Chromium (DevTools protocol). */
-final class Visitor implements AutoCloseable {
+public final class Visitor implements AutoCloseable {
   private static final ObjectMapper MAPPER = new ObjectMapper();
   private static final String LISTENING = "DevTools listening on ";
   private static final long PATIENCE_S = 60;
@@ -52,11 +55,11 @@ final class Visitor implements AutoCloseable {
     this.answers = answers;
   }
 
-  static boolean isThere() {
+  public static boolean isThere() {
     return CHROMIUM.isPresent();
   }
 
-  static Visitor at(String page, Path folder) throws Exception {
+  public static Visitor at(String page, Path folder) throws Exception {
     List<String> command =
         List.of(
             CHROMIUM.orElseThrow().toString(),
@@ -141,7 +144,7 @@ final class Visitor implements AutoCloseable {
   }
 
   /** The window's size in pixels, and the theme. */
-  void resize(int width, int height, boolean dark) throws Exception {
+  public void resize(int width, int height, boolean dark) throws Exception {
     ask(
         "Emulation.setDeviceMetricsOverride",
         "{\"width\":%d,\"height\":%d,\"deviceScaleFactor\":1,\"mobile\":false}"
@@ -153,7 +156,7 @@ final class Visitor implements AutoCloseable {
   }
 
   /** Presses and lets go a key: a character, or an arrow with Windows' number of it. */
-  void press(String key, int code) throws Exception {
+  public void press(String key, int code) throws Exception {
     String text = key.length() == 1 ? ",\"text\":\"" + key + "\"" : "";
     String rest = "\"key\":\"%s\",\"windowsVirtualKeyCode\":%d%s}".formatted(key, code, text);
     ask("Input.dispatchKeyEvent", "{\"type\":\"keyDown\"," + rest);
@@ -161,7 +164,7 @@ final class Visitor implements AutoCloseable {
   }
 
   /** Clicks the middle of what a selector finds. */
-  void click(String selector) throws Exception {
+  public void click(String selector) throws Exception {
     look("document.querySelector('" + selector + "').scrollIntoView({block: 'center'})");
     JsonNode at =
         MAPPER.readTree(
@@ -174,7 +177,7 @@ final class Visitor implements AutoCloseable {
   }
 
   /** Presses at a place of the window, goes some pixels, lets go. */
-  void drag(double x, double y, double byX, double byY) throws Exception {
+  public void drag(double x, double y, double byX, double byY) throws Exception {
     mouse("mouseMoved", x, y);
     mouse("mousePressed", x, y);
     if (byX != 0 || byY != 0) {
@@ -184,7 +187,7 @@ final class Visitor implements AutoCloseable {
     mouse("mouseReleased", x + byX, y + byY);
   }
 
-  void mouse(String type, double x, double y) throws Exception {
+  public void mouse(String type, double x, double y) throws Exception {
     String button = type.equals("mouseMoved") ? "none" : "left";
     ask(
         "Input.dispatchMouseEvent",
@@ -193,7 +196,7 @@ final class Visitor implements AutoCloseable {
   }
 
   /** What an expression is on the page, as text; a promise is awaited. */
-  String look(String expression) throws Exception {
+  public String look(String expression) throws Exception {
     ObjectNode parameters =
         MAPPER
             .createObjectNode()
@@ -204,7 +207,7 @@ final class Visitor implements AutoCloseable {
   }
 
   /** Waits until an expression is true; what it never became is said. */
-  void await(String expression) throws Exception {
+  public void await(String expression) throws Exception {
     long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
     while (!look(expression).equals("true")) {
       assertTrue(System.nanoTime() < end, "in vain: " + expression);
@@ -212,7 +215,18 @@ final class Visitor implements AutoCloseable {
     }
   }
 
-  byte[] picture() throws Exception {
+  /** What axe-core, an accessibility checker, finds wrong. */
+  public String violations() throws Exception {
+    try (InputStream in =
+        Objects.requireNonNull(AxeBuilder.class.getResourceAsStream("/axe.min.js"))) {
+      look(new String(in.readAllBytes(), StandardCharsets.UTF_8) + ";1");
+    }
+    return look(
+        "axe.run().then(r => JSON.stringify(r.violations.map(v => v.id + ' ' + v.nodes.map(n => n.html))))");
+  }
+
+  /** The window as a picture in PNG. */
+  public byte[] picture() throws Exception {
     return Base64.getDecoder().decode(ask("Page.captureScreenshot", "{}").path("data").asText());
   }
 

@@ -14,7 +14,7 @@ import java.util.OptionalDouble;
  * @param before under the simulator as it is
  * @param after under the diagnosed model
  */
-record RowFinding(
+public record RowFinding(
     int obstacle,
     double bearingDeg,
     OptionalDouble distanceM,
@@ -32,5 +32,5 @@ record RowFinding(
    * @param residualCm the reading less the median of the expected echoes, centimetres; empty where
    *     no echo was read or none expected
    */
-  record Fit(double gapCm, double pit, OptionalDouble residualCm) {}
+  public record Fit(double gapCm, double pit, OptionalDouble residualCm) {}
 }

@@ -18,7 +18,7 @@ import simbad.sonar.sensing.Reading;
 import simbad.sonar.sensing.ReadingRow;
 
 /** All rows of a data set before and after, for the figures; in the order of the log. */
-final class RowSurvey {
+public final class RowSurvey {
   private static final double CM = 100;
 
   /** Half of the finest step that recordings are rounded to. */
@@ -36,7 +36,8 @@ final class RowSurvey {
    * @param changes of the diagnosed model
    * @param random breaks ties between readings of one probability
    */
-  static List<RowFinding> of(DataSet data, List<? extends Change> changes, RandomGenerator random) {
+  public static List<RowFinding> of(
+      DataSet data, List<? extends Change> changes, RandomGenerator random) {
     PingLog log = new PingLog(data.readings());
     DiagnosedModel nominal = new DiagnosedModel(data.setup(), List.of());
     DiagnosedModel diagnosed = new DiagnosedModel(data.setup(), changes);

@@ -23,7 +23,7 @@ final class Cuts {
   private Cuts(Geometry geometry) {
     this.geometry = geometry;
     log = geometry.log();
-    obstacle = IntStream.range(0, log.size()).map(this::nearest).toArray();
+    obstacle = IntStream.range(0, log.size()).map(ping -> nearest(geometry, ping)).toArray();
   }
 
   /** Returns all cuts: by one variable first, the names before the numbers, then by two. */
@@ -31,7 +31,8 @@ final class Cuts {
     return new Cuts(geometry).all();
   }
 
-  private int nearest(int ping) {
+  /** The obstacle that a ping belongs to. */
+  static int nearest(Geometry geometry, int ping) {
     int best = 0;
     for (int other = 1; other < geometry.obstacles(); other++) {
       int here = ping * geometry.obstacles() + best;

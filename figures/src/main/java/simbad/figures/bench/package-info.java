@@ -1,5 +1,0 @@
-/** The page that shows a sweep while it goes on. */
-@NullMarked
-package simbad.figures.bench;
-
-import org.jspecify.annotations.NullMarked;

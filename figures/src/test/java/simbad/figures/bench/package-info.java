@@ -1,5 +1,0 @@
-/** Tests. */
-@NullMarked
-package simbad.figures.bench;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,4 +1,0 @@
-@NullMarked
-package simbad.figures.web;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,191 @@
+package simbad.studio.folders;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import simbad.bench.capture.CapturedReadings;
+import simbad.experiments.bench.CaptureFolder;
+import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.JsonInput;
+import simbad.studio.bench.LiveState;
+
+/**
+ * What the page may ask of a folder: what is in it, and what each of these holds. Answers are JSON
+ * texts. Safe for use by several threads, which wait for each other.
+ */
+public final class Folders {
+  private static final Path NAME = Path.of("question");
+
+  /** Forecasts of many rows take seconds: two that are compared, and those before. */
+  private static final int KEPT = 4;
+
+  private final Shelf shelf;
+  private final DataSets sets;
+  private final Map<String, String> known = new LinkedHashMap<>(16, 0.75f, true);
+
+  private Folders(Shelf shelf, DataSets sets) {
+    this.shelf = shelf;
+    this.sets = sets;
+  }
+
+  /**
+   * Opens a folder.
+   *
+   * @param folder what is shown
+   * @param data where data sets of diagnoses are looked for besides
+   * @throws DataFormatException if one is no folder
+   */
+  public static Folders of(Path folder, List<Path> data) throws DataFormatException {
+    Shelf shelf = Shelf.of(folder);
+    List<Shelf> shelves = new ArrayList<>(List.of(shelf));
+    for (Path other : data) {
+      shelves.add(Shelf.of(other));
+    }
+    return new Folders(shelf, new DataSets(shelves));
+  }
+
+  /**
+   * Lists what there is, by name and kind, with what it is about in a few words.
+   *
+   * @throws DataFormatException if the folder cannot be read
+   */
+  public String list() throws DataFormatException {
+    ObjectNode root = JsonText.MAPPER.createObjectNode();
+    root.put("folder", String.valueOf(shelf.root().getFileName()));
+    ArrayNode list = root.putArray("folders");
+    try {
+      List<Path> found = shelf.find(folder -> Kind.of(folder).isPresent());
+      root.put("more", found.size() >= Shelf.MOST);
+      for (Path folder : found) {
+        Kind kind = Kind.of(folder).orElseThrow();
+        ObjectNode node = list.addObject();
+        node.put("path", shelf.name(folder)).put("kind", kind.word());
+        node.put("about", about(folder, kind));
+      }
+    } catch (IOException e) {
+      throw DataFormatException.inFile(shelf.root(), "cannot be read: " + e.getMessage());
+    }
+    return root.toString();
+  }
+
+  /** A file that is broken is said when its folder is opened. */
+  private static String about(Path folder, Kind kind) {
+    try {
+      return switch (kind) {
+        case RUN -> run(JsonText.read(Shelf.file(folder, "errors.json")));
+        case SENSING, MOTION -> verdict(JsonText.read(Shelf.file(folder, "diagnosis.json")));
+        case BATCH ->
+            JsonText.read(Shelf.file(folder, "batch.json")).path("runs").asText() + " runs";
+        case CAPTURE -> "";
+      };
+    } catch (DataFormatException e) {
+      return "cannot be read";
+    }
+  }
+
+  private static String run(JsonNode errors) {
+    Set<String> obstacles = new LinkedHashSet<>();
+    Set<String> sensors = new LinkedHashSet<>();
+    for (JsonNode result : errors.path("results")) {
+      obstacles.add(result.path("obstacle").asText());
+      sensors.add(result.path("sensor").asText());
+    }
+    return String.join(", ", obstacles) + " · " + String.join(", ", sensors);
+  }
+
+  private static String verdict(JsonNode diagnosis) {
+    List<String> names = new ArrayList<>();
+    diagnosis.path("explanation").forEach(name -> names.add(name.asText()));
+    String verdict = diagnosis.path("verdict").asText("audited only");
+    return names.isEmpty() ? verdict : verdict + ": " + String.join(", ", names);
+  }
+
+  /**
+   * Opens one of them.
+   *
+   * @param question JSON with its path
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public synchronized String open(String question) throws DataFormatException {
+    String name = path(question);
+    Path folder = shelf.folder(name);
+    String key = name + "@" + stamp(folder);
+    String before = known.get(key);
+    if (before != null) {
+      return before;
+    }
+    ObjectNode root = read(name, folder);
+    String text = root.toString();
+    if (root.has("rows")) {
+      keep(key, text);
+    }
+    return text;
+  }
+
+  private void keep(String key, String text) {
+    known.put(key, text);
+    if (known.size() > KEPT) {
+      known.remove(known.keySet().iterator().next());
+    }
+  }
+
+  /** A folder is replaced as a whole when it is made anew. */
+  private static String stamp(Path folder) throws DataFormatException {
+    try {
+      return Files.getLastModifiedTime(folder).toString();
+    } catch (IOException e) {
+      throw DataFormatException.inFile(folder, "cannot be read: " + e.getMessage());
+    }
+  }
+
+  private ObjectNode read(String name, Path folder) throws DataFormatException {
+    Kind kind =
+        Kind.of(folder)
+            .orElseThrow(
+                () ->
+                    DataFormatException.inArgument(
+                        "path", "'" + name + "' is no run, batch, capture or diagnosis"));
+    ObjectNode root = JsonText.MAPPER.createObjectNode();
+    root.put("path", name).put("kind", kind.word());
+    switch (kind) {
+      case RUN -> RunView.add(folder, root);
+      case BATCH -> BatchView.add(folder, root);
+      case SENSING -> SensingView.add(folder, sets, root);
+      case MOTION -> root.set("diagnosis", JsonText.read(Shelf.file(folder, "diagnosis.json")));
+      case CAPTURE -> root.put("live", true);
+    }
+    return root;
+  }
+
+  /**
+   * Returns how far a capture is, as the page of a capture has it: as of its journal now.
+   *
+   * @param question JSON with its path
+   * @throws DataFormatException if there is no such capture, or its journal is damaged
+   */
+  public String capture(String question) throws DataFormatException {
+    Path folder = shelf.folder(path(question));
+    Shelf.file(folder, "journal.txt");
+    CapturedReadings readings = new CaptureFolder(folder).read();
+    LiveState state =
+        new LiveState(
+            readings.settings().of("obstacle"),
+            readings.settings().plan(),
+            readings.settings().ranging());
+    state.show(readings.state());
+    return state.json();
+  }
+
+  private static String path(String question) throws DataFormatException {
+    return JsonInput.parse(NAME, question).text("path");
+  }
+}

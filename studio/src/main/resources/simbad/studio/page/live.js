@@ -1,0 +1,79 @@
+// The live world's page: begins, and goes on with every frame of the screen.
+import { $, ask, fault, still } from './kit.js';
+import { pointer } from './hands.js';
+import { draw, isTiny, readColours, view } from './plan.js';
+import './scene-files.js';
+import { active, change, endStep, fetchAhead, FIRST, frameOf, isOriginal, live, most, setPlaying, worlds } from './state.js';
+import { fields, rows } from './words.js';
+
+let begun = false;
+// Begins when it is first looked at.
+export function wake() {
+  live.dirty = true;
+  if (begun) return;
+  begun = true;
+  begin();
+  requestAnimationFrame(tick);
+}
+function tick(time) {
+  const passed = Math.min(0.1, (time - live.before) / 1000);
+  live.before = time;
+  if (live.catalogue && !$('live').hidden) {
+    if (live.playing && !live.held) {
+      live.now = Math.min(most(), endStep(), live.now + passed / live.catalogue.step_s * Number($('speed').value));
+      if (live.now >= endStep()) setPlaying(false);
+      live.dirty = true;
+    }
+    if (live.wish > live.now) { live.now = Math.min(most(), live.wish); live.dirty = true; }
+    active().forEach(fetchAhead);
+    if (live.dirty) show();
+  }
+  requestAnimationFrame(tick);
+}
+function show() {
+  live.dirty = false;
+  active().forEach((world, i) => {
+    draw(i);
+    const frame = frameOf(world), n = live.catalogue.sonars;
+    const heard = frame ? frame.slice(FIRST, FIRST + n).filter(r => r >= 0).length : 0;
+    $('name' + i).textContent = world.sensor;
+    const more = document.createElement('span');
+    more.textContent = frame ? ' \u00b7 ' + heard + ' of ' + n + ' hear' : ' \u00b7 waiting';
+    $('name' + i).append(more);
+  });
+  rows();
+  $('scrub').max = endStep();
+  $('scrub').value = Math.max(live.wish, Math.floor(live.now));
+  $('ringed').hidden = !isTiny(view($('plan0'), frameOf(worlds[0])));
+  $('limit').hidden = !active().some(isOriginal);
+  const seconds = (Math.floor(live.now) * live.catalogue.step_s).toFixed(2) + ' s';
+  $('scrub').setAttribute('aria-valuetext', seconds);
+  $('clock').textContent = seconds + ' \u00b7 step ' + Math.floor(live.now);
+}
+function choose(id, names, first) {
+  $(id).replaceChildren(...names.map(name => new Option(name || first, name)));
+}
+async function begin() {
+  readColours();
+  try { live.catalogue = await ask('/catalogue'); } catch (e) { fault('NOT LIVE: ' + e.message); return; }
+  const sensors = live.catalogue.sensors.map(s => s.name);
+  choose('obstacle', live.catalogue.obstacles.map(o => o.name));
+  choose('sensor0', sensors);
+  choose('sensor1', ['', ...sensors], 'nothing');
+  live.scene.obstacle = live.catalogue.obstacles.some(o => o.name === 'angle') ? 'angle' : live.catalogue.obstacles[0].name;
+  live.scene.sensor = sensors[0];
+  for (let i = 0; i < live.catalogue.sonars; i++) {
+    const row = $('rows').insertRow(), to = 360 * i / live.catalogue.sonars;
+    row.insertCell().textContent = to === 0 ? 'ahead' : to === 180 ? 'behind' : to < 180 ? 'left ' + to + '\u00b0' : 'right ' + (360 - to) + '\u00b0';
+    row.insertCell(); row.insertCell();
+    row.cells[0].className = row.cells[1].className = 'r';
+    row.addEventListener('pointerenter', () => { live.chosen = i; live.dirty = true; });
+    row.addEventListener('pointerleave', () => { live.chosen = -1; live.dirty = true; });
+  }
+  fields();
+  change(0);
+  pointer(0); pointer(1);
+  setPlaying(!still);
+}
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', readColours);
+new ResizeObserver(() => { live.dirty = true; }).observe($('views'));

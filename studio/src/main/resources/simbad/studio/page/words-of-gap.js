@@ -1,0 +1,57 @@
+// A diagnosis in words and bars, alone or beside another.
+import { el, number, table } from './kit.js';
+
+export const percent = share => share === null || share === undefined ? '\u2013' : share > 0.995 && share < 1 ? '> 99 %' : share > 0 && share < 0.005 ? '< 1 %' : number(100 * share, 0) + ' %';
+const UNITS = [['_m_s', ' m/s'], ['_deg_s', ' \u00b0/s'], ['_per_m', ' 1/m'], ['_deg', '\u00b0'], ['_cm', ' cm'], ['_db', ' dB'], ['_m', ' m'], ['_s', ' s']];
+export function unit(name) { const found = UNITS.find(([end]) => name.endsWith(end)); return found ? found[1] : ''; }
+export function place(slice) {
+  const names = { bearing_deg: 'bearing', distance_m: 'distance', off_axis_deg: 'off-axis angle', t_s: 'time', speed_m_s: 'speed' };
+  const all = Object.entries(slice).map(([key, value]) => (names[key] || key) + ' ' + (typeof value === 'string' ? value
+    : value[0] === null ? 'below ' + value[1] + unit(key) : value[1] === null ? 'from ' + value[0] + unit(key) : value[0] + ' to ' + value[1] + unit(key)));
+  return all.join(', ') || 'everywhere';
+}
+// A bar of its share of the largest; the words beside it say the same.
+export function bar(name, share, text, style) {
+  const fill = el('span', { class: 'fill ' + style });
+  fill.style.width = 100 * Math.max(0, Math.min(1, share)) + '%';
+  return [el('span', {}, name), el('span', { class: 'track' }, fill), el('span', { class: 'value' }, text)];
+}
+export function verdict(diagnosis) {
+  const named = (diagnosis.explanation || []).join(', ');
+  const said = el('section', {}, el('p', { class: 'verdict' }, el('strong', {}, diagnosis.verdict || 'audited only'), named ? ': ' + named : ''),
+    diagnosis.headline ? el('p', {}, diagnosis.headline) : null, diagnosis.reason ? el('p', {}, diagnosis.reason + '.') : null);
+  for (const finding of diagnosis.audit || []) said.append(el('p', { class: 'note' }, 'Audit, ' + finding.severity + ': ' + finding.what));
+  return said;
+}
+export function gapBars(gap, most) {
+  const scale = most || Math.max(gap.before_cm, gap.after_cm, gap.floor_cm);
+  const shrink = gap.shrink_ci95 || [null, null];
+  return el('section', {}, el('h3', {}, 'Gap on rows that the fit never saw, cm'), el('div', { class: 'bars' },
+    bar('before', gap.before_cm / scale, number(gap.before_cm, 2), 'before'), bar('after', gap.after_cm / scale, number(gap.after_cm, 2), 'after'), bar('floor', gap.floor_cm / scale, number(gap.floor_cm, 2), 'floor')),
+  el('p', { class: 'note' }, 'It shrinks by ' + percent(gap.shrink) + ' (95 % interval ' + percent(shrink[0]) + ' to ' + percent(shrink[1]) + '), of ' + gap.rows_held_out + ' rows.'));
+}
+export function budget(entries) {
+  const all = entries.reduce((sum, one) => sum + Math.max(0, one.cm), 0);
+  if (!(all > 0)) return null;
+  const style = (one, i) => one.what === 'rest' ? 'unknown' : one.what === 'floor' ? 'floor' : 'effect' + Math.min(2, i);
+  const name = one => one.what === 'rest' ? 'not explained' : one.what === 'floor' ? 'scatter (floor)' : one.what;
+  const part = (one, i) => { const made = el('span', { class: 'fill ' + style(one, i) }); made.style.flexGrow = Math.max(0, one.cm) / all; return made; };
+  return el('section', {}, el('h3', {}, 'What the gap before is made of, cm'), el('div', { class: 'budget', 'aria-hidden': 'true' }, entries.map(part)),
+    el('ul', { class: 'legend' }, entries.map((one, i) => el('li', {}, el('i', { class: 'block ' + style(one, i) }), name(one) + ' ' + number(one.cm, 2) + ' (' + number(one.ci95[0], 2) + ' to ' + number(one.ci95[1], 2) + ')'))));
+}
+const LEAST = 0.01, MOST_VALUES = 6;
+export function effects(diagnosis, other) {
+  const of = (source, name) => source && (source.effects || []).find(one => one.name === name);
+  const names = [...new Set([diagnosis, other].filter(Boolean).flatMap(one => (one.effects || []).filter(e => e.probability >= LEAST || (one.explanation || []).includes(e.name)).map(e => e.name)))];
+  const values = effect => {
+    const all = effect ? Object.entries(effect.parameters || {}) : [];
+    return !effect ? '\u2013' : all.length > MOST_VALUES ? all.length + ' values: the curve below' : all.map(([key, value]) => {
+    const ends = (effect.ci95 || {})[key] || [null, null];
+    return key + ' ' + (value === null ? 'no bound' : Number(value.toPrecision(3))) + unit(key) + (ends[0] === null ? '' : ' (' + Number(ends[0].toPrecision(3)) + ' to ' + Number(ends[1].toPrecision(3)) + ')');
+    }).join('; ');
+  };
+  const heads = other ? ['effect', '#this one', 'values', '#the other', 'values'] : ['effect', '#probability', 'values, with 95 % intervals', 'what to do'];
+  const rows = names.map(name => { const a = of(diagnosis, name), b = of(other, name); return other ? [name, percent(a && a.probability), values(a), percent(b && b.probability), values(b)] : [name, percent(a.probability), values(a), a.remedy || '']; });
+  const unknown = other ? ['something else', percent(diagnosis.unknown_probability), '', percent(other.unknown_probability), ''] : ['something else', percent(diagnosis.unknown_probability), '', ''];
+  return el('section', {}, el('h3', {}, 'Effects at work'), table('Effects at work', heads, [...rows, unknown]));
+}

@@ -1,0 +1,106 @@
+package simbad.studio.bench;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import simbad.bench.capture.Approach;
+import simbad.bench.capture.Entry;
+import simbad.bench.capture.Probe;
+import simbad.bench.capture.Ranging;
+import simbad.bench.capture.SweepPlan;
+import simbad.bench.capture.SweepState;
+import simbad.bench.protocol.FirmwareMode;
+import simbad.bench.protocol.FrameLine;
+import simbad.bench.protocol.PingStatus;
+import simbad.studio.Visitor;
+
+/** The page of a sweep in headless Chromium, served as in a capture. */
+@Timeout(180)
+class LivePageInBrowserTest {
+  private static final String PLOT =
+      "JSON.stringify(document.getElementById('plot').getBoundingClientRect())";
+  private static final String SHOWN = "document.getElementById('reading').textContent";
+
+  /** What sticks out of its box, and whether the page is wider than the window. */
+  private static final String CUT =
+      """
+      [...document.querySelectorAll('div, h1')].filter(e => e.scrollWidth > e.clientWidth)
+        .map(e => e.id + ' ' + e.textContent).join('; ')
+        + (document.documentElement.scrollWidth > innerWidth ? ' wide' : '')""";
+
+  @TempDir
+  @SuppressWarnings("NullAway.Init")
+  private Path folder;
+
+  private final SweepPlan plan = SweepPlan.ofBearings(72);
+  private final SweepState sweep = new SweepState();
+  private final LiveState live =
+      new LiveState("angle-25mm", plan, new Ranging(20, FirmwareMode.FRAME));
+  private int pings;
+
+  private void take(PingStatus status, double distanceM) {
+    int echoUs = (int) Math.round(distanceM * 5828);
+    OptionalInt echo = status == PingStatus.ECHO ? OptionalInt.of(echoUs) : OptionalInt.empty();
+    Probe probe = new Probe(distanceM, Approach.OUT);
+    Entry.Taken taken =
+        new Entry.Taken(pings++, 0, probe, pings, status, echo, OptionalDouble.empty());
+    sweep.take(taken);
+    live.take(taken, sweep);
+    live.read(new FrameLine.Ping(pings, status, echo, 70));
+  }
+
+  private Visitor watcher(LivePage page) throws Exception {
+    assumeTrue(Visitor.isThere(), "no Chromium on this machine: the page is not looked at");
+    return Visitor.at(page.url(), folder);
+  }
+
+  private static LivePage open(LiveState live) throws Exception {
+    return LivePage.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), live);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1280, 800", "390, 844", "1920, 1080", "844, 390"})
+  void lostEcho_movesNothing_andIsNotCutOff(int width, int height) throws Exception {
+    try (LivePage page = open(live);
+        Visitor watcher = watcher(page)) {
+      watcher.resize(width, height, width < 900);
+      List<String> places = new ArrayList<>();
+      for (PingStatus status : PingStatus.values()) {
+        for (int i = 0; i < plan.pings(); i++) {
+          take(status, 2.95);
+        }
+        String shown = status == PingStatus.ECHO ? "295.0" : status.word();
+        watcher.await(SHOWN + " === '" + shown + "'");
+        assertEquals("", watcher.look(CUT), status.word());
+        places.add(watcher.look(PLOT));
+      }
+      assertEquals(1, places.stream().distinct().count(), () -> String.join("\n", places));
+    }
+  }
+
+  /** Nobody polls a server that is gone for nothing: the page says so, and in time. */
+  @Test
+  void endOfTheCapture_isSaid() throws Exception {
+    LivePage page = open(live);
+    take(PingStatus.ECHO, 1);
+    try (Visitor watcher = watcher(page)) {
+      watcher.await(SHOWN + " === '100.0'");
+      page.close();
+      watcher.await("document.getElementById('state').textContent.startsWith('NOT LIVE')");
+    } finally {
+      page.close();
+    }
+  }
+}

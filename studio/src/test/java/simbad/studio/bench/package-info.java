@@ -1,0 +1,5 @@
+/** Tests. */
+@NullMarked
+package simbad.studio.bench;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,200 @@
+package simbad.studio.folders;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import simbad.experiments.run.SensorKind;
+import simbad.studio.Studio;
+import simbad.studio.Visitor;
+
+/** A person who looks through a folder: clicks, points, moves sliders, types. */
+@Timeout(300)
+class FoldersInBrowserTest {
+  /** Keeps what is saved where a step can look at it. */
+  private static final String KEEP_WHAT_IS_SAVED =
+      "window.saved = []; URL.createObjectURL = blob => { blob.text().then(text => saved.push(text)); return '#' + location.hash.slice(1); }; 1";
+
+  @TempDir
+  @SuppressWarnings("NullAway.Init")
+  private static Path folder;
+
+  @SuppressWarnings("NullAway.Init")
+  private static Studio studio;
+
+  @SuppressWarnings("NullAway.Init")
+  private Visitor visitor;
+
+  @BeforeAll
+  static void open() throws Exception {
+    assumeTrue(Visitor.isThere(), "Chromium is not installed");
+    Samples.write(folder.resolve("shown"));
+    studio =
+        Studio.open(
+            new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+            List.of(SensorKind.SHADOW),
+            Optional.of(Folders.of(folder.resolve("shown"), List.of())));
+  }
+
+  @AfterAll
+  static void close() {
+    if (studio != null) {
+      studio.close();
+    }
+  }
+
+  @BeforeEach
+  void look(@TempDir Path own) throws Exception {
+    visitor = Visitor.at(studio.url(), own);
+    visitor.resize(1280, 900, false);
+    visitor.await("document.querySelectorAll('#folders tbody tr').length === 8");
+  }
+
+  @AfterEach
+  void leave() {
+    visitor.close();
+  }
+
+  private void show(String hash, String until) throws Exception {
+    visitor.look("location.hash = '" + hash + "'");
+    visitor.await(until);
+  }
+
+  /** Nothing sticks out at any width, and axe has nothing to say, in either theme. */
+  private void checkWholeAndForEverybody(String until) throws Exception {
+    for (int width : new int[] {390, 1280, 2560}) {
+      visitor.resize(width, 900, width == 390);
+      visitor.await(until);
+      visitor.await("document.documentElement.scrollWidth <= innerWidth");
+    }
+    assertEquals("[]", visitor.violations());
+    visitor.resize(390, 900, true);
+    visitor.await(until);
+    assertEquals("[]", visitor.violations());
+    assertEquals("", visitor.look("document.getElementById('fault').textContent"));
+  }
+
+  @Test
+  void list_isSearchedByAWord_andOpensARun() throws Exception {
+    visitor.await(
+        "document.querySelector('#folders').textContent.includes('" + Samples.MARKUP + "')");
+    visitor.await("!document.querySelector('#folders img')");
+    visitor.click("#folders input");
+    for (String key : List.of("s", "h", "a", "d")) {
+      visitor.press(key, key.toUpperCase(java.util.Locale.ROOT).charAt(0));
+    }
+    visitor.await("document.querySelectorAll('#folders tbody tr').length === 2");
+    checkWholeAndForEverybody("document.querySelectorAll('#folders tbody tr').length === 2");
+    visitor.click("#folders tbody a");
+    visitor.await("document.querySelector('.readout td') !== null");
+  }
+
+  @Test
+  void run_saysAtABearingWhatTableAndSensorsAre() throws Exception {
+    String read = "document.querySelector('.readout h3').textContent";
+    show("open=runs%2Fone", "document.querySelector('.readout td') !== null");
+    // By the mouse in the plan: to the right is bearing 90.
+    String[] right =
+        visitor
+            .look(
+                "(() => { const b = document.querySelector('.sheet').getBoundingClientRect();"
+                    + " return [b.x + b.width * 0.7, b.y + b.height / 2].join(); })()")
+            .split(",", -1);
+    visitor.mouse("mouseMoved", Double.parseDouble(right[0]), Double.parseDouble(right[1]));
+    visitor.await(read + " === 'At bearing 90\u00b0'");
+    String words = visitor.look("document.querySelector('.readout table').textContent");
+    assertTrue(words.startsWith("table1.50 minterval1.40 to 1.60 moriginal"), words);
+    // By the mouse in a chart, whose neighbour goes along.
+    String[] middle =
+        visitor
+            .look(
+                "(() => { document.querySelector('.u-over').scrollIntoView({block: 'center'}); const b = document.querySelector('.u-over').getBoundingClientRect();"
+                    + " return [b.x + b.width * 180 / 350, b.y + b.height / 2].join(); })()")
+            .split(",", -1);
+    visitor.mouse("mouseMoved", Double.parseDouble(middle[0]), Double.parseDouble(middle[1]));
+    visitor.await(read + " === 'At bearing 180\u00b0'");
+    // By keys.
+    visitor.look("document.querySelector('.readout input').focus()");
+    visitor.press("ArrowRight", 39);
+    visitor.await(read + " === 'At bearing 190\u00b0'");
+    visitor.look(KEEP_WHAT_IS_SAVED);
+    visitor.click(".twin figure .bar button:nth-child(1)");
+    visitor.await(
+        "saved.length === 1 && !new DOMParser().parseFromString(saved[0], 'image/svg+xml').querySelector('parsererror')");
+    visitor.click(".chartbox .bar button:nth-child(2)");
+    visitor.await("saved.length === 2 && saved[1].split('\\n').length === 38");
+    checkWholeAndForEverybody("document.querySelector('.readout td') !== null");
+  }
+
+  @Test
+  void run_isComparedWithAnother() throws Exception {
+    show("open=runs%2Fone", "document.querySelector('.openhead select') !== null");
+    visitor.look(
+        "const s = document.querySelector('.openhead select'); s.value = 'runs/two'; s.dispatchEvent(new Event('change'))");
+    visitor.await(
+        "document.querySelector('.readout') && document.querySelector('.readout').textContent.includes('shadow \u00b7 runs/two')");
+    visitor.await("location.hash === '#open=runs%2Fone&with=runs%2Ftwo'");
+    checkWholeAndForEverybody("document.querySelector('.readout td') !== null");
+  }
+
+  @Test
+  void diagnosis_showsTheRowsOfAPlace_beforeAndAfter() throws Exception {
+    show("open=diagnoses%2Fwall", "document.querySelector('#places') !== null");
+    assertTrue(
+        visitor.look("document.querySelector('.verdict').textContent").startsWith("explained"));
+    visitor.click("#places button:nth-child(2)");
+    visitor.await("document.querySelector('#rowsaid').textContent.includes(' 25 rows')");
+    visitor.await(
+        "document.querySelectorAll('[aria-label=\"Rows of the place\"] tbody tr').length === 25");
+    String picture = "document.querySelector('.sheet').toDataURL()";
+    String before = visitor.look(picture);
+    visitor.look("document.querySelector('#after').focus()");
+    visitor.press("End", 35);
+    visitor.await("document.querySelector('#after').getAttribute('aria-valuetext') === 'after'");
+    visitor.await(picture + " !== '" + before + "'");
+    // The points of the chart are dots on the believed line now: none is a centimetre off.
+    visitor.look(KEEP_WHAT_IS_SAVED);
+    visitor.click("[aria-label=\"Save range-error\"] button:nth-child(2)");
+    visitor.await(
+        "saved.length === 1 && saved[0].split('\\n').slice(1, -1).every(l => Math.abs(Number(l.split(',')[1])) < 0.2 && Math.abs(Number(l.split(',')[2])) < 0.2)");
+    checkWholeAndForEverybody("document.querySelector('#places') !== null");
+  }
+
+  @Test
+  void diagnoses_batchesAndMotion_areShown() throws Exception {
+    show(
+        "open=diagnoses%2Fwall&with=diagnoses%2Fagain",
+        "document.querySelectorAll('.verdict').length === 2");
+    show("open=motion%2Frobot", "document.querySelectorAll('.bars .fill').length === 18");
+    checkWholeAndForEverybody("document.querySelectorAll('.bars .fill').length === 18");
+    show("open=batch", "document.querySelector('.chart') !== null");
+    visitor.look(
+        "const y = document.querySelectorAll('#folders .fields select')[1]; y.value = 'edge_kept'; y.dispatchEvent(new Event('change'))");
+    visitor.await(
+        "document.querySelector('.chartbox figcaption').textContent.startsWith('edge_kept')");
+    checkWholeAndForEverybody("document.querySelector('.chart') !== null");
+    show("open=captures%2Fpost", "document.querySelector('.opened a') !== null");
+    visitor.click(".opened a");
+    visitor.await(
+        "document.title.includes('sweep') && document.getElementById('obstacle').textContent === 'post'");
+  }
+
+  @Test
+  void whatIsNotThere_isSaid() throws Exception {
+    show(
+        "open=..%2Foutside", "document.getElementById('fault').textContent.includes('../outside')");
+    show("folders", "document.getElementById('fault').textContent === ''");
+  }
+}

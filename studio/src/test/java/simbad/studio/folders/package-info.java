@@ -1,0 +1,5 @@
+/** Tests. */
+@NullMarked
+package simbad.studio.folders;
+
+import org.jspecify.annotations.NullMarked;

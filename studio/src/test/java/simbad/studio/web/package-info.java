@@ -1,0 +1,4 @@
+@NullMarked
+package simbad.studio.web;
+
+import org.jspecify.annotations.NullMarked;
