@@ -40,6 +40,24 @@ record Commit(Path folder, String name) {
   }
 
   /**
+   * Returns whether files and folders are the same in another commit; false where that is not
+   * known.
+   *
+   * @param other hash
+   * @param paths from the clone's folder
+   */
+  boolean hasSameFilesAs(String other, List<String> paths) throws InterruptedException {
+    List<String> words = new ArrayList<>(List.of("diff", "--quiet", other, name, "--"));
+    words.addAll(paths);
+    try {
+      git(own(folder, words.toArray(String[]::new)));
+      return true;
+    } catch (IOException differs) {
+      return false;
+    }
+  }
+
+  /**
    * Makes a clone that has it checked out.
    *
    * @param other folder, that does not exist yet

@@ -43,6 +43,11 @@ final class Release {
     return new Release(launcher, say, commit, changes);
   }
 
+  /** Returns the published figures that an older program measured. */
+  List<String> staleFigures() throws IOException, InterruptedException {
+    return StaleFigures.of(commit);
+  }
+
   /**
    * Writes all files of the release into a folder.
    *

@@ -1,6 +1,8 @@
 package simbad.cli;
 
+import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import simbad.cli.machine.Launcher;
@@ -45,6 +47,13 @@ final class ReleaseCommand extends Subcommand {
   @Option(names = "--unsigned", description = "With --publish: without signatures, to look at it.")
   private boolean unsigned;
 
+  @Option(
+      names = "--stale-figures",
+      description =
+          "Release although README.md shows figures that an older program measured. Without it such"
+              + " a release is refused.")
+  private boolean staleFigures;
+
   @Override
   protected void run() throws Exception {
     if (jarOnly && publish || unsigned && !publish) {
@@ -56,6 +65,9 @@ final class ReleaseCommand extends Subcommand {
             .orElseThrow(
                 () -> wrongUsage("only the launcher can build a release: call ./simbad release"));
     Release release = Release.of(launcher, line -> err().println("release: " + line));
+    if (!jarOnly && !staleFigures) {
+      refuseStaleFigures(release.staleFigures());
+    }
     try (StagedDirectory staged = StagedDirectory.beside(out)) {
       if (publish) {
         writeRepository(release, staged.path());
@@ -67,6 +79,15 @@ final class ReleaseCommand extends Subcommand {
       staged.publish();
     }
     err().println("release: wrote " + out);
+  }
+
+  private static void refuseStaleFigures(List<String> stale) throws IOException {
+    if (!stale.isEmpty()) {
+      throw new IOException(
+          "figures in docs/figures are of an older program: "
+              + String.join(", ", stale)
+              + "; measure them anew (docs/figures/measure --help), or say --stale-figures");
+    }
   }
 
   private void writeRepository(Release release, Path folder) throws Exception {

@@ -120,7 +120,15 @@ class PublishTest {
   @Test
   void plainProject_takesTheCoordinatesFromAFolder() throws Exception {
     Path repository = folder.resolve("repository");
-    run(ready(), "./simbad", "release", "--publish", "--unsigned", "--out", repository.toString());
+    run(
+        ready(),
+        "./simbad",
+        "release",
+        "--publish",
+        "--unsigned",
+        "--stale-figures",
+        "--out",
+        repository.toString());
     checkFiles(repository.resolve("io/github/simbadsonar"));
     Path consumer = Files.createDirectories(folder.resolve("consumer/src/main/java"));
     Files.writeString(consumer.resolve("Program.java"), PROGRAM);

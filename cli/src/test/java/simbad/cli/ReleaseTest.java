@@ -37,8 +37,8 @@ class ReleaseTest {
     run(project, "git", "clone", "-q", ".", clone.toString());
     Path first = folder.resolve("first");
     Path second = folder.resolve("second");
-    run(project, "./simbad", "release", "--out", first.toString());
-    run(clone, "./simbad", "release", "--out", second.toString());
+    run(project, "./simbad", "release", "--stale-figures", "--out", first.toString());
+    run(clone, "./simbad", "release", "--stale-figures", "--out", second.toString());
     run(second, "sha256sum", "-c", "--quiet", "SHA256SUMS");
     String sums = Files.readString(first.resolve("SHA256SUMS"));
     assertEquals(7, sums.lines().count(), sums);
