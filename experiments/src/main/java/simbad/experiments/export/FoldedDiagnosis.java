@@ -180,7 +180,7 @@ public final class FoldedDiagnosis {
     return new ObstacleType(
         believed.name(),
         believed.outline(),
-        new TableDocument(table(false), Map.of("object", believed.name(), "origin", "diagnosis")));
+        new TableDocument(table(false), Map.of("object", believed.name())));
   }
 
   /** Returns the thresholds at which a sensor that heard it loses it. */
