@@ -4,14 +4,18 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import simbad.experiments.run.RobotKind;
 import simbad.experiments.run.SensorKind;
 import simbad.sonar.format.DataFormatException;
+import simbad.studio.Choices;
 import simbad.studio.Studio;
 import simbad.studio.folders.Folders;
 
@@ -56,6 +60,15 @@ final class StudioCommand extends Subcommand {
   private List<String> diagnosed = new ArrayList<>();
 
   @Option(
+      names = "--robot",
+      paramLabel = "ROBOT",
+      description = {
+        "A robot to choose that does not do exactly what it is told; may be given several times.",
+        RobotArgument.MEANING + "."
+      })
+  private List<String> robots = new ArrayList<>();
+
+  @Option(
       names = "--port",
       paramLabel = "N",
       defaultValue = "0",
@@ -73,11 +86,22 @@ final class StudioCommand extends Subcommand {
     Optional<Folders> folders =
         folder.isPresent() ? Optional.of(Folders.of(folder.get(), data)) : Optional.empty();
     InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
-    try (Studio studio = Studio.open(address, sensors(), folders)) {
+    try (Studio studio = Studio.open(address, new Choices(sensors(), moving()), folders)) {
       out().println(studio.url());
       err().println("studio: open this address; Ctrl-C ends it");
       new CountDownLatch(1).await();
     }
+  }
+
+  private List<RobotKind> moving() throws DataFormatException {
+    Map<String, RobotKind> byName = new LinkedHashMap<>();
+    for (String word : robots) {
+      RobotKind kind = RobotArgument.parse(word);
+      if (byName.put(kind.name(), kind) != null) {
+        throw wrongUsage("--robot: two are called " + kind.name());
+      }
+    }
+    return List.copyOf(byName.values());
   }
 
   /** The plain sensors, that of the main experiment first, then those of diagnoses. */

@@ -20,11 +20,12 @@ final class CatalogueJson {
   private CatalogueJson() {}
 
   /**
-   * Returns obstacles with outlines and shadow edges in metres, and sensors with their figures.
+   * Returns obstacles with outlines and shadow edges in metres, sensors, sonars with their figures,
+   * and robots.
    *
    * @throws DataFormatException if an obstacle of the user's own cannot be read
    */
-  static String of(List<SensorKind> sensors) throws DataFormatException {
+  static String of(Choices choices) throws DataFormatException {
     ObjectNode root = MAPPER.createObjectNode();
     root.put("step_s", Circuit.STEP_S).put("most_steps", LiveWorld.MOST_STEPS);
     root.put("most_frames", LiveWorld.MOST_FRAMES).put("sonars", SensorKind.SONARS);
@@ -33,7 +34,11 @@ final class CatalogueJson {
       add(obstacles.addObject(), type);
     }
     ArrayNode list = root.putArray("sensors");
-    sensors.forEach(sensor -> add(list.addObject(), sensor));
+    choices.sensors().forEach(sensor -> add(list.addObject(), sensor));
+    ArrayNode figures = root.putArray("transducers");
+    Catalogue.sonars().forEach(name -> add(figures.addObject(), name));
+    ArrayNode robots = root.putArray("robots");
+    choices.robots().forEach(robot -> robots.add(robot.name()));
     return root.toString();
   }
 
@@ -65,12 +70,25 @@ final class CatalogueJson {
     return Math.rint(metres * 1e4) / 1e4;
   }
 
+  private static void add(ObjectNode node, String sonar) {
+    SonarSpec spec = Choices.findSonar(sonar).orElseThrow();
+    node.put("name", sonar);
+    node.put("half_angle_deg", Math.toDegrees(spec.coneHalfAngleRad()));
+    node.put("max_range_m", spec.maxRangeM());
+  }
+
+  /** A diagnosed sensor has a cone of its own; all others that of their sonar. */
   private static void add(ObjectNode node, SensorKind sensor) {
-    SonarSpec sonar = Worlds.sonar(sensor);
     node.put("name", sensor.word()).put("meaning", sensor.meaning());
-    node.put(
-        "half_angle_deg",
-        sensor.equals(SensorKind.RAY) ? 0 : Math.toDegrees(sonar.coneHalfAngleRad()));
     node.put("diagnosed", sensor.model().isPresent());
+    if (sensor.equals(SensorKind.RAY)) {
+      node.put("half_angle_deg", 0);
+    }
+    sensor
+        .model()
+        .ifPresent(
+            model ->
+                node.put(
+                    "half_angle_deg", Math.toDegrees(model.setup().sensor().coneHalfAngleRad())));
   }
 }

@@ -46,13 +46,15 @@ final class LiveWorld {
    * Creates the world at rest.
    *
    * @param scene its obstacle and sensor are the next two
+   * @param driven the sensor on its robot
    * @param sonar figures of the sensor
    */
-  LiveWorld(StudioScene scene, ObstacleType type, SensorKind sensor, SonarSpec sonar) {
+  LiveWorld(
+      StudioScene scene, ObstacleType type, SensorKind sensor, SensorKind driven, SonarSpec sonar) {
     moves = scene.moves();
     Circuit circuit =
         new Circuit(
-            type, List.of(), sensor, sonar, scene.speedMPerS(), scene.start(), scene.seed());
+            type, List.of(), driven, sonar, scene.speedMPerS(), scene.start(), scene.seed());
     robot = circuit.robot(new EdgeFollower(Tuning.standard(scene.speedMPerS(), Circuit.STEP_S)));
     belt = (RangeSensorBelt) robot.getSensorDevice(0);
     obstacle = new SonarObstacle(new Vector3d(), 0, type);

@@ -4,12 +4,10 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import simbad.experiments.run.SensorKind;
 import simbad.sonar.format.DataFormatException;
 import simbad.studio.folders.Folders;
 import simbad.studio.web.Content;
@@ -34,24 +32,24 @@ public final class Studio implements AutoCloseable {
    * Opens the page.
    *
    * @param address where; port 0 for any that is free
-   * @param sensors that can be chosen, the first at the beginning; names distinct
+   * @param choices what a world can be made of
    * @param folders what is shown besides the live world; empty for nothing
    * @throws IOException if the address is taken or none of this computer's
    * @throws DataFormatException if an obstacle of the user's own cannot be read
    */
-  public static Studio open(
-      InetSocketAddress address, List<SensorKind> sensors, Optional<Folders> folders)
+  public static Studio open(InetSocketAddress address, Choices choices, Optional<Folders> folders)
       throws IOException, DataFormatException {
     Guard guard = Guard.withToken(address.getAddress());
     Map<String, Supplier<Content>> answers =
         PageFiles.of(guard, Map.of("/", "index.html", "/bench", "bench.html"));
-    String catalogue = CatalogueJson.of(sensors);
+    String catalogue = CatalogueJson.of(choices);
     answers.put("/catalogue", () -> Content.json(catalogue));
     answers.put(
         "/folders", () -> answer("", none -> folders.isPresent() ? folders.get().list() : "{}"));
-    Worlds worlds = new Worlds(sensors);
+    Worlds worlds = new Worlds(choices);
     Map<String, Function<String, Content>> questions = new HashMap<>();
     questions.put("/frames", question -> answer(question, worlds::frames));
+    questions.put("/loudness", question -> answer(question, worlds::loudness));
     folders.ifPresent(
         shown -> {
           questions.put("/folder", question -> answer(question, shown::open));

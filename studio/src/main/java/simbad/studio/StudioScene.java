@@ -15,6 +15,8 @@ import simbad.sonar.frame.Point;
  *
  * @param obstacle name of the catalogue; it stands at the origin until it is moved
  * @param sensor name as on the command line
+ * @param sonar name of its figures in the catalogue
+ * @param robot name of how the robot moves; empty for exactly as it is told
  * @param start of the robot, or the main experiment's own
  * @param speedMPerS of the robot
  * @param seed of all chance
@@ -23,6 +25,8 @@ import simbad.sonar.frame.Point;
 record StudioScene(
     String obstacle,
     String sensor,
+    String sonar,
+    String robot,
     Optional<Point> start,
     double speedMPerS,
     long seed,
@@ -50,6 +54,8 @@ record StudioScene(
     return new StudioScene(
         json.text("obstacle"),
         json.text("sensor"),
+        json.has("sonar") ? json.text("sonar") : Choices.SONAR,
+        json.has("robot") ? json.text("robot") : "",
         json.has("start") ? Optional.of(point(json.field("start"))) : Optional.empty(),
         json.field("speed_m_per_s")
             .number(

@@ -1,9 +1,8 @@
 package simbad.studio;
 
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
-import java.util.Optional;
+import simbad.experiments.run.RobotKind;
 import simbad.experiments.run.SensorKind;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
@@ -19,21 +18,12 @@ final class Worlds {
   /** Two beside each other, and what was before the last moves. */
   private static final int KEPT = 6;
 
-  private final List<SensorKind> sensors;
+  private final Choices choices;
   private final Map<StudioScene, LiveWorld> worlds = new LinkedHashMap<>(16, 0.75f, true);
 
-  /** Creates worlds for sensors: no other can be asked for. */
-  Worlds(List<SensorKind> sensors) {
-    this.sensors = List.copyOf(sensors);
-  }
-
-  List<SensorKind> sensors() {
-    return sensors;
-  }
-
-  /** The figures of a sensor: a diagnosed one brings its own. */
-  static SonarSpec sonar(SensorKind sensor) {
-    return sensor.model().map(model -> model.setup().sensor()).orElseGet(Catalogue::srf04);
+  /** Creates worlds of what there is to choose: nothing else can be asked for. */
+  Worlds(Choices choices) {
+    this.choices = choices;
   }
 
   /**
@@ -56,12 +46,11 @@ final class Worlds {
     if (known != null) {
       return known;
     }
-    ObstacleType type =
-        Catalogue.findAny(scene.obstacle())
-            .orElseThrow(() -> unknown(json, "obstacle", "an obstacle of the catalogue"));
-    SensorKind sensor =
-        find(scene.sensor()).orElseThrow(() -> unknown(json, "sensor", "one of " + sensors));
-    LiveWorld world = new LiveWorld(scene, type, sensor, sonar(sensor));
+    ObstacleType type = type(json);
+    SensorKind sensor = sensor(json);
+    SonarSpec sonar = sonar(json, sensor, scene.sonar());
+    SensorKind driven = scene.robot().isEmpty() ? sensor : sensor.on(robot(json, scene.robot()));
+    LiveWorld world = new LiveWorld(scene, type, sensor, driven, sonar);
     worlds.put(scene, world);
     if (worlds.size() > KEPT) {
       worlds.remove(worlds.keySet().iterator().next()).dispose();
@@ -69,8 +58,47 @@ final class Worlds {
     return world;
   }
 
-  private Optional<SensorKind> find(String word) {
-    return sensors.stream().filter(kind -> kind.word().equals(word)).findFirst();
+  /**
+   * Answers a question for how loud an obstacle's echo is where.
+   *
+   * @param text JSON with obstacle, sensor and sonar
+   * @return JSON
+   * @throws DataFormatException naming what is wrong with the question
+   */
+  String loudness(String text) throws DataFormatException {
+    JsonInput json = StudioScene.question(text);
+    SensorKind sensor = sensor(json);
+    return LoudnessMap.json(sensor, sonar(json, sensor, json.text("sonar")), type(json));
+  }
+
+  private static ObstacleType type(JsonInput json) throws DataFormatException {
+    return Catalogue.findAny(json.text("obstacle"))
+        .orElseThrow(() -> unknown(json, "obstacle", "an obstacle of the catalogue"));
+  }
+
+  private SensorKind sensor(JsonInput json) throws DataFormatException {
+    return choices
+        .findSensor(json.text("sensor"))
+        .orElseThrow(() -> unknown(json, "sensor", "one of " + choices.sensors()));
+  }
+
+  private static SonarSpec sonar(JsonInput json, SensorKind sensor, String name)
+      throws DataFormatException {
+    SonarSpec chosen =
+        Choices.findSonar(name)
+            .orElseThrow(() -> unknown(json, "sonar", "one of " + Catalogue.sonars()));
+    return Choices.sonar(sensor, chosen);
+  }
+
+  private RobotKind robot(JsonInput json, String name) throws DataFormatException {
+    return choices
+        .findRobot(name)
+        .orElseThrow(
+            () ->
+                unknown(
+                    json,
+                    "robot",
+                    "one of " + choices.robots().stream().map(RobotKind::name).toList()));
   }
 
   private static DataFormatException unknown(JsonInput json, String field, String expected) {

@@ -23,7 +23,9 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import simbad.experiments.run.RobotKind;
 import simbad.experiments.run.SensorKind;
+import simbad.motion.MotionChain;
 
 /** The page as its readers and others meet it: over HTTP, and with mouse and keyboard. */
 class StudioTest {
@@ -39,7 +41,9 @@ class StudioTest {
     studio =
         Studio.open(
             new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-            List.of(SensorKind.SHADOW, SensorKind.ORIGINAL, SensorKind.LEVEL),
+            new Choices(
+                List.of(SensorKind.SHADOW, SensorKind.ORIGINAL, SensorKind.LEVEL),
+                List.of(new RobotKind("slow", MotionChain.EXACT))),
             Optional.empty());
   }
 
@@ -212,6 +216,19 @@ class StudioTest {
       visitor.await("live.scene.moves.length === 1 && worlds[0].frames.length > 6");
       visitor.press("[", 219);
       visitor.await("live.scene.moves.some(m => m.turn_deg === 5) && worlds[0].frames.length > 6");
+      // Another sonar and another robot: the command line says so.
+      visitor.look(
+          "$('sonar').value = 'hc-sr04'; $('sonar').dispatchEvent(new Event('change'));"
+              + " $('robot').value = 'slow'; $('robot').dispatchEvent(new Event('change'))");
+      visitor.await(
+          "worlds[0].frames.length > 6 && $('line').textContent.includes('--sensor-file data/sensors/hc-sr04.json --robot diagnosed:DIR')");
+      // The level law's shadow is loudness, as shade.
+      visitor.look("$('sensor0').value = 'level'; $('sensor0').dispatchEvent(new Event('change'))");
+      visitor.await("loudness('level').length === 5 && !$('louder').hidden");
+      visitor.look(
+          "opened(saved().replace('hc-sr04', 'srf04').replace('\"level\"', '\"shadow\"'))");
+      visitor.await(
+          "$('louder').hidden && live.scene.robot === 'slow' && live.scene.sonar === 'srf04' && worlds[0].frames.length > 6");
       // Two beside each other.
       visitor.look(
           "$('sensor1').value = 'original'; $('sensor1').dispatchEvent(new Event('change'))");

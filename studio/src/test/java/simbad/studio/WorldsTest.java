@@ -15,8 +15,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 import simbad.experiments.control.EdgeFollower;
 import simbad.experiments.control.Tuning;
 import simbad.experiments.run.Circuit;
+import simbad.experiments.run.RobotKind;
 import simbad.experiments.run.SensorKind;
 import simbad.experiments.run.Trace;
+import simbad.motion.MotionChain;
+import simbad.motion.MotionChange;
 import simbad.obstacles.Catalogue;
 import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.effect.FittedForm;
@@ -28,19 +31,35 @@ import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SetupDetails;
 import simbad.sonar.shape.Outline;
+import simbad.sonar.shape.ThresholdTable;
 
 /** Worlds as the page asks for them. */
 class WorldsTest {
   private static final double SPEED = 0.5;
+
+  /** Half as fast as it is told, which is exact in binary. */
+  private static final RobotKind LAME =
+      new RobotKind(
+          "lame",
+          MotionChain.EXACT.with(
+              new MotionChange() {
+                @Override
+                public double speed(double speedMPerS) {
+                  return speedMPerS / 2;
+                }
+              }));
+
   private final Worlds worlds =
       new Worlds(
-          List.of(
-              SensorKind.SHADOW,
-              SensorKind.ORIGINAL,
-              SensorKind.LEVEL,
-              SensorKind.RAY,
-              SensorKind.OVERLAP,
-              fittedByLevel()));
+          new Choices(
+              List.of(
+                  SensorKind.SHADOW,
+                  SensorKind.ORIGINAL,
+                  SensorKind.LEVEL,
+                  SensorKind.RAY,
+                  SensorKind.OVERLAP,
+                  fittedByLevel()),
+              List.of(LAME)));
 
   /** The believed set-up, calibrated to hear by the level law as its own figures state it. */
   private static SensorKind fittedByLevel() {
@@ -88,6 +107,80 @@ class WorldsTest {
       assertEquals(trace.xM(i), frames.get(i).get(0).asDouble(), 1e-4, "step " + i);
       assertEquals(trace.zM(i), frames.get(i).get(1).asDouble(), 1e-4, "step " + i);
     }
+  }
+
+  /** The same on a robot that moves otherwise: it is that of {@code run --robot}. */
+  @Test
+  void placesOnAnotherRobotAreThoseOfTheRun() throws Exception {
+    Circuit circuit =
+        new Circuit(
+            Catalogue.find("round").orElseThrow(),
+            List.of(),
+            SensorKind.SHADOW.on(LAME),
+            Catalogue.srf04(),
+            SPEED,
+            Optional.empty(),
+            1);
+    Trace trace = circuit.drive(new EdgeFollower(Tuning.standard(SPEED, Circuit.STEP_S)));
+    String question = question("shadow", "", 1, 500);
+    JsonNode frames = frames(question.replace("\"seed\"", "\"robot\": \"lame\", \"seed\""));
+    JsonNode exact = frames(question);
+
+    for (int i = 0; i < frames.size(); i++) {
+      assertEquals(trace.xM(i), frames.get(i).get(0).asDouble(), 1e-4, "step " + i);
+      assertEquals(trace.zM(i), frames.get(i).get(1).asDouble(), 1e-4, "step " + i);
+    }
+    assertTrue(
+        Math.abs(exact.get(400).get(0).asDouble() - frames.get(400).get(0).asDouble()) > 0.05);
+  }
+
+  /** A narrower cone hears less of what stands aside. */
+  @Test
+  void aSonarOfTheCatalogueHasItsOwnFigures() throws Exception {
+    // 5 degrees off the axis of one, 25 off the next: cones of 27.5 and of 20.
+    String near = question("shadow", "{\"step\": 0, \"robot\": [0.0875, 1]}", 0, 1);
+    JsonNode wide = frames(near).get(0);
+    JsonNode narrow =
+        frames(near.replace("\"seed\"", "\"sonar\": \"maxbotix-lv-ez1\", \"seed\"")).get(0);
+
+    assertTrue(heard(wide) > heard(narrow), wide + " " + narrow);
+  }
+
+  private static int heard(JsonNode frame) {
+    int heard = 0;
+    for (int i = 6; i < 18; i++) {
+      heard += frame.get(i).asInt() >= 0 ? 1 : 0;
+    }
+    return heard;
+  }
+
+  /**
+   * Where the echo just reaches the threshold is the table's edge: the law is made of the table.
+   */
+  @Test
+  void loudnessEndsAtTheTable_andGrowsInwards() throws Exception {
+    JsonNode map = loudness("level");
+    ThresholdTable table = Catalogue.find("angle").orElseThrow().thresholds().table();
+
+    assertEquals("[0,6,12,18,24]", map.path("levels_db").toString());
+    for (int bearing = 0; bearing < LoudnessMap.BEARINGS; bearing++) {
+      double edgeM = map.path("reach_m").get(0).get(bearing).asDouble();
+      // Nearer to the body than the sonar's least range nothing is heard.
+      assertEquals(table.valueM(bearing), edgeM, 0.07, "bearing " + 5 * bearing);
+      for (int level = 1; level < 5; level++) {
+        assertTrue(
+            map.path("reach_m").get(level).get(bearing).asDouble()
+                <= map.path("reach_m").get(level - 1).get(bearing).asDouble());
+      }
+    }
+    assertEquals("[]", loudness("shadow").path("levels_db").toString());
+    assertThrows(DataFormatException.class, () -> loudness("none"));
+  }
+
+  private JsonNode loudness(String sensor) throws Exception {
+    String question =
+        "{\"obstacle\": \"angle\", \"sensor\": \"" + sensor + "\", \"sonar\": \"srf04\"}";
+    return new ObjectMapper().readTree(worlds.loudness(question));
   }
 
   /** Asked for again, in parts, or after others, a scene is the same. */
@@ -212,6 +305,8 @@ class WorldsTest {
         "simbad-studio/1 | simbad-studio/9 | format",
         "round | no-such-thing | obstacle",
         "\"shadow\" | \"no-such-sensor\" | sensor",
+        "\"seed\": 1 | \"robot\": \"none\", \"seed\": 1 | robot",
+        "\"seed\": 1 | \"sonar\": \"none\", \"seed\": 1 | sonar",
         "0.5, \"seed\" | -1, \"seed\" | speed_m_per_s",
         "\"seed\": 1 | \"seed\": 1.5 | seed",
         "\"moves\": [] | \"moves\": [{\"step\": -1, \"robot\": [0, 0]}] | step",

@@ -69,6 +69,8 @@ $('near').addEventListener('change', () => { live.near = $('near').value; live.d
 $('obstacle').addEventListener('change', () => { live.scene.obstacle = $('obstacle').value; live.now = 0; delete live.scene.start; live.scene.moves = []; change(0); });
 $('sensor0').addEventListener('change', () => { live.scene.sensor = $('sensor0').value; change(0); });
 $('sensor1').addEventListener('change', () => { live.beside = $('sensor1').value; change(0); });
+$('sonar').addEventListener('change', () => { live.scene.sonar = $('sonar').value; change(0); });
+$('robot').addEventListener('change', () => { live.scene.robot = $('robot').value; change(0); });
 $('drive').addEventListener('change', () => { live.scene.speed_m_per_s = Number($('drive').value); live.now = 0; change(0); });
 $('seed').addEventListener('change', () => { live.scene.seed = Number($('seed').value); change(0); });
 $('reset').addEventListener('click', () => { delete live.scene.start; live.scene.moves = []; live.now = 0; change(0); });

@@ -3,7 +3,7 @@ import { $, ask, fault, still } from './kit.js';
 import { pointer } from './hands.js';
 import { draw, isTiny, readColours, view } from './plan.js';
 import './scene-files.js';
-import { active, change, endStep, fetchAhead, FIRST, frameOf, isOriginal, live, most, setPlaying, worlds } from './state.js';
+import { active, change, endStep, fetchAhead, FIRST, frameOf, isOriginal, live, loudness, most, setPlaying, worlds } from './state.js';
 import { fields, rows } from './words.js';
 
 let begun = false;
@@ -45,6 +45,7 @@ function show() {
   $('scrub').max = endStep();
   $('scrub').value = Math.max(live.wish, Math.floor(live.now));
   $('ringed').hidden = !isTiny(view($('plan0'), frameOf(worlds[0])));
+  $('louder').hidden = !active().some(world => loudness(world.sensor).length);
   $('limit').hidden = !active().some(isOriginal);
   const seconds = (Math.floor(live.now) * live.catalogue.step_s).toFixed(2) + ' s';
   $('scrub').setAttribute('aria-valuetext', seconds);
@@ -59,6 +60,8 @@ async function begin() {
   const sensors = live.catalogue.sensors.map(s => s.name);
   choose('obstacle', live.catalogue.obstacles.map(o => o.name));
   choose('sensor0', sensors);
+  choose('sonar', live.catalogue.transducers.map(one => one.name));
+  choose('robot', ['', ...live.catalogue.robots], 'exactly as told');
   choose('sensor1', ['', ...sensors], 'nothing');
   live.scene.obstacle = live.catalogue.obstacles.some(o => o.name === 'angle') ? 'angle' : live.catalogue.obstacles[0].name;
   live.scene.sensor = sensors[0];

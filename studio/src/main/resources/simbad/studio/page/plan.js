@@ -1,10 +1,10 @@
 // The plan view of the live world, seen from above.
 import { $, themeColours } from './kit.js';
 import { grid } from './sheet.js';
-import { active, FIRST, frameOf, HANDLE_PX, isOriginal, live, RING_PX, sensorOf, turned, typeNow, worlds } from './state.js';
+import { active, FIRST, frameOf, halfAngle, HANDLE_PX, isOriginal, live, loudness, RING_PX, turned, typeNow, worlds } from './state.js';
 
 export function readColours() {
-  live.colours = themeColours(['paper', 'ink', 'soft', 'grid', 'shade', 'edge', 'body', 'trail', 'robot', 'heard', 'heardfill', 'quiet', 'line']);
+  live.colours = themeColours(['paper', 'ink', 'soft', 'grid', 'shade', 'edge', 'body', 'trail', 'robot', 'heard', 'heardfill', 'loud', 'quiet', 'line']);
   live.dirty = true;
 }
 export function view(canvas, frame) {
@@ -66,8 +66,15 @@ export function marks(g, v, ox, oz, turn, unit) {
 export function shadow(g, v, world, ox, oz, turn, unit) {
   g.beginPath();
   path(g, v, typeNow().edge, ox, oz, turn);
-  g.fillStyle = live.colours.shade; g.fill();
+  const loud = loudness(world.sensor);
+  if (!loud.length) { g.fillStyle = live.colours.shade; g.fill(); }
   g.strokeStyle = live.colours.edge; g.lineWidth = 2 * unit; g.stroke();
+  loud.forEach((points, i) => {
+    g.beginPath(); path(g, v, points, ox, oz, turn);
+    g.fillStyle = live.colours.loud; g.fill();
+    if (i === 0) { g.strokeStyle = live.colours.heard; g.lineWidth = 1.5 * unit; g.stroke(); }
+  });
+  g.strokeStyle = live.colours.edge; g.lineWidth = 2 * unit;
   if (isOriginal(world)) {
     g.setLineDash([8 * unit, 6 * unit]);
     g.beginPath(); path(g, v, typeNow().original_edge, ox, oz, turn); g.stroke();
@@ -91,7 +98,7 @@ export function trail(g, v, world, unit) {
   g.beginPath(); g.arc(v.x(sx), v.y(sz), 4 * unit, 0, 2 * Math.PI); g.fillStyle = live.colours.trail; g.fill();
 }
 export function cones(g, v, world, frame, x, z, unit) {
-  const n = live.catalogue.sonars, half = sensorOf(world.sensor).half_angle_deg * Math.PI / 180;
+  const n = live.catalogue.sonars, half = halfAngle(world.sensor);
   const quiet = Math.min(v.w, v.h) * 0.09;
   for (let i = 0; i < n; i++) {
     const range = frame[FIRST + i], at = -(frame[2] + 2 * Math.PI * i / n);

@@ -17,6 +17,11 @@ export function opened(text) {
   if (!live.catalogue.obstacles.some(o => o.name === read.obstacle)) throw new Error("there is no obstacle '" + read.obstacle + "'");
   for (const name of [read.sensor, read.beside || read.sensor])
     if (!sensorOf(name)) throw new Error("there is no sensor '" + name + "'");
+  // Scenes from before there was a choice of them lack these.
+  read.sonar ??= 'srf04';
+  read.robot ??= '';
+  if (!live.catalogue.transducers.some(one => one.name === read.sonar)) throw new Error("there is no sonar '" + read.sonar + "'");
+  if (read.robot && !live.catalogue.robots.includes(read.robot)) throw new Error("there is no robot '" + read.robot + "': start with --robot");
   live.beside = read.beside || '';
   delete read.beside;
   live.scene = read;

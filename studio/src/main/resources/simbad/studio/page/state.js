@@ -5,12 +5,14 @@ import { words } from './words.js';
 export const FORMAT = 'simbad-studio/1', MOVE_M = 0.05, TURN_DEG = 5, HANDLE_PX = 34, RING_PX = 9, FIRST = 6;
 export const live = {
   catalogue: null, colours: {}, beside: '', now: 0, playing: false, before: 0, near: '', chosen: -1, edition: 0, held: null, dirty: true, wish: 0,
-  scene: { format: FORMAT, obstacle: '', sensor: '', speed_m_per_s: 0.01, seed: 1, moves: [] },
+  scene: { format: FORMAT, obstacle: '', sensor: '', sonar: 'srf04', robot: '', speed_m_per_s: 0.01, seed: 1, moves: [] },
 };
 export const worlds = [{ frames: [], asking: false, sensor: '' }, { frames: [], asking: false, sensor: '' }];
 export const active = () => live.beside ? worlds : worlds.slice(0, 1);
 export const typeNow = () => live.catalogue.obstacles.find(o => o.name === live.scene.obstacle);
 export const sensorOf = name => live.catalogue.sensors.find(s => s.name === name);
+// Half of the cone: a diagnosed sensor's own, else that of the sonar.
+export const halfAngle = name => (sensorOf(name).half_angle_deg ?? live.catalogue.transducers.find(one => one.name === live.scene.sonar).half_angle_deg) * Math.PI / 180;
 export const isOriginal = world => /^(original|ray)$/.test(world.sensor);
 export const turned = ([x, z], turn) => [x * Math.cos(turn) + z * Math.sin(turn), z * Math.cos(turn) - x * Math.sin(turn)];
 
@@ -36,6 +38,19 @@ export async function fetchAhead(world) {
   } finally {
     if (asked === live.edition) world.asking = false;
   }
+}
+const louds = new Map();
+// Where the obstacle is how loud to a sensor that hears by levels; nothing until it is known.
+export function loudness(sensor) {
+  const key = [live.scene.obstacle, sensor, live.scene.sonar].join('\n');
+  if (!louds.has(key)) {
+    louds.set(key, null);
+    ask('/loudness', { obstacle: live.scene.obstacle, sensor, sonar: live.scene.sonar }).then(answer => {
+      louds.set(key, answer.fault ? null : answer.reach_m.map(row => row.map((m, i) => [m * Math.sin(2 * Math.PI * i / row.length), m * Math.cos(2 * Math.PI * i / row.length)])));
+      live.dirty = true;
+    }).catch(() => louds.delete(key));
+  }
+  return louds.get(key) || [];
 }
 // What is shown up to a step stays; the rest is another world from there.
 export function change(keep) {

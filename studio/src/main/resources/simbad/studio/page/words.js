@@ -8,9 +8,11 @@ export function words() {
   const sensors = live.beside ? [live.scene.sensor, live.beside] : [live.scene.sensor];
   const start = live.scene.start ? ' --start=' + live.scene.start.map(v => v.toFixed(3)).join(',') : '';
   $('line').textContent = './simbad run ' + quote(live.scene.obstacle) + sensors.map(s => ' --sensor ' + quote(option(s))).join('')
+    + (live.scene.sonar === 'srf04' ? '' : ' --sensor-file data/sensors/' + live.scene.sonar + '.json') + (live.scene.robot ? ' --robot diagnosed:DIR' : '')
     + start + ' --speed ' + live.scene.speed_m_per_s + ' --seed ' + live.scene.seed + ' --out run';
   const notes = [];
   if (sensors.some(s => sensorOf(s).diagnosed)) notes.push('DIR is the folder of the diagnosis.');
+  if (live.scene.robot) notes.push('With --robot each sensor is driven twice: on the exact robot, and on ' + live.scene.robot + ' (DIR is its diagnosis\u2019 folder; of a file its name stands there).');
   if (live.scene.moves.length) notes.push('The command does not know the moves by hand (' + live.scene.moves.length + '); the saved scene does.');
   $('linenote').textContent = notes.join(' ') || 'The same start, controller and seed: the same trace.';
   $('meaning').textContent = live.scene.sensor + ': ' + sensorOf(live.scene.sensor).meaning + (live.beside ? '. ' + live.beside + ': ' + sensorOf(live.beside).meaning : '')
@@ -20,7 +22,7 @@ export function words() {
   $('whyhead').textContent = 'Why not' + (live.beside ? ' (' + live.scene.sensor + ')' : '');
 }
 export function why(code) {
-  if (code >= 100) return 'too weak by ' + ((code - 100) / 10).toFixed(1) + ' dB' + (code === 1090 ? ' or more' : '');
+  if (code >= 100) return code === 1090 ? 'over 99 dB too weak' : ((code - 100) / 10).toFixed(1) + ' dB too weak';
   return ['', 'not in the cone', 'outside the shadow', 'missed by chance', 'out of range', 'its ray passes by', 'cone and shadow do not meet'][code];
 }
 export function rows() {
@@ -38,5 +40,6 @@ export function rows() {
 }
 export function fields() {
   $('obstacle').value = live.scene.obstacle; $('sensor0').value = live.scene.sensor; $('sensor1').value = live.beside;
+  $('sonar').value = live.scene.sonar; $('robot').value = live.scene.robot;
   $('drive').value = live.scene.speed_m_per_s; $('seed').value = live.scene.seed;
 }

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import simbad.experiments.run.SensorKind;
+import simbad.studio.Choices;
 import simbad.studio.Studio;
 import simbad.studio.Visitor;
 
@@ -44,7 +45,7 @@ class FoldersInBrowserTest {
     studio =
         Studio.open(
             new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-            List.of(SensorKind.SHADOW),
+            new Choices(List.of(SensorKind.SHADOW), List.of()),
             Optional.of(Folders.of(folder.resolve("shown"), List.of())));
   }
 
