@@ -188,10 +188,16 @@ public final class Diagnoser {
                 .map(part -> beside(calibration, evidence, part))
             : Optional.empty();
     double stated = first.verdict() == Verdict.UNEXPLAINED ? Unknown.besideARest(unknown) : unknown;
-    return sure.map(
+    return sure.flatMap(
             part ->
-                new Told(part, places(evidence, part, blocks), stated, Conclusion.partly(first)))
+                first
+                    .partly(effects(part), whole, unnamed, tieNats)
+                    .map(told -> new Told(part, places(evidence, part, blocks), stated, told)))
         .orElse(new Told(whole, where, stated, first));
+  }
+
+  private static Set<Effect> effects(Weighed weighed) {
+    return Set.copyOf(weighed.taken().hypothesis().effects());
   }
 
   /** What no effect does, as misfits show it, or as it is likelier than the effects. */
