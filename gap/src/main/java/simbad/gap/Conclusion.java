@@ -3,6 +3,7 @@ package simbad.gap;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -93,36 +94,64 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
         100 * gain.floorM());
   }
 
-  /** Of what is sure, where of all of it that cannot be said. */
-  static Conclusion partly(Conclusion whole) {
-    return new Conclusion(Verdict.PARTLY, whole.reason, List.of());
+  /**
+   * Concludes of what is sure, where of all of it that cannot be said. Empty where all of the best
+   * set is sure but for what has no name: nothing is known to stand beside it then.
+   *
+   * @param sure effects that are sure
+   * @param weighed the best set and what it gains
+   * @param unnamed something that has no name
+   * @param tieNats evidence that still leaves two effects alike
+   */
+  Optional<Conclusion> partly(Set<Effect> sure, Weighed weighed, Unnamed unnamed, double tieNats) {
+    if (verdict != Verdict.UNDECIDED) {
+      return Optional.of(new Conclusion(Verdict.PARTLY, reason, List.of()));
+    }
+    Set<Effect> others = new TreeSet<>(weighed.taken().hypothesis().effects());
+    others.removeAll(sure);
+    if (others.isEmpty()) {
+      return Optional.empty();
+    }
+    String doubt = doubtfulName(others, weighed, unnamed.probability(), tieNats);
+    String why = doubt.isEmpty() ? reason : doubt;
+    return Optional.of(new Conclusion(Verdict.PARTLY, why, List.of()));
   }
 
-  /** One that two others could stand for is no name for what happened, nor is one hardly likely. */
   private static Conclusion named(Weighed weighed, double unknown, Blocks blocks, double tieNats) {
-    for (Effect effect : weighed.taken().hypothesis().effects()) {
+    List<Effect> names = weighed.taken().hypothesis().effects();
+    String doubt = doubtfulName(names, weighed, unknown, tieNats);
+    doubt = doubt.isEmpty() ? sponge(weighed, blocks) : doubt;
+    return doubt.isEmpty() ? new Conclusion(Verdict.EXPLAINED, "", List.of()) : undecided(doubt);
+  }
+
+  /**
+   * Why one of these effects cannot be named: one that two others could stand for is no name for
+   * what happened, nor is one hardly likely. Empty where all can.
+   */
+  private static String doubtfulName(
+      Iterable<Effect> names, Weighed weighed, double unknown, double tieNats) {
+    for (Effect effect : names) {
       List<Effect> rivals = weighed.probabilities().inPlaceOf(effect, tieNats);
       if (rivals.size() > 1) {
-        String reason = "these data cannot tell " + effect.word() + " from " + words(rivals, ", ");
-        return undecided(reason);
+        return "these data cannot tell " + effect.word() + " from " + words(rivals, ", ");
       }
       Set<Effect> tie = new TreeSet<>(rivals);
       tie.add(effect);
       double probability = (1 - unknown) * weighed.probabilities().ofAny(tie);
       if (probability < SURE_NAME) {
-        return undecided(unsure(tie, probability));
+        return unsure(tie, probability);
       }
     }
-    String sponge = sponge(weighed, blocks);
-    return sponge.isEmpty() ? new Conclusion(Verdict.EXPLAINED, "", List.of()) : undecided(sponge);
+    return "";
   }
 
+  /** Rounded down: what is below the limit does not read like it. */
   private static String unsure(Set<Effect> tie, double probability) {
     return String.format(
         Locale.ROOT,
         "%s is likely, at %.0f %%, but not so likely that it can be named (%.0f %%)",
         words(List.copyOf(tie), " or "),
-        100 * probability,
+        Math.floor(100 * probability),
         100 * SURE_NAME);
   }
 
@@ -140,8 +169,8 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
         ? ""
         : String.format(
             Locale.ROOT,
-            "%s takes up a little of anything, and the gap of another log may be as large as before:"
-                + " it shrinks by %.0f %% (95 %% interval %.0f to %.0f %%)",
+            "%s takes up a little of anything, and the gap of another log may be as large as"
+                + " before: it shrinks by %.0f %% (95 %% interval %.0f to %.0f %%)",
             words(soaking, " + "),
             100 * weighed.gain().shrinkage(),
             100 * shrink.low(),
@@ -155,8 +184,8 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
   private static String noHalves(Gain gain) {
     int rows = gain.before().observedM().length;
     if (rows >= 2 * Blocks.LEAST_ROWS) {
-      return "all readings are of one moment; an effect is tested on another stretch of time than it"
-          + " was fitted on";
+      return "all readings are of one moment; an effect is tested on another stretch of time than"
+                 + " it was fitted on";
     }
     return String.format(
         Locale.ROOT,

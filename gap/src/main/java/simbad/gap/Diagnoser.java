@@ -193,15 +193,23 @@ public final class Diagnoser {
                 .map(part -> beside(calibration, evidence, part))
             : Optional.empty();
     double stated = first.verdict() == Verdict.UNEXPLAINED ? Unknown.besideARest(unknown) : unknown;
-    return sure.map(
+    return sure.flatMap(
             part ->
-                new Told(
-                    part,
-                    places(evidence, part, blocks),
-                    stated,
-                    unnamed.signs(),
-                    Conclusion.partly(first)))
+                first
+                    .partly(effects(part), whole, unnamed, tieNats)
+                    .map(
+                        told ->
+                            new Told(
+                                part,
+                                places(evidence, part, blocks),
+                                stated,
+                                unnamed.signs(),
+                                told)))
         .orElse(new Told(whole, where, stated, unnamed.signs(), first));
+  }
+
+  private static Set<Effect> effects(Weighed weighed) {
+    return Set.copyOf(weighed.taken().hypothesis().effects());
   }
 
   /** What no effect does, as signs show it, or as it is likelier than the effects. */

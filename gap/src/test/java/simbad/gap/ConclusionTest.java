@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
@@ -140,7 +141,33 @@ class ConclusionTest {
     assertEquals(
         "a gap of 2.10 cm is left where the diagnosed model expects 1.00 cm from scatter",
         left.reason());
-    assertEquals(Verdict.PARTLY, Conclusion.partly(left).verdict());
+    assertEquals(
+        Optional.of(new Conclusion(Verdict.PARTLY, left.reason(), List.of())),
+        partly(left, weighed(OFFSET, 0.021, 0.01), 0.1));
+  }
+
+  private static Optional<Conclusion> partly(Conclusion whole, Weighed weighed, double unknown) {
+    return whole.partly(Set.of(Effect.RANGE_OFFSET), weighed, new Unnamed(unknown, Map.of(), ""), TIE_NATS);
+  }
+
+  /** One in five is no "something else is too". */
+  @Test
+  void allOfTheSetIsSure_nothingIsKnownToStandBesideIt() {
+    Weighed offset = weighed(OFFSET, 0.01, 0.01);
+    Conclusion hardly = of(offset, 0.201);
+    isUndecided("range-offset is likely, at 79 %, but not so likely that it can be named", hardly);
+    assertEquals(Optional.empty(), partly(hardly, offset, 0.201));
+  }
+
+  /** That the sure one is not sure would contradict the verdict. */
+  @Test
+  void whatIsNotSure_isSaidOfTheOthers() {
+    Hypothesis both = OFFSET.and(Worlds.effect(Effect.GAIN, "factor", 0.8).forms().get(0), 0.8);
+    Weighed weighed = weighed(both, 0.01, 0.01);
+    Conclusion partly = partly(of(weighed, 0.3), weighed, 0.3).orElseThrow();
+    assertEquals(Verdict.PARTLY, partly.verdict());
+    assertEquals(
+        "gain is likely, at 70 %, but not so likely that it can be named (80 %)", partly.reason());
   }
 
   @Test

@@ -13,13 +13,46 @@ import simbad.sonar.shape.ThresholdTable;
  *
  * @param result of the diagnosed sensor
  * @param against what it is compared with: a sensor's trace, or the table
- * @param meanM mean of the radii's difference over the bearings that both reached, metres; negative
- *     where the diagnosed trace is nearer
- * @param ratio mean of the radii's ratio over these bearings
- * @param bearings how many these are, at least 1
+ * @param radii of both
  */
-public record TraceMove(
-    RunResult result, String against, double meanM, double ratio, int bearings) {
+public record TraceMove(RunResult result, String against, Radii radii) {
+  /**
+   * How far two ways are from the obstacle's axis, in the mean over the bearings that both reached.
+   *
+   * @param meanM of the diagnosed trace, metres
+   * @param againstM of what it is compared with, metres, above 0
+   * @param bearings how many were reached by both, at least 1
+   */
+  public record Radii(double meanM, double againstM, int bearings) {
+    static Optional<Radii> of(OptionalDouble[] mine, OptionalDouble[] theirs) {
+      double sum = 0;
+      double against = 0;
+      int bearings = 0;
+      for (int k = 0; k < mine.length; k++) {
+        if (mine[k].isPresent() && theirs[k].orElse(0) > 0) {
+          sum += mine[k].getAsDouble();
+          against += theirs[k].getAsDouble();
+          bearings++;
+        }
+      }
+      return bearings == 0
+          ? Optional.empty()
+          : Optional.of(new Radii(sum / bearings, against / bearings, bearings));
+    }
+
+    /** Returns how far out the diagnosed trace moves, metres; negative where it is nearer. */
+    double moveM() {
+      return meanM - againstM;
+    }
+
+    /**
+     * Returns the ratio of the means. The mean of the ratios could be above 1 where the way is
+     * nearer: it counts short radii as much as long ones.
+     */
+    double ratio() {
+      return meanM / againstM;
+    }
+  }
 
   /**
    * Compares each diagnosed sensor's trace with that of the shadow sensor round the same obstacle,
@@ -61,21 +94,9 @@ public record TraceMove(
 
   private static Optional<TraceMove> between(
       RunResult result, String against, OptionalDouble[] before) {
-    OptionalDouble[] after =
-        Crossings.meanRadiusM(result.trace(), result.type().thresholds().table());
-    double sum = 0;
-    double ratios = 0;
-    int bearings = 0;
-    for (int k = 0; k < after.length; k++) {
-      if (after[k].isPresent() && before[k].orElse(0) > 0) {
-        sum += after[k].getAsDouble() - before[k].getAsDouble();
-        ratios += after[k].getAsDouble() / before[k].getAsDouble();
-        bearings++;
-      }
-    }
-    return bearings == 0
-        ? Optional.empty()
-        : Optional.of(new TraceMove(result, against, sum / bearings, ratios / bearings, bearings));
+    return Radii.of(
+            Crossings.meanRadiusM(result.trace(), result.type().thresholds().table()), before)
+        .map(radii -> new TraceMove(result, against, radii));
   }
 
   /** Returns it in a sentence. */
@@ -86,11 +107,11 @@ public record TraceMove(
             + " (%d of %d bearings)",
         result.sensor().word(),
         result.type().name(),
-        100 * Math.abs(meanM),
-        meanM < 0 ? "nearer" : "further out",
+        100 * Math.abs(radii.moveM()),
+        radii.moveM() < 0 ? "nearer" : "further out",
         against,
-        ratio,
-        bearings,
+        radii.ratio(),
+        radii.bearings(),
         result.type().thresholds().table().size());
   }
 }
