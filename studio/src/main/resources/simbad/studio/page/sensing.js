@@ -92,7 +92,14 @@ function rows(page, answer, closing) {
   const where = answer.diagnosis.where || [];
   const buttons = [el('button', { type: 'button', 'aria-pressed': 'true', onclick: () => choose(-1) }, 'All rows'),
     ...where.map((one, i) => el('button', { type: 'button', 'aria-pressed': 'false', onclick: () => choose(i) }, place(one.slice) + ' \u00b7 ' + one.kind + ' \u00b7 ' + percent(one.share_of_gap)))];
-  plan.element.append(el('ul', { class: 'legend' }, el('li', {}, el('i', { class: 'dot key-low' }), 'range too short'), el('li', {}, el('i', { class: 'dot key-high' }), 'range too long'), el('li', {}, el('i', { class: 'dot key-c3' }), 'echo where none was expected'),
+  const tip = el('p', { class: 'note said', id: 'rowtip' }, '\u00a0');
+  plan.onpoint = (point, v) => {
+    const far = row => Math.hypot(row[column.x_m] - point[0], row[column.z_m] - point[1]);
+    const near = mine().reduce((best, row) => far(row) < far(best) ? row : best, mine()[0]);
+    tip.textContent = near && far(near) * v.scale < 15 ? 'Row ' + near[column.row] + ': ' + (near[column.range_m] === null ? 'no echo' : 'range ' + number(near[column.range_m], 3) + ' m') + ', bearing ' + number(near[column.bearing_deg], 0)
+      + '\u00b0, distance ' + number(near[column.distance_m], 2) + ' m, off the axis ' + number(near[column.off_axis_deg], 0) + '\u00b0, gap ' + number(near[column.gap_before_cm], 2) + ' cm before and ' + number(near[column.gap_after_cm], 2) + ' after' : '\u00a0';
+  };
+  plan.element.append(tip, el('ul', { class: 'legend' }, el('li', {}, el('i', { class: 'dot key-low' }), 'range too short'), el('li', {}, el('i', { class: 'dot key-high' }), 'range too long'), el('li', {}, el('i', { class: 'dot key-c3' }), 'echo where none was expected'),
     el('li', {}, el('i', { class: 'ringkey' }), 'no echo'), el('li', {}, 'size: the row\u2019s gap')), plan.buttons(() => csvText(answer.columns, mine())));
   page.append(el('section', {}, el('h3', {}, 'Where the gap lies'), el('div', { class: 'bar', id: 'places', role: 'group', 'aria-label': 'Places of the gap' }, buttons),
     el('div', { class: 'bar' }, el('span', {}, 'before'), slider, el('span', {}, 'after')), said),

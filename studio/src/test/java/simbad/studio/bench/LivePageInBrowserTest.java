@@ -86,6 +86,7 @@ class LivePageInBrowserTest {
         assertEquals("", watcher.look(CUT), status.word());
         places.add(watcher.look(PLOT));
       }
+      assertEquals("[]", watcher.violations());
       assertEquals(1, places.stream().distinct().count(), () -> String.join("\n", places));
     }
   }

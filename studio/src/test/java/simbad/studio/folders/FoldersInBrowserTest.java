@@ -155,6 +155,22 @@ class FoldersInBrowserTest {
     show("open=diagnoses%2Fwall", "document.querySelector('#places') !== null");
     assertTrue(
         visitor.look("document.querySelector('.verdict').textContent").startsWith("explained"));
+    // How far the wall is heard, by the keys.
+    visitor.look("document.querySelector('.chart').focus()");
+    visitor.press("ArrowRight", 39);
+    visitor.press("ArrowRight", 39);
+    visitor.await(
+        "/^bearing, degrees 10: fitted 2[.][45]\\d*, believed 2[.][45]\\d*$/.test(document.querySelector('.said').textContent)");
+    // The row that the mouse points at.
+    String[] first =
+        visitor
+            .look(
+                "(() => { const c = document.querySelector('.sheet'); c.scrollIntoView({block: 'center'}); const b = c.getBoundingClientRect(), s = Math.min(b.width, b.height) / 2.838;"
+                    + " return [b.x + b.width / 2, b.y + b.height / 2 + (1 - 1.275) * s].join(); })()")
+            .split(",", -1);
+    visitor.mouse("mouseMoved", Double.parseDouble(first[0]), Double.parseDouble(first[1]));
+    visitor.await(
+        "/^Row \\d+: range 0.9\\d+ m, bearing/.test(document.querySelector('#rowtip').textContent)");
     visitor.click("#places button:nth-child(2)");
     visitor.await("document.querySelector('#rowsaid').textContent.includes(' 25 rows')");
     visitor.await(
