@@ -185,7 +185,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
     int rows = gain.before().observedM().length;
     if (rows >= 2 * Blocks.LEAST_ROWS) {
       return "all readings are of one moment; an effect is tested on another stretch of time than"
-                 + " it was fitted on";
+          + " it was fitted on";
     }
     return String.format(
         Locale.ROOT,

@@ -147,7 +147,8 @@ class ConclusionTest {
   }
 
   private static Optional<Conclusion> partly(Conclusion whole, Weighed weighed, double unknown) {
-    return whole.partly(Set.of(Effect.RANGE_OFFSET), weighed, new Unnamed(unknown, Map.of(), ""), TIE_NATS);
+    return whole.partly(
+        Set.of(Effect.RANGE_OFFSET), weighed, new Unnamed(unknown, Map.of(), ""), TIE_NATS);
   }
 
   /** One in five is no "something else is too". */
