@@ -27,6 +27,20 @@ record Publication(Map<String, String> values, String version) {
       List.of("url", "scm.url", "scm.connection", "developer.name", "developer.contact");
   private static final Pattern VERSION = Pattern.compile("(?m)^  <version>(.*)</version>$");
   private static final String LICENCES = "  </licenses>\n";
+  private static final String OWNER =
+      """
+        <url>%s</url>
+        <developers>
+          <developer>
+            <name>%s</name>
+            <url>%s</url>
+          </developer>
+        </developers>
+        <scm>
+          <url>%s</url>
+          <connection>%s</connection>
+        </scm>
+      """;
   private static final String TITLE = "Simbad Sonar";
   private static final String ABSTRACT =
       "A robot simulator, source-compatible with Simbad, whose sonar detects what a real SRF04"
@@ -93,14 +107,10 @@ record Publication(Map<String, String> values, String version) {
     if (!pom.contains(LICENCES)) {
       throw new IllegalArgumentException("the pom has no line " + LICENCES.strip());
     }
-    String more =
-        "  <url>%s</url>\n  <developers>\n    <developer>\n      <name>%s</name>\n"
-            + "      <url>%s</url>\n    </developer>\n  </developers>\n  <scm>\n"
-            + "    <url>%s</url>\n    <connection>%s</connection>\n  </scm>\n";
     return pom.replace(
         LICENCES,
         LICENCES
-            + more.formatted(
+            + OWNER.formatted(
                 xml("url"),
                 xml("developer.name"),
                 xml("developer.contact"),

@@ -47,7 +47,7 @@ final class ReleaseCommand extends Subcommand {
 
   @Override
   protected void run() throws Exception {
-    if (jarOnly && publish || unsigned && !publish) {
+    if ((jarOnly && publish) || (unsigned && !publish)) {
       throw wrongUsage(
           jarOnly ? "--jar-only and --publish exclude each other" : "--unsigned needs --publish");
     }

@@ -117,7 +117,7 @@ public final class FoldedDiagnosis {
 
   private static boolean isScatter(Change change) {
     return change instanceof RangeNoise
-        || change instanceof Dropout dropout && dropout.share() < HALF;
+        || (change instanceof Dropout dropout && dropout.share() < HALF);
   }
 
   private boolean takeGeometric(Change change) {
@@ -127,8 +127,8 @@ public final class FoldedDiagnosis {
     }
     boolean geometry =
         change instanceof SceneChange
-            || change instanceof SensorChange && !(change instanceof LevelRule)
-            || change instanceof ThresholdChange && !(change instanceof BeamPattern);
+            || (change instanceof SensorChange && !(change instanceof LevelRule))
+            || (change instanceof ThresholdChange && !(change instanceof BeamPattern));
     if (geometry) {
       geometric.add(change);
     } else if (change instanceof DeadZone dead) {

@@ -74,12 +74,12 @@ public final class IntegerLevel {
     int[] at = {2 * xMm, 2 * zMm};
     int away = (int) Math.sqrt(IntegerSonar.dot(at, at));
     int cells = angleOf(at[1], at[0]) * (figures.strengthCdb().length - 1);
-    int off = angleOf(nearest[0], -nearest[1]) - heading & TURN_MASK;
+    int off = (angleOf(nearest[0], -nearest[1]) - heading) & TURN_MASK;
     off = off >= IntegerSonar.TURN / 2 ? IntegerSonar.TURN - off : off;
-    if (away >> 6 >= figures.lossCdb().length - 1) {
+    if ((away >> 6) >= figures.lossCdb().length - 1) {
       return -1;
     }
-    return between(figures.strengthCdb(), cells >> 16, cells >> 8 & 255, 8)
+    return between(figures.strengthCdb(), cells >> 16, (cells >> 8) & 255, 8)
         + between(figures.beamCdb(), off >> 7, off & 127, 7)
         - between(figures.lossCdb(), away >> 6, away & 63, 6);
   }
@@ -98,7 +98,8 @@ public final class IntegerLevel {
       int square = IntegerSonar.dot(foot, foot);
       boolean isNearer =
           square < best
-              || square == best && IntegerSonar.dot(foot, ahead) > IntegerSonar.dot(nearest, ahead);
+              || (square == best
+                  && IntegerSonar.dot(foot, ahead) > IntegerSonar.dot(nearest, ahead));
       if (isNearer) {
         best = square;
         nearest = foot;
