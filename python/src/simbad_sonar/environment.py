@@ -74,7 +74,7 @@ def _fleet(
         raise SonarError(str(error.getMessage()), 2) from error
 
 
-class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, Floats]):
+class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[Any]]):
     """Robots that are stepped together, each in a world of its own.
 
     An action is speed ahead and turn rate counter-clockwise, each from -1 to 1 of the greatest. An
@@ -137,7 +137,10 @@ class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, Floats]):
             sensor_file,
             (int(max_steps), float(max_speed_m_per_s), float(max_turn_rad_per_s)),
         )
-        shared = lambda buffer, *shape: np.asarray(memoryview(buffer)).reshape(num_envs, *shape)  # noqa: E731
+
+        def shared(buffer: Any, *shape: int) -> Any:
+            return np.asarray(memoryview(buffer)).reshape(num_envs, *shape)
+
         self._commands: Floats = shared(self._fleet.commands(), 2)
         self._read: Floats = shared(self._fleet.readings(), -1)
         self._read_last: Floats = shared(self._fleet.lastReadings(), -1)
