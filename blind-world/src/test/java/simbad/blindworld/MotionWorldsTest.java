@@ -206,6 +206,66 @@ class MotionWorldsTest {
     assertTrue(same < told.size() / 10, same + " poses of " + told.size() + " are the sealed ones");
   }
 
+  /** The rule answers, the scorer scores it beside the oracle, and a byte that differs ends it. */
+  @Test
+  void baselineIsScored_andBrokenSealsAreRefused() throws Exception {
+    Path own = folder.resolve("own");
+    assertEquals(0, generate(4, "none:1,single:1", own).status);
+    Path answers = folder.resolve("answers");
+    Done made = run("baseline --cases " + own + "/cases --rows " + own + "/rows", answers);
+    assertEquals(0, made.status, made.err);
+    Path scores = folder.resolve("scores.json");
+    Done scored = score(own, answers, scores);
+    assertEquals(0, scored.status, scored.err);
+    assertTrue(scored.out.contains("4 verified against manifest.json"), scored.out);
+    assertTrue(scored.out.contains("worlds of motion (M1 and M2)"), scored.out);
+    JsonObject all =
+        JsonObject.read(scores).object("scores").object("worlds of motion (M1 and M2)");
+    JsonObject oracle = all.object("oracle");
+    assertEquals(1, oracle.object("share_of_oracle_removal").number("median"), 1e-3);
+    assertEquals(1, oracle.object("shares").object("all verdicts right").number("share"));
+    assertEquals("4 of 4 answers", JsonObject.read(scores).text("predictions"));
+    checkMissing(own, answers);
+    checkBroken(own, answers);
+  }
+
+  private static Done score(Path own, Path answers, Path out) {
+    return run(
+        "score --truth " + own + "/truth --manifest " + own + "/manifest.json --answers " + answers,
+        out);
+  }
+
+  private static void checkMissing(Path own, Path answers) throws IOException {
+    try (var paths = Files.list(answers)) {
+      Files.delete(paths.sorted().findFirst().orElseThrow().resolve("predictions.csv"));
+    }
+    Done scored = score(own, answers, folder.resolve("other.json"));
+    assertEquals(0, scored.status, scored.err);
+    assertTrue(scored.out.contains("predictions are missing: 3 of 4 answers"), scored.out);
+  }
+
+  private static void checkBroken(Path own, Path answers) throws IOException {
+    Path one;
+    try (var paths = Files.list(own.resolve("truth"))) {
+      one = paths.sorted().findFirst().orElseThrow().getFileName();
+    }
+    for (String name :
+        List.of(
+            "truth/ID/truth.json",
+            "truth/ID/sealed-track.csv",
+            "truth/ID/oracle.csv",
+            "rows/ID/track.csv",
+            "cases/ID/commands.csv")) {
+      Path file = own.resolve(name.replace("ID", one.toString()));
+      String text = Files.readString(file);
+      Files.writeString(file, text + " ");
+      Done scored = score(own, answers, folder.resolve("never.json"));
+      assertEquals(2, scored.status, name);
+      assertTrue(scored.err.contains("was committed to"), scored.err);
+      Files.writeString(file, text);
+    }
+  }
+
   @Test
   void options_ofOtherWorlds_areRefused() {
     Path nowhere = Path.of("pom.xml/x");

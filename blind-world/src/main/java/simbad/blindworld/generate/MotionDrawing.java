@@ -109,12 +109,19 @@ final class MotionDrawing {
         "no case with " + assignment.names() + " that shows, in " + DRAWS + " draws");
   }
 
-  /** Another pair with the same first effect; what is unknown stands alone. */
+  /**
+   * Another pair with the same first effect; what is unknown stands alone, and later gives way to
+   * something else.
+   */
   private List<String> easier() {
+    List<String> outside = MotionVocabulary.outside();
     return switch (assignment.kind()) {
       case PAIR -> Plan.otherPair(order, names.get(0), random);
       case TRIPLE -> Plan.otherTriple(order, names.get(0), random);
-      case UNKNOWN -> names.subList(names.size() - 1, names.size());
+      case UNKNOWN ->
+          draws > OTHER_PAIR && order.effects().isEmpty()
+              ? List.of(outside.get(random.nextInt(outside.size())))
+              : names.subList(names.size() - 1, names.size());
       case NONE, SINGLE, WITHHELD -> names;
     };
   }
