@@ -52,14 +52,7 @@ final class ScoreCommand {
     scoring.add("oracle", folder.oracle(truths));
     out.println("commitments: " + seal + "; answers sealed as " + answersHash);
     Proportion predicted = scoring.predictions("diagnosis");
-    if (predicted.hits() < predicted.of()) {
-      out.println(
-          "predictions are missing: "
-              + predicted.hits()
-              + " of "
-              + predicted.of()
-              + " answers have them, and shrinkage is scored of these only");
-    }
+    sayMissing(predicted, out);
     out.print(scoring.text());
     if (options.text("--out").isPresent()) {
       Map<String, Object> json = new LinkedHashMap<>();
@@ -71,6 +64,17 @@ final class ScoreCommand {
       json.put("scores", scoring.json());
       json.put("cases", scoring.casesJson("diagnosis"));
       Output.write(Path.of(options.required("--out")), Json.write(json));
+    }
+  }
+
+  private static void sayMissing(Proportion predicted, PrintStream out) {
+    if (predicted.hits() < predicted.of()) {
+      out.println(
+          "predictions are missing: "
+              + predicted.hits()
+              + " of "
+              + predicted.of()
+              + " answers have them, and shrinkage is scored of these only");
     }
   }
 

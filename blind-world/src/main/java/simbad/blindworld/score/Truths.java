@@ -183,9 +183,10 @@ public final class Truths {
       same(one + ", sealed.csv", json.text("sealed_sha256"), hash(one.resolve("sealed.csv")));
       same(one + ", oracle.csv", json.text("oracle_sha256"), hash(one.resolve("oracle.csv")));
     }
-    Path rows = open.resolveSibling("../rows").resolve(open.getFileName()).resolve("rows.csv");
-    if (entry.has("rows") && Files.isDirectory(rows.getParent())) {
-      verifyFiles(rows.getParent(), entry.object("rows"));
+    Path rowFolder = open.resolveSibling("../rows").resolve(open.getFileName());
+    Path rows = rowFolder.resolve("rows.csv");
+    if (entry.has("rows") && Files.isDirectory(rowFolder)) {
+      verifyFiles(rowFolder, entry.object("rows"));
     }
     if (Files.exists(rows)) {
       same(rows + "", entry.text("rows_sha256"), hash(rows));
