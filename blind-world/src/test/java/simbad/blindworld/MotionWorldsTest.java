@@ -27,6 +27,10 @@ class MotionWorldsTest {
   private static final String EASY =
       "speed-scale,turn-scale,turn-bias,actuation-latency,wheel-scale,turns-unequal";
 
+  /** The root over the first two cases of the benchmark's part of motion. */
+  private static final String FIRST_OF_MOTION =
+      "f858bdc715f46f379ced2768e93f0ad6f1042bc62139818f8c4cbde60b7fb256";
+
   private static Path folder = Path.of("");
   private static Path world = Path.of("");
 
@@ -264,6 +268,21 @@ class MotionWorldsTest {
       assertTrue(scored.err.contains("was committed to"), scored.err);
       Files.writeString(file, text);
     }
+  }
+
+  /**
+   * The benchmark's first two cases are the same bytes for ever, and say of which part they are.
+   */
+  @Test
+  void benchmark_isFrozen() throws Exception {
+    Path two = folder.resolve("two of the benchmark");
+    Done done = run("benchmark --part Motion --first 2", two);
+    assertEquals(0, done.status, done.err);
+    assertTrue(done.out.startsWith("SRB-1.0 motion, first half, root "), done.out);
+    JsonObject manifest = JsonObject.read(two.resolve("manifest.json"));
+    assertEquals("motion", manifest.text("worlds"));
+    assertEquals("motion", manifest.text("part"));
+    assertEquals(FIRST_OF_MOTION, manifest.text("root"), "other bytes");
   }
 
   @Test
