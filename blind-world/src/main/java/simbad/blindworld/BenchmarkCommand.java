@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import simbad.blindworld.benchmark.Part;
 import simbad.blindworld.file.FormatException;
 import simbad.blindworld.file.Seal;
@@ -30,7 +31,8 @@ final class BenchmarkCommand {
     Part part =
         Part.find(name)
             .orElseThrow(
-                () -> new FormatException("--part: '" + name + "', expected L1, L2 or L2w"));
+                () ->
+                    new FormatException("--part: '" + name + "', expected L1, L2, L2w or motion"));
     Drawn drawn = drawn(options, part);
     int first = drawn.first();
     Map<String, Object> said = new LinkedHashMap<>();
@@ -47,9 +49,10 @@ final class BenchmarkCommand {
             said,
             new Finished(options, first, err));
     out.println(part + ", " + drawn.what() + ", root " + root);
-    if (drawn.isWhole(part) && !root.equals(part.root())) {
+    Optional<String> frozen = drawn.isWhole(part) ? part.root() : Optional.empty();
+    if (frozen.isPresent() && !frozen.get().equals(root)) {
       throw new IOException(
-          "the root of " + part + " is " + part.root() + ": these are other bytes");
+          "the root of " + part + " is " + frozen.get() + ": these are other bytes");
     }
   }
 

@@ -10,7 +10,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import simbad.blindworld.effect.Vocabulary;
 import simbad.blindworld.file.FormatException;
 import simbad.blindworld.generate.Generator;
 import simbad.blindworld.generate.Kind;
@@ -31,6 +30,7 @@ final class GenerateCommand {
           "--effects",
           "--withheld",
           "--rows",
+          "--seconds",
           "--repeats",
           "--level",
           "--sizes",
@@ -57,7 +57,7 @@ final class GenerateCommand {
     }
     List<String> effects = effects(options.text("--effects").orElse(""), worlds);
     if (!effects.isEmpty()) {
-      checkChoice(effects, mix);
+      checkChoice(effects, mix, worlds);
     }
     return new Order(
         (int) options.number("--cases", 40, 1, 100_000),
@@ -66,8 +66,8 @@ final class GenerateCommand {
         options.number("--reference", 0, 0, 1),
         effects,
         withheld,
-        rows(options.text("--rows").orElse(worlds == Worlds.WAVE ? "700-2500" : "2000-4500")),
-        (int) options.number("--repeats", 400, 40, 100_000),
+        rows(options, worlds),
+        (int) options.number("--repeats", worlds == Worlds.MOTION ? 200 : 400, 40, 100_000),
         worlds,
         sizes(options.text("--sizes")),
         Set.of());
@@ -76,14 +76,20 @@ final class GenerateCommand {
   /** Waves have no other levels, and always come with a reference. */
   private static Worlds worlds(Options options) throws FormatException {
     String level = options.text("--level").orElse("");
-    if (!level.isEmpty() && !level.equals("wave")) {
-      throw new FormatException("--level: '" + level + "', expected wave");
+    if (level.isEmpty()) {
+      return Worlds.EQUATIONS;
     }
-    if (!level.isEmpty() && options.text("--reference").isPresent()) {
+    if (level.equals("motion")) {
+      return Worlds.MOTION;
+    }
+    if (!level.equals("wave")) {
+      throw new FormatException("--level: '" + level + "', expected wave or motion");
+    }
+    if (options.text("--reference").isPresent()) {
       throw new FormatException(
           "--reference: every case of --level wave comes with one, expected none of the two");
     }
-    return level.isEmpty() ? Worlds.EQUATIONS : Worlds.WAVE;
+    return Worlds.WAVE;
   }
 
   private static Optional<Order.Sizes> sizes(Optional<String> text) throws FormatException {
@@ -131,9 +137,9 @@ final class GenerateCommand {
   }
 
   /** Every kind of the mix needs names to choose from. */
-  private static void checkChoice(List<String> effects, Map<Kind, Double> mix)
+  private static void checkChoice(List<String> effects, Map<Kind, Double> mix, Worlds worlds)
       throws FormatException {
-    List<String> inside = effects.stream().filter(Vocabulary::contains).toList();
+    List<String> inside = effects.stream().filter(worlds::contains).toList();
     boolean pairs = mix.getOrDefault(Kind.PAIR, 0.0) + mix.getOrDefault(Kind.TRIPLE, 0.0) > 0;
     if (inside.isEmpty() && (pairs || mix.getOrDefault(Kind.SINGLE, 0.0) > 0)) {
       throw new FormatException(
@@ -144,12 +150,12 @@ final class GenerateCommand {
           "--effects: all are of the vocabulary, expected one outside it for --mix's unknown");
     }
     for (String one : inside) {
-      if (pairs && inside.stream().noneMatch(other -> Vocabulary.isFairPair(one, other))) {
+      if (pairs && inside.stream().noneMatch(other -> worlds.isFairPair(one, other))) {
         throw new FormatException(
             "--effects: " + one + " makes a fair pair with none of them, which --mix's pair needs");
       }
     }
-    if (mix.getOrDefault(Kind.TRIPLE, 0.0) > 0 && !Plan.hasTripleForEach(inside)) {
+    if (mix.getOrDefault(Kind.TRIPLE, 0.0) > 0 && !Plan.hasTripleForEach(inside, worlds)) {
       throw new FormatException(
           "--effects: not every one of them is fair beside two others, which --mix's triple needs");
     }
@@ -165,10 +171,23 @@ final class GenerateCommand {
     return names;
   }
 
-  private static Order.Rows rows(String text) throws FormatException {
-    String[] ends = text.split("-", -1);
-    int least = (int) Options.inside("--rows", ends[0], 100, 1e6);
-    int most = (int) Options.inside("--rows", ends[ends.length - 1], least, 1e6);
+  /** Rows of readings, or seconds of driving. */
+  private static Order.Rows rows(Options options, Worlds worlds) throws FormatException {
+    boolean motion = worlds == Worlds.MOTION;
+    String name = motion ? "--seconds" : "--rows";
+    String other = motion ? "--rows" : "--seconds";
+    if (options.text(other).isPresent()) {
+      throw new FormatException(other + ": not of these worlds, expected " + name);
+    }
+    String usual =
+        switch (worlds) {
+          case EQUATIONS -> "2000-4500";
+          case WAVE -> "700-2500";
+          case MOTION -> "120-600";
+        };
+    String[] ends = options.text(name).orElse(usual).split("-", -1);
+    int least = (int) Options.inside(name, ends[0], motion ? 60 : 100, 1e6);
+    int most = (int) Options.inside(name, ends[ends.length - 1], least, motion ? 3600 : 1e6);
     return new Order.Rows(least, most);
   }
 }

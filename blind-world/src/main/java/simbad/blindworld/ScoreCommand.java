@@ -8,12 +8,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import simbad.blindworld.effect.Vocabulary;
 import simbad.blindworld.file.FormatException;
 import simbad.blindworld.file.Json;
 import simbad.blindworld.file.JsonObject;
 import simbad.blindworld.file.Output;
 import simbad.blindworld.score.Answers;
+import simbad.blindworld.score.Names;
+import simbad.blindworld.score.Proportion;
 import simbad.blindworld.score.Scoring;
 import simbad.blindworld.score.Truth;
 import simbad.blindworld.score.Truths;
@@ -50,12 +51,15 @@ final class ScoreCommand {
     }
     scoring.add("oracle", folder.oracle(truths));
     out.println("commitments: " + seal + "; answers sealed as " + answersHash);
+    Proportion predicted = scoring.predictions("diagnosis");
+    sayMissing(predicted, out);
     out.print(scoring.text());
     if (options.text("--out").isPresent()) {
       Map<String, Object> json = new LinkedHashMap<>();
       json.put("format", "blind-scores/1");
       json.put("commitments", seal);
       json.put("answers_sha256", answersHash);
+      json.put("predictions", predicted.hits() + " of " + predicted.of() + " answers");
       json.put("withheld", options.text("--withheld").orElse(""));
       json.put("scores", scoring.json());
       json.put("cases", scoring.casesJson("diagnosis"));
@@ -63,11 +67,23 @@ final class ScoreCommand {
     }
   }
 
+  private static void sayMissing(Proportion predicted, PrintStream out) {
+    if (predicted.hits() < predicted.of()) {
+      out.println(
+          "predictions are missing: "
+              + predicted.hits()
+              + " of "
+              + predicted.of()
+              + " answers have them, and shrinkage is scored of these only");
+    }
+  }
+
   private static Optional<Scoring.Origin> origin(Path manifest)
       throws FormatException, IOException {
     JsonObject json = JsonObject.read(manifest);
     if (json.has("worlds")) {
-      return Optional.of(Scoring.Origin.WAVE);
+      return Optional.of(
+          json.text("worlds").equals("motion") ? Scoring.Origin.MOTION : Scoring.Origin.WAVE);
     }
     return json.has("level")
         ? Optional.of(Scoring.Origin.foreign(json.text("level")))
@@ -86,7 +102,7 @@ final class ScoreCommand {
       throws FormatException {
     Set<String> names = names(text);
     for (String name : names) {
-      if (!Vocabulary.contains(name) && !known.contains(name)) {
+      if (!Names.contains(name) && !known.contains(name)) {
         throw new FormatException("--withheld: no such effect: " + name);
       }
     }

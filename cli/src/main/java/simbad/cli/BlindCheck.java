@@ -228,6 +228,7 @@ final class BlindCheck {
       CheckScores scores = CheckScores.read(file);
       CheckReport.write(folder, order, scores);
       CheckSummary.lines(scores).forEach(out::println);
+      scores.missingPredictions().ifPresent(out::println);
     }
     log("scored");
     out.println();

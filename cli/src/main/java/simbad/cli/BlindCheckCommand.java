@@ -37,6 +37,7 @@ import simbad.sonar.format.OneLine;
       "Example: simbad blind-check --out check",
       "Example: simbad blind-check --cases 1000 --seed 7 --off --out check-off",
       "Example: simbad blind-check --level wave --cases 200 --seed 7 --out check-wave",
+      "Example: simbad blind-check --motion --cases 100 --seed 7 --out check-motion",
       "Example: simbad blind-check --withhold latency --out check-latency",
       "Example: simbad blind-check --cases 1000 --seed 7 --spark spark://host:7077 --out"
           + " check-spark",
@@ -52,7 +53,7 @@ final class BlindCheckCommand extends Subcommand {
   private static final String WAVE = "wave";
 
   /** Of the benchmark SRB-1, as blind-world calls them. */
-  private static final List<String> PARTS = List.of("L1", "L2", "L2w");
+  private static final List<String> PARTS = List.of("L1", "L2", "L2w", "motion");
 
   @Option(
       names = "--out",
@@ -131,7 +132,8 @@ final class BlindCheckCommand extends Subcommand {
       names = "--benchmark",
       paramLabel = "PART",
       description =
-          "Draw a part of the benchmark SRB-1, L1, L2 or L2w, whose orders and bytes are frozen.")
+          "Draw a part of the benchmark SRB-1, L1, L2, L2w or motion, whose orders and bytes are"
+              + " frozen.")
   private @Nullable String benchmark;
 
   @Option(
@@ -154,6 +156,19 @@ final class BlindCheckCommand extends Subcommand {
           "Without --foreign: wave, for worlds of waves (level L2w), each with a reference. With"
               + " --foreign: the level of independence, to stand beside every figure.")
   private @Nullable String level;
+
+  @Option(
+      names = "--motion",
+      description =
+          "Draw robots that drive before a tracker, in place of sonars: levels M1 and, with a"
+              + " reference, M2.")
+  private boolean motion;
+
+  @Option(
+      names = "--seconds",
+      paramLabel = "MIN-MAX",
+      description = "With --motion: how long each robot drives. Default: 120-600.")
+  private @Nullable String seconds;
 
   @Option(
       names = "--limit",
@@ -213,8 +228,9 @@ final class BlindCheckCommand extends Subcommand {
       return new CheckOrder(BuildVersion.text(), drawn(), withhold);
     }
     boolean drawing =
-        Stream.of(cases, seed, reference, rows, sizes).anyMatch(option -> option != null)
+        Stream.of(cases, seed, reference, rows, seconds, sizes).anyMatch(option -> option != null)
             || off
+            || motion
             || !mix.isEmpty()
             || !effects.isEmpty();
     if (drawing) {
@@ -235,8 +251,10 @@ final class BlindCheckCommand extends Subcommand {
 
   private Benchmark benchmark(String part) {
     boolean drawing =
-        Stream.of(cases, reference, rows, sizes, level, foreign).anyMatch(option -> option != null)
+        Stream.of(cases, reference, rows, seconds, sizes, level, foreign)
+                .anyMatch(option -> option != null)
             || off
+            || motion
             || !mix.isEmpty()
             || !effects.isEmpty()
             || !withhold.isEmpty();
@@ -256,6 +274,7 @@ final class BlindCheckCommand extends Subcommand {
   }
 
   private Drawn drawn() {
+    checkMotion();
     if (level != null && !level.equals(WAVE)) {
       throw wrongUsage(
           "--level: of cases that are drawn it is known; expected " + WAVE + ", or --foreign");
@@ -278,9 +297,26 @@ final class BlindCheckCommand extends Subcommand {
     return new Drawn(count, seed == null ? 1 : seed, share, passedOn());
   }
 
+  private void checkMotion() {
+    if (motion && (level != null || auditOnly || !withhold.isEmpty() || rows != null)) {
+      throw wrongUsage(
+          "--motion: of sonars are --level, --rows, --withhold and --audit-only, expected none of"
+              + " them");
+    }
+    if (!motion && seconds != null) {
+      throw wrongUsage("--seconds: expected --motion with it");
+    }
+  }
+
   /** What only the worlds' own program understands. */
   private List<String> passedOn() {
     List<String> options = new ArrayList<>();
+    if (motion) {
+      options.addAll(List.of("--level", "motion"));
+    }
+    if (seconds != null) {
+      options.addAll(List.of("--seconds", seconds));
+    }
     if (level != null) {
       options.addAll(List.of("--level", level));
     }

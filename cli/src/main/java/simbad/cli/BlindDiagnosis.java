@@ -19,8 +19,10 @@ import simbad.sonar.format.WholeFile;
  * check that ends early goes on where it was.
  */
 final class BlindDiagnosis {
-  /** Written last of a diagnosis, and asked for when a case counts as answered. */
+  /** Written last of a diagnosis, and asked for when a case of readings counts as answered. */
   static final String PREDICTIONS = "predictions.csv";
+
+  private static final String DIAGNOSIS = "diagnosis.json";
 
   private static final String PARTIAL = ".unfinished";
 
@@ -57,10 +59,16 @@ final class BlindDiagnosis {
     try (Stream<Path> cases = Files.list(world.resolve("cases"))) {
       return cases
           .map(one -> one.getFileName().toString())
-          .filter(id -> !Files.exists(answers.resolve(id).resolve(PREDICTIONS)))
+          .filter(id -> !Files.exists(answers.resolve(id).resolve(asked(id))))
           .sorted()
           .toList();
     }
+  }
+
+  /** An answer to a robot's drive counts without predictions. */
+  private String asked(String id) {
+    boolean motion = Files.exists(world.resolve("cases").resolve(id).resolve("track.csv"));
+    return motion ? DIAGNOSIS : PREDICTIONS;
   }
 
   /**

@@ -78,7 +78,8 @@ final class Desk implements AutoCloseable {
     write(one.open(), folder.path().resolve(one.id()));
     if (isDone(diagnosing(one, withheld), limit, complaints)) {
       write(one.later(), folder.path().resolve(ROWS).resolve(one.id()));
-      if (isDone(predicting(one), limit, complaints)) {
+      // Of motion a verdict counts without predictions, which the scorer then says are missing.
+      if (isDone(predicting(one), limit, complaints) || one.isMotion()) {
         take(answer, files);
       }
     }
@@ -103,7 +104,8 @@ final class Desk implements AutoCloseable {
 
   private static List<String> predicting(OpenCase one) {
     String answer = ANSWERS + "/" + one.id();
-    String rows = ROWS + "/" + one.id() + "/" + OpenCase.ROWS;
+    String folder = ROWS + "/" + one.id();
+    String rows = one.isMotion() ? folder : folder + "/" + OpenCase.ROWS;
     return List.of("predict", answer, rows, "--out", answer + "/" + BlindDiagnosis.PREDICTIONS);
   }
 

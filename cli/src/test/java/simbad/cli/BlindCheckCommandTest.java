@@ -214,6 +214,21 @@ class BlindCheckCommandTest {
     assertTrue(page.contains("--level wave --sizes 1-2"), "the command that repeats it");
   }
 
+  /** Robots are drawn and scored on a page like the others', whether or not they are predicted. */
+  @Test
+  void motion_hasLevelsOfItsOwn() throws IOException {
+    String order = "--motion --cases 1 --seed 4 --seconds 60-61 --mix single:1 --reference 0";
+    check((order + " --effects speed-scale --limit 120").split(" "));
+    assertEquals("motion", json("order.json").at("/options/1").asText());
+    JsonNode scores = json("check.json").at("/scores/robot as believed (M1)");
+    assertEquals(1, scores.at("/oracle/shares/all right/hits").asInt());
+    assertEquals(1, scores.at("/baseline/shares/answered/hits").asInt());
+    assertEquals("M1", json("check.json").at("/cases/0/level").asText());
+    String page = Files.readString(out().resolve("report.html"));
+    assertTrue(page.contains("--motion --seconds 60-61"), "the command that repeats it");
+    assertFalse(page.contains("--level motion"), "no option of this command");
+  }
+
   /**
    * A part of the benchmark is drawn, diagnosed and scored by one command. Who mistypes an option
    * before may mend it and keep the folder.
@@ -252,7 +267,13 @@ class BlindCheckCommandTest {
         "--level wave --reference 0.5 | --level wave: every case has a reference",
         "--sizes 0-10 | --sizes: '0'",
         "--first 3 | --first: expected --benchmark with it",
-        "--benchmark L9 | --benchmark: 'L9', expected L1, L2, L2w",
+        "--benchmark L9 | --benchmark: 'L9', expected L1, L2, L2w, motion",
+        "--motion --level wave | --motion: of sonars are --level",
+        "--motion --rows 300-400 | --motion: of sonars are --level",
+        "--motion --seconds 9-10 | --seconds: '9'",
+        "--seconds 60-90 | --seconds: expected --motion with it",
+        "--foreign sets --motion | --foreign: nothing is drawn then",
+        "--benchmark motion --motion | --benchmark: its orders are frozen",
         "--benchmark L1 --first 351 | --first: '351'",
         "--benchmark L1 --first 1 --seed 4 | --seed: not that of the second half",
         "--benchmark L1 --cases 4 | --benchmark: its orders are frozen",

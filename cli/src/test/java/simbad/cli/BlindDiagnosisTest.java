@@ -119,6 +119,34 @@ class BlindDiagnosisTest {
     assertEquals(List.of(), complaints);
   }
 
+  /** A robot's folder is predicted as a whole; without a prediction its verdict counts. */
+  @Test
+  void motion_isAnsweredWithoutPredictions() throws Exception {
+    Path open = Files.createDirectories(folder.resolve("world/cases/d"));
+    Path rows = Files.createDirectories(folder.resolve("world/rows/d"));
+    for (String name : List.of("robot.json", "commands.csv", "track.csv")) {
+      Files.writeString(open.resolve(name), name);
+      Files.writeString(rows.resolve(name), name + " sealed\n");
+    }
+    String script =
+        """
+        case $1 in
+        diagnose)
+          mkdir -p answers/$2
+          echo {} >answers/$2/diagnosis.json
+          status=0 ;;
+        predict)
+          ls $3 >>NOTES ;;
+        esac
+        """;
+    BlindDiagnosis diagnosis = diagnosis(script, LONG);
+    assertEquals(List.of("a", "b", "c"), run(diagnosis));
+    Path answer = folder.resolve("answers/d");
+    assertTrue(Files.exists(answer.resolve("diagnosis.json")));
+    assertFalse(Files.exists(answer.resolve("predictions.csv")));
+    assertTrue(Files.readAllLines(notes()).contains("track.csv"), "the folder is given");
+  }
+
   @Test
   void answers_areTheSameWhoeverGivesThem() throws Exception {
     assertEquals(List.of(), run(diagnosis(ANSWERING, LONG), 3));

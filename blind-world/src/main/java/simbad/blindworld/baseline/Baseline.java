@@ -19,6 +19,8 @@ import simbad.blindworld.world.Scene;
 public final class Baseline {
 
   private static final double SURE = 0.6;
+  private static final String DIAGNOSIS = "diagnosis.json";
+  private static final String PREDICTIONS = "predictions.csv";
 
   private Baseline() {}
 
@@ -37,7 +39,7 @@ public final class Baseline {
     }
     List<Path> sets;
     try (var paths = Files.list(cases)) {
-      sets = paths.filter(p -> Files.isRegularFile(p.resolve("scene.json"))).sorted().toList();
+      sets = paths.filter(p -> isSensing(p) || isMotion(p)).sorted().toList();
     }
     List<String> faults = new ArrayList<>();
     for (Path set : sets) {
@@ -51,23 +53,46 @@ public final class Baseline {
     return faults;
   }
 
+  private static boolean isSensing(Path set) {
+    return Files.isRegularFile(set.resolve("scene.json"));
+  }
+
+  private static boolean isMotion(Path set) {
+    return Files.isRegularFile(set.resolve("track.csv"));
+  }
+
+  private static void answerMotion(Path set, Path rows, Path out)
+      throws IOException, FormatException {
+    MotionRule rule = new MotionRule(set);
+    Optional<String> name = rule.name(set);
+    Output.write(out.resolve(DIAGNOSIS), Json.write(diagnosis(set, name, "slip")));
+    if (isMotion(rows)) {
+      Output.write(out.resolve(PREDICTIONS), rule.predictions(rows));
+    }
+  }
+
   private static void answer(Path set, Path rows, Path out) throws IOException, FormatException {
+    if (!isSensing(set)) {
+      answerMotion(set, rows, out);
+      return;
+    }
     Scene scene = DataSet.scene(set.resolve("scene.json"));
     Csv readings = Csv.read(set.resolve("readings.csv"));
     LargestResidual rule = new LargestResidual(scene);
     Optional<String> name = rule.name(DataSet.rows(readings), DataSet.ranges(readings));
-    Output.write(out.resolve("diagnosis.json"), Json.write(diagnosis(set, name)));
+    Output.write(out.resolve(DIAGNOSIS), Json.write(diagnosis(set, name, "dropout")));
     Path own = rows.resolve("rows.csv");
     Path wanted = Files.isRegularFile(own) ? own : rows.resolve("sealed.csv");
     if (Files.isRegularFile(wanted)) {
       Forecast forecast = rule.forecast(DataSet.rows(Csv.read(wanted)));
-      Output.write(out.resolve("predictions.csv"), forecast.csv());
+      Output.write(out.resolve(PREDICTIONS), forecast.csv());
     }
   }
 
-  private static Map<String, Object> diagnosis(Path set, Optional<String> name) {
+  /** The other name is the one that is doubted where nothing is found. */
+  private static Map<String, Object> diagnosis(Path set, Optional<String> name, String other) {
     Map<String, Object> effect = new LinkedHashMap<>();
-    effect.put("name", name.orElse("dropout"));
+    effect.put("name", name.orElse(other));
     effect.put("probability", name.isPresent() ? SURE : 1 - SURE);
     effect.put("indistinguishable_from", List.of());
     Map<String, Object> json = new LinkedHashMap<>();

@@ -30,7 +30,12 @@ public enum Part {
       Worlds.EQUATIONS,
       "98d40ab47c603b1aa99bd7942e96a75ba5d1b74bc2c3b1f748c2e3e14238f298"),
   /** Waves, with a user's calibration and a reference. */
-  L2W(2, 300, 0, Worlds.WAVE, "72565c3fbc3c017726fbcac031804ab708a808fa780cfa271b64d81bb8d7acf8");
+  L2W(2, 300, 0, Worlds.WAVE, "72565c3fbc3c017726fbcac031804ab708a808fa780cfa271b64d81bb8d7acf8"),
+  /**
+   * Robots that drive before a tracker, three in ten of them a little off, with a reference. Its
+   * seeds and orders are frozen; its root is not, until all of it is drawn.
+   */
+  MOTION(3, 300, 0.3, Worlds.MOTION, "");
 
   /** Name and version: of what is drawn, not of the program. */
   public static final String VERSION = "SRB-1.0";
@@ -52,6 +57,10 @@ public enum Part {
 
   private static final Order.Rows EQUATION_ROWS = new Order.Rows(800, 2500);
   private static final Order.Rows WAVE_ROWS = new Order.Rows(700, 2500);
+
+  /** Of motion, seconds. */
+  private static final Order.Rows MOTION_SECONDS = new Order.Rows(120, 360);
+
   private static final Order.Sizes SIZES = new Order.Sizes(0.4, 4);
 
   /** Single effects are of all sizes, so that power can be told; the others have to show. */
@@ -79,9 +88,13 @@ public enum Part {
     return List.of(values()).stream().filter(p -> p.word().equalsIgnoreCase(name)).findFirst();
   }
 
-  /** Its name: L1, L2 or L2w. */
+  /** Its name: L1, L2, L2w or motion. */
   public String word() {
-    return this == L2W ? "L2w" : name();
+    return switch (this) {
+      case L1, L2 -> name();
+      case L2W -> "L2w";
+      case MOTION -> "motion";
+    };
   }
 
   /** How many cases each half has. */
@@ -89,9 +102,11 @@ public enum Part {
     return cases;
   }
 
-  /** The root over the commitments of all its cases of the first half. */
-  public String root() {
-    return root;
+  /**
+   * The root over the commitments of all its cases of the first half; nothing until it is drawn.
+   */
+  public Optional<String> root() {
+    return Optional.of(root).filter(hash -> !hash.isEmpty());
   }
 
   /**
@@ -121,11 +136,19 @@ public enum Part {
         referenceShare,
         List.of(),
         List.of(),
-        worlds == Worlds.WAVE ? WAVE_ROWS : EQUATION_ROWS,
+        rows(),
         REPEATS,
         worlds,
         Optional.of(SIZES),
         PLAIN);
+  }
+
+  private Order.Rows rows() {
+    return switch (worlds) {
+      case EQUATIONS -> EQUATION_ROWS;
+      case WAVE -> WAVE_ROWS;
+      case MOTION -> MOTION_SECONDS;
+    };
   }
 
   /** One case in four holds nothing, one in five something without a name. */

@@ -69,18 +69,51 @@ final class CaseFiles {
     Map<String, Object> truth = new LinkedHashMap<>(drawn.truth());
     truth.put("sealed_sha256", put(sealed, "sealed.csv", sheet(drawn.sealed(), true)));
     truth.put("oracle_sha256", put(sealed, "oracle.csv", drawn.oracle().csv()));
-    String text = Json.write(truth);
-    put(sealed, "truth.json", text);
-    byte[] salt = salt(drawn.assignment().seed());
-    put(sealed, "salt.txt", Seal.hex(salt) + "\n");
+    String commitment = commit(sealed, truth, drawn.assignment().seed());
     Files.setLastModifiedTime(open, TIME);
     Map<String, Object> entry = new LinkedHashMap<>();
     entry.put("case", id);
     entry.put("files", files);
     Path rows = Files.createDirectories(directory.resolve("rows").resolve(id));
     entry.put("rows_sha256", put(rows, "rows.csv", sheet(drawn.sealed(), false)));
-    entry.put("commitment", Seal.commitment(salt, text.getBytes(StandardCharsets.UTF_8)));
+    entry.put("commitment", commitment);
     return entry;
+  }
+
+  /** Writes truth and salt, and returns what binds both. */
+  private static String commit(Path sealed, Map<String, Object> truth, long seed)
+      throws IOException {
+    String text = Json.write(truth);
+    put(sealed, "truth.json", text);
+    byte[] salt = salt(seed);
+    put(sealed, "salt.txt", Seal.hex(salt) + "\n");
+    return Seal.commitment(salt, text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  /** What the manifest says of a case of motion. */
+  Map<String, Object> write(MotionCase drawn) throws IOException {
+    String id = drawn.assignment().id();
+    Path open = Files.createDirectories(directory.resolve("cases").resolve(id));
+    Path sealed = Files.createDirectories(directory.resolve("truth").resolve(id));
+    Path rows = Files.createDirectories(directory.resolve("rows").resolve(id));
+    Map<String, Object> truth = new LinkedHashMap<>(drawn.truth());
+    truth.put("sealed_files", putAll(sealed, drawn.sealedFiles()));
+    Map<String, Object> entry = new LinkedHashMap<>();
+    entry.put("case", id);
+    entry.put("files", putAll(open, drawn.openFiles()));
+    entry.put("rows", putAll(rows, drawn.rowFiles()));
+    entry.put("commitment", commit(sealed, truth, drawn.assignment().seed()));
+    Files.setLastModifiedTime(open, TIME);
+    return entry;
+  }
+
+  private static Map<String, Object> putAll(Path folder, Map<String, String> texts)
+      throws IOException {
+    Map<String, Object> hashes = new LinkedHashMap<>();
+    for (Map.Entry<String, String> text : texts.entrySet()) {
+      hashes.put(text.getKey(), put(folder, text.getKey(), text.getValue()));
+    }
+    return hashes;
   }
 
   /** Writes a text file and returns its SHA-256. */

@@ -79,11 +79,12 @@ public final class Generator {
   private static Map<String, Object> make(
       Plan.Assignment assignment, Order order, CaseFiles files, IntConsumer done, int number) {
     try {
-      CaseFiles.Content content =
-          order.worlds() == Worlds.WAVE
-              ? new WaveDrawing(assignment, order).draw().content()
-              : new Drawing(assignment, order).draw().content();
-      Map<String, Object> entry = files.write(content);
+      Map<String, Object> entry =
+          switch (order.worlds()) {
+            case EQUATIONS -> files.write(new Drawing(assignment, order).draw().content());
+            case WAVE -> files.write(new WaveDrawing(assignment, order).draw().content());
+            case MOTION -> files.write(new MotionDrawing(assignment, order).draw());
+          };
       done.accept(number);
       return entry;
     } catch (IOException e) {

@@ -15,7 +15,7 @@ import java.util.SplittableRandom;
  * @param referenceShare the share of cases whose set-up is off and that come with a reference
  * @param effects the names to choose from, of the vocabulary or outside it; all when empty
  * @param withheld names of the vocabulary that are put in by kind WITHHELD and by no other
- * @param rows least and most rows of a data set
+ * @param rows least and most rows of a data set; of worlds of motion, seconds of driving
  * @param repeats how many simulated repeats make an oracle's forecast
  * @param worlds of which kind they are
  * @param sizes of what is put in; where they are asked for nothing has to show

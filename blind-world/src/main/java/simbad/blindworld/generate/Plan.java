@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.Random;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
-import simbad.blindworld.effect.Vocabulary;
 
 /**
  * Which cases there will be, before any is drawn: kinds in the asked shares, effects evenly, in
@@ -38,14 +37,15 @@ public final class Plan {
     SplittableRandom random = new SplittableRandom(order.seed());
     List<List<String>> contents = new ArrayList<>();
     List<Kind> kinds = new ArrayList<>();
-    Wheel inside = wheel(order, order.worlds().names(), random);
-    Wheel outside = wheel(order, order.worlds().outside(), random);
+    Worlds worlds = order.worlds();
+    Wheel inside = wheel(order, worlds.names(), random);
+    Wheel outside = wheel(order, worlds.outside(), random);
     // Drawn last, so that orders without it keep their bytes.
     Wheel withheld = new Wheel(order.withheld(), withheldChance(order, random));
     for (Map.Entry<Kind, Integer> part : counts(order).entrySet()) {
       for (int i = 0; i < part.getValue(); i++) {
         kinds.add(part.getKey());
-        contents.add(names(part.getKey(), new Wheels(inside, outside, withheld), random));
+        contents.add(names(part.getKey(), new Wheels(inside, outside, withheld, worlds), random));
       }
     }
     List<Integer> shuffled = new ArrayList<>();
@@ -85,7 +85,7 @@ public final class Plan {
   }
 
   /** What each kind takes its names from. */
-  private record Wheels(Wheel inside, Wheel outside, Wheel withheld) {}
+  private record Wheels(Wheel inside, Wheel outside, Wheel withheld, Worlds worlds) {}
 
   private static List<String> names(Kind kind, Wheels wheels, SplittableRandom random) {
     Wheel inside = wheels.inside();
@@ -93,21 +93,21 @@ public final class Plan {
     return switch (kind) {
       case NONE -> List.of();
       case SINGLE -> List.of(inside.next());
-      case PAIR -> pair(inside);
+      case PAIR -> pair(inside, wheels.worlds());
       case UNKNOWN ->
           random.nextDouble() < BESIDE_SHARE && !inside.isEmpty()
               ? List.of(inside.next(), outside.next())
               : List.of(outside.next());
       case WITHHELD -> List.of(wheels.withheld().next());
-      case TRIPLE -> triple(inside);
+      case TRIPLE -> triple(inside, wheels.worlds());
     };
   }
 
-  private static List<String> pair(Wheel inside) {
+  private static List<String> pair(Wheel inside, Worlds worlds) {
     String first = inside.next();
     for (int tries = 0; tries < TRIES; tries++) {
       String second = inside.next();
-      if (Vocabulary.isFairPair(first, second)) {
+      if (worlds.isFairPair(first, second)) {
         return List.of(first, second);
       }
     }
@@ -115,11 +115,11 @@ public final class Plan {
   }
 
   /** A pair with a third effect that is fair beside both. */
-  private static List<String> triple(Wheel inside) {
-    List<String> two = pair(inside);
+  private static List<String> triple(Wheel inside, Worlds worlds) {
+    List<String> two = pair(inside, worlds);
     for (int tries = 0; tries < TRIES; tries++) {
       String third = inside.next();
-      if (areFair(two, third)) {
+      if (areFair(two, third, worlds)) {
         return List.of(two.get(0), two.get(1), third);
       }
     }
@@ -131,7 +131,7 @@ public final class Plan {
     Wheel wheel = wheel(order, order.worlds().names(), random);
     List<String> two = otherPair(order, first, random);
     String third = wheel.next();
-    for (int tries = 0; !areFair(two, third); tries++) {
+    for (int tries = 0; !areFair(two, third, order.worlds()); tries++) {
       if (tries % TRIES == TRIES - 1) {
         // No third one may be fair beside these two.
         two = otherPair(order, first, random);
@@ -141,28 +141,28 @@ public final class Plan {
     return List.of(first, two.get(1), third);
   }
 
-  private static boolean areFair(List<String> two, String third) {
-    return two.stream().allMatch(name -> Vocabulary.isFairPair(name, third));
+  private static boolean areFair(List<String> two, String third, Worlds worlds) {
+    return two.stream().allMatch(name -> worlds.isFairPair(name, third));
   }
 
   /** Whether each effect has two others that are fair beside it and beside one another. */
-  public static boolean hasTripleForEach(List<String> effects) {
+  public static boolean hasTripleForEach(List<String> effects, Worlds worlds) {
     return effects.stream()
         .allMatch(
             one ->
                 effects.stream()
-                    .filter(other -> Vocabulary.isFairPair(one, other))
+                    .filter(other -> worlds.isFairPair(one, other))
                     .anyMatch(
                         other ->
                             effects.stream()
-                                .anyMatch(third -> areFair(List.of(one, other), third))));
+                                .anyMatch(third -> areFair(List.of(one, other), third, worlds))));
   }
 
   /** A pair of an effect with any other that is fair beside it. */
   static List<String> otherPair(Order order, String first, SplittableRandom random) {
     Wheel wheel = wheel(order, order.worlds().names(), random);
     String second = wheel.next();
-    while (!Vocabulary.isFairPair(first, second)) {
+    while (!order.worlds().isFairPair(first, second)) {
       second = wheel.next();
     }
     return List.of(first, second);

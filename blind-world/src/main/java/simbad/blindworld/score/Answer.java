@@ -17,6 +17,7 @@ import simbad.blindworld.world.Forecast;
  * @param verdictProbability of each verdict, where the diagnosis states them
  * @param shrink the claimed shrinkage, where stated
  * @param forecast of the sealed rows, where given
+ * @param motionGap of its forecast of sealed windows of motion, in units of the nominal one
  */
 public record Answer(
     Verdict verdict,
@@ -25,7 +26,8 @@ public record Answer(
     double unknownProbability,
     Optional<Map<Verdict, Double>> verdictProbability,
     Optional<Shrink> shrink,
-    Optional<Forecast> forecast) {
+    Optional<Forecast> forecast,
+    Optional<Double> motionGap) {
 
   /**
    * One effect.
@@ -43,6 +45,31 @@ public record Answer(
   public Answer {
     explanation = List.copyOf(explanation);
     effects = List.copyOf(effects);
+  }
+
+  /** An answer to readings. */
+  public Answer(
+      Verdict verdict,
+      List<String> explanation,
+      List<Named> effects,
+      double unknownProbability,
+      Optional<Map<Verdict, Double>> verdictProbability,
+      Optional<Shrink> shrink,
+      Optional<Forecast> forecast) {
+    this(
+        verdict,
+        explanation,
+        effects,
+        unknownProbability,
+        verdictProbability,
+        shrink,
+        forecast,
+        Optional.empty());
+  }
+
+  /** True when it comes with predictions. */
+  public boolean predicts() {
+    return forecast.isPresent() || motionGap.isPresent();
   }
 
   /** The name and what is said to be tied with it. */

@@ -53,18 +53,19 @@ public final class Answers {
     for (Truth truth : truths) {
       Path one = folder.resolve(truth.id());
       if (Files.isRegularFile(one.resolve("diagnosis.json"))) {
-        answers.put(truth.id(), read(one, truth.countedM().size()));
+        answers.put(truth.id(), read(one, truth));
       }
     }
     return answers;
   }
 
-  private static Answer read(Path one, int rows) throws IOException, FormatException {
+  private static Answer read(Path one, Truth truth) throws IOException, FormatException {
     JsonObject json = JsonObject.read(one.resolve("diagnosis.json"));
     Path predictions = one.resolve("predictions.csv");
+    Optional<MotionSealed> motion = truth.motion();
     Optional<Forecast> forecast =
-        Files.isRegularFile(predictions)
-            ? Optional.of(forecast(predictions, rows))
+        Files.isRegularFile(predictions) && motion.isEmpty()
+            ? Optional.of(forecast(predictions, truth.countedM().size()))
             : Optional.empty();
     return new Answer(
         verdict(json),
@@ -73,7 +74,8 @@ public final class Answers {
         json.within("unknown_probability", 0, 1),
         verdictProbability(json),
         shrink(json),
-        forecast);
+        forecast,
+        motion.isPresent() ? motion.get().gap(predictions) : Optional.empty());
   }
 
   private static Verdict verdict(JsonObject json) throws FormatException {

@@ -5,7 +5,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import simbad.blindworld.effect.Vocabulary;
 
 /**
  * A truth with the answer to it; no answer is wrong in every respect.
@@ -176,11 +175,17 @@ public record Graded(Truth truth, Optional<Answer> answer) {
   public boolean familyRight() {
     return answer.isPresent()
         && !answer.get().explanation().isEmpty()
-        && Vocabulary.isSameStage(answer.get().explanation().get(0), truth.effects().get(0));
+        && Names.isSameStage(answer.get().explanation().get(0), truth.effects().get(0));
   }
 
-  /** The gap of the answer's forecast on the sealed rows, in centimetres. */
+  /**
+   * The gap of the answer's forecast on the sealed rows, in centimetres; of motion, in units of the
+   * nominal gap.
+   */
   public Optional<Double> afterCm() {
+    if (truth.motion().isPresent()) {
+      return answer.flatMap(Answer::motionGap);
+    }
     return answer
         .flatMap(Answer::forecast)
         .map(

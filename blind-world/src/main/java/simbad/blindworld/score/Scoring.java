@@ -43,6 +43,9 @@ public final class Scoring {
     /** This program's worlds of waves. */
     public static final Origin WAVE = new Origin("worlds of waves", "L2w");
 
+    /** This program's robots. */
+    public static final Origin MOTION = new Origin("worlds of motion", "M1 and M2");
+
     /** Data sets of others, with the level that their makers state. */
     public static Origin foreign(String level) {
       return new Origin("foreign data sets", level);
@@ -71,14 +74,23 @@ public final class Scoring {
           new Part("set-up as believed (L1)", t -> !t.reference()),
           new Part("set-up off, with reference (L2)", Truth::reference));
 
+  /** Of motion: without a reference a robot is as believed (M1), with one a little off (M2). */
+  private static final List<Part> MOTION_PARTS =
+      List.of(
+          new Part("worlds of motion (M1 and M2)", t -> true),
+          new Part("robot as believed (M1)", t -> !t.reference()),
+          new Part("robot off, with reference (M2)", Truth::reference));
+
   private List<Part> parts() {
-    if (origin.isPresent()) {
+    boolean motion = origin.equals(Optional.of(Origin.MOTION));
+    if (origin.isPresent() && !motion) {
       return List.of(new Part(origin.get().part(), t -> true));
     }
     boolean mixed =
         truths.stream().anyMatch(Truth::reference) && !truths.stream().allMatch(Truth::reference);
     boolean off = truths.stream().allMatch(Truth::reference);
-    return mixed ? PARTS : List.of(PARTS.get(off ? 2 : 1));
+    List<Part> all = motion ? MOTION_PARTS : PARTS;
+    return mixed ? all : List.of(all.get(off ? 2 : 1));
   }
 
   private Scores scores(String sort, Part part) {
@@ -98,7 +110,15 @@ public final class Scoring {
   /** Each case by itself, as the sort answers it. */
   public List<Object> casesJson(String sort) {
     Optional<String> level = origin.map(Origin::level);
-    return CaseLines.json(graded(sort), level.orElse("L1"), level.orElse("L2"));
+    return origin.equals(Optional.of(Origin.MOTION))
+        ? CaseLines.json(graded(sort), "M1", "M2")
+        : CaseLines.json(graded(sort), level.orElse("L1"), level.orElse("L2"));
+  }
+
+  /** How many of a sort's answers come with predictions. */
+  public Proportion predictions(String sort) {
+    List<Graded> answered = graded(sort).stream().filter(g -> g.answer().isPresent()).toList();
+    return Scores.share(answered, g -> g.answer().orElseThrow().predicts());
   }
 
   /** Everything, by part and sort. */

@@ -3,7 +3,6 @@ package simbad.blindworld.score;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import simbad.blindworld.effect.Vocabulary;
 
 /**
  * What was at work in a case.
@@ -17,6 +16,7 @@ import simbad.blindworld.effect.Vocabulary;
  * @param oracleCm the true world's gap on the sealed rows, where known
  * @param accept the sets of names by which all that is at work may be called
  * @param z by how many standard errors the least plain effect shows, where known
+ * @param motion the sealed windows, of a case of motion, whose gaps are in units of the nominal one
  */
 public record Truth(
     String id,
@@ -27,9 +27,13 @@ public record Truth(
     Optional<Double> nominalCm,
     Optional<Double> oracleCm,
     List<Set<String>> accept,
-    Optional<Double> z) {
+    Optional<Double> z,
+    Optional<MotionSealed> motion) {
 
   private static final double LEAST_REMOVAL_CM = 0.5;
+
+  /** Of the nominal gap of motion. */
+  private static final double LEAST_REMOVAL_SHARE = 0.05;
 
   /** What shows less plainly is asked of nobody, and scored by itself. */
   private static final double PLAIN = 5;
@@ -60,6 +64,30 @@ public record Truth(
         nominalCm,
         oracleCm,
         strange.isEmpty() ? List.of(Set.copyOf(effects)) : List.of(),
+        Optional.empty());
+  }
+
+  /** A truth of readings. */
+  public Truth(
+      String id,
+      List<String> effects,
+      Set<String> strange,
+      boolean reference,
+      List<Double> countedM,
+      Optional<Double> nominalCm,
+      Optional<Double> oracleCm,
+      List<Set<String>> accept,
+      Optional<Double> z) {
+    this(
+        id,
+        effects,
+        strange,
+        reference,
+        countedM,
+        nominalCm,
+        oracleCm,
+        accept,
+        z,
         Optional.empty());
   }
 
@@ -95,15 +123,19 @@ public record Truth(
       return "faint";
     }
     if (!strange.isEmpty()) {
-      return strange.stream().allMatch(Vocabulary::contains) ? "withheld" : "outside";
+      return strange.stream().allMatch(Names::contains) ? "withheld" : "outside";
     }
     return effects.isEmpty() ? "none" : effects.size() == 1 ? "single" : "pair";
   }
 
-  /** True when the true world's forecast removes half a centimetre of the nominal gap or more. */
+  /**
+   * True when the true world's forecast removes half a centimetre of the nominal gap or more, of
+   * motion a twentieth.
+   */
   public boolean hasGap() {
     return nominalCm.isPresent()
         && oracleCm.isPresent()
-        && nominalCm.get() - oracleCm.get() >= LEAST_REMOVAL_CM;
+        && nominalCm.get() - oracleCm.get()
+            >= (motion.isPresent() ? LEAST_REMOVAL_SHARE : LEAST_REMOVAL_CM);
   }
 }

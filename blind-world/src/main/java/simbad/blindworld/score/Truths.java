@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import simbad.blindworld.effect.Vocabulary;
 import simbad.blindworld.file.Csv;
 import simbad.blindworld.file.FormatException;
 import simbad.blindworld.file.JsonObject;
@@ -41,7 +40,7 @@ public final class Truths {
 
   /** Whether the diagnosis has a name and may use it. */
   private boolean isNamed(String effect) {
-    return (Vocabulary.contains(effect) || known.contains(effect)) && !withheld.contains(effect);
+    return (Names.contains(effect) || known.contains(effect)) && !withheld.contains(effect);
   }
 
   /** All truths, in the order of their names. */
@@ -78,16 +77,22 @@ public final class Truths {
     boolean reference =
         json.fields().getOrDefault("reference", false).equals(true)
             || Files.exists(one.resolve("reference.csv"));
+    boolean motion = isMotion(json);
     return new Truth(
         id,
         effects,
         strange,
         reference,
-        counted(one, noEchoM(one, json)),
-        gapCm(json, "sealed_gap_nominal"),
-        gapCm(json, "sealed_gap_oracle"),
+        motion ? List.of() : counted(one, noEchoM(one, json)),
+        motion ? json.optionalNumber("sealed_gap_nominal") : gapCm(json, "sealed_gap_nominal"),
+        motion ? json.optionalNumber("sealed_gap_oracle") : gapCm(json, "sealed_gap_oracle"),
         accept(json, effects, strange),
-        json.optionalNumber("z"));
+        json.optionalNumber("z"),
+        motion ? Optional.of(MotionSealed.read(one, json)) : Optional.empty());
+  }
+
+  private static boolean isMotion(JsonObject truth) throws FormatException {
+    return truth.has("worlds") && truth.text("worlds").equals("motion");
   }
 
   /** A gap in centimetres, which some truths have in metres. */
@@ -172,11 +177,17 @@ public final class Truths {
     if (entry.has("sealed")) {
       // A foreign truth says nothing of the files beside it; the manifest does.
       verifyFiles(one, entry.object("sealed"));
+    } else if (json.has("sealed_files")) {
+      verifyFiles(one, json.object("sealed_files"));
     } else {
       same(one + ", sealed.csv", json.text("sealed_sha256"), hash(one.resolve("sealed.csv")));
       same(one + ", oracle.csv", json.text("oracle_sha256"), hash(one.resolve("oracle.csv")));
     }
-    Path rows = open.resolveSibling("../rows").resolve(open.getFileName()).resolve("rows.csv");
+    Path rowFolder = open.resolveSibling("../rows").resolve(open.getFileName());
+    Path rows = rowFolder.resolve("rows.csv");
+    if (entry.has("rows") && Files.isDirectory(rowFolder)) {
+      verifyFiles(rowFolder, entry.object("rows"));
+    }
     if (Files.exists(rows)) {
       same(rows + "", entry.text("rows_sha256"), hash(rows));
     }
@@ -222,9 +233,10 @@ public final class Truths {
               truth.strange().isEmpty() ? 0 : 1,
               Optional.empty(),
               Optional.empty(),
-              Files.exists(forecast)
+              Files.exists(forecast) && truth.motion().isEmpty()
                   ? Optional.of(Answers.forecast(forecast, truth.countedM().size()))
-                  : Optional.empty()));
+                  : Optional.empty(),
+              truth.motion().isPresent() ? truth.motion().get().gap(forecast) : Optional.empty()));
     }
     return answers;
   }

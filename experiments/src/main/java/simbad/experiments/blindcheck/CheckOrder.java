@@ -33,16 +33,27 @@ public record CheckOrder(String version, Source source, List<String> withheld) {
       options = List.copyOf(options);
     }
 
+    /** The options as the command of the check has them. */
+    private List<String> shown() {
+      List<String> shown = new ArrayList<>(options);
+      int level = shown.indexOf("motion") - 1;
+      if (level >= 0) {
+        shown.subList(level, level + 2).clear();
+        shown.add(level, "--motion");
+      }
+      return shown;
+    }
+
     /** True for worlds of waves, all of which come with a reference. */
     public boolean isWave() {
-      return options.contains("--level");
+      return options.contains("wave");
     }
   }
 
   /**
    * A part of the benchmark SRB-1.
    *
-   * @param part L1, L2 or L2w
+   * @param part L1, L2, L2w or motion
    * @param first how many of its cases, where not all
    * @param seed of the second half; absent for the first, which everybody may draw
    */
@@ -101,7 +112,7 @@ public record CheckOrder(String version, Source source, List<String> withheld) {
       if (!drawn.isWave()) {
         words.add("--reference " + drawn.referenceShare());
       }
-      words.addAll(drawn.options());
+      words.addAll(drawn.shown());
     } else if (source instanceof Benchmark benchmark) {
       words.add("--benchmark " + benchmark.part());
       benchmark.first().ifPresent(n -> words.add("--first " + n));

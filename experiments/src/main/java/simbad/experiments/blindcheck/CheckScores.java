@@ -154,6 +154,20 @@ public record CheckScores(ObjectNode document) {
     return document.path("commitments").asText();
   }
 
+  /** A line that says so when some answers came without predictions. */
+  public Optional<String> missingPredictions() {
+    String said = document.path("predictions").asText();
+    String[] words = said.split(" ", -1);
+    return words.length < 3 || words[0].equals(words[2])
+        ? Optional.empty()
+        : Optional.of(
+            "predictions are missing: "
+                + words[0]
+                + " of "
+                + words[2]
+                + " answers have them, and shrinkage is scored of these only");
+  }
+
   /** The hash over all answers that was taken before a truth was opened. */
   public String answersSha256() {
     return document.path("answers_sha256").asText();

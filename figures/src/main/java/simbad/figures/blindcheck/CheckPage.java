@@ -20,7 +20,8 @@ final class CheckPage {
       <p class="soft">Levels of independence: L0 the checker shares code with what it checks; <b>L1</b> independent code, the same
       equations; <b>L2</b> besides, other physics in the set-up; <b>L2w</b> echoes with a wave form and a receiver, and a user who
       calibrates; L3 a physical log. L1 finds faults of the
-      program; only L2 and L3 tell how it will do elsewhere, and where they differ L2 is the one to believe.</p>
+      program; only L2 and L3 tell how it will do elsewhere, and where they differ L2 is the one to believe. Robots that drive are <b>M1</b>,
+      independent code and a robot as it is believed to be, and <b>M2</b>, a robot that is a little off by itself.</p>
       """;
 
   /** Two pixels to the point, for sharp screens. */
@@ -141,7 +142,8 @@ final class CheckPage {
 
   /** Whether all of a part's cases have a set-up that is itself a little off. */
   private static boolean isOff(String part) {
-    return part.contains("L2") && !part.contains("L1");
+    return part.contains("L2") && !part.contains("L1")
+        || part.contains("M2") && !part.contains("M1");
   }
 
   private void addCalibration() {
