@@ -25,13 +25,14 @@ export function showBatch(page, answer, other) {
       series: groups.map((group, i) => ({ name: group || '(empty)', values: dots.map(dot => dot.of === group ? dot.y : null), colour: colour(i), points: true })) });
     host.append(made.element);
   };
-  const middle = list => { const sorted = list.filter(v => v !== null).sort((a, b) => a - b); return sorted.length ? sorted[Math.floor(sorted.length / 2)] : null; };
+  const middle = list => { const sorted = list.filter(v => v !== null).sort((a, b) => a - b); const half = sorted.length / 2; return sorted.length ? (sorted[Math.ceil(half) - 1] + sorted[Math.floor(half)]) / 2 : null; };
+  const kept = share => share === null ? '\u2013' : number(100 * share, 1) + ' %';
   const groupRows = both.flatMap((source, k) => {
     const keys = [...new Set(source.rows.map(row => row[at(source, 'obstacle')] + '\n' + row[at(source, 'sensor')]))];
     return keys.map(key => {
       const rows = source.rows.filter(row => row[at(source, 'obstacle')] + '\n' + row[at(source, 'sensor')] === key);
       return [...(other ? [source.path] : []), ...key.split('\n'), String(rows.length), ...['mean_abs_cm', 'lateral_mean_cm'].map(name => number(middle(rows.map(row => value(source, row, name))), 2)),
-        number(100 * middle(rows.map(row => value(source, row, 'edge_kept'))), 1) + ' %'];
+        kept(middle(rows.map(row => value(source, row, 'edge_kept'))))];
     });
   });
   page.append(el('section', {}, el('p', {}, answer.all_rows + ' runs, ' + failed + ' failed.' + (answer.all_rows > answer.rows.length ? ' The first ' + answer.rows.length + ' are shown.' : '')),

@@ -3,7 +3,7 @@ import uPlot from './uPlot.esm.js';
 import { csvText, el, give, giveText, themeColours } from './kit.js';
 import { DASHES, SERIES } from './sheet.js';
 
-// series: { name, values, colour (a name of the theme), dash, points (dots instead of a line), width, fill }.
+// series: { name, values, colour (a name of the theme), dash, points (dots instead of a line), ring (dots that are hollow), width, fill }.
 // x ascends; charts with one sync name move their cursors together; onhover is told an index.
 export function chart({ name, label, x, xLabel, yLabel, series, height, sync, onhover, log, every, range }) {
   const colours = themeColours(['ink', 'soft', 'grid', ...SERIES, 'edge', 'quiet', 'trail', 'low', 'high']);
@@ -20,7 +20,8 @@ export function chart({ name, label, x, xLabel, yLabel, series, height, sync, on
     hooks: { setCursor: [u => { if (u.cursor.idx !== null && u.cursor.idx !== undefined && u.cursor.left >= 0) say(u.cursor.idx); if (onhover && u.cursor.event && u.cursor.idx !== null) onhover(u.cursor.idx); }] },
     series: [{}, ...series.map(one => ({
       label: one.name, stroke: colours[one.colour], width: one.points ? 0 : one.width ?? 2, dash: one.dash, fill: one.fill ? colours[one.colour] + '22' : undefined,
-      points: { show: Boolean(one.points), size: 5, fill: colours[one.colour], stroke: colours[one.colour] },
+      // Rings let be seen what they are round.
+      points: { show: Boolean(one.points), size: one.ring ? 10 : 5, fill: one.ring ? 'transparent' : colours[one.colour], stroke: colours[one.colour] },
       paths: one.points ? () => null : undefined, spanGaps: false,
     }))],
   };
@@ -46,7 +47,7 @@ export function chart({ name, label, x, xLabel, yLabel, series, height, sync, on
     const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
     if (by && x.length) { event.preventDefault(); step(by); }
   });
-  const key = el('ul', { class: 'legend' }, series.map(one => el('li', {}, el('i', { class: 'key-' + one.colour + (one.points ? ' dots' : one.dash && one.dash.length ? ' dashed' : '') }), one.name)));
+  const key = el('ul', { class: 'legend' }, series.map(one => el('li', {}, el('i', { class: 'key-' + one.colour + (one.ring ? ' rings' : one.points ? ' dots' : one.dash && one.dash.length ? ' dashed' : '') }), one.name)));
   const csv = () => csvText([xLabel, ...series.map(one => one.name)], x.map((at, i) => [at, ...series.map(one => one.values[i])]));
   const element = el('figure', { class: 'chartbox' }, el('figcaption', {}, label), host, said, key, el('div', { class: 'bar', role: 'group', 'aria-label': 'Save ' + name },
     el('button', { type: 'button', onclick: () => plot.ctx.canvas.toBlob(blob => give(name + '.png', blob)) }, 'Save PNG'),

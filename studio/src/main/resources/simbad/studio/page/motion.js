@@ -6,7 +6,7 @@ const PARTS = [['along_m', 'along', 1000, ' mm'], ['across_m', 'across', 1000, '
 
 export function showMotion(page, answer, other) {
   const both = [answer, other].filter(Boolean);
-  page.append(el('div', { class: other ? 'twin' : '' }, both.map(one => el('div', {}, other ? el('h3', {}, one.path) : null, verdict(one.diagnosis), gap(one.diagnosis, both)))),
+  page.append(el('div', { class: other ? 'twin' : 'opened' }, both.map(one => el('div', {}, other ? el('h3', {}, one.path) : null, verdict(one.diagnosis), gap(one.diagnosis, both)))),
     effects(answer.diagnosis, other && other.diagnosis), places(answer.diagnosis));
 }
 function gap(diagnosis, both) {

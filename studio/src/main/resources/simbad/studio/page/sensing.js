@@ -70,7 +70,7 @@ function rows(page, answer, closing) {
   const first = values();
   const range = order.length ? chart({ name: 'range-error', label: 'Range error by distance, cm', x: order.map(i => all[i][column.distance_m]), xLabel: 'distance to the nearest obstacle\u2019s centre, m', yLabel: 'cm', height: 280,
     series: [{ name: 'reading less the expected range', values: first[0], colour: 'c0', points: true }, { name: 'the same, of the chosen place', values: first[1], colour: 'c1', points: true },
-      { name: 'what the fit moves ranges by', values: first[2], colour: 'c2', points: true }, { name: 'as believed', values: first[3], colour: 'quiet', dash: dash(1), width: 1 }] }) : null;
+      { name: 'what the fit moves ranges by', values: first[2], colour: 'c2', points: true, ring: true }, { name: 'as believed', values: first[3], colour: 'quiet', dash: dash(1), width: 1 }] }) : null;
   if (range) closing.push(() => range.close());
   const slider = el('input', { type: 'range', min: 0, max: 100, value: 0, step: 1, id: 'after', 'aria-label': 'Before and after', oninput: () => turn(Number(slider.value) / 100) });
   const said = el('p', { class: 'note', role: 'status', id: 'rowsaid' }), list = el('div');
