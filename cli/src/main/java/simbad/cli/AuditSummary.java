@@ -24,7 +24,7 @@ record AuditSummary(String dataset, List<AuditFinding> audit, Path folder)
   @Override
   public String line() {
     if (Audit.refuses(audit)) {
-      return dataset + ": not diagnosed; as they stand, these readings cannot be believed";
+      return dataset + ": not diagnosed; as they stand, these data cannot be believed";
     }
     return dataset
         + ": "

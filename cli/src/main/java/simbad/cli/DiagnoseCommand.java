@@ -30,6 +30,7 @@ import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Provenance;
+import simbad.gap.motion.MotionAudit;
 import simbad.gap.motion.MotionDiagnoser;
 import simbad.gap.motion.MotionDiagnosis;
 import simbad.motion.format.MotionData;
@@ -223,19 +224,22 @@ final class DiagnoseCommand extends Subcommand {
       throw wrongUsage("--corrected: " + folder + " is a motion folder, which has no scene");
     }
     MotionData data = new MotionFolder(folder).read(source.name());
+    List<AuditFinding> audit = MotionAudit.of(new MotionFolder(folder));
+    Provenance provenance = new Provenance(source.sha256(), version, seed);
     try (StagedDirectory staged = StagedDirectory.beside(target)) {
-      if (auditOnly) {
-        throw wrongUsage("--audit-only: " + folder + " is a motion folder, which has no audit yet");
+      if (auditOnly || Audit.refuses(audit)) {
+        MotionReport.write(staged.path(), data, audit, provenance);
+        staged.publish();
+        return new AuditSummary(data.name(), audit, target);
       }
       MotionDiagnosis diagnosis = new MotionDiagnoser(data).diagnose();
-      Provenance provenance = new Provenance(source.sha256(), version, seed);
-      MotionReport.write(staged.path(), data.name(), diagnosis, provenance);
+      MotionReport.write(staged.path(), data, audit, diagnosis, provenance);
       // What was believed belongs to what was found beside it.
       TextFile.write(
           staged.path().resolve(MotionFolder.ROBOT),
           TextFile.read(folder.resolve(MotionFolder.ROBOT)));
       staged.publish();
-      return new MotionSummary(data.name(), diagnosis, target);
+      return new MotionSummary(data.name(), audit, diagnosis, target);
     }
   }
 

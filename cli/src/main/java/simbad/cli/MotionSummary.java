@@ -12,14 +12,15 @@ import simbad.gap.motion.MotionFinding;
  * A diagnosis of motion in one line.
  *
  * @param dataset the data set's name
+ * @param audit what was found of the data
  * @param diagnosis of it
  * @param folder where it was written
  */
-record MotionSummary(String dataset, MotionDiagnosis diagnosis, Path folder)
+record MotionSummary(
+    String dataset, List<AuditFinding> audit, MotionDiagnosis diagnosis, Path folder)
     implements DataSetSummary {
-  @Override
-  public List<AuditFinding> audit() {
-    return List.of();
+  MotionSummary {
+    audit = List.copyOf(audit);
   }
 
   @Override
@@ -36,7 +37,7 @@ record MotionSummary(String dataset, MotionDiagnosis diagnosis, Path folder)
         .map(MotionFinding::effect)
         .distinct()
         .forEach(node.putArray("explanation")::add);
-    node.put("shrink", diagnosis.shrink());
+    node.put("shrink", diagnosis.gap().shrink());
     node.put("folder", folder.toString());
     return node.toString();
   }

@@ -11,7 +11,11 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.diagnosis.DiagnosisFolder;
 import simbad.experiments.diagnosis.Predictions;
+import simbad.experiments.motion.MotionPredictions;
 import simbad.gap.diagnosis.DataSetFolder;
+import simbad.motion.forecast.MotionForecast;
+import simbad.motion.format.DiagnosedMotion;
+import simbad.motion.format.MotionFolder;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.ReadingsFile;
 import simbad.sonar.format.SceneFile;
@@ -28,12 +32,15 @@ import simbad.sonar.sensing.ReadingRow;
     description = {
       "Predict the readings at the poses of some rows: 19 quantiles per row, a no-echo counted as"
           + " the scene's no_echo_m.",
-      "Rows may come in any order; the predictions keep it. A column range_m is ignored."
+      "Rows may come in any order; the predictions keep it. A column range_m is ignored.",
+      "A diagnosis of motion predicts a motion folder: for each window of 0.5, 2 and 5 s the"
+          + " quantiles of the way along, across and of the turn, from the commands."
     },
     footer = {
       "",
       "Example: simbad predict diagnoses/my-bench rows.csv --out predictions.csv",
-      "Example: simbad predict diagnoses/my-bench rows.csv --out nominal.csv --model nominal"
+      "Example: simbad predict diagnoses/my-bench rows.csv --out nominal.csv --model nominal",
+      "Example: simbad predict diagnoses/my-robot another-drive --out windows.csv"
     })
 final class PredictCommand extends Subcommand {
   /** Which model predicts. */
@@ -47,7 +54,9 @@ final class PredictCommand extends Subcommand {
 
   @Parameters(
       paramLabel = "ROWS.csv",
-      description = "run,sensor,t_s,x_m,z_m,heading_deg and any further columns.")
+      description =
+          "run,sensor,t_s,x_m,z_m,heading_deg and any further columns; of a diagnosis of motion a"
+              + " motion folder.")
   private Path rows = Path.of("");
 
   @Option(
@@ -70,6 +79,10 @@ final class PredictCommand extends Subcommand {
     if (Files.exists(out) && (Files.isDirectory(out) || Files.size(out) > 0)) {
       throw new FileAlreadyExistsException(out.toString());
     }
+    if (Files.isDirectory(rows)) {
+      write(motion(chosen));
+      return;
+    }
     Path scene = diagnosis.resolve(DataSetFolder.SCENE);
     SensingSetup setup = SceneFile.read(scene);
     List<? extends Change> changes = chosen == Model.NOMINAL ? List.of() : changes(setup);
@@ -79,6 +92,16 @@ final class PredictCommand extends Subcommand {
       throw DataFormatException.inFile(rows, problem.get());
     }
     write(Predictions.text(setup, changes, SensorPoses.of(setup, poses)));
+  }
+
+  /** The folder that is forecast may believe something else; what was diagnosed counts. */
+  private String motion(Model chosen) throws DataFormatException {
+    MotionForecast forecast =
+        chosen == Model.NOMINAL
+            ? MotionForecast.believed(DiagnosedMotion.robot(diagnosis.resolve(MotionFolder.ROBOT)))
+            : DiagnosedMotion.forecast(diagnosis);
+    String name = new DataSetFolder(rows).name();
+    return MotionPredictions.text(forecast, new MotionFolder(rows).read(name).runs());
   }
 
   private void write(String text) throws IOException {

@@ -120,8 +120,88 @@ class DiagnoseMotionTest {
     assertTrue(line.contains("speed-scale"), shell.out());
   }
 
+  private Shell predict(String model, Path out) {
+    return Shell.simbad(
+        "predict",
+        folder.resolve("out/short-ways").toString(),
+        folder.resolve("short-ways").toString(),
+        "--out",
+        out.toString(),
+        "--model",
+        model);
+  }
+
+  /** 239 windows of half a second and more: the tracker sees the robot from 0 to 119.9 s. */
+  @Test
+  void windows_areForecast_inTheColumnsOfTheFormat() throws IOException {
+    assertEquals(0, diagnose().status());
+    Path csv = folder.resolve("windows.csv");
+    Shell shell = predict("diagnosed", csv);
+    assertEquals(0, shell.status(), shell.err());
+    List<String> lines = Files.readAllLines(csv);
+    List<String> columns = List.of(lines.get(0).split(",", -1));
+    assertEquals(3 + 3 * 19, columns.size());
+    assertEquals("run,t_s,horizon_s,along_m_q05", String.join(",", columns.subList(0, 4)));
+    assertEquals("turn_deg_q95", columns.get(columns.size() - 1));
+    assertTrue(lines.get(1).startsWith("a,0,0.5,"), lines.get(1));
+    assertTrue(lines.get(2).startsWith("a,0,2,"), lines.get(2));
+    Path nominal = folder.resolve("nominal.csv");
+    assertEquals(0, predict("nominal", nominal).status());
+    double told = median(Files.readAllLines(nominal).get(1));
+    assertEquals(SHARE, median(lines.get(1)) / told, 0.03);
+  }
+
+  private static double median(String line) {
+    return Double.parseDouble(line.split(",", -1)[3 + 9]);
+  }
+
+  /** What comes after a window's end changes no digit of its forecast. */
+  @Test
+  void forecasts_neverSeeTheTrackThatFollows() throws IOException {
+    assertEquals(0, diagnose().status());
+    Path before = folder.resolve("before.csv");
+    assertEquals(0, predict("diagnosed", before).status());
+    Path track = folder.resolve("short-ways/track.csv");
+    List<String> rows = new ArrayList<>(Files.readAllLines(track));
+    rows.subList(rows.size() / 2, rows.size())
+        .replaceAll(row -> row.replaceFirst(",[^,]*,[^,]*,[^,]*$", ",5,5,77"));
+    Files.write(track, rows);
+    Path after = folder.resolve("after.csv");
+    assertEquals(0, predict("diagnosed", after).status());
+    assertEquals(Files.readString(before), Files.readString(after));
+  }
+
+  @Test
+  void millimetres_areRefused_withTheLineAndWhatToDo() throws IOException {
+    Path track = folder.resolve("short-ways/track.csv");
+    List<String> rows = new ArrayList<>(Files.readAllLines(track));
+    for (int i = 1; i < rows.size(); i++) {
+      String[] cells = rows.get(i).split(",", -1);
+      cells[2] = Double.toString(1000 * Double.parseDouble(cells[2]));
+      cells[3] = Double.toString(1000 * Double.parseDouble(cells[3]));
+      rows.set(i, String.join(",", cells));
+    }
+    Files.write(track, rows);
+    Shell shell = diagnose();
+    assertEquals(2, shell.status());
+    assertTrue(shell.err().contains("track.csv:"), shell.err());
+    assertTrue(shell.err().contains("divide x_m and z_m by 1000"), shell.err());
+    JsonNode json =
+        new ObjectMapper().readTree(folder.resolve("out/short-ways/diagnosis.json").toFile());
+    assertEquals("refuse", json.at("/audit/0/severity").asText());
+    assertFalse(json.has("verdict"));
+  }
+
+  @Test
+  void auditOnly_fitsNothing() {
+    Shell shell = diagnose("--audit-only");
+    assertEquals(0, shell.status(), shell.err());
+    assertTrue(shell.out().contains("short-ways: the audit found nothing"), shell.out());
+    assertFalse(Files.exists(folder.resolve("out/short-ways/motion.json")));
+  }
+
   @ParameterizedTest
-  @ValueSource(strings = {"--audit-only", "--corrected=scene.json"})
+  @ValueSource(strings = {"--corrected=scene.json"})
   void whatAMotionFolderHasNot_isSaid(String option) {
     Shell shell = diagnose(option);
     assertEquals(2, shell.status());

@@ -15,4 +15,9 @@ public record Command(double timeS, double speedMPerS, double turnRadPerS) {
           "command = (" + timeS + ", " + speedMPerS + ", " + turnRadPerS + ") is not finite");
     }
   }
+
+  /** Tells whether another command asks for the same, whenever it was given. */
+  public boolean asksTheSameAs(Command other) {
+    return speedMPerS == other.speedMPerS && turnRadPerS == other.turnRadPerS;
+  }
 }

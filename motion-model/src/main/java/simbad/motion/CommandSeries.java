@@ -22,10 +22,10 @@ final class CommandSeries {
     ways = new double[n];
     angles = new double[n];
     for (int i = 0; i < n; i++) {
-      Command command = commands.get(i);
+      Command command = chain.commanded(commands.get(i));
       timesS[i] = command.timeS();
-      speeds[i] = chain.commandedSpeed(command.speedMPerS());
-      turns[i] = chain.commandedTurn(command.turnRadPerS());
+      speeds[i] = command.speedMPerS();
+      turns[i] = command.turnRadPerS();
       if (i > 0) {
         double held = timesS[i] - timesS[i - 1];
         ways[i] = ways[i - 1] + speeds[i - 1] * held;

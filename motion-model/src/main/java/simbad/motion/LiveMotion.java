@@ -65,11 +65,8 @@ public final class LiveMotion {
     }
     wayM = 0;
     turnRad = 0;
-    ahead.add(
-        new Piece(
-            chain.commandedSpeed(commandedMPerS),
-            chain.commandedTurn(commandedRadPerS),
-            durationS));
+    Command taken = chain.commanded(new Command(0, commandedMPerS, commandedRadPerS));
+    ahead.add(new Piece(taken.speedMPerS(), taken.turnRadPerS(), durationS));
     double left = durationS;
     while (left > 0) {
       Piece piece = ahead.removeFirst();
@@ -87,12 +84,17 @@ public final class LiveMotion {
     boolean atOnce = response.equals(Response.AT_ONCE);
     int steps = atOnce ? 1 : (int) Math.max(1, Math.ceil(durationS / Way.STEP_S - 1e-9));
     double stepS = durationS / steps;
+    Response.Step follow = response.over(stepS);
     for (int i = 0; i < steps; i++) {
-      speedMPerS = response.speed(speedMPerS, piece.speedMPerS(), stepS);
-      turnRadPerS = response.turn(turnRadPerS, piece.turnRadPerS(), stepS);
-      double overGround = chain.speed(speedMPerS);
+      double speed = follow.speed().next(speedMPerS, piece.speedMPerS());
+      double turn = follow.turn().next(turnRadPerS, piece.turnRadPerS());
+      double mean = follow.speed().mean(speedMPerS, piece.speedMPerS(), speed);
+      double meanTurn = follow.turn().mean(turnRadPerS, piece.turnRadPerS(), turn);
+      double overGround = chain.speed(mean);
       wayM += overGround * stepS;
-      turnRad += chain.turn(turnRadPerS, overGround) * stepS;
+      turnRad += chain.turn(meanTurn, overGround) * stepS;
+      speedMPerS = speed;
+      turnRadPerS = turn;
     }
   }
 

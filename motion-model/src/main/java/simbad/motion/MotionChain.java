@@ -24,22 +24,13 @@ public record MotionChain(List<MotionChange> changes) {
     return new MotionChain(longer);
   }
 
-  /** Returns the speed that the drive takes a commanded one for, m/s. */
-  public double commandedSpeed(double speedMPerS) {
-    double speed = speedMPerS;
+  /** Returns the command that the drive takes one for. */
+  public Command commanded(Command command) {
+    Command taken = command;
     for (MotionChange change : changes) {
-      speed = change.commandedSpeed(speed);
+      taken = change.commanded(taken);
     }
-    return speed;
-  }
-
-  /** Returns the rate that the drive takes a commanded one for, rad/s. */
-  public double commandedTurn(double turnRadPerS) {
-    double turn = turnRadPerS;
-    for (MotionChange change : changes) {
-      turn = change.commandedTurn(turn);
-    }
-    return turn;
+    return taken;
   }
 
   /** Returns by how many seconds commands act late. */

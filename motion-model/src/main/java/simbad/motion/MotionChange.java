@@ -15,6 +15,14 @@ public interface MotionChange {
     return turnRadPerS;
   }
 
+  /** Changes a command: its speed and its rate each by itself, unless a change says otherwise. */
+  default Command commanded(Command command) {
+    double speed = commandedSpeed(command.speedMPerS());
+    double turn = commandedTurn(command.turnRadPerS());
+    boolean same = speed == command.speedMPerS() && turn == command.turnRadPerS();
+    return same ? command : new Command(command.timeS(), speed, turn);
+  }
+
   /** Changes by how many seconds commands act late. */
   default double delayS(double delayS) {
     return delayS;

@@ -1,5 +1,6 @@
 package simbad.motion;
 
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
@@ -18,5 +19,16 @@ public record MotionRun(String name, List<Command> commands, List<TrackPose> tra
     }
     commands = commands.stream().sorted(Comparator.comparingDouble(Command::timeS)).toList();
     track = track.stream().sorted(Comparator.comparingDouble(TrackPose::timeS)).toList();
+  }
+
+  /** Returns the same run without commands that repeat the one before: it is held anyway. */
+  public MotionRun withoutRepeats() {
+    List<Command> changes = new ArrayList<>();
+    for (Command command : commands) {
+      if (changes.isEmpty() || !command.asksTheSameAs(changes.get(changes.size() - 1))) {
+        changes.add(command);
+      }
+    }
+    return new MotionRun(name, changes, track);
   }
 }

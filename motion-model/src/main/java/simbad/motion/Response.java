@@ -41,20 +41,73 @@ public record Response(
     }
   }
 
-  /** Returns the speed after a step towards a target. */
-  public double speed(double now, double target, double stepS) {
-    return follow(now, target, stepS, speedTimeConstantS, maxAccelerationMPerS2);
+  /**
+   * Returns how speeds follow within steps of one length, its exponentials computed once.
+   *
+   * @param stepS above 0
+   */
+  public Step over(double stepS) {
+    return new Step(
+        Rate.of(speedTimeConstantS, brakingFactor, maxAccelerationMPerS2, stepS),
+        Rate.of(turnTimeConstantS, brakingFactor, maxTurnAccelerationRadPerS2, stepS));
   }
 
-  /** Returns the rate of turning after a step towards a target. */
-  public double turn(double now, double target, double stepS) {
-    return follow(now, target, stepS, turnTimeConstantS, maxTurnAccelerationRadPerS2);
-  }
+  /**
+   * How speeds follow within steps of one length.
+   *
+   * @param speed of the speed
+   * @param turn of the rate of turning
+   */
+  public record Step(Rate speed, Rate turn) {}
 
-  private double follow(double now, double target, double stepS, double constantS, double most) {
-    double constant = Math.abs(target) < Math.abs(now) ? constantS * brakingFactor : constantS;
-    double wanted = constant > 0 ? now + (target - now) * -Math.expm1(-stepS / constant) : target;
-    double limit = most * stepS;
-    return Math.abs(wanted - now) <= limit ? wanted : now + Math.copySign(limit, wanted - now);
+  /**
+   * How a rate follows its target within a step.
+   *
+   * @param share of the difference that is gone after the step where it grows
+   * @param kept of the difference, the mean over the step, where it grows
+   * @param brakingShare of the difference that is gone where it falls
+   * @param brakingKept the mean where it falls
+   * @param most by which it changes in a step
+   */
+  public record Rate(
+      double share, double kept, double brakingShare, double brakingKept, double most) {
+    private static Rate of(double constantS, double braking, double most, double stepS) {
+      double share = share(stepS, constantS);
+      double falls = share(stepS, constantS * braking);
+      return new Rate(
+          share,
+          constantS > 0 ? share * constantS / stepS : 0,
+          falls,
+          constantS > 0 ? falls * constantS * braking / stepS : 0,
+          most * stepS);
+    }
+
+    private static double share(double stepS, double constantS) {
+      return constantS > 0 ? -Math.expm1(-stepS / constantS) : 1;
+    }
+
+    /** Returns the rate after a step towards a target. */
+    public double next(double now, double target) {
+      double part = Math.abs(target) < Math.abs(now) ? brakingShare : share;
+      double wanted = part < 1 ? now + (target - now) * part : target;
+      return Math.abs(wanted - now) <= most ? wanted : now + Math.copySign(most, wanted - now);
+    }
+
+    /**
+     * Returns the mean rate of the step.
+     *
+     * @param now at its start
+     * @param target that holds through it
+     * @param next at its end
+     */
+    public double mean(double now, double target, double next) {
+      double left = Math.abs(target) < Math.abs(now) ? brakingKept : kept;
+      if (left > 0 && Math.abs(next - now) < most) {
+        return target + (now - target) * left;
+      }
+      // A ramp up to the end, or up to the target and level from there.
+      double by = next - now;
+      return by == 0 || next != target ? now + by / 2 : next - by * Math.abs(by) / (2 * most);
+    }
   }
 }

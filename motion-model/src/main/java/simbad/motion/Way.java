@@ -8,11 +8,22 @@ public final class Way {
   /** Between two poses of the grid, seconds. */
   public static final double STEP_S = 0.02;
 
+  /** Below it an arc is its chord. */
+  private static final double STRAIGHT_RAD = 1e-6;
+
+  /** Up to it the sine's series needs five terms. */
+  private static final double SMALL_RAD = 0.1;
+
+  /** Rounding of so many rotations stays beneath any use. */
+  private static final int AFRESH = 256;
+
   private final double startS;
   private final double[] xs;
   private final double[] ys;
   private final double[] headings;
   private final Capture capture;
+  private double directionX = 1;
+  private double directionY;
 
   private Way(double startS, int size, Capture capture) {
     this.startS = startS;
@@ -20,6 +31,18 @@ public final class Way {
     xs = new double[size];
     ys = new double[size];
     headings = new double[size];
+  }
+
+  /**
+   * Computes the way of a whole run, from its first command to a second after its track.
+   *
+   * @param run of which the track says only how long it is
+   * @param chain how the robot moves
+   */
+  public static Way of(MotionRun run, MotionChain chain) {
+    double from = run.commands().get(0).timeS();
+    double to = run.track().isEmpty() ? from : run.track().get(run.track().size() - 1).timeS();
+    return of(run, chain, from, Math.max(from, to) + 1);
   }
 
   /**
@@ -38,7 +61,7 @@ public final class Way {
   }
 
   private void drive(CommandSeries series, MotionChain chain) {
-    Response response = chain.response();
+    Response.Step follow = chain.response().over(STEP_S);
     double late = chain.delayS();
     int index = series.index(startS - late);
     double way = series.way(index, startS - late);
@@ -50,22 +73,49 @@ public final class Way {
       index = series.forward(index, timeS);
       double nextWay = series.way(index, timeS);
       double nextAngle = series.angle(index, timeS);
-      speed = response.speed(speed, (nextWay - way) / STEP_S, STEP_S);
-      turn = response.turn(turn, (nextAngle - angle) / STEP_S, STEP_S);
+      double toSpeed = (nextWay - way) / STEP_S;
+      double toTurn = (nextAngle - angle) / STEP_S;
+      double nextSpeed = follow.speed().next(speed, toSpeed);
+      double nextTurn = follow.turn().next(turn, toTurn);
+      double speedOverGround = chain.speed(follow.speed().mean(speed, toSpeed, nextSpeed));
+      double turned = follow.turn().mean(turn, toTurn, nextTurn);
+      step(i, speedOverGround, chain.turn(turned, speedOverGround));
+      speed = nextSpeed;
+      turn = nextTurn;
       way = nextWay;
       angle = nextAngle;
-      double speedOverGround = chain.speed(speed);
-      step(i, speedOverGround, chain.turn(turn, speedOverGround));
     }
   }
 
+  /**
+   * The chord of the step's arc. The direction is turned on by a rotation instead of asked anew: a
+   * log has tens of thousands of steps, and a search drives it thousands of times.
+   */
   private void step(int i, double speedMPerS, double turnRadPerS) {
-    double turn = turnRadPerS * STEP_S;
-    double chord = speedMPerS * STEP_S * Unicycle.chordShare(turn);
-    double heading = headings[i - 1] + turn / 2;
-    xs[i] = xs[i - 1] + chord * Math.cos(heading);
-    ys[i] = ys[i - 1] + chord * Math.sin(heading);
-    headings[i] = headings[i - 1] + turn;
+    double half = turnRadPerS * STEP_S / 2;
+    double sin = sine(half);
+    double cos = Math.abs(half) >= SMALL_RAD ? Math.cos(half) : Math.sqrt(1 - sin * sin);
+    double chord = speedMPerS * STEP_S * (Math.abs(half) < STRAIGHT_RAD ? 1 : sin / half);
+    double middleX = directionX * cos - directionY * sin;
+    double middleY = directionX * sin + directionY * cos;
+    xs[i] = xs[i - 1] + chord * middleX;
+    ys[i] = ys[i - 1] + chord * middleY;
+    headings[i] = headings[i - 1] + turnRadPerS * STEP_S;
+    directionX = middleX * cos - middleY * sin;
+    directionY = middleX * sin + middleY * cos;
+    if (i % AFRESH == 0 || Math.abs(half) >= SMALL_RAD) {
+      directionX = Math.cos(headings[i]);
+      directionY = Math.sin(headings[i]);
+    }
+  }
+
+  /** Exact to the last digit or two. */
+  private static double sine(double rad) {
+    if (Math.abs(rad) >= SMALL_RAD) {
+      return Math.sin(rad);
+    }
+    double square = rad * rad;
+    return rad * (1 - square / 6 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72))));
   }
 
   /**

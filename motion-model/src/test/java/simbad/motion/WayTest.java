@@ -41,8 +41,7 @@ class WayTest {
     MotionForm lag = MotionForms.find("actuation-lag: time constants").orElseThrow();
     MotionRun straight = new MotionRun("a", List.of(new Command(0, 1, 0)), List.of());
     MotionChain chain = MotionChain.EXACT.with(lag.change(0.3, 0));
-    // The step takes the speed of its end, half a step early.
-    assertEquals(5 - 0.3, way(straight, chain, 0, 5).alongM(), 0.011);
+    assertEquals(5 - 0.3 * (1 - Math.exp(-5 / 0.3)), way(straight, chain, 0, 5).alongM(), 1e-9);
   }
 
   @Test
@@ -63,5 +62,37 @@ class WayTest {
     Displacement seen = way(turning, MotionChain.EXACT.with(point.change(0.1, 0)), 0, 1);
     assertEquals(-0.1, seen.alongM(), 1e-9);
     assertEquals(0.1, seen.acrossM(), 1e-9);
+  }
+
+  /** At 0.5 m/s2 it takes 2 s to 1 m/s, in which it goes 1 m. */
+  @Test
+  void acceleration_isARamp() {
+    MotionForm limit = MotionForms.find("actuation-lag: greatest acceleration").orElseThrow();
+    MotionRun straight = new MotionRun("a", List.of(new Command(0, 1, 0)), List.of());
+    MotionChain chain = MotionChain.EXACT.with(limit.change(0.5, 1000));
+    assertEquals(1 + 3, way(straight, chain, 0, 5).alongM(), 1e-9);
+  }
+
+  /** Ten thousand steps by rotations end where the arc ends. */
+  @Test
+  void longWay_keepsItsDirection() {
+    MotionRun circle = new MotionRun("a", List.of(new Command(0, 0.2, 0.5)), List.of());
+    Displacement rounds = Way.of(circle, MotionChain.EXACT, 0, 210).between(0, 64 * Math.PI);
+    assertEquals(0, rounds.alongM(), 1e-4);
+    assertEquals(0, rounds.acrossM(), 1e-4);
+  }
+
+  @Test
+  void repeatedCommands_changeNothing() {
+    MotionRun twice =
+        new MotionRun(
+            "a",
+            List.of(new Command(0, 0.2, 0.5), new Command(1, 0.2, 0.5), new Command(2, 0, 0)),
+            List.of());
+    assertEquals(2, twice.withoutRepeats().commands().size());
+    assertEquals(
+        way(twice, MotionChain.EXACT, 0, 3).alongM(),
+        way(twice.withoutRepeats(), MotionChain.EXACT, 0, 3).alongM(),
+        1e-12);
   }
 }

@@ -5,21 +5,34 @@ import com.fasterxml.jackson.databind.SerializationFeature;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.nio.file.Path;
+import java.util.List;
+import simbad.gap.audit.AuditFinding;
+import simbad.gap.diagnosis.AuditJson;
+import simbad.gap.diagnosis.DiagnosisJson;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Provenance;
 import simbad.gap.motion.MotionDiagnosis;
 import simbad.gap.motion.MotionFinding;
 import simbad.gap.motion.MotionPlace;
+import simbad.motion.Robot;
+import simbad.motion.format.DiagnosedMotion;
+import simbad.motion.format.MotionData;
 import simbad.sonar.format.TextFile;
 
-/** What a diagnosis of motion leaves: diagnosis.json and motion.json. */
+/** What a diagnosis of motion leaves: diagnosis.json, motion.json, the next drive. */
 public final class MotionFiles {
+  /** Commands that would tell tied effects apart. */
+  public static final String NEXT = "next-commands.csv";
+
   private static final ObjectMapper MAPPER =
       new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
 
-  private static final String[] HORIZONS = {"0.5", "2", "5"};
+  private static final double[] HORIZONS_S = {0.5, 2, 5};
   private static final String[] COMPONENTS = {"along_m", "across_m", "turn_rad"};
+  private static final MathContext DIGITS = new MathContext(6);
 
   private MotionFiles() {}
 
@@ -27,93 +40,213 @@ public final class MotionFiles {
    * Writes the files.
    *
    * @param folder that is there
-   * @param dataset name of the data set
+   * @param data what was diagnosed
+   * @param audit what was found of the data
    * @param diagnosis of it
    * @param provenance what it was made of
    * @throws IOException if a file cannot be written
    */
   public static void write(
-      Path folder, String dataset, MotionDiagnosis diagnosis, Provenance provenance)
+      Path folder,
+      MotionData data,
+      List<AuditFinding> audit,
+      MotionDiagnosis diagnosis,
+      Provenance provenance)
       throws IOException {
-    ObjectNode json = diagnosis(dataset, diagnosis);
-    ObjectNode origin = json.putObject("provenance");
-    provenance.sha256().forEach(origin.putObject("sha256")::put);
-    origin.put("version", provenance.version());
-    origin.put("windows", diagnosis.windows());
-    TextFile.write(folder.resolve("diagnosis.json"), MAPPER.writeValueAsString(json) + "\n");
+    ObjectNode json = head(data, audit);
+    conclude(json, diagnosis);
+    provenance(json.putObject("provenance"), data, provenance, diagnosis.gap().windows());
+    write(folder, json);
     TextFile.write(
-        folder.resolve("motion.json"), MAPPER.writeValueAsString(model(diagnosis)) + "\n");
+        folder.resolve(DiagnosedMotion.MODEL),
+        DiagnosedMotion.text(diagnosis.fitted(), diagnosis.forecast().spreads()));
+    if (diagnosis.next().isPresent()) {
+      TextFile.write(folder.resolve(NEXT), next(data.robot(), diagnosis.next().get()));
+    }
   }
 
-  private static ObjectNode diagnosis(String dataset, MotionDiagnosis diagnosis) {
+  /**
+   * Writes what the audit found where nothing was fitted.
+   *
+   * @param folder that is there
+   * @param data what was audited
+   * @param audit what was found
+   * @param provenance what it was made of
+   * @throws IOException if a file cannot be written
+   */
+  public static void write(
+      Path folder, MotionData data, List<AuditFinding> audit, Provenance provenance)
+      throws IOException {
+    ObjectNode json = head(data, audit);
+    provenance(json.putObject("provenance"), data, provenance, 0);
+    write(folder, json);
+  }
+
+  private static void write(Path folder, ObjectNode json) throws IOException {
+    TextFile.write(folder.resolve(DiagnosisJson.FILE), MAPPER.writeValueAsString(json) + "\n");
+  }
+
+  private static ObjectNode head(MotionData data, List<AuditFinding> audit) {
     ObjectNode json = MAPPER.createObjectNode();
-    json.put("format", "sonar-diagnosis/2");
-    json.put("dataset", dataset);
-    json.put("verdict", diagnosis.verdict().word());
-    json.put("headline", diagnosis.headline());
-    ArrayNode names = json.putArray("explanation");
-    diagnosis.findings().stream().map(MotionFinding::effect).distinct().forEach(names::add);
-    ArrayNode effects = json.putArray("effects");
-    diagnosis.findings().forEach(finding -> add(effects.addObject(), finding));
-    json.put("unknown_probability", diagnosis.unknownProbability());
-    gap(json.putObject("gap"), diagnosis);
-    ArrayNode where = json.putArray("where");
-    diagnosis.places().forEach(place -> add(where.addObject(), place));
+    json.put("format", DiagnosisJson.FORMAT);
+    json.put("about", "motion");
+    json.put("dataset", data.name());
+    AuditJson.add(json.putArray("audit"), audit);
     return json;
   }
 
-  private static void add(ObjectNode node, MotionFinding finding) {
-    node.put("name", finding.effect());
-    node.put("form", finding.form());
-    node.put("probability", finding.probability());
-    ObjectNode values = node.putObject("parameters");
-    ObjectNode intervals = node.putObject("ci95");
+  private static void provenance(
+      ObjectNode node, MotionData data, Provenance provenance, int windows) {
+    provenance.sha256().forEach(node.putObject("sha256")::put);
+    node.put("version", provenance.version());
+    node.put("seed", provenance.seed());
+    ObjectNode rows = node.putObject("rows");
+    rows.put("commands", data.runs().stream().mapToInt(run -> run.commands().size()).sum());
+    rows.put("track", data.runs().stream().mapToInt(run -> run.track().size()).sum());
+    rows.put("reference", data.reference().stream().mapToInt(run -> run.track().size()).sum());
+    rows.put("held_out", windows);
+  }
+
+  private static void conclude(ObjectNode json, MotionDiagnosis diagnosis) {
+    json.put("verdict", diagnosis.verdict().word());
+    json.put("reason", diagnosis.headline());
+    ArrayNode names = json.putArray("explanation");
+    diagnosis.findings().stream().map(MotionFinding::effect).forEach(names::add);
+    put(json, "unknown_probability", diagnosis.unknownProbability());
+    ArrayNode bounds = json.putArray("at_bound");
+    diagnosis.findings().forEach(finding -> atBound(bounds, finding));
+    gap(json.putObject("gap"), diagnosis.gap());
+    ArrayNode budget = json.putArray("budget");
+    diagnosis.budget().forEach(part -> add(budget.addObject(), part));
+    ArrayNode effects = json.putArray("effects");
+    diagnosis.findings().forEach(finding -> add(effects.addObject(), finding));
+    diagnosis.others().forEach(finding -> add(effects.addObject(), finding));
+    ArrayNode where = json.putArray("where");
+    diagnosis.places().forEach(place -> add(where.addObject(), place));
+    ArrayNode hidden = json.putArray("undetectable");
+    diagnosis.undetectable().forEach(one -> add(hidden.addObject(), one));
+    diagnosis.next().ifPresent(next -> add(json.putObject("next_experiment"), next));
+  }
+
+  private static void atBound(ArrayNode bounds, MotionFinding finding) {
     for (MotionFinding.Parameter parameter : finding.parameters()) {
-      values.put(parameter.name(), parameter.value());
-      add(intervals.putArray(parameter.name()), parameter.ci95());
-    }
-    finding.ties().forEach(node.putArray("indistinguishable_from")::add);
-    node.put("remedy", finding.remedy());
-  }
-
-  private static void add(ArrayNode node, Interval interval) {
-    node.add(interval.low()).add(interval.high());
-  }
-
-  private static void gap(ObjectNode node, MotionDiagnosis diagnosis) {
-    node.put("rows_held_out", diagnosis.windows());
-    node.put("shrink", diagnosis.shrink());
-    add(node.putArray("shrink_ci95"), diagnosis.shrinkCi95());
-    ArrayNode horizons = node.putArray("horizons");
-    for (int h = 0; h < HORIZONS.length; h++) {
-      ObjectNode horizon = horizons.addObject();
-      horizon.put("horizon_s", Double.parseDouble(HORIZONS[h]));
-      for (int c = 0; c < COMPONENTS.length; c++) {
-        ObjectNode component = horizon.putObject(COMPONENTS[c]);
-        component.put("before", diagnosis.before()[h][c]);
-        component.put("after", diagnosis.after()[h][c]);
+      if (parameter.atBound()) {
+        ObjectNode node = bounds.addObject();
+        node.put("effect", finding.effect());
+        node.put("parameter", parameter.name());
+        put(node, "value", parameter.value());
+        add(node.putArray("allowed"), parameter.allowed());
       }
     }
   }
 
-  private static void add(ObjectNode node, MotionPlace place) {
-    node.putObject("slice").putArray(place.axis()).add(place.low()).add(place.high());
-    node.put("rows", place.rows());
-    node.put("share_of_gap", place.share());
-    node.put("before", place.before());
-    node.put("after", place.after());
+  private static void add(ObjectNode node, MotionFinding finding) {
+    node.put("name", finding.effect());
+    put(node, "probability", finding.probability());
+    if (!finding.form().isEmpty()) {
+      node.put("form", finding.form());
+    }
+    ObjectNode values = node.putObject("parameters");
+    ObjectNode intervals = node.putObject("ci95");
+    for (MotionFinding.Parameter parameter : finding.parameters()) {
+      put(values, parameter.name(), parameter.value());
+      add(intervals.putArray(parameter.name()), parameter.ci95());
+    }
+    if (!finding.remedy().isEmpty()) {
+      node.put("remedy", finding.remedy());
+    }
+    finding.ties().forEach(node.putArray("indistinguishable_from")::add);
   }
 
-  private static ObjectNode model(MotionDiagnosis diagnosis) {
-    ObjectNode json = MAPPER.createObjectNode();
-    json.put("format", "motion-model/1");
-    ArrayNode forms = json.putArray("forms");
-    for (MotionFinding finding : diagnosis.findings()) {
-      ObjectNode form = forms.addObject();
-      form.put("form", finding.form());
-      ObjectNode values = form.putObject("parameters");
-      finding.parameters().forEach(one -> values.put(one.name(), one.value()));
+  private static void gap(ObjectNode node, MotionDiagnosis.Gap gap) {
+    node.put("rows_held_out", gap.windows());
+    put(node, "before", 1);
+    put(node, "after", gap.ratio());
+    put(node, "floor", gap.floor());
+    put(node, "shrink", gap.shrink());
+    add(node.putArray("shrink_ci95"), gap.shrinkCi95());
+    ArrayNode horizons = node.putArray("horizons");
+    for (int h = 0; h < HORIZONS_S.length; h++) {
+      ObjectNode horizon = horizons.addObject();
+      horizon.put("horizon_s", HORIZONS_S[h]);
+      for (int c = 0; c < COMPONENTS.length; c++) {
+        ObjectNode component = horizon.putObject(COMPONENTS[c]);
+        put(component, "before", gap.before()[h][c]);
+        put(component, "after", gap.after()[h][c]);
+        put(component, "within_90", gap.coverage()[h][c]);
+      }
     }
-    return json;
+  }
+
+  private static void add(ObjectNode node, MotionDiagnosis.Part part) {
+    node.put("what", part.what());
+    put(node, "share", part.share());
+    add(node.putArray("ci95"), part.ci95());
+  }
+
+  private static void add(ObjectNode node, MotionPlace place) {
+    ObjectNode slice = node.putObject("slice");
+    if (place.name().isEmpty()) {
+      add(slice.putArray(place.axis()), new Interval(place.low(), place.high()));
+    } else {
+      slice.put(place.axis(), place.name());
+    }
+    node.put("rows", place.rows());
+    put(node, "share_of_gap", place.share());
+    put(node, "before", place.before());
+    put(node, "after", place.after());
+    node.put("kind", place.component());
+    put(node, "q_value", place.qValue());
+  }
+
+  private static void add(ObjectNode node, MotionDiagnosis.Hidden hidden) {
+    node.put("name", hidden.effect());
+    node.put("parameter", hidden.parameter());
+    put(node, "least_size", hidden.leastSize());
+  }
+
+  private static void add(ObjectNode node, MotionDiagnosis.NextDrive next) {
+    next.separates().forEach(node.putArray("separates")::add);
+    node.put("commands", NEXT);
+    put(node, "expected_log_odds", next.expectedLogOdds());
+  }
+
+  private static void add(ArrayNode array, Interval interval) {
+    for (double end : new double[] {interval.low(), interval.high()}) {
+      if (Double.isFinite(end)) {
+        array.add(rounded(end));
+      } else {
+        array.addNull();
+      }
+    }
+  }
+
+  private static void put(ObjectNode node, String field, double value) {
+    if (Double.isFinite(value)) {
+      node.put(field, rounded(value));
+    } else {
+      node.putNull(field);
+    }
+  }
+
+  private static double rounded(double value) {
+    return new BigDecimal(value).round(DIGITS).doubleValue();
+  }
+
+  private static String next(Robot robot, MotionDiagnosis.NextDrive next) {
+    List<String> columns =
+        robot.differential() ? List.of("left_m_s", "right_m_s") : List.of("v_m_s", "w_rad_s");
+    StringBuilder text = new StringBuilder("run,t_s," + String.join(",", columns) + "\n");
+    double half = robot.wheelBaseM() / 2;
+    next.commands()
+        .forEach(
+            c -> {
+              double first = c.speedMPerS() - half * c.turnRadPerS();
+              double second = c.speedMPerS() + half * c.turnRadPerS();
+              text.append("next,").append(rounded(c.timeS())).append(',');
+              text.append(rounded(robot.differential() ? first : c.speedMPerS())).append(',');
+              text.append(rounded(robot.differential() ? second : c.turnRadPerS())).append('\n');
+            });
+    return text.toString();
   }
 }

@@ -4,7 +4,6 @@ import java.util.List;
 import simbad.figures.markup.Markup;
 import simbad.gap.audit.Audit;
 import simbad.gap.audit.AuditFinding;
-import simbad.gap.diagnosis.DataSet;
 
 /** The audit on a page: it comes first, for what follows is of data that may be wrong. */
 final class AuditSection {
@@ -43,12 +42,12 @@ final class AuditSection {
   }
 
   /** A page of the audit alone. */
-  static String page(DataSet data, List<AuditFinding> findings) {
-    String name = Markup.escaped(data.name());
+  static String page(String dataset, List<AuditFinding> findings) {
+    String name = Markup.escaped(dataset);
     StringBuilder page = new StringBuilder(Style.head(name + ": audit"));
     page.append("<h1>Simulation and reality: " + name + "</h1>\n");
     page.append("<p class=\"verdict\">" + verdict(findings) + "</p>\n");
-    add(page, findings, data.name());
+    add(page, findings, dataset);
     return page.append("</main>\n</body>\n</html>\n").toString();
   }
 
@@ -57,7 +56,7 @@ final class AuditSection {
       return "<strong>Nothing found:</strong> these data can be what they are said to be.";
     }
     return Audit.refuses(findings)
-        ? "<strong>Not diagnosed:</strong> as they stand, these readings cannot be believed."
+        ? "<strong>Not diagnosed:</strong> as they stand, these data cannot be believed."
         : "<strong>Audited only:</strong> nothing was fitted.";
   }
 }

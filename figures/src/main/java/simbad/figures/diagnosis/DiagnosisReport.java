@@ -51,6 +51,6 @@ public final class DiagnosisReport {
       Path folder, DataSet data, List<AuditFinding> audit, Provenance provenance)
       throws IOException {
     DiagnosisFolder.write(folder, data, audit, provenance);
-    TextFile.write(folder.resolve(PAGE), AuditSection.page(data, audit));
+    TextFile.write(folder.resolve(PAGE), AuditSection.page(data.name(), audit));
   }
 }

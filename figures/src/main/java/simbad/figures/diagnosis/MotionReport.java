@@ -2,9 +2,12 @@ package simbad.figures.diagnosis;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import simbad.experiments.motion.MotionFiles;
+import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.Provenance;
 import simbad.gap.motion.MotionDiagnosis;
+import simbad.motion.format.MotionData;
 import simbad.sonar.format.TextFile;
 
 /** The folder of a diagnosis of motion with its page. */
@@ -15,16 +18,38 @@ public final class MotionReport {
    * Writes everything.
    *
    * @param folder that is there
-   * @param dataset name of the data set
+   * @param data what was diagnosed
+   * @param audit what was found of the data
    * @param diagnosis of it
    * @param provenance what it was made of
    * @throws IOException if a file cannot be written
    */
   public static void write(
-      Path folder, String dataset, MotionDiagnosis diagnosis, Provenance provenance)
+      Path folder,
+      MotionData data,
+      List<AuditFinding> audit,
+      MotionDiagnosis diagnosis,
+      Provenance provenance)
       throws IOException {
-    MotionFiles.write(folder, dataset, diagnosis, provenance);
+    MotionFiles.write(folder, data, audit, diagnosis, provenance);
     TextFile.write(
-        folder.resolve(DiagnosisReport.PAGE), MotionPage.of(dataset, diagnosis, provenance));
+        folder.resolve(DiagnosisReport.PAGE),
+        MotionPage.of(data.name(), audit, diagnosis, provenance));
+  }
+
+  /**
+   * Writes what the audit found where nothing was fitted.
+   *
+   * @param folder that is there
+   * @param data what was audited
+   * @param audit what was found
+   * @param provenance what it was made of
+   * @throws IOException if a file cannot be written
+   */
+  public static void write(
+      Path folder, MotionData data, List<AuditFinding> audit, Provenance provenance)
+      throws IOException {
+    MotionFiles.write(folder, data, audit, provenance);
+    TextFile.write(folder.resolve(DiagnosisReport.PAGE), AuditSection.page(data.name(), audit));
   }
 }

@@ -5,35 +5,57 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import simbad.gap.audit.AuditCheck;
+import simbad.gap.audit.AuditFinding;
+import simbad.gap.audit.Severity;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Provenance;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.motion.MotionDiagnosis;
 import simbad.gap.motion.MotionFinding;
 import simbad.gap.motion.MotionPlace;
+import simbad.motion.Command;
+import simbad.motion.Robot;
+import simbad.motion.forecast.MotionForecast;
 
 class MotionPageTest {
   private static final Provenance ORIGIN = new Provenance(Map.of(), "1.2 <dirty>", 1);
 
+  private static final AuditFinding AUDITED =
+      new AuditFinding(
+          AuditCheck.TRACK_HOLES,
+          AuditFinding.File.TRACK,
+          "two holes",
+          List.of(7),
+          "",
+          "",
+          Severity.NOTE);
+
   private static String page(Verdict verdict, List<MotionFinding> findings) {
     double[][] before = {{0.004, 0.001, 0.02}, {0.01, 0.002, 0.03}, {0.02, 0.01, 0.05}};
     double[][] after = {{0.002, 0.001, 0.01}, {0.005, 0.002, 0.02}, {0.01, 0.01, 0.04}};
+    double[][] within = {{0.9, 0.91, 0.88}, {0.9, 0.91, 0.88}, {0.9, 0.91, 0.88}};
     MotionDiagnosis diagnosis =
         new MotionDiagnosis(
             verdict,
             "the gap shrinks by 40 %",
             findings,
+            List.of(new MotionFinding("dead-band", "", 0.12, List.of(), List.of(), "")),
             0.2,
-            before,
-            after,
-            0.4,
-            new Interval(0.35, 0.45),
-            new double[3],
-            new double[3],
-            List.of(new MotionPlace("speed_m_s", 0, 0.1, 50, 0.3, 1.2, 0.7)),
-            100);
-    return MotionPage.of("a<b>", diagnosis, ORIGIN);
+            new MotionDiagnosis.Gap(100, before, after, within, 0.6, new Interval(0.55, 0.65), 0.3),
+            List.of(
+                new MotionDiagnosis.Part("speed-scale", 0.4, new Interval(0.35, 0.45)),
+                new MotionDiagnosis.Part("rest", 0.3, new Interval(0.2, 0.4))),
+            List.of(new MotionPlace("speed_m_s", "", 0, 0.1, 50, 0.3, 1.2, 0.7, "along", 0.002)),
+            List.of(new MotionDiagnosis.Hidden("turn-bias", "bias_rad_s", 0.005)),
+            Optional.of(
+                new MotionDiagnosis.NextDrive(
+                    List.of("speed-scale", "wheel-scale"), List.of(new Command(0, 0.1, 0)), 12)),
+            List.of(),
+            MotionForecast.believed(Robot.EXACT_UNICYCLE));
+    return MotionPage.of("a<b>", List.of(AUDITED), diagnosis, ORIGIN);
   }
 
   @Test
@@ -48,17 +70,25 @@ class MotionPageTest {
                     0.97,
                     List.of(
                         new MotionFinding.Parameter(
-                            "speed_factor", 0.95, new Interval(0.94, 0.96), false)),
+                            "speed_factor",
+                            0.95,
+                            new Interval(0.94, 0.96),
+                            new Interval(0.2, 5),
+                            false)),
                     List.of("wheel-scale"),
                     "multiply commanded speeds by 0.95")));
 
     assertTrue(page.contains("<strong>explained</strong>: the gap shrinks by 40 %."));
-    assertTrue(page.contains("speed-scale (needed: 97&nbsp;%)"));
+    assertTrue(page.contains("speed-scale (97&nbsp;%)"));
     assertTrue(page.contains("0.94 to 0.96"));
     assertTrue(page.contains("does not tell it from wheel-scale."));
     assertTrue(page.contains("<td class=\"n\">4.00&nbsp;mm</td><td class=\"n\">2.00&nbsp;mm</td>"));
     assertTrue(page.contains("<code>speed_m_s</code>"));
-    assertTrue(page.contains("A first version"));
+    assertTrue(page.contains("would tell speed-scale from wheel-scale"));
+    assertTrue(page.contains("Perhaps dead-band: 12&nbsp;%"));
+    assertTrue(page.contains("track.csv from row 8 on: two holes."));
+    assertTrue(page.contains("<td>turn-bias</td>"));
+    assertTrue(page.contains("What the gap is made of"));
   }
 
   @Test

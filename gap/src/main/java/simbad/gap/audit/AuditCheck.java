@@ -29,7 +29,21 @@ public enum AuditCheck {
   /** Poses that never change though readings do. */
   STILL("still", "x_m, z_m, heading_deg"),
   /** Poses in another frame or unit than the scene. */
-  AXES("axes", "x_m, z_m, heading_deg");
+  AXES("axes", "x_m, z_m, heading_deg"),
+  /** Times of commands and track that do not belong together. */
+  TRACK_CLOCK("track-clock", "t_s"),
+  /** Positions that are a multiple of what was commanded. */
+  TRACK_UNIT("track-unit", "x_m, z_m"),
+  /** A track in another frame, or a mirrored one. */
+  TRACK_FRAME("track-frame", "x_m, z_m, heading_deg"),
+  /** Headings in another unit. */
+  TRACK_HEADING("track-heading", "heading_deg"),
+  /** Where the robot was not seen. */
+  TRACK_HOLES("track-holes", "t_s"),
+  /** Poses that no robot gets to between two rows. */
+  TRACK_JUMP("track-jump", "x_m, z_m, heading_deg"),
+  /** A track that stands while the robot is told to go. */
+  TRACK_STILL("track-still", "x_m, z_m, heading_deg");
 
   private final String word;
   private final String field;
@@ -37,6 +51,11 @@ public enum AuditCheck {
   AuditCheck(String word, String field) {
     this.word = word;
     this.field = field;
+  }
+
+  /** Returns how many checks there are of one data set of readings; those of tracks stand apart. */
+  static int ofReadings() {
+    return TRACK_CLOCK.ordinal();
   }
 
   /** Returns the word as it stands in files. */

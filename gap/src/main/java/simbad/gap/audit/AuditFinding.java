@@ -35,7 +35,11 @@ public record AuditFinding(
     /** What was read. */
     READINGS("readings.csv"),
     /** What was read while the simulation was trusted. */
-    REFERENCE("reference.csv");
+    REFERENCE("reference.csv"),
+    /** What was commanded. */
+    COMMANDS("commands.csv"),
+    /** Where the robot was. */
+    TRACK("track.csv");
 
     private final String fileName;
 

@@ -8,7 +8,7 @@ final class Tail {
   private static final double FALSE_ALARMS = 0.01;
 
   /** What one check may be wrong in. */
-  static final double LEVEL = FALSE_ALARMS / AuditCheck.values().length;
+  static final double LEVEL = FALSE_ALARMS / AuditCheck.ofReadings();
 
   private Tail() {}
 

@@ -2,7 +2,7 @@ package simbad.gap.motion;
 
 import org.hipparchus.special.Erf;
 
-/** What a deviation in standard errors says. */
+/** What a deviation in standard errors says, and odds. */
 final class Chance {
   /** Of a normal deviate 95 % are no further than this. */
   static final double NORMAL_95 = 1.96;
@@ -17,14 +17,13 @@ final class Chance {
     return Math.min(MOST, Erf.erfc(-deviations / Math.sqrt(2)) / 2);
   }
 
-  /**
-   * Returns how sure something is that was chosen among several for its deviation (Bonferroni).
-   *
-   * @param deviations of the one that was chosen
-   * @param among how many, at least 1
-   * @return in [0, 1]
-   */
-  static double chosen(double deviations, int among) {
-    return Math.max(0, 1 - among * (1 - below(deviations)));
+  /** Returns the normal deviate that a share of all are below. */
+  static double deviate(double share) {
+    return Math.sqrt(2) * Erf.erfInv(2 * share - 1);
+  }
+
+  /** Returns the probability that has these log odds. */
+  static double ofLogOdds(double nats) {
+    return Math.min(MOST, 1 / (1 + Math.exp(-nats)));
   }
 }

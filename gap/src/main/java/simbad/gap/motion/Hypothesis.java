@@ -3,8 +3,13 @@ package simbad.gap.motion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
 import simbad.motion.MotionChain;
+import simbad.motion.effect.FittedMotion;
 import simbad.motion.effect.MotionForm;
+import simbad.motion.effect.MotionParameter;
 
 /**
  * Forms with values.
@@ -62,6 +67,37 @@ record Hypothesis(MotionChain base, List<MotionForm> forms, double[] values) {
 
   Hypothesis withValues(double[] other) {
     return new Hypothesis(base, forms, other);
+  }
+
+  /** Returns the forms, each with its values. */
+  List<FittedMotion> fitted() {
+    return forms.stream().map(form -> new FittedMotion(form, values(form))).toList();
+  }
+
+  /** Returns the parameters of all forms, in the order of the values. */
+  List<MotionParameter> parameters() {
+    return forms.stream().flatMap(form -> form.parameters().stream()).toList();
+  }
+
+  /** Returns the same with one value changed. */
+  Hypothesis withValue(int index, double value) {
+    double[] other = values.clone();
+    other[index] = value;
+    return withValues(other);
+  }
+
+  /** Returns the names of the effects, each once. */
+  Set<String> effects() {
+    return forms.stream().map(MotionForm::effect).collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** Returns the same without any form of an effect. */
+  Hypothesis without(String effect) {
+    Hypothesis less = this;
+    for (MotionForm form : forms) {
+      less = form.effect().equals(effect) ? less.without(form) : less;
+    }
+    return less;
   }
 
   boolean names(String effect) {

@@ -4,11 +4,17 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.IntStream;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Verdict;
+import simbad.motion.CommandUse;
 import simbad.motion.MotionChain;
-import simbad.motion.effect.MotionForm;
-import simbad.motion.effect.MotionParameter;
+import simbad.motion.MotionRun;
+import simbad.motion.Robot;
+import simbad.motion.effect.FittedMotion;
+import simbad.motion.effect.MotionForms;
+import simbad.motion.forecast.MotionForecast;
 import simbad.motion.format.MotionData;
 
 /** Diagnoses a motion folder. Uses no chance: equal data give an equal diagnosis. */
@@ -16,13 +22,13 @@ public final class MotionDiagnoser {
   /** Fewer blocks of ten seconds cannot be left out in fifths. */
   private static final int LEAST_BLOCKS = 6;
 
-  /** A filter that takes less than this of what is left finds nothing that matters. */
-  private static final double LEFT_SHARE = 0.1;
-
-  private static final double LEFT_Z = 3;
+  /** An effect that is less probable, its ties counted, is not concluded. */
+  private static final double SURE = 0.8;
 
   private final MotionData data;
+  private final List<MotionRun> runs;
   private final Evidence evidence;
+  private final CommandUse use;
 
   /**
    * Prepares a diagnosis.
@@ -31,54 +37,170 @@ public final class MotionDiagnoser {
    */
   public MotionDiagnoser(MotionData data) {
     this.data = data;
-    evidence = new Evidence(data.runs(), Windows.HORIZONS_S[0]);
+    runs = data.runs().stream().map(MotionRun::withoutRepeats).toList();
+    evidence = new Evidence(runs);
+    use = CommandUse.of(runs, data.robot().wheelBaseM());
   }
 
   /** What is believed, and what a reference has shown beside it. */
-  private MotionChain base() {
-    MotionChain believed = data.robot().motion();
-    if (data.reference().isEmpty()) {
-      return believed;
+  @SuppressWarnings("ArrayRecordComponent") // Three noises, never compared.
+  private record Base(MotionForecast nominal, Noise[] noises, List<FittedMotion> shown) {
+    static Base of(MotionData data) {
+      Robot robot = data.robot();
+      Noise place = Noise.believed(robot.trackSigmaM());
+      Noise[] stated = {place, place, Noise.believed(robot.trackSigmaRad())};
+      Base believed = new Base(MotionForecast.believed(robot), stated, List.of());
+      if (data.reference().isEmpty()) {
+        return believed;
+      }
+      List<MotionRun> runs = data.reference().stream().map(MotionRun::withoutRepeats).toList();
+      Evidence trusted = new Evidence(runs);
+      if (trusted.blockCount() < LEAST_BLOCKS) {
+        return believed;
+      }
+      Scored best = new Odds(new Search(trusted, robot).run(robot.motion())).best();
+      MotionChain chain = best.hypothesis().chain();
+      return new Base(
+          MotionGap.forecast(runs, chain), best.fit().noises(), best.hypothesis().fitted());
     }
-    Evidence trusted = new Evidence(data.reference(), Windows.HORIZONS_S[0]);
-    Search search = new Search(trusted, data.robot().separateClocks());
-    return trusted.blockCount() < LEAST_BLOCKS
-        ? believed
-        : search.search(search.nominal(believed)).full().hypothesis().chain();
   }
 
   /** Returns the diagnosis. */
   public MotionDiagnosis diagnose() {
-    MotionChain base = base();
-    Search search = new Search(evidence, data.robot().separateClocks());
+    Base base = Base.of(data);
     if (evidence.blockCount() < LEAST_BLOCKS) {
-      return undecided();
+      return undecided(base);
     }
-    HeldOut nominal = search.nominal(base);
-    HeldOut best = search.search(nominal);
-    Residue residue = new Residue(evidence);
-    Residue.Left filter = residue.of(nominal.residuals(), nominal.full().scatter());
-    Residue.Left left = residue.of(best.residuals(), best.full().scatter());
-    MotionGap gap = MotionGap.of(evidence, data.robot(), base, best.folds());
-    List<MotionFinding> findings = findings(search, best);
-    boolean more = left.z() > LEFT_Z && Arrays.stream(left.share()).max().orElse(0) > LEFT_SHARE;
-    Verdict verdict = verdict(findings, more);
-    return new MotionDiagnosis(
-        verdict,
-        headline(verdict, findings, gap),
-        findings,
-        unknown(left),
-        gap.before(),
-        gap.after(),
-        1 - gap.ratio(),
-        new Interval(1 - gap.ci95().high(), 1 - gap.ci95().low()),
-        filter.share(),
-        modelShare(nominal.residuals(), best.residuals()),
-        MotionPlaces.of(evidence, nominal.residuals(), best.residuals()),
-        evidence.size());
+    Odds odds = new Odds(new Search(evidence, data.robot()).run(base.nominal().chain()));
+    MotionGap gap = gap(base, odds.best());
+    if (gap.ratio() >= 1 && !odds.best().hypothesis().forms().isEmpty()) {
+      // What makes forecasts worse explains nothing.
+      odds = new Odds(List.of(odds.nominal()));
+      gap = gap(base, odds.best());
+    }
+    return concluded(base, odds, gap);
   }
 
-  private MotionDiagnosis undecided() {
+  private MotionGap gap(Base base, Scored set) {
+    List<MotionChain> folds =
+        IntStream.range(0, Evidence.FOLDS)
+            .mapToObj(fold -> set.slopes().withoutFold(fold).chain())
+            .toList();
+    return MotionGap.of(runs, base.nominal(), folds);
+  }
+
+  private MotionDiagnosis concluded(Base base, Odds odds, MotionGap gap) {
+    Findings findings = new Findings(odds);
+    NoiseFindings scatter = new NoiseFindings(evidence, base.noises(), odds.best().fit());
+    Unknown unknown =
+        new Unknown(
+            new Strangers(evidence, odds.best()).traces(odds.nominal().fit().residuals()),
+            scatter.otherEvents());
+    List<MotionFinding> named = new ArrayList<>(findings.named());
+    boolean sure = named.stream().allMatch(one -> odds.ofAny(one.effect(), one.ties()) >= SURE);
+    List<MotionFinding> noises = scatter.all();
+    named.addAll(unknown.isLikely() && named.isEmpty() ? List.of() : noises);
+    Verdict verdict = verdict(named, unknown, sure);
+    boolean believes = verdict == Verdict.EXPLAINED || verdict == Verdict.PARTLY;
+    List<MotionFinding> explanation = believes ? named : List.of();
+    MotionDiagnosis.Gap figures = figures(gap, odds.best(), verdict);
+    return new MotionDiagnosis(
+        verdict,
+        headline(verdict, named, unknown, figures),
+        explanation,
+        others(findings, noises, explanation),
+        unknown.probability(),
+        figures,
+        new Budget(gap, figures, odds.best(), base.noises()).of(explanation),
+        MotionPlaces.of(runs, gap),
+        new Undetectables(evidence, odds).among(Search.forms(data.robot()), use),
+        next(odds, explanation),
+        fitted(base, odds.best()),
+        verdict == Verdict.NONE
+            ? base.nominal()
+            : MotionGap.forecast(runs, odds.best().hypothesis().chain()));
+  }
+
+  private static List<FittedMotion> fitted(Base base, Scored best) {
+    List<FittedMotion> fitted = new ArrayList<>(base.shown());
+    fitted.addAll(best.hypothesis().fitted());
+    return fitted;
+  }
+
+  private static List<MotionFinding> others(
+      Findings findings, List<MotionFinding> noises, List<MotionFinding> explanation) {
+    List<MotionFinding> others = new ArrayList<>();
+    for (MotionFinding one : findings.others(explanation)) {
+      Optional<MotionFinding> noise =
+          noises.stream().filter(other -> other.effect().equals(one.effect())).findFirst();
+      others.add(noise.orElse(one));
+    }
+    others.sort((a, b) -> Double.compare(b.probability(), a.probability()));
+    return others;
+  }
+
+  /** Without an effect the forecast stays what was believed. */
+  private static MotionDiagnosis.Gap figures(MotionGap gap, Scored best, Verdict verdict) {
+    boolean none = verdict == Verdict.NONE;
+    double ratio = none ? 1 : gap.ratio();
+    return new MotionDiagnosis.Gap(
+        gap.windows(),
+        gap.before(),
+        none ? gap.before() : gap.after(),
+        gap.coverage(),
+        ratio,
+        none ? new Interval(1, 1) : gap.ci95(),
+        Math.min(ratio, gap.floor(best.fit().noises())));
+  }
+
+  private Verdict verdict(List<MotionFinding> named, Unknown unknown, boolean sure) {
+    boolean atBound =
+        named.stream()
+            .flatMap(finding -> finding.parameters().stream())
+            .anyMatch(MotionFinding.Parameter::atBound);
+    if (named.isEmpty()) {
+      return unknown.isLikely() ? Verdict.UNEXPLAINED : Verdict.NONE;
+    }
+    if (!sure) {
+      return Verdict.UNDECIDED;
+    }
+    return unknown.isLikely() || atBound ? Verdict.PARTLY : Verdict.EXPLAINED;
+  }
+
+  private static String headline(
+      Verdict verdict, List<MotionFinding> findings, Unknown unknown, MotionDiagnosis.Gap gap) {
+    String names = String.join(" + ", findings.stream().map(MotionFinding::effect).toList());
+    String shrink = String.format(Locale.ROOT, "the gap shrinks by %.0f %%", 100 * gap.shrink());
+    return switch (verdict) {
+      case NONE -> "no gap beyond chance";
+      case UNEXPLAINED -> "something that no named effect accounts for: " + unknown.words();
+      case UNDECIDED -> "this log does not tell which effects are at work; the likeliest: " + names;
+      case PARTLY ->
+          names
+              + ", and something else ("
+              + (unknown.isLikely() ? unknown.words() : "a value stands at its bound")
+              + "); "
+              + shrink;
+      case EXPLAINED -> names + "; " + shrink;
+    };
+  }
+
+  private Optional<MotionDiagnosis.NextDrive> next(Odds odds, List<MotionFinding> explanation) {
+    for (MotionFinding one : explanation) {
+      for (String tied : one.ties()) {
+        Optional<MotionDiagnosis.NextDrive> drive =
+            new NextDrives(use)
+                .between(odds.best(), odds.bestWith(tied), List.of(one.effect(), tied));
+        if (drive.isPresent()) {
+          return drive;
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  private MotionDiagnosis undecided(Base base) {
+    double[][] none = new double[3][3];
     return new MotionDiagnosis(
         Verdict.UNDECIDED,
         "the track covers only "
@@ -87,94 +209,16 @@ public final class MotionDiagnoser {
             + LEAST_BLOCKS
             + " are needed",
         List.of(),
+        MotionForms.vocabulary().stream()
+            .map(name -> new MotionFinding(name, "", 0, List.of(), List.of(), ""))
+            .toList(),
         0.5,
-        new double[3][3],
-        new double[3][3],
-        0,
-        new Interval(0, 0),
-        new double[3],
-        new double[3],
+        new MotionDiagnosis.Gap(0, none, none, none, 1, new Interval(0, 1), 0),
+        Arrays.asList(new MotionDiagnosis.Part("rest", 1, new Interval(0, 1))),
         List.of(),
-        evidence.size());
-  }
-
-  private static Verdict verdict(List<MotionFinding> findings, boolean more) {
-    boolean atBound =
-        findings.stream()
-            .flatMap(finding -> finding.parameters().stream())
-            .anyMatch(MotionFinding.Parameter::atBound);
-    if (findings.isEmpty()) {
-      return more ? Verdict.UNEXPLAINED : Verdict.NONE;
-    }
-    return more || atBound ? Verdict.PARTLY : Verdict.EXPLAINED;
-  }
-
-  private static String headline(Verdict verdict, List<MotionFinding> findings, MotionGap gap) {
-    String names = String.join(" + ", findings.stream().map(MotionFinding::effect).toList());
-    String shrink =
-        String.format(Locale.ROOT, "the gap shrinks by %.0f %%", 100 - 100 * gap.ratio());
-    return switch (verdict) {
-      case NONE -> "no gap beyond chance";
-      case UNEXPLAINED -> "something that no named effect accounts for";
-      case PARTLY -> names + ", and something else; " + shrink;
-      default -> names + "; " + shrink;
-    };
-  }
-
-  /** A filter's evidence as a chance: even odds at the size that decides. */
-  private static double unknown(Residue.Left left) {
-    double share = Arrays.stream(left.share()).max().orElse(0);
-    double surprise = Math.min(left.z() - LEFT_Z, (share - LEFT_SHARE) / LEFT_SHARE * LEFT_Z);
-    return 1 / (1 + Math.exp(-surprise));
-  }
-
-  private static double[] modelShare(double[][] before, double[][] after) {
-    double[] share = new double[3];
-    for (int c = 0; c < 3; c++) {
-      double sumBefore = 0;
-      double sumAfter = 0;
-      for (int i = 0; i < before.length; i++) {
-        sumBefore += Math.abs(before[i][c]);
-        sumAfter += Math.abs(after[i][c]);
-      }
-      share[c] = sumBefore > 0 ? 1 - sumAfter / sumBefore : 0;
-    }
-    return share;
-  }
-
-  private List<MotionFinding> findings(Search search, HeldOut best) {
-    List<MotionFinding> findings = new ArrayList<>();
-    Hypothesis chosen = best.full().hypothesis();
-    double[] errors = new Fitter(evidence).standardErrors(chosen);
-    int at = 0;
-    for (MotionForm form : chosen.forms()) {
-      double[] own = Arrays.copyOfRange(errors, at, at + form.parameters().size());
-      double[] values = chosen.values(form);
-      List<MotionFinding.Parameter> parameters = new ArrayList<>();
-      for (int i = 0; i < values.length; i++) {
-        parameters.add(parameter(form.parameters().get(i), values[i], own[i]));
-      }
-      String remedy =
-          String.format(Locale.ROOT, form.remedy(), String.format(Locale.ROOT, "%.4g", values[0]));
-      List<String> ties = search.ties(best, form);
-      findings.add(
-          new MotionFinding(
-              form.effect(), form.form(), search.sure(best, form), parameters, ties, remedy));
-      at += own.length;
-    }
-    NoiseFindings.add(findings, evidence, data.robot(), best);
-    return findings;
-  }
-
-  private static MotionFinding.Parameter parameter(
-      MotionParameter parameter, double value, double error) {
-    boolean end = value <= parameter.low() || value >= parameter.high();
-    return new MotionFinding.Parameter(
-        parameter.name(),
-        value,
-        new Interval(
-            parameter.within(value - Chance.NORMAL_95 * error),
-            parameter.within(value + Chance.NORMAL_95 * error)),
-        end && value != parameter.neutral());
+        List.of(),
+        Optional.empty(),
+        base.shown(),
+        base.nominal());
   }
 }

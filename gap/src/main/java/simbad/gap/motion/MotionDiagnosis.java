@@ -1,44 +1,115 @@
 package simbad.gap.motion;
 
 import java.util.List;
+import java.util.Optional;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Verdict;
+import simbad.motion.Command;
+import simbad.motion.effect.FittedMotion;
+import simbad.motion.forecast.MotionForecast;
 
 /**
  * What a diagnosis of motion concludes.
  *
  * @param verdict of the whole
  * @param headline one sentence that says why
- * @param findings effects at work, the surest first
+ * @param findings the effects of the explanation, the surest first
+ * @param others every other name of the vocabulary, most probable first
  * @param unknownProbability that something without a name is at work
- * @param before gap of the nominal model by horizon (0.5, 2, 5 s) and component (along m, across m,
- *     turn rad)
- * @param after of the diagnosed model, on blocks that were not fitted
- * @param shrink of the gap, a fraction
- * @param shrinkCi95 interval of it
- * @param filterShare what a linear filter of the commands takes of the nominal model's absolute
- *     errors over half a second on blocks that it was not fitted to: along, across, turn
- * @param modelShare the same of the diagnosed model
+ * @param gap how far forecasts are off before and after
+ * @param budget how the gap before is made up, in units of it; adds up to 1
  * @param places where the gap is
- * @param windows of half a second that were scored
+ * @param undetectable effects that these data could not have shown
+ * @param next a drive that would tell tied effects apart
+ * @param fitted the forms of the diagnosed model beside what is believed, those first that a
+ *     reference has shown
+ * @param forecast the diagnosed model, as it was fitted to the whole log
  */
-@SuppressWarnings("ArrayRecordComponent") // Numbers by window, never compared.
 public record MotionDiagnosis(
     Verdict verdict,
     String headline,
     List<MotionFinding> findings,
+    List<MotionFinding> others,
     double unknownProbability,
-    double[][] before,
-    double[][] after,
-    double shrink,
-    Interval shrinkCi95,
-    double[] filterShare,
-    double[] modelShare,
+    Gap gap,
+    List<Part> budget,
     List<MotionPlace> places,
-    int windows) {
+    List<Hidden> undetectable,
+    Optional<NextDrive> next,
+    List<FittedMotion> fitted,
+    MotionForecast forecast) {
   /** Copies the lists. */
   public MotionDiagnosis {
     findings = List.copyOf(findings);
+    others = List.copyOf(others);
+    budget = List.copyOf(budget);
     places = List.copyOf(places);
+    undetectable = List.copyOf(undetectable);
+    fitted = List.copyOf(fitted);
+  }
+
+  /**
+   * How far forecasts are off, on blocks that were not fitted.
+   *
+   * @param windows of half a second that were scored
+   * @param before of the nominal model by horizon (0.5, 2, 5 s) and component (along m, across m,
+   *     turn rad)
+   * @param after of the diagnosed model
+   * @param coverage share of what was seen within forecasts of 90 %, of the diagnosed model
+   * @param ratio the gap: the mean of the nine, each in units of its nominal value
+   * @param ratioCi95 interval of it
+   * @param floor the gap that scatter alone would leave, in the same units
+   */
+  @SuppressWarnings("ArrayRecordComponent") // Nine numbers, never compared.
+  public record Gap(
+      int windows,
+      double[][] before,
+      double[][] after,
+      double[][] coverage,
+      double ratio,
+      Interval ratioCi95,
+      double floor) {
+    /** Returns by how much the gap shrinks, a fraction. */
+    public double shrink() {
+      return 1 - ratio;
+    }
+
+    /** Returns the interval of that. */
+    public Interval shrinkCi95() {
+      return new Interval(1 - ratioCi95.high(), 1 - ratioCi95.low());
+    }
+  }
+
+  /**
+   * A part of the gap.
+   *
+   * @param what an effect's name, rest or floor
+   * @param share of the gap before
+   * @param ci95 interval of it
+   */
+  public record Part(String what, double share, Interval ci95) {}
+
+  /**
+   * An effect that these data could not have shown.
+   *
+   * @param effect its name
+   * @param parameter whose size is meant
+   * @param leastSize that would have shown; infinite where none would
+   */
+  public record Hidden(String effect, String parameter, double leastSize) {}
+
+  /**
+   * A drive that would tell effects apart.
+   *
+   * @param separates their names
+   * @param commands to give
+   * @param expectedLogOdds between the two, nats
+   */
+  public record NextDrive(List<String> separates, List<Command> commands, double expectedLogOdds) {
+    /** Copies the lists. */
+    public NextDrive {
+      separates = List.copyOf(separates);
+      commands = List.copyOf(commands);
+    }
   }
 }

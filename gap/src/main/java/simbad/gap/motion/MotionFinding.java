@@ -4,15 +4,15 @@ import java.util.List;
 import simbad.gap.diagnosis.Interval;
 
 /**
- * An effect that is at work.
+ * An effect that is at work, or might be.
  *
  * @param effect its name in the vocabulary
- * @param form its own name; that of the effect where only the scatter changes
- * @param probability that it is needed to foretell blocks that were left out, in [0, 1]; not that
- *     none but it would do
+ * @param form its own name; that of the effect where only the scatter changes; empty where nothing
+ *     was fitted
+ * @param probability that it is at work, in [0, 1]
  * @param parameters with values and intervals
  * @param ties names that these data cannot tell from it
- * @param remedy what to do about it
+ * @param remedy what to do about it; empty where it is not concluded to be at work
  */
 public record MotionFinding(
     String effect,
@@ -32,8 +32,10 @@ public record MotionFinding(
    *
    * @param name with its unit
    * @param value fitted to all blocks
-   * @param ci95 by leaving out a tenth of the log at a time, within what is allowed
+   * @param ci95 from how far blocks of the log pull apart, within what is allowed
+   * @param allowed what was searched
    * @param atBound whether it stands at the end of what was allowed
    */
-  public record Parameter(String name, double value, Interval ci95, boolean atBound) {}
+  public record Parameter(
+      String name, double value, Interval ci95, Interval allowed, boolean atBound) {}
 }

@@ -2,152 +2,256 @@ package simbad.gap.motion;
 
 import java.util.Arrays;
 import java.util.List;
-import org.hipparchus.special.Erf;
+import java.util.stream.IntStream;
 import simbad.gap.diagnosis.Interval;
+import simbad.motion.Displacement;
 import simbad.motion.MotionChain;
-import simbad.motion.Robot;
+import simbad.motion.MotionRun;
+import simbad.motion.Way;
+import simbad.motion.forecast.Exertion;
+import simbad.motion.forecast.MotionForecast;
+import simbad.motion.forecast.Spread;
+import simbad.motion.forecast.Window;
+import simbad.motion.forecast.Windows;
 
 /**
- * The gap of motion: continuous ranked probability scores by 19 quantiles, over blocks that were
- * not fitted, for each horizon and component.
- *
- * @param before nominal, by horizon and component, metres and radians
- * @param after diagnosed
- * @param ratio the gap after: the mean of the nine, each in units of its nominal value
- * @param ci95 of the ratio, by leaving out one twentieth of the blocks at a time
- * @param windows of half a second that were scored
+ * The gap of motion: continuous ranked probability scores by 19 quantiles over windows of 0.5, 2
+ * and 5 s, on blocks that were not fitted, for each horizon and component.
  */
-@SuppressWarnings("ArrayRecordComponent") // Numbers by window, never compared.
-record MotionGap(double[][] before, double[][] after, double ratio, Interval ci95, int windows) {
-  static final int QUANTILES = 19;
+final class MotionGap {
   private static final int GROUPS = 20;
 
-  static MotionGap of(Evidence shortest, Robot robot, MotionChain base, List<Fit> folds) {
-    Sums sums = new Sums();
-    for (int h = 0; h < Windows.HORIZONS_S.length; h++) {
-      Evidence evidence = h == 0 ? shortest : new Evidence(shortest.runs(), Windows.HORIZONS_S[h]);
-      double[][] nominal = evidence.residuals(base);
-      for (int fold = 0; fold < folds.size(); fold++) {
-        double[][] diagnosed = evidence.residuals(folds.get(fold).hypothesis().chain());
-        for (int c = 0; c < 3; c++) {
-          double[] spread = empirical(evidence, diagnosed, fold, c);
-          double[] believed = believed(robot, c);
-          for (int i = 0; i < diagnosed.length; i++) {
-            if (evidence.fold(i) == fold) {
-              int group = evidence.block(i) % GROUPS;
-              sums.add(group, h, c, score(believed, nominal[i][c]), score(spread, diagnosed[i][c]));
-            }
-          }
+  /** Twice the mean pinball loss of 19 quantiles that are right, of a Gaussian, over its sigma. */
+  private static final double GAUSSIAN = gaussian();
+
+  private final List<MotionRun> runs;
+  private final double[][] before = new double[3][3];
+  private final double[][] after = new double[3][3];
+  private final double[][][] sums = new double[GROUPS][2][9];
+  private final double[] inside = new double[9];
+
+  /** Of windows of half a second: what the nominal model scores, and the diagnosed one. */
+  private List<Window> shortest = List.of();
+
+  private double[][] shortBefore = new double[0][];
+  private double[][] shortAfter = new double[0][];
+  private int windows;
+
+  private MotionGap(List<MotionRun> runs) {
+    this.runs = runs;
+  }
+
+  /**
+   * Scores two models.
+   *
+   * @param runs with the windows
+   * @param nominal what was believed
+   * @param folds the diagnosed chain as the blocks beside each fold say it
+   */
+  static MotionGap of(List<MotionRun> runs, MotionForecast nominal, List<MotionChain> folds) {
+    MotionGap gap = new MotionGap(runs);
+    double[] horizons = Windows.horizonsS();
+    for (int h = 0; h < horizons.length; h++) {
+      gap.score(h, Windows.of(runs, horizons[h]), nominal, folds);
+    }
+    return gap;
+  }
+
+  private void score(int h, List<Window> cut, MotionForecast nominal, List<MotionChain> folds) {
+    double[][] plain = residuals(cut, nominal.chain());
+    double[] asked = asked(cut);
+    double[][] scoresBefore = new double[cut.size()][3];
+    double[][] scoresAfter = new double[cut.size()][3];
+    Spread believed = nominal.spreads().get(h);
+    for (int fold = 0; fold < folds.size(); fold++) {
+      double[][] own = residuals(cut, folds.get(fold));
+      int left = fold;
+      int[] others = IntStream.range(0, own.length).filter(i -> fold(cut.get(i)) != left).toArray();
+      Spread spread = spread(asked, own, others);
+      for (int i = 0; i < own.length; i++) {
+        for (int c = 0; fold(cut.get(i)) == fold && c < 3; c++) {
+          scoresBefore[i][c] = Spread.score(believed.at(asked[i], c), plain[i][c]);
+          double[] quantiles = spread.at(asked[i], c);
+          scoresAfter[i][c] = Spread.score(quantiles, own[i][c]);
+          boolean in = own[i][c] >= quantiles[0] && own[i][c] <= quantiles[Spread.QUANTILES - 1];
+          inside[3 * h + c] += in ? 1.0 / own.length : 0;
         }
       }
     }
-    return sums.gap(shortest.size());
+    gather(h, cut, scoresBefore, scoresAfter);
   }
 
-  /** The residuals' quantiles where the fold was fitted. */
-  private static double[] empirical(Evidence evidence, double[][] residuals, int fold, int c) {
-    double[] values = new double[residuals.length];
-    int n = 0;
-    for (int i = 0; i < values.length; i++) {
-      if (evidence.fold(i) != fold) {
-        values[n++] = residuals[i][c];
+  private static Spread spread(double[] asked, double[][] residuals, int[] of) {
+    return Spread.of(
+        Arrays.stream(of).mapToDouble(i -> asked[i]).toArray(),
+        Arrays.stream(of).mapToObj(i -> residuals[i]).toArray(double[][]::new));
+  }
+
+  private void gather(int h, List<Window> cut, double[][] scoresBefore, double[][] scoresAfter) {
+    for (int i = 0; i < cut.size(); i++) {
+      int group = Math.floorMod((long) Math.floor(cut.get(i).startS() / 10), GROUPS);
+      for (int c = 0; c < 3; c++) {
+        sums[group][0][3 * h + c] += scoresBefore[i][c];
+        sums[group][1][3 * h + c] += scoresAfter[i][c];
+        before[h][c] += scoresBefore[i][c] / cut.size();
+        after[h][c] += scoresAfter[i][c] / cut.size();
       }
     }
-    return quantiles(Arrays.copyOf(values, n));
-  }
-
-  /** Returns the quantiles q05 to q95 of numbers; zeros where there are none. */
-  static double[] quantiles(double[] values) {
-    double[] quantiles = new double[QUANTILES];
-    Arrays.sort(values);
-    for (int q = 0; q < QUANTILES && values.length > 0; q++) {
-      double at = (q + 1) * 0.05 * (values.length - 1);
-      int low = (int) at;
-      int high = Math.min(low + 1, values.length - 1);
-      quantiles[q] = values[low] + (at - low) * (values[high] - values[low]);
+    if (h == 0) {
+      shortest = cut;
+      shortBefore = scoresBefore;
+      shortAfter = scoresAfter;
+      windows = cut.size();
     }
-    return quantiles;
   }
 
-  /** What the tracker alone scatters, at both ends of a window. */
-  static double[] believed(Robot robot, int component) {
-    double sigma = component == 2 ? robot.trackSigmaRad() : robot.trackSigmaM();
-    double[] quantiles = new double[QUANTILES];
-    for (int q = 0; q < QUANTILES; q++) {
-      quantiles[q] = 2 * sigma * Erf.erfInv(2 * (q + 1) * 0.05 - 1);
+  private static int fold(Window window) {
+    return Evidence.fold(window.run(), window.startS());
+  }
+
+  private double[] asked(List<Window> cut) {
+    List<Exertion> exertions = runs.stream().map(Exertion::of).toList();
+    return cut.stream()
+        .mapToDouble(w -> exertions.get(w.run()).between(w.startS(), w.endS()))
+        .toArray();
+  }
+
+  private double[][] residuals(List<Window> cut, MotionChain chain) {
+    List<Way> ways = Evidence.ways(runs, chain);
+    double[][] residuals = new double[cut.size()][3];
+    for (int i = 0; i < residuals.length; i++) {
+      Window window = cut.get(i);
+      Displacement expected = ways.get(window.run()).between(window.startS(), window.endS());
+      for (int c = 0; c < 3; c++) {
+        double off = window.way().component(c) - expected.component(c);
+        residuals[i][c] = c == 2 ? Evidence.wrapped(off) : off;
+      }
     }
-    return quantiles;
+    return residuals;
   }
 
-  /** Twice the mean pinball loss. */
-  private static double score(double[] quantiles, double value) {
+  /** Returns a chain with how far it is off on all windows. */
+  static MotionForecast forecast(List<MotionRun> runs, MotionChain chain) {
+    MotionGap own = new MotionGap(runs);
+    return new MotionForecast(
+        chain,
+        Arrays.stream(Windows.horizonsS())
+            .mapToObj(
+                horizon -> {
+                  List<Window> cut = Windows.of(runs, horizon);
+                  return Spread.of(own.asked(cut), own.residuals(cut, chain));
+                })
+            .toList());
+  }
+
+  /** Returns the mean of the nine of a chain that was fitted to all, in units of the nominal. */
+  double fitted(MotionChain chain) {
+    MotionForecast all = forecast(runs, chain);
+    double[] horizons = Windows.horizonsS();
     double sum = 0;
-    for (int q = 0; q < QUANTILES; q++) {
-      double level = (q + 1) * 0.05;
-      double off = value - quantiles[q];
-      sum += off >= 0 ? level * off : (level - 1) * off;
+    for (int h = 0; h < horizons.length; h++) {
+      List<Window> cut = Windows.of(runs, horizons[h]);
+      double[][] residuals = residuals(cut, chain);
+      double[] asked = asked(cut);
+      for (int c = 0; c < 3; c++) {
+        double own = 0;
+        for (int i = 0; i < residuals.length; i++) {
+          own += Spread.score(all.spreads().get(h).at(asked[i], c), residuals[i][c]);
+        }
+        sum += before[h][c] > 0 ? own / residuals.length / before[h][c] / 9 : 1.0 / 9;
+      }
     }
-    return 2 * sum / QUANTILES;
+    return sum;
   }
 
-  /** Sums of scores by group of blocks, so that any group can be left out. */
-  private static final class Sums {
-    private final double[][][] before = new double[GROUPS][3][3];
-    private final double[][][] after = new double[GROUPS][3][3];
-    private final int[][][] counts = new int[GROUPS][3][3];
+  double[][] before() {
+    return before;
+  }
 
-    void add(int group, int horizon, int component, double nominal, double diagnosed) {
-      before[group][horizon][component] += nominal;
-      after[group][horizon][component] += diagnosed;
-      counts[group][horizon][component]++;
+  double[][] after() {
+    return after;
+  }
+
+  int windows() {
+    return windows;
+  }
+
+  /** Returns the share of values within forecasts of 90 %, by horizon and component. */
+  double[][] coverage() {
+    return new double[][] {
+      Arrays.copyOfRange(inside, 0, 3),
+      Arrays.copyOfRange(inside, 3, 6),
+      Arrays.copyOfRange(inside, 6, 9)
+    };
+  }
+
+  List<Window> shortest() {
+    return shortest;
+  }
+
+  double[][] shortBefore() {
+    return shortBefore;
+  }
+
+  double[][] shortAfter() {
+    return shortAfter;
+  }
+
+  /** Returns the gap after: the mean of the nine, each in units of its nominal value. */
+  double ratio() {
+    return ratio(-1);
+  }
+
+  /** Returns where the ratio would lie 19 times of 20, by leaving out a twentieth at a time. */
+  Interval ci95() {
+    double ratio = ratio();
+    double square = 0;
+    for (int group = 0; group < GROUPS; group++) {
+      double off = ratio(group) - ratio;
+      square += off * off * (GROUPS - 1) / GROUPS;
     }
+    double half = Chance.NORMAL_95 * Math.sqrt(square);
+    return new Interval(ratio - half, ratio + half);
+  }
 
-    MotionGap gap(int windows) {
-      double ratio = ratio(-1);
-      double square = 0;
+  private double ratio(int leftOut) {
+    double sum = 0;
+    int parts = 0;
+    for (int k = 0; k < 9; k++) {
+      double nominal = 0;
+      double diagnosed = 0;
       for (int group = 0; group < GROUPS; group++) {
-        double off = ratio(group) - ratio;
-        square += off * off * (GROUPS - 1) / GROUPS;
+        nominal += group == leftOut ? 0 : sums[group][0][k];
+        diagnosed += group == leftOut ? 0 : sums[group][1][k];
       }
-      double half = 1.96 * Math.sqrt(square);
-      return new MotionGap(
-          means(before), means(after), ratio, new Interval(ratio - half, ratio + half), windows);
+      if (nominal > 0) {
+        sum += diagnosed / nominal;
+        parts++;
+      }
     }
+    return parts == 0 ? 1 : sum / parts;
+  }
 
-    private double ratio(int leftOut) {
-      double sum = 0;
-      int parts = 0;
-      for (int h = 0; h < 3; h++) {
-        for (int c = 0; c < 3; c++) {
-          double nominal = 0;
-          double diagnosed = 0;
-          for (int group = 0; group < GROUPS; group++) {
-            nominal += group == leftOut ? 0 : before[group][h][c];
-            diagnosed += group == leftOut ? 0 : after[group][h][c];
-          }
-          if (nominal > 0) {
-            sum += diagnosed / nominal;
-            parts++;
-          }
-        }
+  /** Returns the gap that a noise alone would leave, in units of the nominal. */
+  double floor(Noise[] noises) {
+    double[] horizons = Windows.horizonsS();
+    double sum = 0;
+    for (int h = 0; h < horizons.length; h++) {
+      for (int c = 0; c < 3; c++) {
+        double own = GAUSSIAN * Math.sqrt(noises[c].variance(horizons[h]));
+        sum += before[h][c] > 0 ? Math.min(1, own / before[h][c]) / 9 : 1.0 / 9;
       }
-      return parts == 0 ? 1 : sum / parts;
     }
+    return sum;
+  }
 
-    private double[][] means(double[][][] sums) {
-      double[][] means = new double[3][3];
-      for (int h = 0; h < 3; h++) {
-        for (int c = 0; c < 3; c++) {
-          double sum = 0;
-          int count = 0;
-          for (int group = 0; group < GROUPS; group++) {
-            sum += sums[group][h][c];
-            count += counts[group][h][c];
-          }
-          means[h][c] = count == 0 ? 0 : sum / count;
-        }
-      }
-      return means;
+  /** At a level the pinball loss of a right quantile is the density there. */
+  private static double gaussian() {
+    double sum = 0;
+    for (int q = 0; q < Spread.QUANTILES; q++) {
+      double deviate = Chance.deviate(Spread.level(q));
+      sum += 2 * Math.exp(-deviate * deviate / 2) / Math.sqrt(2 * Math.PI) / Spread.QUANTILES;
     }
+    return sum;
   }
 }

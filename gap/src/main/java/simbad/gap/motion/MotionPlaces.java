@@ -4,33 +4,50 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.IntPredicate;
 import java.util.function.ToDoubleFunction;
+import simbad.motion.Command;
+import simbad.motion.MotionRun;
+import simbad.motion.forecast.Window;
 
 /** Slices the windows of half a second into quarters along each axis, the worst first. */
 final class MotionPlaces {
   private static final int SLICES = 4;
   private static final int LEAST_ROWS = 5;
+  private static final int LEAST_BLOCKS = 5;
+  private static final double BLOCK_S = 10;
+  private static final String[] COMPONENTS = {"along", "across", "turn"};
 
-  private MotionPlaces() {}
+  private final List<MotionRun> runs;
+  private final MotionGap gap;
+  private final double[][] before;
+  private final double[][] after;
+  private final List<MotionPlace> places = new ArrayList<>();
+  private final List<Double> chances = new ArrayList<>();
+  private final double total;
 
-  static List<MotionPlace> of(Evidence evidence, double[][] nominal, double[][] diagnosed) {
-    double[] before = sizes(nominal, nominal);
-    double[] after = sizes(diagnosed, nominal);
-    List<MotionPlace> places = new ArrayList<>();
-    ToDoubleFunction<Window> speed = w -> w.way().alongM() / w.horizonS();
-    ToDoubleFunction<Window> turn = w -> wrapped(w.way().turnRad()) / w.horizonS();
-    places.addAll(slice("speed_m_s", speed, evidence, before, after));
-    places.addAll(slice("turn_rad_s", turn, evidence, before, after));
-    places.addAll(slice("t_s", Window::startS, evidence, before, after));
-    places.addAll(slice("heading_deg", w -> degrees(w.headingRad()), evidence, before, after));
-    places.addAll(slice("x_m", Window::xM, evidence, before, after));
-    places.addAll(slice("z_m", w -> -w.yM(), evidence, before, after));
-    places.sort(Comparator.comparingDouble((MotionPlace place) -> -place.share()));
-    return places;
+  private MotionPlaces(List<MotionRun> runs, MotionGap gap) {
+    this.runs = runs;
+    this.gap = gap;
+    before = inUnits(gap.shortBefore());
+    after = inUnits(gap.shortAfter());
+    total = Arrays.stream(before).mapToDouble(row -> row[0] + row[1] + row[2]).sum();
   }
 
-  private static double degrees(double rad) {
-    return Math.toDegrees(wrapped(rad));
+  static List<MotionPlace> of(List<MotionRun> runs, MotionGap gap) {
+    MotionPlaces own = new MotionPlaces(runs, gap);
+    own.slice("speed_m_s", w -> w.way().alongM() / w.horizonS());
+    own.slice("turn_rad_s", w -> wrapped(w.way().turnRad()) / w.horizonS());
+    own.slice("since_change_s", own::sinceChange);
+    own.slice("speed_change_m_s", own::speedChange);
+    own.slice("t_s", Window::startS);
+    own.slice("heading_deg", w -> Math.toDegrees(wrapped(w.headingRad())));
+    own.slice("x_m", Window::xM);
+    own.slice("z_m", w -> -w.yM());
+    own.byRun();
+    return own.sorted();
   }
 
   /** Half a turn at most either way: a tracker's heading may jump by a whole one. */
@@ -38,54 +55,150 @@ final class MotionPlaces {
     return Math.IEEEremainder(rad, 2 * Math.PI);
   }
 
-  /** Absolute errors of all components, each in units of its nominal mean. */
-  private static double[] sizes(double[][] residuals, double[][] nominal) {
-    double[] sizes = new double[residuals.length];
-    for (int c = 0; c < 3; c++) {
-      double mean = 0;
-      for (double[] residual : nominal) {
-        mean += Math.abs(residual[c]) / nominal.length;
-      }
-      for (int i = 0; i < sizes.length && mean > 0; i++) {
-        sizes[i] += Math.abs(residuals[i][c]) / mean / 3;
+  /** Scores in units of the nominal mean of each component, a third each. */
+  private double[][] inUnits(double[][] scores) {
+    double[][] units = new double[scores.length][3];
+    for (int i = 0; i < units.length; i++) {
+      for (int c = 0; c < 3; c++) {
+        double mean = gap.before()[0][c];
+        units[i][c] = mean > 0 ? scores[i][c] / mean / 3 : 0;
       }
     }
-    return sizes;
+    return units;
   }
 
-  private static List<MotionPlace> slice(
-      String axis,
-      ToDoubleFunction<Window> value,
-      Evidence evidence,
-      double[] before,
-      double[] after) {
-    List<MotionPlace> places = new ArrayList<>();
-    double[] values = new double[evidence.size()];
-    for (int i = 0; i < values.length; i++) {
-      values[i] = value.applyAsDouble(evidence.window(i));
+  private int command(Window window) {
+    List<Command> commands = runs.get(window.run()).commands();
+    int low = 0;
+    int high = commands.size() - 1;
+    while (low < high) {
+      int middle = (low + high + 1) >>> 1;
+      if (commands.get(middle).timeS() <= window.endS()) {
+        low = middle;
+      } else {
+        high = middle - 1;
+      }
     }
+    return low;
+  }
+
+  /** From the last change of command to the window's end. */
+  private double sinceChange(Window window) {
+    List<Command> commands = runs.get(window.run()).commands();
+    int at = command(window);
+    return window.endS() - commands.get(at).timeS();
+  }
+
+  /** How the commanded speed's size changed last: below 0 it brakes. */
+  private double speedChange(Window window) {
+    List<Command> commands = runs.get(window.run()).commands();
+    int at = command(window);
+    boolean recent = at > 0 && commands.get(at).timeS() > window.startS() - 0.5;
+    return recent
+        ? Math.abs(commands.get(at).speedMPerS()) - Math.abs(commands.get(at - 1).speedMPerS())
+        : 0;
+  }
+
+  private void slice(String axis, ToDoubleFunction<Window> value) {
+    double[] values = gap.shortest().stream().mapToDouble(value).toArray();
     double[] sorted = values.clone();
     Arrays.sort(sorted);
-    double total = Arrays.stream(before).sum();
+    double from = sorted.length == 0 ? 0 : sorted[0];
     for (int s = 0; s < SLICES && sorted.length > SLICES; s++) {
-      double low = sorted[s * (sorted.length - 1) / SLICES];
-      double high = sorted[(s + 1) * (sorted.length - 1) / SLICES];
-      double sumBefore = 0;
-      double sumAfter = 0;
-      int rows = 0;
-      for (int i = 0; i < values.length; i++) {
-        if (values[i] >= low && (values[i] < high || s == SLICES - 1)) {
-          sumBefore += before[i];
-          sumAfter += after[i];
-          rows++;
-        }
+      double low = from;
+      double high = sorted[(int) ((s + 1L) * (sorted.length - 1) / SLICES)];
+      boolean last = s == SLICES - 1;
+      if (high > low || last) {
+        add(axis, "", low, high, i -> values[i] >= low && (values[i] < high || last));
       }
-      if (rows >= LEAST_ROWS && total > 0) {
-        places.add(
-            new MotionPlace(
-                axis, low, high, rows, sumBefore / total, sumBefore / rows, sumAfter / rows));
+      from = high;
+    }
+  }
+
+  private void byRun() {
+    for (int r = 0; r < runs.size() && runs.size() > 1; r++) {
+      int run = r;
+      add("run", runs.get(r).name(), 0, 0, i -> gap.shortest().get(i).run() == run);
+    }
+  }
+
+  private void add(String axis, String name, double low, double high, IntPredicate in) {
+    double[] was = new double[3];
+    double is = 0;
+    int rows = 0;
+    Map<Long, Double> excess = new TreeMap<>();
+    for (int i = 0; i < before.length; i++) {
+      if (in.test(i)) {
+        double off = 0;
+        for (int c = 0; c < 3; c++) {
+          was[c] += before[i][c];
+          is += after[i][c];
+          off += before[i][c] - after[i][c];
+        }
+        Window window = gap.shortest().get(i);
+        long block = (long) Math.floor(window.startS() / BLOCK_S) * runs.size() + window.run();
+        excess.merge(block, off, Double::sum);
+        rows++;
       }
     }
-    return places;
+    double sum = was[0] + was[1] + was[2];
+    if (rows >= LEAST_ROWS && total > 0) {
+      int worst = was[0] >= was[1] && was[0] >= was[2] ? 0 : was[1] >= was[2] ? 1 : 2;
+      places.add(
+          new MotionPlace(
+              axis,
+              name,
+              low,
+              high,
+              rows,
+              sum / total,
+              sum / rows,
+              is / rows,
+              COMPONENTS[worst],
+              1));
+      chances.add(chance(excess.values().stream().mapToDouble(v -> v).toArray()));
+    }
+  }
+
+  /** How probable it is that blocks are so much above 0 by chance. */
+  private static double chance(double[] excess) {
+    double mean = Arrays.stream(excess).average().orElse(0);
+    double square = Arrays.stream(excess).map(v -> (v - mean) * (v - mean)).sum();
+    if (excess.length < LEAST_BLOCKS || square == 0) {
+      return 1;
+    }
+    double error = Math.sqrt(square / (excess.length - 1) / excess.length);
+    return 1 - Chance.below(mean / error);
+  }
+
+  /** The false discovery rate by Benjamini and Hochberg (1995). */
+  private List<MotionPlace> sorted() {
+    List<Integer> order = new ArrayList<>();
+    for (int i = 0; i < places.size(); i++) {
+      order.add(i);
+    }
+    order.sort(Comparator.comparingDouble(chances::get));
+    double least = 1;
+    for (int rank = order.size(); rank > 0; rank--) {
+      int i = order.get(rank - 1);
+      least = Math.min(least, chances.get(i) * order.size() / rank);
+      MotionPlace p = places.get(i);
+      places.set(
+          i,
+          new MotionPlace(
+              p.axis(),
+              p.name(),
+              p.low(),
+              p.high(),
+              p.rows(),
+              p.share(),
+              p.before(),
+              p.after(),
+              p.component(),
+              least));
+    }
+    return places.stream()
+        .sorted(Comparator.comparingDouble((MotionPlace place) -> -place.share()))
+        .toList();
   }
 }

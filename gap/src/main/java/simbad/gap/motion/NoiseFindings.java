@@ -1,83 +1,110 @@
 package simbad.gap.motion;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import simbad.gap.diagnosis.Interval;
-import simbad.motion.Robot;
 import simbad.motion.effect.MotionForms;
 
 /** Effects that change how motion scatters and not where it leads. */
 final class NoiseFindings {
-  /** Of Gaussian scatter at both ends of a window: median size over sigma. */
-  private static final double MEDIAN_OF_TWO = 0.6745 * Math.sqrt(2);
+  /** Half a second: the shortest horizon of the gap. */
+  private static final double OVER_S = 0.5;
 
-  private static final double MEDIAN_OF_STUDENT = 0.7407;
-  private static final double MATTERS = 1.3;
-  private static final double FAR = 4;
-  private static final double SURE = 3;
-  private static final double LEAST_SLIP = 0.005;
+  /** Scatter that is larger by less matters to nobody. */
+  private static final double MATTERS = 1.25;
 
-  private NoiseFindings() {}
+  private static final int LEAST_SLIPS = 5;
 
-  static void add(List<MotionFinding> findings, Evidence evidence, Robot robot, HeldOut best) {
-    double[][] residuals = best.full().residuals();
-    Fitter fitter = new Fitter(evidence);
-    double along = sigma(residuals, fitter.all());
-    double believed = robot.trackSigmaM();
-    if (believed > 0 && along > MATTERS * believed) {
-      double[] error =
-          fitter.standardErrors(
-              new double[] {along}, mask -> new double[] {sigma(residuals, mask)});
-      double sure = Chance.below((along - believed) / error[0]);
-      findings.add(
-          finding(
-              MotionForms.MOTION_NOISE,
-              sure,
-              parameter("sigma_m", along, error[0]),
-              "let displacements scatter by %.2g m"));
+  /** Of what only happens now and then, so much may be something else than a slip. */
+  private static final double OTHER_SHARE = 0.25;
+
+  /** Of events of either sign half would be short; of slips nearly all are. */
+  private static final double PER_SLIP_NATS = Math.log(0.95 / 0.5);
+
+  private static final double PER_OTHER_NATS = Math.log(0.05 / 0.5);
+
+  private final Evidence evidence;
+  private final Noise[] believed;
+  private final Fit fit;
+  private final Events events;
+
+  NoiseFindings(Evidence evidence, Noise[] believed, Fit fit) {
+    this.evidence = evidence;
+    this.believed = believed;
+    this.fit = fit;
+    events = Events.of(evidence, fit);
+  }
+
+  List<MotionFinding> all() {
+    List<MotionFinding> all = new ArrayList<>();
+    slip().ifPresent(all::add);
+    noise().ifPresent(all::add);
+    return all;
+  }
+
+  /** Tells how probable it is that something happens now and then that is no slip. */
+  double otherEvents() {
+    double often = OTHER_SHARE * events.shorter();
+    return events.other() < LEAST_SLIPS ? 0 : Chance.ofLogOdds(events.other() - often - 2);
+  }
+
+  private Optional<MotionFinding> slip() {
+    double nats =
+        events.shorter() * PER_SLIP_NATS + events.other() * PER_OTHER_NATS - Odds.COST_NATS / 2;
+    if (events.shorter() < LEAST_SLIPS || nats <= 0) {
+      return Optional.empty();
     }
-    slip(findings, evidence, best);
+    double seconds = 0;
+    for (int i = 0; i < evidence.size(); i++) {
+      seconds += evidence.step(i).durationS();
+    }
+    double rate = 60 * events.shorter() / seconds;
+    double half = Chance.NORMAL_95 * rate / Math.sqrt(events.shorter());
+    return Optional.of(
+        finding(
+            MotionForms.SLIP,
+            Chance.ofLogOdds(nats),
+            parameter("slips_per_minute", rate, half),
+            "let wheels slip %.2g times a minute"));
   }
 
-  /** Of Gaussian scatter at each end of a window, along. */
-  private static double sigma(double[][] residuals, boolean[] mask) {
-    return Scatter.of(residuals, mask).scales()[0] * MEDIAN_OF_STUDENT / MEDIAN_OF_TWO;
+  private Optional<MotionFinding> noise() {
+    Noise along = fit.noises()[0];
+    Noise turn = fit.noises()[2];
+    double times = Math.max(times(along, believed[0]), times(turn, believed[2]));
+    double nats = -Odds.COST_NATS;
+    for (int c = 0; c < believed.length; c++) {
+      double own = new Whitening(evidence, fit.noises()[c], fit.residuals()[c]).logDensity();
+      nats += own - new Whitening(evidence, believed[c], fit.residuals()[c]).logDensity();
+    }
+    if (times < MATTERS || nats <= 0 || believed[0].tracker() <= Noise.LEAST) {
+      return Optional.empty();
+    }
+    double sigma = Math.sqrt(along.variance(OVER_S));
+    double half = Chance.NORMAL_95 * sigma / Math.sqrt(2.0 * evidence.blockCount());
+    return Optional.of(
+        finding(
+            MotionForms.MOTION_NOISE,
+            Chance.ofLogOdds(nats),
+            parameter("along_sigma_m", sigma, half),
+            "let the way of half a second scatter by %.2g m"));
   }
 
-  private static MotionFinding.Parameter parameter(String name, double value, double error) {
-    Interval ci95 =
-        new Interval(
-            Math.max(0, value - Chance.NORMAL_95 * error), value + Chance.NORMAL_95 * error);
-    return new MotionFinding.Parameter(name, value, ci95, false);
+  private static double times(Noise noise, Noise believed) {
+    return Math.sqrt(noise.variance(OVER_S) / believed.variance(OVER_S));
+  }
+
+  private static MotionFinding.Parameter parameter(String name, double value, double half) {
+    Interval allowed = new Interval(0, Double.POSITIVE_INFINITY);
+    Interval ci95 = new Interval(Math.max(0, value - half), value + half);
+    return new MotionFinding.Parameter(name, value, ci95, allowed, false);
   }
 
   private static MotionFinding finding(
       String effect, double sure, MotionFinding.Parameter parameter, String remedy) {
     String said = String.format(Locale.ROOT, remedy, parameter.value());
     return new MotionFinding(effect, effect, sure, List.of(parameter), List.of(), said);
-  }
-
-  /** Far outliers that fall short more often than they run ahead; counts of rare events. */
-  private static void slip(List<MotionFinding> findings, Evidence evidence, HeldOut best) {
-    double scale = best.full().scatter().scales()[0];
-    int shorter = 0;
-    int longer = 0;
-    double[][] residuals = best.residuals();
-    for (int i = 0; i < residuals.length; i++) {
-      double expected = evidence.window(i).way().alongM() - residuals[i][0];
-      double ahead = residuals[i][0] * Math.signum(expected);
-      shorter += ahead < -FAR * scale ? 1 : 0;
-      longer += ahead > FAR * scale ? 1 : 0;
-    }
-    double share = (double) (shorter - longer) / residuals.length;
-    double error = Math.sqrt(shorter + longer) / residuals.length;
-    if (share > SURE * error && share > LEAST_SLIP) {
-      findings.add(
-          finding(
-              MotionForms.SLIP,
-              Chance.below(share / error),
-              parameter("share_of_windows", share, error),
-              "let wheels slip in a share of %.2g of all half seconds"));
-    }
   }
 }

@@ -2,165 +2,193 @@ package simbad.gap.motion;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Optional;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import simbad.motion.CommandUse;
 import simbad.motion.MotionChain;
+import simbad.motion.Robot;
 import simbad.motion.effect.MotionForm;
 import simbad.motion.effect.MotionForms;
 import simbad.motion.effect.MotionParameter;
 
 /**
- * Finds the forms that account for a log: the one that foretells left-out blocks best is taken,
- * then the next beside it; what the others make needless is dropped again.
+ * Looks for the sets of effects that explain a log: all single ones; then, as long as it is worth
+ * it, every one beside the best set, and every one in the place of each of its members. What was
+ * fitted on the way is kept, so that sets can be weighed against each other.
  */
 final class Search {
-  /** Some sixteen forms are tried in a round: by chance one in fifty logs would show so much. */
-  private static final double TAKEN_Z = 3;
+  /** What a further effect must gain to be built upon. */
+  private static final double WORTH_NATS = 5;
 
-  private static final double KEPT_Z = 2;
+  private static final int MOST_EFFECTS = 6;
 
-  /** That many of a round's best are checked on left-out blocks. */
-  private static final int CHECKED = 3;
+  /** So many of a round's best get all values and the noise fitted. */
+  private static final int REFINED = 4;
 
-  private static final int MOST_FORMS = 6;
+  /** The same of what could stand in a member's place. */
+  private static final int REFINED_IN_PLACE = 2;
 
-  /** Log units within which another form does as well: likelihood ratio 20. */
-  private static final double TIE = 3;
+  /** Larger sets are not swapped: their members were chosen beside each other. */
+  private static final int SWAPPED = 3;
+
+  /** How many sets are scored on left-out blocks. */
+  private static final int SCORED = 12;
+
+  /** What gained less of a round's best gains nothing beside more. */
+  private static final double HOPELESS_NATS = 0.5;
 
   private final Evidence evidence;
   private final Fitter fitter;
   private final List<MotionForm> forms;
+  private final Map<Set<String>, Fit> fits = new LinkedHashMap<>();
 
-  Search(Evidence evidence, boolean separateClocks) {
+  Search(Evidence evidence, Robot robot) {
     this.evidence = evidence;
-    fitter = new Fitter(evidence);
-    forms = MotionForms.ALL.stream().filter(form -> separateClocks || !form.clocks()).toList();
+    fitter = new Fitter(evidence, CommandUse.of(evidence.runs(), robot.wheelBaseM()));
+    forms = forms(robot);
   }
 
-  HeldOut nominal(MotionChain base) {
-    Hypothesis nothing = new Hypothesis(base, List.of(), new double[0]);
-    return HeldOut.of(evidence, fitter.fit(nothing, fitter.all()));
-  }
-
-  HeldOut search(HeldOut nominal) {
-    HeldOut best = nominal;
-    Optional<HeldOut> next = next(best);
-    for (int round = 0; next.isPresent() && round < MOST_FORMS; round++) {
-      best = pruned(next.get());
-      next = next(best);
-    }
-    return best;
-  }
-
-  private Optional<HeldOut> next(HeldOut now) {
-    Optional<HeldOut> best = Optional.empty();
-    if (now.full().hypothesis().forms().size() >= MOST_FORMS) {
-      return best;
-    }
-    double bestGain = 0;
-    for (Fit fit : candidates(now.full().hypothesis(), CHECKED)) {
-      HeldOut tried = HeldOut.of(evidence, fit);
-      double gain = sum(tried) - sum(now);
-      if (gain > bestGain && tried.z(now) > TAKEN_Z && matters(fit.hypothesis())) {
-        best = Optional.of(tried);
-        bestGain = gain;
-      }
-    }
-    return best;
-  }
-
-  private List<Fit> candidates(Hypothesis base, int most) {
-    return forms.parallelStream()
-        .filter(form -> !base.forms().contains(form) && apart(base, form))
-        .map(form -> fitter.fitWith(base, form, fitter.all()))
-        .sorted(Comparator.comparingDouble((Fit fit) -> -penalised(fit)))
-        .limit(most)
+  /** Returns the forms that are looked for: a clock of its own only where there may be one. */
+  static List<MotionForm> forms(Robot robot) {
+    return MotionForms.of(robot).stream()
+        .filter(form -> robot.separateClocks() || !form.clocks())
         .toList();
   }
 
-  /** Two forms of one effect beside each other only where they change different things. */
+  /** Returns sets that were fitted, the likeliest on left-out blocks first. */
+  List<Scored> run(MotionChain base) {
+    Fit nominal = fitter.asItIs(new Hypothesis(base, List.of(), new double[0]));
+    keep(nominal);
+    List<Fit> added = grown(nominal, forms, REFINED);
+    Fit set = nominal;
+    while (!added.isEmpty() && added.get(0).promise() - set.promise() > WORTH_NATS) {
+      Fit before = set;
+      set = swapped(added.get(0));
+      List<MotionForm> open =
+          set.hypothesis().effects().size() < 2
+              ? forms
+              : promising(added, before, set.hypothesis());
+      added =
+          set.hypothesis().effects().size() < MOST_EFFECTS ? grown(set, open, REFINED) : List.of();
+    }
+    replaced(set);
+    return scored();
+  }
+
+  private static List<MotionForm> promising(List<Fit> added, Fit before, Hypothesis set) {
+    double floor = before.score() + HOPELESS_NATS;
+    return added.stream()
+        .filter(fit -> fit.score() > floor)
+        .map(fit -> last(fit.hypothesis()))
+        .filter(form -> !set.forms().contains(form))
+        .distinct()
+        .collect(Collectors.toList());
+  }
+
+  private static MotionForm last(Hypothesis set) {
+    return set.forms().get(set.forms().size() - 1);
+  }
+
+  /** The base with one form more, the best first. */
+  private List<Fit> grown(Fit base, List<MotionForm> open, int most) {
+    List<Fit> screened =
+        best(
+            open.parallelStream()
+                .filter(form -> apart(base.hypothesis(), form))
+                .map(form -> fitter.screened(base, form))
+                .toList());
+    List<Fit> refined =
+        screened.stream().limit(most).toList().parallelStream().map(fitter::fit).toList();
+    List<Fit> all = new ArrayList<>(refined);
+    all.addAll(screened.subList(refined.size(), screened.size()));
+    all.forEach(this::keep);
+    return best(all.stream().filter(fit -> matters(fit.hypothesis())).toList());
+  }
+
+  /** Two forms stand beside each other only where they change different things. */
   private static boolean apart(Hypothesis base, MotionForm form) {
-    boolean lag = form.effect().equals("actuation-lag") && base.names(form.effect());
-    boolean clocks = form.clocks() && base.names("actuation-latency");
-    return !lag && !clocks;
-  }
-
-  private static double penalised(Fit fit) {
-    return fit.score() - 2.0 * fit.hypothesis().values().length;
-  }
-
-  /** Drops what the others make needless; a form that stands for two comes in their place. */
-  private HeldOut pruned(HeldOut with) {
-    HeldOut best = with;
-    for (MotionForm form : with.full().hypothesis().forms()) {
-      Hypothesis less = best.full().hypothesis().without(form);
-      HeldOut without = HeldOut.of(evidence, fitter.fit(less, fitter.all()));
-      if (best.z(without) < KEPT_Z) {
-        best = without;
-      }
-    }
-    return merged(best);
-  }
-
-  private HeldOut merged(HeldOut best) {
-    Hypothesis both = best.full().hypothesis();
-    if (!both.names("speed-scale") || !both.names("turn-scale")) {
-      return best;
-    }
-    Hypothesis neither =
-        both.without(MotionForms.find("speed-scale").orElseThrow())
-            .without(MotionForms.find("turn-scale").orElseThrow());
-    MotionForm wheels = MotionForms.find("wheel-scale").orElseThrow();
-    HeldOut one = HeldOut.of(evidence, fitter.fitWith(neither, wheels, fitter.all()));
-    return best.z(one) < KEPT_Z ? one : best;
-  }
-
-  /** Tells whether each form has a parameter that is off by so much that it matters. */
-  private static boolean matters(Hypothesis hypothesis) {
-    for (MotionForm form : hypothesis.forms()) {
-      double[] values = hypothesis.values(form);
-      boolean one = false;
-      for (int i = 0; i < values.length; i++) {
-        MotionParameter parameter = form.parameters().get(i);
-        one |= Math.abs(values[i] - parameter.neutral()) >= parameter.practical();
-      }
-      if (!one) {
+    for (MotionForm one : base.forms()) {
+      boolean same = one.effect().equals(form.effect()) && sharesName(one, form);
+      if (same || one.doublesWith(form)) {
         return false;
       }
     }
     return true;
   }
 
-  private static double sum(HeldOut held) {
-    double sum = 0;
-    for (double score : held.blockScores()) {
-      sum += score;
+  private static boolean sharesName(MotionForm one, MotionForm other) {
+    Set<String> names =
+        one.parameters().stream().map(MotionParameter::name).collect(Collectors.toSet());
+    return other.parameters().stream().map(MotionParameter::name).anyMatch(names::contains);
+  }
+
+  /** Puts what is better in the place of each member but the last, if anything is. */
+  private Fit swapped(Fit set) {
+    Fit swapped = set;
+    List<MotionForm> members = set.hypothesis().forms();
+    for (int i = 0; i < members.size() - 1 && members.size() <= SWAPPED; i++) {
+      Fit other = inPlaceOf(swapped, members.get(i).effect());
+      swapped = other.promise() > swapped.promise() ? other : swapped;
     }
-    return sum;
+    return swapped;
   }
 
-  /**
-   * Returns how sure it is that a named form is needed to foretell blocks that were left out, all
-   * forms that were tried counted; not that none but it would do.
-   */
-  double sure(HeldOut chosen, MotionForm named) {
-    Hypothesis less = chosen.full().hypothesis().without(named);
-    HeldOut without = HeldOut.of(evidence, fitter.fit(less, fitter.all()));
-    return Chance.chosen(chosen.z(without), forms.size());
+  private Fit inPlaceOf(Fit set, String effect) {
+    Fit rest = fitter.fit(fitter.with(set.hypothesis().without(effect), set.noises()));
+    keep(rest);
+    List<Fit> others = grown(rest, forms, REFINED_IN_PLACE);
+    return others.isEmpty() ? set : others.get(0);
   }
 
-  /** Returns names that would do in place of a named form as well as it does. */
-  List<String> ties(HeldOut chosen, MotionForm named) {
-    Hypothesis less = chosen.full().hypothesis().without(named);
-    List<String> ties = new ArrayList<>();
-    for (Fit fit : candidates(less, forms.size())) {
-      List<MotionForm> with = fit.hypothesis().forms();
-      String effect = with.get(with.size() - 1).effect();
-      boolean other = !effect.equals(named.effect()) && !less.names(effect);
-      if (other && fit.score() > chosen.full().score() - TIE && !ties.contains(effect)) {
-        ties.add(effect);
+  /** Fits what could stand in the place of each member, and the set without it. */
+  private void replaced(Fit set) {
+    for (String effect : set.hypothesis().effects()) {
+      inPlaceOf(set, effect);
+    }
+  }
+
+  private static List<Fit> best(List<Fit> fits) {
+    return fits.stream().sorted(Comparator.comparingDouble(fit -> -fit.promise())).toList();
+  }
+
+  private void keep(Fit fit) {
+    if (!matters(fit.hypothesis())) {
+      return;
+    }
+    fits.merge(fit.hypothesis().effects(), fit, (a, b) -> b.promise() > a.promise() ? b : a);
+  }
+
+  /** What is off by less than half of what would matter to anybody is no effect. */
+  private static boolean matters(Hypothesis hypothesis) {
+    return hypothesis.forms().stream().allMatch(form -> matters(form, hypothesis.values(form)));
+  }
+
+  private static boolean matters(MotionForm form, double[] values) {
+    for (int i = 0; i < values.length; i++) {
+      MotionParameter parameter = form.parameters().get(i);
+      if (Math.abs(values[i] - parameter.neutral()) >= parameter.practical() / 2) {
+        return true;
       }
     }
-    return ties;
+    return false;
+  }
+
+  private List<Scored> scored() {
+    Comparator<Fit> order =
+        Comparator.comparingDouble(
+            fit -> Odds.COST_NATS * fit.hypothesis().effects().size() - fit.promise());
+    List<Fit> front = fits.values().stream().sorted(order).limit(SCORED).toList();
+    List<Fit> all = new ArrayList<>(front);
+    Fit nominal = fits.get(Set.<String>of());
+    if (nominal != null && !all.contains(nominal)) {
+      all.add(nominal);
+    }
+    return all.parallelStream()
+        .map(fit -> Scored.of(evidence, fit))
+        .sorted(Comparator.comparingDouble(one -> -one.heldOut()))
+        .toList();
   }
 }

@@ -24,6 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import simbad.definition.Effect;
+import simbad.motion.effect.MotionForms;
 import simbad.sonar.effect.Definitions;
 
 class DiagnosisJsonTest {
@@ -78,6 +79,7 @@ class DiagnosisJsonTest {
     schema().getSchemaNode().at("/$defs/effect/enum").forEach(word -> words.add(word.asText()));
     Set<String> vocabulary = new TreeSet<>();
     Definitions.effects().stream().map(Effect::word).forEach(vocabulary::add);
+    vocabulary.addAll(MotionForms.vocabulary());
     assertEquals(vocabulary, words);
   }
 

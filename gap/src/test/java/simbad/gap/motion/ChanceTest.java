@@ -11,12 +11,12 @@ class ChanceTest {
     assertEquals(0.5, Chance.below(0), 1e-12);
     assertEquals(0.97500, Chance.below(1.959964), 1e-6);
     assertEquals(0.00135, Chance.below(-3), 1e-5);
+    assertEquals(1.644854, Chance.deviate(0.95), 1e-6);
   }
 
   @Test
-  void whatWasChosenAmongMany_isLessSure() {
-    assertEquals(1 - 16 * 0.00134990, Chance.chosen(3, 16), 1e-6);
-    assertEquals(0, Chance.chosen(0, 16));
-    assertEquals(Chance.below(2), Chance.chosen(2, 1), 1e-12);
+  void logOdds_areProbabilities() {
+    assertEquals(0.5, Chance.ofLogOdds(0));
+    assertEquals(0.75, Chance.ofLogOdds(Math.log(3)), 1e-12);
   }
 }

@@ -11,9 +11,8 @@ record CaptureOffset(double forwardM, double leftM, double headingRad) implement
           "capture-offset",
           "capture-offset: point",
           List.of(
-              new MotionParameter("forward_m", -1, 1, 0, 0.003),
-              new MotionParameter("left_m", -1, 1, 0, 0.003)),
-          List.of(new double[] {0, 0}),
+              MotionParameter.smooth("forward_m", -1, 1, 0, 0.005),
+              MotionParameter.smooth("left_m", -1, 1, 0, 0.005)),
           p -> new CaptureOffset(p[0], p[1], 0),
           "the tracked point lies %s m before the robot's centre",
           false);
@@ -21,8 +20,8 @@ record CaptureOffset(double forwardM, double leftM, double headingRad) implement
       new MotionForm(
           "capture-offset",
           "capture-offset: heading",
-          List.of(new MotionParameter("heading_rad", -3.2, 3.2, 0, 0.005)),
-          List.of(new double[] {0}, new double[] {1.6}, new double[] {-1.6}, new double[] {3.1}),
+          List.of(
+              MotionParameter.smooth("heading_rad", -3.2, 3.2, 0, 0.01).tried(0, 1.6, -1.6, 3.1)),
           p -> new CaptureOffset(0, 0, p[0]),
           "take %s rad from the tracker's heading",
           false);

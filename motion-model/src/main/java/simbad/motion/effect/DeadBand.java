@@ -1,36 +1,52 @@
 package simbad.motion.effect;
 
 import java.util.List;
+import simbad.motion.CommandUse;
 import simbad.motion.MotionChange;
 
 /** Small commands do nothing. */
 record DeadBand(double speedMPerS, double turnRadPerS) implements MotionChange {
+  /** Values that are tried, each between two sizes that were commanded. */
+  private static final int TRIES = 24;
+
+  private static final MotionParameter SPEED =
+      MotionParameter.smooth("dead_band_m_s", 0, 1, 0, 0.01).inSteps();
+
   static final MotionForm FORM =
       new MotionForm(
           "dead-band",
           "dead-band",
           List.of(
-              new MotionParameter("dead_band_m_s", 0, 1, 0, 0.005),
-              new MotionParameter("dead_band_rad_s", 0, 3, 0, 0.01)),
-          List.of(
-              new double[] {0.02, 0},
-              new double[] {0.05, 0},
-              new double[] {0.1, 0},
-              new double[] {0, 0.05},
-              new double[] {0, 0.1},
-              new double[] {0, 0.25},
-              new double[] {0.05, 0.1}),
+              SPEED.tried(use -> CommandUse.between(use.speeds(), TRIES)),
+              MotionParameter.smooth("dead_band_rad_s", 0, 3, 0, 0.03)
+                  .inSteps()
+                  .tried(use -> CommandUse.between(use.turns(), TRIES))),
           p -> new DeadBand(p[0], p[1]),
           "commands below %s m/s do nothing: do not give them",
           false);
 
+  /** Of each wheel by itself. */
+  static MotionForm wheels(double wheelBaseM) {
+    return new MotionForm(
+        "dead-band",
+        "dead-band: wheels",
+        List.of(SPEED.tried(use -> CommandUse.between(use.rims(), TRIES))),
+        p -> new RimChange(wheelBaseM, rim -> cut(rim, p[0])),
+        "speeds of a wheel below %s m/s do nothing: do not command them",
+        false);
+  }
+
+  private static double cut(double command, double band) {
+    return Math.abs(command) < band ? 0 : command;
+  }
+
   @Override
   public double commandedSpeed(double command) {
-    return Math.abs(command) < speedMPerS ? 0 : command;
+    return cut(command, speedMPerS);
   }
 
   @Override
   public double commandedTurn(double command) {
-    return Math.abs(command) < turnRadPerS ? 0 : command;
+    return cut(command, turnRadPerS);
   }
 }

@@ -9,8 +9,7 @@ record Delay(double lateS) implements MotionChange {
       new MotionForm(
           "actuation-latency",
           "actuation-latency",
-          List.of(new MotionParameter("latency_s", 0, 2, 0, 0.01)),
-          List.of(new double[] {0.1}, new double[] {0.4}),
+          List.of(MotionParameter.smooth("latency_s", 0, 2, 0, 0.02).tried(0.05, 0.15, 0.4)),
           p -> new Delay(p[0]),
           "let commands act %s s late",
           false);
@@ -18,8 +17,9 @@ record Delay(double lateS) implements MotionChange {
       new MotionForm(
           "time-offset",
           "time-offset",
-          List.of(new MotionParameter("offset_s", -5, 5, 0, 0.01)),
-          List.of(new double[] {0.1}, new double[] {-0.1}, new double[] {0.8}, new double[] {-0.8}),
+          List.of(
+              MotionParameter.smooth("offset_s", -5, 5, 0, 0.02)
+                  .tried(0.05, -0.05, 0.2, -0.2, 0.5, -0.5, 1, -1, 2, -2, 4, -4)),
           p -> new Delay(p[0]),
           "take %s s from the track's times",
           true);

@@ -10,16 +10,15 @@ record Lag(
     implements MotionChange {
   private static final double NO_LIMIT = Double.POSITIVE_INFINITY;
   private static final MotionParameter SPEED =
-      new MotionParameter("speed_time_constant_s", 0, 3, 0, 0.01);
+      MotionParameter.smooth("speed_time_constant_s", 0, 3, 0, 0.03).tried(0.05, 0.15, 0.4);
   private static final MotionParameter TURN =
-      new MotionParameter("turn_time_constant_s", 0, 3, 0, 0.01);
+      MotionParameter.smooth("turn_time_constant_s", 0, 3, 0, 0.03).tried(0.05, 0.15, 0.4);
 
   static final MotionForm CONSTANTS =
       new MotionForm(
           "actuation-lag",
           "actuation-lag: time constants",
           List.of(SPEED, TURN),
-          List.of(new double[] {0.1, 0.1}, new double[] {0.4, 0.4}),
           p -> new Lag(p[0], p[1], 1, NO_LIMIT, NO_LIMIT),
           "let the speed follow commands with a time constant of %s s",
           false);
@@ -27,8 +26,10 @@ record Lag(
       new MotionForm(
           "actuation-lag",
           "actuation-lag: other in braking",
-          List.of(SPEED, TURN, new MotionParameter("braking_factor", 0.05, 20, 1, 0.1)),
-          List.of(new double[] {0.2, 0.2, 1}),
+          List.of(
+              SPEED,
+              TURN,
+              MotionParameter.smooth("braking_factor", 0.05, 20, 1, NO_LIMIT).tried(0.4, 1, 2.5)),
           p -> new Lag(p[0], p[1], p[2], NO_LIMIT, NO_LIMIT),
           "let the speed follow commands with a time constant of %s s, another in braking",
           false);
@@ -37,9 +38,10 @@ record Lag(
           "actuation-lag",
           "actuation-lag: greatest acceleration",
           List.of(
-              new MotionParameter("acceleration_m_s2", 0.01, 100, NO_LIMIT, 0.01),
-              new MotionParameter("turn_acceleration_rad_s2", 0.05, 1000, NO_LIMIT, 0.05)),
-          List.of(new double[] {0.3, 1.5}, new double[] {1.5, 8}),
+              MotionParameter.smooth("acceleration_m_s2", 0.01, 100, NO_LIMIT, 0.02)
+                  .tried(2, 1, 0.5, 0.25, 0.1),
+              MotionParameter.smooth("turn_acceleration_rad_s2", 0.05, 1000, NO_LIMIT, 0.1)
+                  .tried(10, 5, 2.5, 1, 0.5)),
           p -> new Lag(0, 0, 1, p[0], p[1]),
           "limit accelerations to %s m/s2",
           false);

@@ -10,7 +10,6 @@ import simbad.motion.MotionChange;
  * @param effect its name in the vocabulary
  * @param form its own name, unique among all forms
  * @param parameters in the order of their values
- * @param starts values that a fit begins at
  * @param maker of the change with given values
  * @param remedy one sentence, with {@code %s} for the first value
  * @param clocks whether it stands for clocks that differ, and is looked for only where they may
@@ -19,19 +18,12 @@ public record MotionForm(
     String effect,
     String form,
     List<MotionParameter> parameters,
-    List<double[]> starts,
     Function<double[], MotionChange> maker,
     String remedy,
     boolean clocks) {
-  /** Copies the lists and checks that every start has a value per parameter. */
+  /** Copies the list. */
   public MotionForm {
     parameters = List.copyOf(parameters);
-    starts = starts.stream().map(double[]::clone).toList();
-    for (double[] start : starts) {
-      if (start.length != parameters.size()) {
-        throw new IllegalArgumentException(form + ": a start has " + start.length + " values");
-      }
-    }
   }
 
   /**
@@ -61,8 +53,28 @@ public record MotionForm(
     return maker.apply(values.clone());
   }
 
+  /**
+   * Tells whether two forms beside each other say something twice: a delay of commands and one of
+   * the clock; a scale of both wheels and one of what they do together.
+   */
+  public boolean doublesWith(MotionForm other) {
+    return doubles(this, other) || doubles(other, this);
+  }
+
+  private static boolean doubles(MotionForm one, MotionForm other) {
+    boolean delays = one.equals(Delay.CLOCKS) && other.equals(Delay.LATENCY);
+    boolean scales =
+        one.equals(Scale.WHEELS) && (other.equals(Scale.SPEED) || other.equals(Scale.TURN));
+    return delays || scales;
+  }
+
   /** Returns the change that changes nothing. */
   public MotionChange neutral() {
-    return change(parameters.stream().mapToDouble(MotionParameter::neutral).toArray());
+    return change(neutralValues());
+  }
+
+  /** Returns the values at which nothing changes. */
+  public double[] neutralValues() {
+    return parameters.stream().mapToDouble(MotionParameter::neutral).toArray();
   }
 }

@@ -1,7 +1,10 @@
 package simbad.motion.effect;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
+import simbad.motion.Robot;
 
 /** The catalogue: every form of every effect that changes the mean motion, simplest first. */
 public final class MotionForms {
@@ -34,11 +37,44 @@ public final class MotionForms {
   private MotionForms() {}
 
   /**
-   * Finds a form.
+   * Returns the forms that a robot may show: those of its wheels too where it is commanded by them.
+   *
+   * @param robot what is believed of it
+   */
+  public static List<MotionForm> of(Robot robot) {
+    if (!robot.differential()) {
+      return ALL;
+    }
+    List<MotionForm> forms = new ArrayList<>(ALL);
+    forms.add(DeadBand.wheels(robot.wheelBaseM()));
+    forms.add(Saturation.wheels(robot.wheelBaseM()));
+    forms.add(Quantization.wheels(robot.wheelBaseM()));
+    return forms;
+  }
+
+  /** Returns every name of the vocabulary of motion. */
+  public static List<String> vocabulary() {
+    return Stream.concat(ALL.stream().map(MotionForm::effect), Stream.of(SLIP, MOTION_NOISE))
+        .distinct()
+        .toList();
+  }
+
+  /**
+   * Finds a form that any robot may show.
    *
    * @param form its own name
    */
   public static Optional<MotionForm> find(String form) {
     return ALL.stream().filter(one -> one.form().equals(form)).findFirst();
+  }
+
+  /**
+   * Finds a form of a robot.
+   *
+   * @param form its own name
+   * @param robot what is believed of it
+   */
+  public static Optional<MotionForm> find(String form, Robot robot) {
+    return of(robot).stream().filter(one -> one.form().equals(form)).findFirst();
   }
 }

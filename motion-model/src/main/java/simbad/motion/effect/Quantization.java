@@ -1,27 +1,42 @@
 package simbad.motion.effect;
 
 import java.util.List;
+import simbad.motion.CommandUse;
 import simbad.motion.MotionChange;
 
 /** Speeds come in steps: the nearest is driven. A step of 0 is none. */
 record Quantization(double speedStepMPerS, double turnStepRadPerS) implements MotionChange {
+  /** Values that are tried: finer steps than a twentieth of the greatest command hardly show. */
+  private static final double FACTOR = 0.95;
+
+  private static final int TRIES = 68;
+
+  private static final MotionParameter SPEED =
+      MotionParameter.smooth("step_m_s", 0, 2, 0, 0.02).inSteps();
+
   static final MotionForm FORM =
       new MotionForm(
           "command-quantization",
           "command-quantization",
           List.of(
-              new MotionParameter("step_m_s", 0, 1, 0, 0.01),
-              new MotionParameter("step_rad_s", 0, 3, 0, 0.02)),
-          List.of(
-              new double[] {0.02, 0},
-              new double[] {0.05, 0},
-              new double[] {0.1, 0},
-              new double[] {0, 0.1},
-              new double[] {0, 0.25},
-              new double[] {0.05, 0.25}),
+              SPEED.tried(use -> CommandUse.falling(use.speeds(), FACTOR, TRIES)),
+              MotionParameter.smooth("step_rad_s", 0, 6, 0, 0.05)
+                  .inSteps()
+                  .tried(use -> CommandUse.falling(use.turns(), FACTOR, TRIES))),
           p -> new Quantization(p[0], p[1]),
           "round commanded speeds to steps of %s m/s",
           false);
+
+  /** Of each wheel by itself. */
+  static MotionForm wheels(double wheelBaseM) {
+    return new MotionForm(
+        "command-quantization",
+        "command-quantization: wheels",
+        List.of(SPEED.tried(use -> CommandUse.falling(use.rims(), FACTOR, TRIES))),
+        p -> new RimChange(wheelBaseM, rim -> nearest(rim, p[0])),
+        "round speeds of a wheel to steps of %s m/s",
+        false);
+  }
 
   @Override
   public double commandedSpeed(double command) {

@@ -1,18 +1,24 @@
 package simbad.motion.effect;
 
 import java.util.List;
+import simbad.motion.CommandUse;
 import simbad.motion.MotionChange;
 
 /** Large commands are cut. */
 record Saturation(double speedMPerS, double turnRadPerS) implements MotionChange {
   private static final double NONE = Double.POSITIVE_INFINITY;
 
+  /** Sizes that are tried, each of which was commanded. */
+  private static final int TRIES = 6;
+
+  private static final MotionParameter RIM =
+      MotionParameter.smooth("max_speed_m_s", 0.01, 20, NONE, 0.01);
+
   static final MotionForm SPEED =
       new MotionForm(
           "saturation",
           "saturation: speed",
-          List.of(new MotionParameter("max_speed_m_s", 0.01, 20, NONE, 0.01)),
-          List.of(new double[] {0.08}, new double[] {0.15}, new double[] {0.3}, new double[] {0.6}),
+          List.of(RIM.tried(use -> CommandUse.among(use.speeds(), TRIES))),
           p -> new Saturation(p[0], NONE),
           "cut speeds at %s m/s",
           false);
@@ -20,19 +26,35 @@ record Saturation(double speedMPerS, double turnRadPerS) implements MotionChange
       new MotionForm(
           "saturation",
           "saturation: turning",
-          List.of(new MotionParameter("max_turn_rad_s", 0.02, 20, NONE, 0.02)),
-          List.of(new double[] {0.2}, new double[] {0.4}, new double[] {0.8}, new double[] {1.6}),
+          List.of(
+              MotionParameter.smooth("max_turn_rad_s", 0.02, 20, NONE, 0.03)
+                  .tried(use -> CommandUse.among(use.turns(), TRIES))),
           p -> new Saturation(NONE, p[0]),
           "cut turn rates at %s rad/s",
           false);
 
+  /** Of each wheel by itself. */
+  static MotionForm wheels(double wheelBaseM) {
+    return new MotionForm(
+        "saturation",
+        "saturation: wheels",
+        List.of(RIM.tried(use -> CommandUse.among(use.rims(), TRIES))),
+        p -> new RimChange(wheelBaseM, rim -> cut(rim, p[0])),
+        "cut speeds of a wheel at %s m/s",
+        false);
+  }
+
+  private static double cut(double command, double most) {
+    return Math.abs(command) > most ? Math.copySign(most, command) : command;
+  }
+
   @Override
   public double commandedSpeed(double command) {
-    return Math.abs(command) > speedMPerS ? Math.copySign(speedMPerS, command) : command;
+    return cut(command, speedMPerS);
   }
 
   @Override
   public double commandedTurn(double command) {
-    return Math.abs(command) > turnRadPerS ? Math.copySign(turnRadPerS, command) : command;
+    return cut(command, turnRadPerS);
   }
 }

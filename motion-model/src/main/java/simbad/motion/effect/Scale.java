@@ -9,8 +9,7 @@ record Scale(double speedFactor, double turnFactor) implements MotionChange {
       new MotionForm(
           "speed-scale",
           "speed-scale",
-          List.of(new MotionParameter("speed_factor", 0.2, 5, 1, 0.005)),
-          List.of(new double[] {1}),
+          List.of(MotionParameter.smooth("speed_factor", 0.2, 5, 1, 0.01)),
           p -> new Scale(p[0], 1),
           "multiply commanded speeds by %s before driving the model",
           false);
@@ -18,8 +17,7 @@ record Scale(double speedFactor, double turnFactor) implements MotionChange {
       new MotionForm(
           "turn-scale",
           "turn-scale",
-          List.of(new MotionParameter("turn_factor", 0.2, 5, 1, 0.005)),
-          List.of(new double[] {1}),
+          List.of(MotionParameter.smooth("turn_factor", 0.2, 5, 1, 0.01)),
           p -> new Scale(1, p[0]),
           "multiply commanded turn rates by %s before driving the model",
           false);
@@ -27,8 +25,7 @@ record Scale(double speedFactor, double turnFactor) implements MotionChange {
       new MotionForm(
           "wheel-scale",
           "wheel-scale",
-          List.of(new MotionParameter("wheel_factor", 0.2, 5, 1, 0.005)),
-          List.of(new double[] {1}),
+          List.of(MotionParameter.smooth("wheel_factor", 0.2, 5, 1, 0.01)),
           p -> new Scale(p[0], p[0]),
           "multiply the wheel radius by %s",
           false);

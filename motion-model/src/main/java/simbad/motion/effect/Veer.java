@@ -9,8 +9,7 @@ record Veer(double biasRadPerS, double perMetreRad) implements MotionChange {
       new MotionForm(
           "turn-bias",
           "turn-bias",
-          List.of(new MotionParameter("bias_rad_s", -1, 1, 0, 0.001)),
-          List.of(new double[] {0}),
+          List.of(MotionParameter.smooth("bias_rad_s", -1, 1, 0, 0.002)),
           p -> new Veer(p[0], 0),
           "add %s rad/s to every turn rate",
           false);
@@ -18,8 +17,7 @@ record Veer(double biasRadPerS, double perMetreRad) implements MotionChange {
       new MotionForm(
           "wheel-asymmetry",
           "wheel-asymmetry",
-          List.of(new MotionParameter("turn_rad_per_m", -5, 5, 0, 0.01)),
-          List.of(new double[] {0}),
+          List.of(MotionParameter.smooth("turn_rad_per_m", -5, 5, 0, 0.02)),
           p -> new Veer(0, p[0]),
           "add %s rad per metre driven to every turn",
           false);

@@ -3,14 +3,20 @@ package simbad.motion.format;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import simbad.motion.Capture;
 import simbad.motion.MotionChain;
 import simbad.motion.MotionChange;
+import simbad.motion.Robot;
+import simbad.motion.effect.FittedMotion;
 import simbad.motion.effect.MotionForm;
 import simbad.motion.effect.MotionForms;
 import simbad.motion.effect.MotionParameter;
+import simbad.motion.forecast.MotionForecast;
+import simbad.motion.forecast.Spread;
+import simbad.motion.forecast.Windows;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.JsonInput;
 
@@ -23,6 +29,9 @@ public final class DiagnosedMotion {
   public static final String MODEL = "motion.json";
 
   private static final String FORMAT = "motion-model/1";
+  private static final String PARAMETERS = "parameters";
+  private static final String[] COMPONENTS = {"along_m", "across_m", "turn_rad"};
+  private static final double MOST = 1e9;
 
   private DiagnosedMotion() {}
 
@@ -34,21 +43,39 @@ public final class DiagnosedMotion {
    * @throws DataFormatException naming file, line and field of the first fault
    */
   public static MotionChain read(Path folder) throws DataFormatException {
-    Path file = folder.resolve(MODEL);
-    if (!Files.exists(file)) {
-      throw DataFormatException.inFile(
-          file, "does not exist, expected what simbad diagnose makes of a motion folder");
-    }
-    JsonInput json = JsonInput.read(file);
-    if (!json.text("format").equals(FORMAT)) {
-      throw json.field("format").isNot("\"" + FORMAT + "\"");
-    }
-    List<MotionChange> changes =
-        new ArrayList<>(RobotFile.read(folder.resolve(MotionFolder.ROBOT)).motion().changes());
-    for (JsonInput form : json.items("forms")) {
-      change(form).ifPresent(changes::add);
+    Robot robot = RobotFile.read(folder.resolve(MotionFolder.ROBOT));
+    List<MotionChange> changes = new ArrayList<>(robot.motion().changes());
+    for (FittedMotion fitted : forms(model(folder), robot)) {
+      boolean moves =
+          !fitted.form().clocks() && fitted.change().capture(Capture.CENTRE).equals(Capture.CENTRE);
+      if (moves) {
+        changes.add(fitted.change());
+      }
     }
     return new MotionChain(changes);
+  }
+
+  /**
+   * Reads the whole model that a diagnosis left, as a forecast of what the tracker reports.
+   *
+   * @param folder with robot.json and motion.json
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public static MotionForecast forecast(Path folder) throws DataFormatException {
+    JsonInput json = model(folder);
+    Robot robot = RobotFile.read(folder.resolve(MotionFolder.ROBOT));
+    MotionChain chain = robot.motion();
+    for (FittedMotion fitted : forms(json, robot)) {
+      chain = chain.with(fitted.change());
+    }
+    List<Spread> spreads = new ArrayList<>();
+    for (JsonInput spread : json.items("spread")) {
+      spreads.add(spread(spread));
+    }
+    if (spreads.size() != Windows.horizonsS().length) {
+      throw json.field("spread").isNot("a list of " + Windows.horizonsS().length);
+    }
+    return new MotionForecast(chain, spreads);
   }
 
   /**
@@ -58,28 +85,54 @@ public final class DiagnosedMotion {
    * @throws DataFormatException naming file, line and field of the first fault
    */
   public static MotionChain believed(Path file) throws DataFormatException {
-    return RobotFile.read(file).motion();
+    return robot(file).motion();
   }
 
-  private static Optional<MotionChange> change(JsonInput json) throws DataFormatException {
-    String name = json.text("form");
-    if (name.equals(MotionForms.MOTION_NOISE) || name.equals(MotionForms.SLIP)) {
-      return Optional.empty();
+  /**
+   * Reads all that is believed of a robot and its tracker.
+   *
+   * @param file robot.json, format "motion-gap/1"
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public static Robot robot(Path file) throws DataFormatException {
+    return RobotFile.read(file);
+  }
+
+  private static JsonInput model(Path folder) throws DataFormatException {
+    Path file = folder.resolve(MODEL);
+    if (!Files.exists(file)) {
+      throw DataFormatException.inFile(
+          file, "does not exist, expected what simbad diagnose makes of a motion folder");
     }
-    Optional<MotionForm> found = MotionForms.find(name);
-    if (found.isEmpty()) {
-      throw json.field("form").isNot("the name of a form");
+    JsonInput json = JsonInput.read(file);
+    if (!json.text("format").equals(FORMAT)) {
+      throw json.field("format").isNot("\"" + FORMAT + "\"");
     }
-    MotionForm form = found.get();
-    JsonInput values = json.field("parameters");
-    double[] numbers = new double[form.parameters().size()];
-    for (int i = 0; i < numbers.length; i++) {
+    return json;
+  }
+
+  private static List<FittedMotion> forms(JsonInput json, Robot robot) throws DataFormatException {
+    List<FittedMotion> forms = new ArrayList<>();
+    for (JsonInput one : json.items("forms")) {
+      Optional<MotionForm> found = MotionForms.find(one.text("form"), robot);
+      if (found.isEmpty()) {
+        throw one.field("form").isNot("the name of a form");
+      }
+      forms.add(new FittedMotion(found.get(), values(found.get(), one.field(PARAMETERS))));
+    }
+    return forms;
+  }
+
+  /** What is not there is neutral. */
+  private static double[] values(MotionForm form, JsonInput json) throws DataFormatException {
+    double[] values = form.neutralValues();
+    for (int i = 0; i < values.length; i++) {
       MotionParameter parameter = form.parameters().get(i);
-      numbers[i] = number(values.field(parameter.name()), parameter);
+      if (json.has(parameter.name())) {
+        values[i] = number(json.field(parameter.name()), parameter);
+      }
     }
-    MotionChange change = form.change(numbers);
-    boolean moves = !form.clocks() && change.capture(Capture.CENTRE).equals(Capture.CENTRE);
-    return moves ? Optional.of(change) : Optional.empty();
+    return values;
   }
 
   private static double number(JsonInput json, MotionParameter parameter)
@@ -87,5 +140,84 @@ public final class DiagnosedMotion {
     return json.number(
         v -> (v >= parameter.low() && v <= parameter.high()) || v == parameter.neutral(),
         "in [" + parameter.low() + ", " + parameter.high() + "]");
+  }
+
+  private static Spread spread(JsonInput json) throws DataFormatException {
+    double[] limits = numbers(json.field("exertion_limits_m"));
+    double[][][] quantiles = new double[limits.length + 1][COMPONENTS.length][];
+    for (int c = 0; c < COMPONENTS.length; c++) {
+      List<JsonInput> classes = json.items(COMPONENTS[c]);
+      if (classes.size() != quantiles.length) {
+        throw json.field(COMPONENTS[c]).isNot("a list for each class of exertion");
+      }
+      for (int k = 0; k < quantiles.length; k++) {
+        quantiles[k][c] = numbers(classes.get(k));
+        if (quantiles[k][c].length != Spread.QUANTILES) {
+          throw classes.get(k).isNot("a list of " + Spread.QUANTILES + " quantiles");
+        }
+      }
+    }
+    return new Spread(limits, quantiles);
+  }
+
+  private static double[] numbers(JsonInput json) throws DataFormatException {
+    List<JsonInput> items = json.items();
+    double[] numbers = new double[items.size()];
+    for (int i = 0; i < numbers.length; i++) {
+      numbers[i] = items.get(i).number(v -> Math.abs(v) <= MOST, "a finite number");
+    }
+    return numbers;
+  }
+
+  /**
+   * Returns the text of motion.json, in full precision.
+   *
+   * @param forms with values; infinite ones are left out
+   * @param spreads how far forecasts may be off, by horizon
+   */
+  public static String text(List<FittedMotion> forms, List<Spread> spreads) {
+    StringBuilder text = new StringBuilder("{\n  \"format\": \"" + FORMAT + "\",\n  \"forms\": [");
+    String before = "\n";
+    for (FittedMotion fitted : forms) {
+      text.append(before).append("    {\"form\": \"").append(fitted.form().form());
+      text.append("\", \"" + PARAMETERS + "\": {").append(parameters(fitted)).append("}}");
+      before = ",\n";
+    }
+    text.append("\n  ],\n  \"spread\": [");
+    before = "\n";
+    for (int h = 0; h < spreads.size(); h++) {
+      text.append(before).append(text(Windows.horizonsS()[h], spreads.get(h)));
+      before = ",\n";
+    }
+    return text.append("\n  ]\n}\n").toString();
+  }
+
+  private static String parameters(FittedMotion fitted) {
+    List<String> parameters = new ArrayList<>();
+    for (int i = 0; i < fitted.values().length; i++) {
+      if (Double.isFinite(fitted.values()[i])) {
+        String name = fitted.form().parameters().get(i).name();
+        parameters.add("\"" + name + "\": " + fitted.values()[i]);
+      }
+    }
+    return String.join(", ", parameters);
+  }
+
+  private static String text(double horizonS, Spread spread) {
+    StringBuilder text = new StringBuilder("    {\"horizon_s\": " + horizonS);
+    text.append(",\n     \"exertion_limits_m\": ").append(list(spread.limits()));
+    for (int c = 0; c < COMPONENTS.length; c++) {
+      List<String> classes = new ArrayList<>();
+      for (double[][] quantiles : spread.quantiles()) {
+        classes.add(list(quantiles[c]));
+      }
+      text.append(",\n     \"" + COMPONENTS[c] + "\": [");
+      text.append(String.join(",\n      ", classes)).append("]");
+    }
+    return text.append("}").toString();
+  }
+
+  private static String list(double[] numbers) {
+    return Arrays.toString(numbers);
   }
 }

@@ -26,40 +26,46 @@ final class MotionCsv {
 
   private MotionCsv() {}
 
-  static Map<String, List<Command>> commands(Path file, Robot robot) throws DataFormatException {
+  static Map<String, List<MotionRow<Command>>> commands(Path file, Robot robot)
+      throws DataFormatException {
     String first = robot.differential() ? "left_m_s" : "v_m_s";
     String second = robot.differential() ? "right_m_s" : "w_rad_s";
     CsvTable csv = table(file, first, second);
-    Map<String, List<Command>> runs = new LinkedHashMap<>();
+    Map<String, List<MotionRow<Command>>> runs = new LinkedHashMap<>();
     for (int row = 0; row < csv.size(); row++) {
       double one = within(GREATEST_SPEED, csv, row, first);
       double two = within(GREATEST_SPEED, csv, row, second);
       double timeS = within(GREATEST_S, csv, row, TIME);
       runs.computeIfAbsent(csv.label(row, RUN), name -> new ArrayList<>())
-          .add(
-              robot.differential()
-                  ? new Command(
-                      timeS,
-                      Unicycle.speedOfWheels(one, two),
-                      Unicycle.turnOfWheels(one, two, robot.wheelBaseM()))
-                  : new Command(timeS, one, two));
+          .add(new MotionRow<>(row, command(robot, timeS, one, two)));
     }
     return runs;
   }
 
-  static Map<String, List<TrackPose>> track(Path file) throws DataFormatException {
+  static Map<String, List<MotionRow<TrackPose>>> track(Path file) throws DataFormatException {
     CsvTable csv = table(file, "x_m", "z_m", "heading_deg");
-    Map<String, List<TrackPose>> runs = new LinkedHashMap<>();
+    Map<String, List<MotionRow<TrackPose>>> runs = new LinkedHashMap<>();
     for (int row = 0; row < csv.size(); row++) {
       runs.computeIfAbsent(csv.label(row, RUN), name -> new ArrayList<>())
           .add(
-              new TrackPose(
-                  within(GREATEST_S, csv, row, TIME),
-                  within(GREATEST_M, csv, row, "x_m"),
-                  -within(GREATEST_M, csv, row, "z_m"),
-                  Math.toRadians(within(GREATEST_DEG, csv, row, "heading_deg"))));
+              new MotionRow<>(
+                  row,
+                  new TrackPose(
+                      within(GREATEST_S, csv, row, TIME),
+                      within(GREATEST_M, csv, row, "x_m"),
+                      -within(GREATEST_M, csv, row, "z_m"),
+                      Math.toRadians(within(GREATEST_DEG, csv, row, "heading_deg")))));
     }
     return runs;
+  }
+
+  private static Command command(Robot robot, double timeS, double one, double two) {
+    return robot.differential()
+        ? new Command(
+            timeS,
+            Unicycle.speedOfWheels(one, two),
+            Unicycle.turnOfWheels(one, two, robot.wheelBaseM()))
+        : new Command(timeS, one, two);
   }
 
   private static CsvTable table(Path file, String... columns) throws DataFormatException {

@@ -62,17 +62,39 @@ public final class MotionFolder {
   private List<MotionRun> runs(Robot robot, String prefix) throws DataFormatException {
     Path commandsFile = folder.resolve(prefix + COMMANDS);
     Path trackFile = folder.resolve(prefix + TRACK);
-    Map<String, List<Command>> commands = MotionCsv.commands(commandsFile, robot);
-    Map<String, List<TrackPose>> track = MotionCsv.track(trackFile);
+    Map<String, List<MotionRow<Command>>> commands = MotionCsv.commands(commandsFile, robot);
+    Map<String, List<MotionRow<TrackPose>>> track = MotionCsv.track(trackFile);
     List<MotionRun> runs = new ArrayList<>();
-    for (Map.Entry<String, List<TrackPose>> run : track.entrySet()) {
+    for (Map.Entry<String, List<MotionRow<TrackPose>>> run : track.entrySet()) {
       if (!commands.containsKey(run.getKey())) {
         throw DataFormatException.inFile(
             trackFile, "run '" + run.getKey() + "' has no commands in " + commandsFile);
       }
-      runs.add(new MotionRun(run.getKey(), commands.get(run.getKey()), run.getValue()));
+      runs.add(
+          new MotionRun(
+              run.getKey(),
+              MotionRow.values(commands.get(run.getKey())),
+              MotionRow.values(run.getValue())));
     }
     return runs;
+  }
+
+  /**
+   * Reads the commands as they stand in the file, by run.
+   *
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public Map<String, List<MotionRow<Command>>> commandRows() throws DataFormatException {
+    return MotionCsv.commands(folder.resolve(COMMANDS), RobotFile.read(folder.resolve(ROBOT)));
+  }
+
+  /**
+   * Reads the track as it stands in the file, by run.
+   *
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public Map<String, List<MotionRow<TrackPose>>> trackRows() throws DataFormatException {
+    return MotionCsv.track(folder.resolve(TRACK));
   }
 
   /**

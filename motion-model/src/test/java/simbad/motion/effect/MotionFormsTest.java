@@ -79,7 +79,7 @@ class MotionFormsTest {
   void acceleration_isTheGreatest() {
     MotionChange limit = change("actuation-lag: greatest acceleration", 0.5, 1000);
 
-    assertEquals(1 + 1, way(1, 0, limit, 3).alongM(), 0.02);
+    assertEquals(1 + 1, way(1, 0, limit, 3).alongM(), 1e-9);
   }
 
   @Test
@@ -90,8 +90,8 @@ class MotionFormsTest {
     assertEquals(0.2, response.speedTimeConstantS());
     assertEquals(0.1, response.turnTimeConstantS());
     assertEquals(3, response.brakingFactor());
-    double faster = response.speed(0, 1, 0.02);
-    double slower = 1 - response.speed(1, 0, 0.02);
+    double faster = response.over(0.02).speed().next(0, 1);
+    double slower = 1 - response.over(0.02).speed().next(1, 0);
     assertTrue(faster > 2.5 * slower, faster + " and " + slower);
   }
 
@@ -127,7 +127,7 @@ class MotionFormsTest {
     assertThrows(IllegalArgumentException.class, () -> scale.change(7));
     assertThrows(IllegalArgumentException.class, () -> scale.change(Double.NaN));
     assertThrows(IllegalArgumentException.class, () -> scale.change(1, 1));
-    assertThrows(IllegalArgumentException.class, () -> new MotionParameter("a", 1, 1, 1, 1));
+    assertThrows(IllegalArgumentException.class, () -> MotionParameter.smooth("a", 1, 1, 1, 1));
     assertThrows(IllegalArgumentException.class, () -> new Command(0, Double.NaN, 0));
     assertThrows(IllegalArgumentException.class, () -> Unicycle.turnOfWheels(1, 1, 0));
     assertThrows(
@@ -139,5 +139,35 @@ class MotionFormsTest {
   void wheels_goAndTurnAsTheirRimsDo() {
     assertEquals(0.3, Unicycle.speedOfWheels(0.2, 0.4), 1e-12);
     assertEquals(1, Unicycle.turnOfWheels(0.2, 0.4, 0.2), 1e-12);
+  }
+
+  private static final Robot WHEELS = new Robot(true, 0.2, false, 0, 0, MotionChain.EXACT);
+
+  private static Command rims(String form, double value, double left, double right) {
+    double speed = Unicycle.speedOfWheels(left, right);
+    Command command = new Command(0, speed, Unicycle.turnOfWheels(left, right, 0.2));
+    return MotionForms.find(form, WHEELS).orElseThrow().change(value).commanded(command);
+  }
+
+  /** Rims at 0.02 and 0.3 m/s: what acts on a wheel leaves the other alone. */
+  @Test
+  void wheels_areChangedOneByOne() {
+    assertEquals(0.15, rims("dead-band: wheels", 0.05, 0.02, 0.3).speedMPerS(), 1e-12);
+    assertEquals(1.5, rims("dead-band: wheels", 0.05, 0.02, 0.3).turnRadPerS(), 1e-12);
+    assertEquals(0.11, rims("saturation: wheels", 0.2, 0.02, 0.3).speedMPerS(), 1e-12);
+    assertEquals(0.9, rims("saturation: wheels", 0.2, 0.02, 0.3).turnRadPerS(), 1e-12);
+    assertEquals(0.15, rims("command-quantization: wheels", 0.1, 0.02, 0.3).speedMPerS(), 1e-12);
+    assertTrue(MotionForms.find("saturation: wheels").isEmpty());
+  }
+
+  @Test
+  void whatSaysTheSameTwice_isKnown() {
+    MotionForm wheels = MotionForms.find("wheel-scale").orElseThrow();
+    MotionForm speed = MotionForms.find("speed-scale").orElseThrow();
+    MotionForm bias = MotionForms.find("turn-bias").orElseThrow();
+
+    assertTrue(wheels.doublesWith(speed) && speed.doublesWith(wheels));
+    assertTrue(!wheels.doublesWith(bias));
+    assertEquals(14, MotionForms.vocabulary().size());
   }
 }

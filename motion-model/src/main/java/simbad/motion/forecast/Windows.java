@@ -1,4 +1,4 @@
-package simbad.gap.motion;
+package simbad.motion.forecast;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -8,8 +8,8 @@ import simbad.motion.MotionRun;
 import simbad.motion.TrackPose;
 
 /** Cuts runs into windows that begin at every half second at which the track is known. */
-final class Windows {
-  static final double[] HORIZONS_S = {0.5, 2, 5};
+public final class Windows {
+  private static final double[] HORIZONS_S = {0.5, 2, 5};
   private static final double EVERY_S = 0.5;
   private static final double KNOWN_S = 0.02;
 
@@ -18,7 +18,18 @@ final class Windows {
 
   private Windows() {}
 
-  static List<Window> of(List<MotionRun> runs, double horizonS) {
+  /** Returns how long the windows of a gap are, seconds, ascending. */
+  public static double[] horizonsS() {
+    return HORIZONS_S.clone();
+  }
+
+  /**
+   * Cuts runs into windows.
+   *
+   * @param runs in whose order the windows come, then by time
+   * @param horizonS how long the windows are
+   */
+  public static List<Window> of(List<MotionRun> runs, double horizonS) {
     List<Window> windows = new ArrayList<>();
     for (int run = 0; run < runs.size(); run++) {
       cut(runs.get(run), run, horizonS, windows);

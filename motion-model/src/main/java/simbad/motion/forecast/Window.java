@@ -1,4 +1,4 @@
-package simbad.gap.motion;
+package simbad.motion.forecast;
 
 import simbad.motion.Displacement;
 
@@ -13,7 +13,7 @@ import simbad.motion.Displacement;
  * @param yM of that pose
  * @param way what the tracker saw
  */
-record Window(
+public record Window(
     int run,
     double startS,
     double horizonS,
@@ -21,7 +21,8 @@ record Window(
     double xM,
     double yM,
     Displacement way) {
-  double endS() {
+  /** Returns when it ends. */
+  public double endS() {
     return startS + horizonS;
   }
 }

@@ -1,0 +1,148 @@
+package simbad.gap.motion;
+
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+import org.hipparchus.linear.Array2DRowRealMatrix;
+import org.hipparchus.linear.ArrayRealVector;
+import org.hipparchus.linear.RealMatrix;
+import org.hipparchus.linear.SingularValueDecomposition;
+
+/**
+ * White residuals as a weighted linear regression on white columns, with the normal equations of
+ * each block of the log, so that blocks can be left out at no cost.
+ */
+final class Linear {
+  private final Evidence evidence;
+  private final Whitening[] white;
+
+  /** By value, component and step: by how much the white residual falls per unit. */
+  private final double[][][] columns;
+
+  private final double[][][] matrices;
+  private final double[][] vectors;
+
+  Linear(Evidence evidence, Whitening[] white, double[][][] columns) {
+    this.evidence = evidence;
+    this.white = white;
+    this.columns = columns;
+    matrices = new double[evidence.blockCount()][columns.length][columns.length];
+    vectors = new double[evidence.blockCount()][columns.length];
+    for (int c = 0; c < white.length; c++) {
+      gather(c);
+    }
+  }
+
+  private void gather(int c) {
+    for (int i = 0; i < evidence.size(); i++) {
+      int block = evidence.block(i);
+      double weight = white[c].weights[i];
+      for (int p = 0; p < columns.length; p++) {
+        double weighted = weight * columns[p][c][i];
+        vectors[block][p] += weighted * white[c].white[i];
+        for (int q = 0; q <= p; q++) {
+          matrices[block][p][q] += weighted * columns[q][c][i];
+        }
+      }
+    }
+  }
+
+  /** Returns by how much the values move for the least squares of some blocks. */
+  double[] move(IntPredicate taken, double damping) {
+    if (columns.length == 0) {
+      return new double[0];
+    }
+    double[][] matrix = matrix(taken);
+    for (int p = 0; p < matrix.length; p++) {
+      matrix[p][p] += damping * matrix[p][p] + 1e-12;
+    }
+    double[] vector = new double[matrix.length];
+    IntStream.range(0, vectors.length)
+        .filter(taken)
+        .forEach(b -> IntStream.range(0, vector.length).forEach(p -> vector[p] += vectors[b][p]));
+    return new SingularValueDecomposition(new Array2DRowRealMatrix(matrix))
+        .getSolver()
+        .solve(new ArrayRealVector(vector))
+        .toArray();
+  }
+
+  private double[][] matrix(IntPredicate taken) {
+    double[][] matrix = new double[columns.length][columns.length];
+    for (int b = 0; b < matrices.length; b++) {
+      for (int p = 0; taken.test(b) && p < matrix.length; p++) {
+        for (int q = 0; q <= p; q++) {
+          matrix[p][q] += matrices[b][p][q];
+          matrix[q][p] = matrix[p][q];
+        }
+      }
+    }
+    return matrix;
+  }
+
+  /** Returns the same of all blocks but those of a fold. */
+  double[] withoutFold(int fold) {
+    return move(block -> evidence.foldOf(block) != fold, 0);
+  }
+
+  /** Returns the log density of each block, foretold by values that its fold had no part in. */
+  double[] heldOut() {
+    double[] scores = new double[evidence.blockCount()];
+    double[][] moves = new double[Evidence.FOLDS][];
+    for (int fold = 0; fold < moves.length; fold++) {
+      int left = fold;
+      moves[fold] = withoutFold(left);
+    }
+    for (int c = 0; c < white.length; c++) {
+      for (int i = 0; i < evidence.size(); i++) {
+        int block = evidence.block(i);
+        double[] move = moves[evidence.foldOf(block)];
+        double z = white[c].white[i];
+        for (int p = 0; p < move.length; p++) {
+          z -= columns[p][c][i] * move[p];
+        }
+        scores[block] += white[c].logDensity(i, z);
+      }
+    }
+    return scores;
+  }
+
+  /** Returns standard errors of the values, from how far blocks pull apart (White 1982). */
+  double[] standardErrors() {
+    double[] errors = new double[columns.length];
+    if (columns.length == 0) {
+      return errors;
+    }
+    double[][] matrix = matrix(block -> true);
+    for (int p = 0; p < matrix.length; p++) {
+      matrix[p][p] += 1e-12;
+    }
+    Array2DRowRealMatrix pulls = new Array2DRowRealMatrix(vectors);
+    RealMatrix inverse =
+        new SingularValueDecomposition(new Array2DRowRealMatrix(matrix)).getSolver().getInverse();
+    RealMatrix between = inverse.multiply(pulls.transpose().multiply(pulls)).multiply(inverse);
+    double few =
+        (double) evidence.blockCount() / Math.max(1, evidence.blockCount() - columns.length);
+    for (int p = 0; p < matrix.length; p++) {
+      double own = Math.max(inverse.getEntry(p, p), few * between.getEntry(p, p));
+      errors[p] = Math.sqrt(Math.max(0, own));
+    }
+    return errors;
+  }
+
+  /**
+   * Returns by how many times blocks pull apart more than by chance, the mean over the values; 1
+   * without values.
+   */
+  double clumping() {
+    double sum = 0;
+    for (int p = 0; p < columns.length; p++) {
+      double square = 0;
+      double expected = 0;
+      for (int b = 0; b < vectors.length; b++) {
+        square += vectors[b][p] * vectors[b][p];
+        expected += matrices[b][p][p];
+      }
+      sum += expected > 0 ? square / expected : 1;
+    }
+    return columns.length == 0 ? 1 : Math.max(1, sum / columns.length);
+  }
+}

@@ -1,0 +1,51 @@
+package simbad.gap.motion;
+
+import java.util.Comparator;
+import java.util.List;
+
+/**
+ * How probable it is that something without a name is at work.
+ *
+ * @param traces what plain regressions foretell of what is left over
+ * @param events how probable it is that something happens now and then that is no slip
+ */
+record Unknown(List<Strangers.Trace> traces, double events) {
+  /** What a trace must gain on left-out blocks to be as probable as its absence. */
+  private static final double COST_NATS = 8;
+
+  /** What each of its values gains by chance. */
+  private static final double PER_VALUE_NATS = 0.5;
+
+  /** A trace that foretells less of what the nominal model leaves over matters to nobody. */
+  private static final double SHARE = 0.004;
+
+  private static final double TEMPERATURE = 1.5;
+  private static final double LIKELY = 0.5;
+
+  private static double logOdds(Strangers.Trace trace) {
+    double small = COST_NATS * (trace.share() / SHARE - 1);
+    return Math.min(trace.nats() - COST_NATS - PER_VALUE_NATS * trace.values(), small)
+        / TEMPERATURE;
+  }
+
+  private static double probability(Strangers.Trace trace) {
+    return Chance.ofLogOdds(logOdds(trace));
+  }
+
+  double probability() {
+    return Math.max(events, traces.stream().mapToDouble(Unknown::probability).max().orElse(0));
+  }
+
+  boolean isLikely() {
+    return probability() > LIKELY;
+  }
+
+  /** Says what it looks like. */
+  String words() {
+    return traces.stream()
+        .max(Comparator.comparingDouble(Unknown::logOdds))
+        .filter(trace -> probability(trace) >= events)
+        .map(trace -> trace.kind().words())
+        .orElse("it is far off now and then, either way");
+  }
+}

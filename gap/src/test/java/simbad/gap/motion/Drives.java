@@ -1,0 +1,151 @@
+package simbad.gap.motion;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import simbad.motion.Command;
+import simbad.motion.MotionChain;
+import simbad.motion.MotionRun;
+import simbad.motion.Robot;
+import simbad.motion.TrackPose;
+import simbad.motion.format.MotionData;
+
+/**
+ * Drives of a robot that is simulated here, in steps of two milliseconds and without the product's
+ * model: what it does to commands is said field by field.
+ */
+final class Drives {
+  static final double SIGMA_M = 0.001;
+  static final double SIGMA_RAD = Math.toRadians(0.2);
+  private static final double DT = 0.002;
+  private static final int PER_POSE = 25;
+
+  double seconds = 150;
+  double speedFactor = 1;
+  double turnFactor = 1;
+  double turnBias;
+  double turnPerMetre;
+  double lateS;
+  double clockS;
+  boolean separateClocks;
+  double lagS;
+  double acceleration = Double.POSITIVE_INFINITY;
+  double deadSpeed;
+  double deadTurn;
+  double mostSpeed = Double.POSITIVE_INFINITY;
+  double mostTurn = Double.POSITIVE_INFINITY;
+  double speedStep;
+  double turnStep;
+  double forwardM;
+  double leftM;
+  double trackerTurned;
+
+  /** Of the speed, over a square root of a second. */
+  double roughness;
+
+  /** Slips a minute, each of half a second and most of the way. */
+  double slips;
+
+  /** Share of the speed by which it goes faster one way and slower the other. */
+  double slope;
+
+  /** Share of the speed that is gone in the end. */
+  double sag;
+
+  /** Commands in a minute that are not followed. */
+  double dropped;
+
+  /** Share of commands that are one and the same. */
+  boolean oneSpeed;
+
+  private final SplittableRandom random;
+
+  Drives(long seed) {
+    random = new SplittableRandom(seed);
+  }
+
+  MotionData data() {
+    List<Command> commands = commands();
+    Robot robot = new Robot(false, 0, separateClocks, SIGMA_M, SIGMA_RAD, MotionChain.EXACT);
+    MotionRun run = new MotionRun("a", commands, track(commands));
+    return new MotionData("drive", robot, List.of(run), List.of());
+  }
+
+  private List<Command> commands() {
+    List<Command> commands = new ArrayList<>();
+    for (double t = 0; t < seconds; t += 0.8 + 2 * random.nextDouble()) {
+      double kind = random.nextDouble();
+      double speed = oneSpeed ? 0.2 : 0.01 + 0.29 * random.nextDouble();
+      double turn = 2 * random.nextDouble() - 1;
+      if (kind < 0.15) {
+        commands.add(new Command(t, 0, 0));
+      } else if (kind < 0.3) {
+        commands.add(new Command(t, 0, turn));
+      } else if (kind < 0.6) {
+        commands.add(new Command(t, speed, 0));
+      } else {
+        commands.add(new Command(t, speed, turn));
+      }
+    }
+    return commands;
+  }
+
+  private List<TrackPose> track(List<Command> commands) {
+    List<TrackPose> track = new ArrayList<>();
+    double x = 0;
+    double y = 0;
+    double heading = 0.3;
+    double v = 0;
+    double w = 0;
+    double slipsUntil = -1;
+    int at = -1;
+    Command now = new Command(0, 0, 0);
+    for (int i = 0; i * DT < seconds; i++) {
+      double t = i * DT;
+      if (i % PER_POSE == 0) {
+        track.add(seen(t, x, y, heading));
+      }
+      while (at + 1 < commands.size() && commands.get(at + 1).timeS() <= t - lateS) {
+        at++;
+        now = random.nextDouble() < dropped ? now : commands.get(at);
+      }
+      v = followed(v, driven(now.speedMPerS(), deadSpeed, mostSpeed, speedStep), acceleration);
+      w = followed(w, driven(now.turnRadPerS(), deadTurn, mostTurn, turnStep), 5 * acceleration);
+      if (random.nextDouble() < slips / 60 * DT && v != 0) {
+        slipsUntil = t + 0.5;
+      }
+      double ground = v * speedFactor * (t < slipsUntil ? 0.3 : 1) * (1 - sag * t / seconds);
+      ground *= 1 + slope * Math.cos(heading - 0.7);
+      double scatter = roughness * Math.sqrt(Math.abs(v) * DT);
+      double way = ground * DT + scatter * random.nextGaussian();
+      double turn = (w * turnFactor + turnBias + turnPerMetre * ground) * DT;
+      turn += 5 * scatter * random.nextGaussian();
+      x += way * Math.cos(heading + turn / 2);
+      y += way * Math.sin(heading + turn / 2);
+      heading += turn;
+    }
+    return track;
+  }
+
+  private static double driven(double command, double dead, double most, double step) {
+    double size = Math.abs(command) < dead ? 0 : Math.min(most, Math.abs(command));
+    return Math.copySign(step > 0 ? step * Math.rint(size / step) : size, command);
+  }
+
+  private double followed(double now, double target, double most) {
+    double wanted = lagS > 0 ? now + (target - now) * DT / lagS : target;
+    double by = wanted - now;
+    return Math.abs(by) > most * DT ? now + Math.copySign(most * DT, by) : wanted;
+  }
+
+  private TrackPose seen(double t, double x, double y, double heading) {
+    double cos = Math.cos(heading);
+    double sin = Math.sin(heading);
+    double direction = heading + trackerTurned + SIGMA_RAD * random.nextGaussian();
+    return new TrackPose(
+        t + clockS,
+        x + forwardM * cos - leftM * sin + SIGMA_M * random.nextGaussian(),
+        y + forwardM * sin + leftM * cos + SIGMA_M * random.nextGaussian(),
+        Math.IEEEremainder(direction, 2 * Math.PI));
+  }
+}

@@ -1,0 +1,125 @@
+package simbad.gap.motion;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import simbad.gap.audit.AuditFinding;
+import simbad.gap.audit.Severity;
+import simbad.motion.Command;
+import simbad.motion.MotionRun;
+import simbad.motion.TrackPose;
+import simbad.motion.format.MotionRow;
+
+class MotionAuditTest {
+  private static final MotionRun RUN = new Drives(3).data().runs().get(0);
+
+  private static <T> List<MotionRow<T>> rows(List<T> values) {
+    List<MotionRow<T>> rows = new ArrayList<>();
+    values.forEach(value -> rows.add(new MotionRow<>(rows.size(), value)));
+    return rows;
+  }
+
+  private static List<AuditFinding> audit(List<TrackPose> track) {
+    return MotionAudit.of(Map.of("a", rows(RUN.commands())), Map.of("a", rows(track)));
+  }
+
+  private static List<AuditFinding> audit(UnaryOperator<TrackPose> change) {
+    return audit(RUN.track().stream().map(change).toList());
+  }
+
+  @Test
+  void soundLog_hasNoFinding() {
+    assertEquals(List.of(), audit(pose -> pose));
+  }
+
+  private static Arguments wrong(String word, String suggestion, UnaryOperator<TrackPose> change) {
+    return Arguments.of(word, suggestion, change);
+  }
+
+  static Stream<Arguments> impossible() {
+    return Stream.of(
+        wrong("track-unit", "by 1000", p -> pose(p, 1000, 1000, 1)),
+        wrong("track-unit", "by 100", p -> pose(p, 100, 100, 1)),
+        wrong("track-heading", "57.29578", p -> pose(p, 1, 1, Math.PI / 180)),
+        wrong("track-frame", "sign of z_m", p -> pose(p, 1, -1, 1)),
+        wrong("track-frame", "sign of", p -> pose(p, 1, -1, -1)),
+        wrong(
+            "track-clock",
+            "one clock",
+            p -> new TrackPose(p.timeS() - 1e6, p.xM(), p.yM(), p.headingRad())));
+  }
+
+  private static TrackPose pose(TrackPose p, double x, double y, double heading) {
+    return new TrackPose(p.timeS(), x * p.xM(), y * p.yM(), heading * p.headingRad());
+  }
+
+  @ParameterizedTest(name = "{0} {1}")
+  @MethodSource("impossible")
+  void whatCannotBe_isRefused(String word, String suggestion, UnaryOperator<TrackPose> change) {
+    AuditFinding worst = audit(change).get(0);
+
+    assertEquals(Severity.REFUSE, worst.severity(), worst.what());
+    assertEquals(word, worst.check().word());
+    assertTrue(worst.suggestion().contains(suggestion), worst.suggestion());
+    assertEquals(AuditFinding.File.TRACK, worst.file());
+  }
+
+  @Test
+  void holesJumpsAndRepeats_areSaid_withTheirRows() {
+    List<TrackPose> track = new ArrayList<>(RUN.track());
+    TrackPose pose = track.get(500);
+    track.set(500, new TrackPose(pose.timeS(), pose.xM() + 5, pose.yM(), pose.headingRad()));
+    track.subList(1000, 1020).clear();
+    TrackPose last = track.get(1500);
+    track.set(1501, new TrackPose(last.timeS(), last.xM(), last.yM(), last.headingRad() + 0.1));
+    List<AuditFinding> findings = audit(track);
+
+    assertEquals(
+        List.of("track-clock", "track-jump", "track-holes"),
+        findings.stream().map(finding -> finding.check().word()).toList());
+    assertEquals(List.of(1501), findings.get(0).rows());
+    assertEquals(List.of(500), findings.get(1).rows());
+    assertEquals(List.of(1000), findings.get(2).rows());
+    assertTrue(findings.stream().noneMatch(AuditFinding::refuses));
+  }
+
+  @Test
+  void turnedTracker_isWarnedOf() {
+    AuditFinding worst =
+        audit(p -> new TrackPose(p.timeS(), p.xM(), p.yM(), p.headingRad() - Math.PI / 2)).get(0);
+
+    assertEquals(Severity.WARN, worst.severity());
+    assertTrue(worst.what().contains("90 degrees to the left"), worst.what());
+  }
+
+  @Test
+  void trackThatStands_isWarnedOf() {
+    List<TrackPose> track = new ArrayList<>(RUN.track());
+    TrackPose seen = track.get(600);
+    for (int i = 600; i < 1200; i++) {
+      double timeS = track.get(i).timeS();
+      track.set(i, new TrackPose(timeS, seen.xM(), seen.yM(), seen.headingRad()));
+    }
+    assertTrue(
+        audit(track).stream().anyMatch(finding -> finding.check().word().equals("track-still")));
+  }
+
+  @Test
+  void commands_areTakenInOrderOfTime() {
+    Command first = RUN.commands().get(0);
+    List<Command> mixed = new ArrayList<>(RUN.commands());
+    mixed.remove(0);
+    mixed.add(first);
+    assertEquals(
+        List.of(), MotionAudit.of(Map.of("a", rows(mixed)), Map.of("a", rows(RUN.track()))));
+  }
+}

@@ -1,0 +1,90 @@
+package simbad.gap.motion;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import simbad.motion.Command;
+import simbad.motion.MotionRun;
+import simbad.motion.TrackPose;
+
+class WhiteningTest {
+  private static Evidence evidence(int poses) {
+    List<TrackPose> track = new ArrayList<>();
+    for (int i = 0; i < poses; i++) {
+      track.add(new TrackPose(0.2 * i, 0, 0, 0));
+    }
+    return new Evidence(List.of(new MotionRun("a", List.of(new Command(0, 1, 0)), track)));
+  }
+
+  /**
+   * Two differences of three independent errors of variance s2 have covariance s2 (2 -1; -1 2),
+   * with determinant 3 s2^2; for r = (a, b) the quadratic form is 2 (a2 + ab + b2) / (3 s2).
+   */
+  @Test
+  void trackerErrors_areDifferencesOfEnds() {
+    double a = 0.7;
+    double b = -0.4;
+    Whitening white = new Whitening(evidence(3), Noise.believed(1), new double[] {a, b});
+
+    double form = 2 * (a * a + a * b + b * b) / 3;
+    double gaussian = -form / 2 - Math.log(2 * Math.PI) - Math.log(3) / 2;
+    assertEquals(gaussian, white.logDensity(), 0.03);
+    assertEquals(form, square(white.white), 0.02);
+  }
+
+  private static double square(double[] values) {
+    double sum = 0;
+    for (double value : values) {
+      sum += value * value;
+    }
+    return sum;
+  }
+
+  /** With the gains as they are the filter is linear: what it makes of residuals themselves. */
+  @Test
+  void columns_areMadeWhiteByTheSameFilter() {
+    SplittableRandom random = new SplittableRandom(5);
+    double[] residuals = random.doubles(50, -1, 1).toArray();
+    Noise noise = new Noise(0.3, 0.5, 0.4, 2, 4);
+    Whitening white = new Whitening(evidence(51), noise, residuals);
+
+    double[] again = white.of(residuals);
+    for (int i = 0; i < again.length; i++) {
+      assertEquals(white.white[i], again[i], 1e-12);
+    }
+  }
+
+  /** A slip of ten sigma is one surprise; what follows is no surprise any more. */
+  @Test
+  void slip_isOneEvent() {
+    double[] residuals = new double[40];
+    residuals[20] = 10;
+    Whitening white = new Whitening(evidence(41), new Noise(0.5, 0.1, 0, 2, 4), residuals);
+
+    assertTrue(Math.abs(white.white[20]) > 4, "seen");
+    assertTrue(Math.abs(white.white[22]) < 2, "over: " + white.white[22]);
+  }
+
+  /** Noise that was put in is found again: tracker 2, process 3 in a root of a second. */
+  @Test
+  void noise_isFound() {
+    SplittableRandom random = new SplittableRandom(7);
+    double[] residuals = new double[1500];
+    double error = 2 * random.nextGaussian();
+    for (int i = 0; i < residuals.length; i++) {
+      double next = 2 * random.nextGaussian();
+      residuals[i] = next - error + 3 * Math.sqrt(0.2) * random.nextGaussian();
+      error = next;
+    }
+    double[][] three = {residuals, residuals, residuals};
+    Evidence evidence = evidence(1501);
+    // The load of a robot at one speed is 1.05 throughout.
+    Noise found = NoiseFit.afresh(evidence, three)[0];
+    assertEquals(2, found.tracker(), 0.2);
+    assertEquals(Math.sqrt(2 * 4 + 9 * 0.5), Math.sqrt(found.variance(0.5)), 0.4);
+  }
+}

@@ -1,0 +1,17 @@
+package simbad.motion.effect;
+
+import simbad.motion.MotionChange;
+
+/**
+ * A form with its values.
+ *
+ * @param form of an effect
+ * @param values one per parameter
+ */
+@SuppressWarnings("ArrayRecordComponent") // Numbers, never compared.
+public record FittedMotion(MotionForm form, double[] values) {
+  /** Returns the change. */
+  public MotionChange change() {
+    return form.change(values);
+  }
+}

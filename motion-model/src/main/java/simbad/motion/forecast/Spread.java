@@ -1,0 +1,112 @@
+package simbad.motion.forecast;
+
+import java.util.Arrays;
+
+/**
+ * How displacements of one horizon lie about what a chain expects: the 19 quantiles q05 to q95 of
+ * each component, by how much is asked of the robot.
+ *
+ * @param limits of exertion between the classes, ascending; one class more than limits
+ * @param quantiles by class and component, metres and radians, each ascending
+ */
+@SuppressWarnings("ArrayRecordComponent") // Numbers, never compared.
+public record Spread(double[] limits, double[][][] quantiles) {
+  /** So many quantiles make a forecast. */
+  public static final int QUANTILES = 19;
+
+  /** Fewer windows make no class of their own. */
+  private static final int LEAST_IN_CLASS = 60;
+
+  private static final int MOST_CLASSES = 5;
+
+  /** Checks that there is a class between all limits. */
+  public Spread {
+    if (quantiles.length != limits.length + 1) {
+      throw new IllegalArgumentException(
+          quantiles.length + " classes do not fit " + limits.length + " limits");
+    }
+  }
+
+  /** Returns the level of a quantile, in (0, 1). */
+  public static double level(int quantile) {
+    return (quantile + 1) * 0.05;
+  }
+
+  /** Returns a spread with one class. */
+  public static Spread one(double[][] quantiles) {
+    return new Spread(new double[0], new double[][][] {quantiles});
+  }
+
+  /**
+   * Learns from residuals.
+   *
+   * @param exertions by window
+   * @param residuals by window and component
+   */
+  public static Spread of(double[] exertions, double[][] residuals) {
+    double[] sorted = exertions.clone();
+    Arrays.sort(sorted);
+    int classes = Math.max(1, Math.min(MOST_CLASSES, sorted.length / LEAST_IN_CLASS));
+    double[] limits = new double[classes - 1];
+    for (int i = 0; i < limits.length; i++) {
+      limits[i] = sorted[(int) ((i + 1L) * sorted.length / classes)];
+    }
+    double[][][] quantiles = new double[classes][3][];
+    for (int k = 0; k < classes; k++) {
+      for (int c = 0; c < 3; c++) {
+        quantiles[k][c] = quantiles(own(exertions, residuals, limits, k, c));
+      }
+    }
+    return new Spread(limits, quantiles);
+  }
+
+  private static double[] own(
+      double[] exertions, double[][] residuals, double[] limits, int klass, int component) {
+    double[] values = new double[residuals.length];
+    int n = 0;
+    for (int i = 0; i < values.length; i++) {
+      if (index(limits, exertions[i]) == klass) {
+        values[n++] = residuals[i][component];
+      }
+    }
+    return Arrays.copyOf(values, n);
+  }
+
+  private static int index(double[] limits, double exertion) {
+    int index = 0;
+    while (index < limits.length && exertion >= limits[index]) {
+      index++;
+    }
+    return index;
+  }
+
+  /** Returns the quantiles of a component for a window in which so much is asked. */
+  public double[] at(double exertion, int component) {
+    return quantiles[index(limits, exertion)][component];
+  }
+
+  /** Returns the quantiles q05 to q95 of numbers; zeros where there are none. */
+  public static double[] quantiles(double[] values) {
+    double[] quantiles = new double[QUANTILES];
+    double[] sorted = values.clone();
+    Arrays.sort(sorted);
+    for (int q = 0; q < QUANTILES && sorted.length > 0; q++) {
+      // As of an exchangeable next value: its rank is as likely below the first as between two.
+      double at = Math.max(0, Math.min(sorted.length - 1, level(q) * (sorted.length + 1) - 1));
+      int low = (int) at;
+      int high = Math.min(low + 1, sorted.length - 1);
+      quantiles[q] = sorted[low] + (at - low) * (sorted[high] - sorted[low]);
+    }
+    return quantiles;
+  }
+
+  /** Returns twice the mean pinball loss of a value, given what was expected and its quantiles. */
+  public static double score(double[] quantiles, double residual) {
+    double sum = 0;
+    for (int q = 0; q < QUANTILES; q++) {
+      double off = residual - quantiles[q];
+      sum += off >= 0 ? level(q) * off : (level(q) - 1) * off;
+    }
+    return 2 * sum / QUANTILES;
+  }
+}
