@@ -640,7 +640,7 @@ refuses_a_bad_release() {
 }
 
 check_style() {
-  output=$(shellcheck "$here/../simbad" "$here/../.ci/run" "$here/../benchmarks/"{whole-process,memory} "$here/../docs/figures/measure" \
+  output=$(shellcheck "$here/../simbad" "$here/../.ci/run" "$here/../benchmarks/"{whole-process,memory} "$here/../docs/figures/measure" "$here/dockerfile-test" "$here/../python/"{build,check} \
     "${BASH_SOURCE[0]}")
   status=$?
   check "shellcheck finds nothing" status_is 0

@@ -6,11 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.networknt.schema.JsonSchemaFactory;
+import com.networknt.schema.SpecVersion;
+import com.networknt.schema.ValidationMessage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -190,6 +194,41 @@ class DiagnoseMotionTest {
         new ObjectMapper().readTree(folder.resolve("out/short-ways/diagnosis.json").toFile());
     assertEquals("refuse", json.at("/audit/0/severity").asText());
     assertFalse(json.has("verdict"));
+  }
+
+  private Set<ValidationMessage> faults() throws IOException {
+    String schema =
+        Files.readString(Path.of("..", "docs", "schema", "diagnosis.schema.json"));
+    return JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012)
+        .getSchema(schema)
+        .validate(json());
+  }
+
+  private JsonNode json() throws IOException {
+    return new ObjectMapper().readTree(folder.resolve("out/short-ways/diagnosis.json").toFile());
+  }
+
+  @Test
+  void diagnosis_fitsTheSchema_andThePageSaysTheSame() throws IOException {
+    assertEquals(0, diagnose().status());
+    assertEquals(Set.of(), faults());
+    JsonNode json = json();
+    assertEquals(14, json.get("effects").size());
+    assertTrue(json.at("/effects/0/remedy").asText().startsWith("multiply"), json.toString());
+    double parts = 0;
+    for (JsonNode part : json.get("budget")) {
+      parts += part.get("share").asDouble();
+    }
+    assertEquals(1, parts, 1e-4);
+    String page = Files.readString(folder.resolve("out/short-ways/report.html"));
+    assertTrue(page.contains(json.get("reason").asText()), json.get("reason").asText());
+    assertTrue(page.contains("speed-scale"), "the name");
+  }
+
+  @Test
+  void audit_fitsTheSchema() throws IOException {
+    assertEquals(0, diagnose("--audit-only").status());
+    assertEquals(Set.of(), faults());
   }
 
   @Test

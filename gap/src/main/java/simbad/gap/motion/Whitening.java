@@ -45,13 +45,12 @@ final class Whitening {
   private void filter(double[] residuals) {
     double tracker = noise.tracker() * noise.tracker();
     double process = noise.process() * noise.process();
-    double lasting = noise.rate() * noise.rate();
     double nu = noise.freedom();
-    State state = new State();
+    State state = new State(tracker, noise.rate() * noise.rate());
     for (int i = 0; i < residuals.length; i++) {
       Evidence.Step step = evidence.step(i);
       if (!step.chained()) {
-        state.begin(tracker, lasting);
+        state.begin();
       }
       double s = step.durationS();
       double own = process * step.load() * s;
@@ -68,7 +67,7 @@ final class Whitening {
       double widened = variance * Math.max(1, 1 / weights[i]);
       trackerGains[i] = tracker / widened;
       rateGains[i] = withRate / widened;
-      state.advance(i, innovation, tracker, withRate, lasting * (1 - kept(s) * kept(s)), kept(s));
+      state.advance(i, innovation, withRate, s);
     }
   }
 
@@ -83,13 +82,20 @@ final class Whitening {
 
   /** Means and variances of the tracker's error and the rate's, and their covariance. */
   private final class State {
+    private final double tracker;
+    private final double lasting;
     private double error;
     private double rate;
     private double errorVar;
     private double rateVar;
     private double both;
 
-    void begin(double tracker, double lasting) {
+    State(double tracker, double lasting) {
+      this.tracker = tracker;
+      this.lasting = lasting;
+    }
+
+    void begin() {
       error = 0;
       rate = 0;
       errorVar = tracker;
@@ -97,12 +103,12 @@ final class Whitening {
       both = 0;
     }
 
-    void advance(
-        int i, double innovation, double tracker, double withRate, double fresh, double kept) {
+    void advance(int i, double innovation, double withRate, double seconds) {
+      double kept = kept(seconds);
       error = trackerGains[i] * innovation;
       rate = kept * (rate + rateGains[i] * innovation);
       errorVar = tracker * (1 - trackerGains[i]);
-      rateVar = kept * kept * (rateVar - rateGains[i] * withRate) + fresh;
+      rateVar = kept * kept * (rateVar - rateGains[i] * withRate) + lasting * (1 - kept * kept);
       both = -kept * rateGains[i] * tracker;
     }
   }
