@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -58,6 +59,10 @@ class EveryMotionFormTest {
   static Stream<String> forms() {
     return Stream.concat(MotionVocabulary.names().stream(), MotionVocabulary.outside().stream())
         .flatMap(name -> MotionVocabulary.forms(name).stream().map(form -> name + "/" + form));
+  }
+
+  private static double number(MotionEffect effect, String name) {
+    return (Double) Objects.requireNonNull(effect.parameters().get(name), name);
   }
 
   private static MotionEffect effect(String form, double size) {
@@ -122,7 +127,7 @@ class EveryMotionFormTest {
   /** A factor of the wheels is that factor of both speeds, in closed form. */
   @Test
   void wheelScale_isSpeedAndTurn() {
-    double factor = (Double) effect("wheel-scale/factor", 1).parameters().get("factor");
+    double factor = number(effect("wheel-scale/factor", 1), "factor");
     double[][] plain = moved(List.of(), 1);
     double[][] scaled = moved(List.of(effect("wheel-scale/factor", 1)), 1);
     for (int i = 0; i < plain.length; i++) {
@@ -133,7 +138,7 @@ class EveryMotionFormTest {
   /** A tracker that is turned by a sees the way (cos a, -sin a) times as long along and across. */
   @Test
   void captureHeading_turnsTheWay() {
-    double deg = (Double) effect("capture-offset/heading", 1).parameters().get("deg");
+    double deg = number(effect("capture-offset/heading", 1), "deg");
     double a = Math.toRadians(deg);
     double[] plain = moved(List.of(), 1)[10];
     double[] turned = moved(List.of(effect("capture-offset/heading", 1)), 1)[10];

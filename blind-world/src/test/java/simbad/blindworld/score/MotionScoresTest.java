@@ -151,7 +151,7 @@ class MotionScoresTest {
   void quantilesThatFall_areRefused() {
     String row = points("r,10.5,0.5", 1, 0, 0).replaceFirst(",1.0,1.0", ",1.0,0.5");
     FormatException fault = assertThrows(FormatException.class, () -> graded("none", "", row));
-    assertTrue(fault.getMessage().contains("line 2: quantiles that fall"), fault.getMessage());
+    assertTrue(fault.toString().contains("line 2: quantiles that fall"), fault.toString());
   }
 
   @Test
@@ -159,6 +159,6 @@ class MotionScoresTest {
     Path file = folder.resolve("truth/c1/truth.json");
     Files.writeString(file, Files.readString(file).replace("[0.02, ", "["));
     FormatException fault = assertThrows(FormatException.class, this::read);
-    assertTrue(fault.getMessage().contains("8 numbers, expected 9"), fault.getMessage());
+    assertTrue(fault.toString().contains("8 numbers, expected 9"), fault.toString());
   }
 }
