@@ -1,5 +1,7 @@
 package simbad.gap.audit;
 
+import java.util.EnumSet;
+
 /** The checks of the audit, by the word that stands in files. */
 public enum AuditCheck {
   /** A figure of the scene that no sonar in air has. */
@@ -55,7 +57,7 @@ public enum AuditCheck {
 
   /** Returns how many checks there are of one data set of readings; those of tracks stand apart. */
   static int ofReadings() {
-    return TRACK_CLOCK.ordinal();
+    return EnumSet.range(CONSTANT, AXES).size();
   }
 
   /** Returns the word as it stands in files. */

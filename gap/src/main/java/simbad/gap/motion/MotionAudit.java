@@ -53,8 +53,7 @@ public final class MotionAudit {
     audit.overlap();
     audit.holes();
     audit.findings.addAll(new TrackCheck(commands, track).findings());
-    audit.findings.sort(
-        Comparator.comparingInt((AuditFinding finding) -> -finding.severity().ordinal()));
+    audit.findings.sort(Comparator.comparing(AuditFinding::severity).reversed());
     return List.copyOf(audit.findings);
   }
 
