@@ -197,8 +197,7 @@ class DiagnoseMotionTest {
   }
 
   private Set<ValidationMessage> faults() throws IOException {
-    String schema =
-        Files.readString(Path.of("..", "docs", "schema", "diagnosis.schema.json"));
+    String schema = Files.readString(Path.of("..", "docs", "schema", "diagnosis.schema.json"));
     return JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012)
         .getSchema(schema)
         .validate(json());
