@@ -9,6 +9,7 @@ import simbad.motion.effect.MotionForms;
  * How the gap before is made up, in units of it: each named effect, the rest, the floor. What all
  * effects take away together is shared out by what each alone would leave over.
  */
+@SuppressWarnings("ArrayRecordComponent") // Numbers, never compared.
 record Budget(MotionGap gap, MotionDiagnosis.Gap figures, Scored best, Noise[] believed) {
 
   List<MotionDiagnosis.Part> of(List<MotionFinding> named) {
