@@ -142,8 +142,8 @@ final class CheckPage {
 
   /** Whether all of a part's cases have a set-up that is itself a little off. */
   private static boolean isOff(String part) {
-    return part.contains("L2") && !part.contains("L1")
-        || part.contains("M2") && !part.contains("M1");
+    return (part.contains("L2") && !part.contains("L1"))
+        || (part.contains("M2") && !part.contains("M1"));
   }
 
   private void addCalibration() {
