@@ -1,6 +1,7 @@
 package simbad.cli;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -8,6 +9,7 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import simbad.cli.machine.Launcher;
 import simbad.sonar.format.TemporaryFolder;
+import simbad.sonar.format.WholeFile;
 
 /**
  * A release of a commit: the commit's own files, built in a clone, so that nothing else that lies
@@ -110,7 +112,8 @@ final class Release {
                 + " is no release, expected one without -SNAPSHOT");
       }
       Path pom = source.resolve("pom.xml");
-      Files.writeString(pom, publication.filled(Files.readString(pom)));
+      String filled = publication.filled(Files.readString(pom));
+      WholeFile.write(pom, filled.getBytes(StandardCharsets.UTF_8));
       say.accept("building " + publication.version() + " of " + commit.time());
       launcher.pack(
           source,
