@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import simbad.motion.Capture;
 import simbad.motion.MotionChain;
 import simbad.motion.MotionChange;
@@ -32,6 +33,7 @@ public final class DiagnosedMotion {
   private static final String PARAMETERS = "parameters";
   private static final String[] COMPONENTS = {"along_m", "across_m", "turn_rad"};
   private static final double MOST = 1e9;
+  private static final Set<String> SCATTERING = Set.of(MotionForms.SLIP, MotionForms.MOTION_NOISE);
 
   private DiagnosedMotion() {}
 
@@ -43,9 +45,10 @@ public final class DiagnosedMotion {
    * @throws DataFormatException naming file, line and field of the first fault
    */
   public static MotionChain read(Path folder) throws DataFormatException {
+    JsonInput json = model(folder);
     Robot robot = RobotFile.read(folder.resolve(MotionFolder.ROBOT));
     List<MotionChange> changes = new ArrayList<>(robot.motion().changes());
-    for (FittedMotion fitted : forms(model(folder), robot)) {
+    for (FittedMotion fitted : forms(json, robot)) {
       boolean moves =
           !fitted.form().clocks() && fitted.change().capture(Capture.CENTRE).equals(Capture.CENTRE);
       if (moves) {
@@ -111,10 +114,15 @@ public final class DiagnosedMotion {
     return json;
   }
 
+  /** What only scatters stood among the forms in files of older programs: it moves nothing. */
   private static List<FittedMotion> forms(JsonInput json, Robot robot) throws DataFormatException {
     List<FittedMotion> forms = new ArrayList<>();
     for (JsonInput one : json.items("forms")) {
-      Optional<MotionForm> found = MotionForms.find(one.text("form"), robot);
+      String name = one.text("form");
+      if (SCATTERING.contains(name)) {
+        continue;
+      }
+      Optional<MotionForm> found = MotionForms.find(name, robot);
       if (found.isEmpty()) {
         throw one.field("form").isNot("the name of a form");
       }
@@ -123,12 +131,12 @@ public final class DiagnosedMotion {
     return forms;
   }
 
-  /** What is not there is neutral. */
+  /** Infinity is no number of JSON: a value whose neutral one it is may be left out. */
   private static double[] values(MotionForm form, JsonInput json) throws DataFormatException {
     double[] values = form.neutralValues();
     for (int i = 0; i < values.length; i++) {
       MotionParameter parameter = form.parameters().get(i);
-      if (json.has(parameter.name())) {
+      if (json.has(parameter.name()) || Double.isFinite(parameter.neutral())) {
         values[i] = number(json.field(parameter.name()), parameter);
       }
     }

@@ -70,11 +70,23 @@ class DiagnosedMotionTest {
     assertEquals(Robot.EXACT_UNICYCLE, DiagnosedMotion.robot(robot));
   }
 
+  /** As a program before this one wrote it. */
+  @Test
+  void scatterAmongTheForms_movesNothing() throws IOException, DataFormatException {
+    write(
+        "{\"format\": \"motion-model/1\", \"forms\": [\n"
+            + "{\"form\": \"slip\", \"parameters\": {\"share_of_windows\": 0.1}},\n"
+            + "{\"form\": \"turn-scale\", \"parameters\": {\"turn_factor\": 0.9}}]}");
+    assertEquals(
+        List.of(fitted("turn-scale", 0.9).change()), DiagnosedMotion.read(folder).changes());
+  }
+
   @Test
   void faults_areNamed() throws IOException {
     String good = Files.readString(folder.resolve(DiagnosedMotion.MODEL));
     checkFault(good.replace("speed-scale", "speed-of-light"), "form");
     checkFault(good.replace("0.95", "95.0"), "speed_factor");
+    checkFault(good.replace("\"speed_factor\": 0.95", ""), "speed_factor");
     checkFault(good.replace("motion-model/1", "motion-model/9"), "format");
     checkFault(
         good.replace("\"exertion_limits_m\": [0.25]", "\"exertion_limits_m\": []"), "along_m");
