@@ -74,9 +74,11 @@ class DiagnosedMotionTest {
   @Test
   void scatterAmongTheForms_movesNothing() throws IOException, DataFormatException {
     write(
-        "{\"format\": \"motion-model/1\", \"forms\": [\n"
-            + "{\"form\": \"slip\", \"parameters\": {\"share_of_windows\": 0.1}},\n"
-            + "{\"form\": \"turn-scale\", \"parameters\": {\"turn_factor\": 0.9}}]}");
+        """
+        {"format": "motion-model/1", "forms": [
+          {"form": "slip", "parameters": {"share_of_windows": 0.1}},
+          {"form": "turn-scale", "parameters": {"turn_factor": 0.9}}]}
+        """);
     assertEquals(
         List.of(fitted("turn-scale", 0.9).change()), DiagnosedMotion.read(folder).changes());
   }
