@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -14,6 +15,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import simbad.gap.explain.Constants;
+import simbad.sonar.format.WholeFile;
 
 /**
  * Fits the constants that decide to finished checks, and writes them with where they come from.
@@ -55,9 +57,9 @@ public final class FitConstants {
     ConstantsFit fit = new ConstantsFit(Constants.own());
     figures(origin, all, fit);
     constants(root, fit.of(all));
-    Files.writeString(
-        Path.of(arguments[0]),
-        new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsString(root) + "\n");
+    String text =
+        new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsString(root) + "\n";
+    WholeFile.write(Path.of(arguments[0]), text.getBytes(StandardCharsets.UTF_8));
   }
 
   /** How well it does on cases that it was not fitted on, beside the former constants. */

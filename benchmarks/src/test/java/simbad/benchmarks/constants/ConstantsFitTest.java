@@ -132,6 +132,38 @@ class ConstantsFitTest {
     assertTrue(old.toString().contains("signs: not there"), old.toString());
   }
 
+  /**
+   * Two checks of one case each: what is written is read as constants again, and says its origin.
+   */
+  @Test
+  void program_writesConstantsWithTheirOrigin(@TempDir Path folder) throws IOException {
+    for (String check : List.of("L1", "L2w")) {
+      write(
+          folder,
+          check + "/answers/" + check + "c/diagnosis.json",
+          "{\"verdict\": \"none\", \"explanation\": [], \"model\": \"threshold\","
+              + " \"signs\": {\"misfit\": 0}, \"tried\": []}");
+      write(folder, check + "/world/truth/" + check + "c/truth.json", "{\"effects\": {}}");
+      write(folder, check + "/order.json", "{\"seed\": 7}");
+    }
+    Path out = folder.resolve("constants.json");
+    FitConstants.main(
+        new String[] {
+          out.toString(),
+          "2026-11-25",
+          folder.resolve("L1").toString(),
+          folder.resolve("L2w").toString()
+        });
+    JsonNode root = new ObjectMapper().readTree(Files.readString(out));
+    assertEquals("2026-11-25", root.at("/origin/date").asText());
+    assertEquals(7, root.at("/origin/checks/1/order/seed").asInt());
+    assertEquals(1, root.at("/origin/checks/1/cases").asInt());
+    double score = root.at("/origin/unknown_held_out/former/mean_log_score").asDouble();
+    assertEquals(Math.log(1 - Constants.own().unknown(Map.of())), score, 1e-5);
+    assertEquals(Constants.own().weights().keySet(), Constants.of(root).weights().keySet());
+    assertThrows(IllegalArgumentException.class, () -> FitConstants.main(new String[] {"x"}));
+  }
+
   @Test
   void missingNumber_isNamed() throws IOException {
     JsonNode root = new ObjectMapper().readTree("{\"format\": \"simbad-constants/1\"}");
