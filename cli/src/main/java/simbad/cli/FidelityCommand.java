@@ -83,7 +83,7 @@ final class FidelityCommand extends Subcommand {
   private RunSettings settings() throws DataFormatException {
     double speedMPerS = drive.speedMPerS(this);
     SensorKind kind =
-        SensorArgument.parse(sensor)
+        SensorKind.read(sensor)
             .orElseThrow(() -> wrongUsage("--sensor: " + SensorArgument.unknown(sensor)));
     List<ObstacleType> types = new ArrayList<>();
     for (String obstacle : obstacles) {

@@ -45,6 +45,10 @@ import simbad.sonar.shape.ThresholdTable;
       "Example: simbad run angle --sensor shadow --speed 0.1 --robot diagnosed:diagnoses/my-robot"
     })
 final class RunCommand extends Subcommand {
+  /** What help says of a robot. */
+  static final String ROBOT =
+      "diagnosed:DIR (the folder that simbad diagnose made of a motion folder), or a robot.json";
+
   private static final String DEFAULT_OUT = "simbad-run";
 
   @Parameters(
@@ -72,7 +76,7 @@ final class RunCommand extends Subcommand {
       description =
           "Drive each sensor a second time on a robot that does not do exactly what it is told, and"
               + " say what of the error comes from hearing and what from moving: "
-              + RobotArgument.MEANING
+              + ROBOT
               + ".")
   private @Nullable String robot;
 
@@ -169,7 +173,7 @@ final class RunCommand extends Subcommand {
     Set<SensorKind> kinds = new LinkedHashSet<>();
     for (String word : sensors) {
       SensorKind kind =
-          SensorArgument.parse(word)
+          SensorKind.read(word)
               .orElseThrow(() -> wrongUsage("--sensor: " + SensorArgument.unknown(word)));
       if (!kinds.add(kind)) {
         throw wrongUsage("--sensor: " + word + " stands twice");
@@ -177,7 +181,7 @@ final class RunCommand extends Subcommand {
     }
     List<SensorKind> all = new ArrayList<>(kinds);
     if (robot != null) {
-      RobotKind moving = RobotArgument.parse(robot);
+      RobotKind moving = RobotKind.read(robot);
       kinds.forEach(kind -> all.add(kind.on(moving)));
     }
     return all;

@@ -64,7 +64,7 @@ final class StudioCommand extends Subcommand {
       paramLabel = "ROBOT",
       description = {
         "A robot to choose that does not do exactly what it is told; may be given several times.",
-        RobotArgument.MEANING + "."
+        RunCommand.ROBOT + "."
       })
   private List<String> robots = new ArrayList<>();
 
@@ -96,7 +96,7 @@ final class StudioCommand extends Subcommand {
   private List<RobotKind> moving() throws DataFormatException {
     Map<String, RobotKind> byName = new LinkedHashMap<>();
     for (String word : robots) {
-      RobotKind kind = RobotArgument.parse(word);
+      RobotKind kind = RobotKind.read(word);
       if (byName.put(kind.name(), kind) != null) {
         throw wrongUsage("--robot: two are called " + kind.name());
       }
@@ -110,7 +110,7 @@ final class StudioCommand extends Subcommand {
     SensorKind.all().stream().filter(kind -> !sensors.contains(kind)).forEach(sensors::add);
     for (String word : diagnosed) {
       SensorKind kind =
-          SensorArgument.parse(word)
+          SensorKind.read(word)
               .orElseThrow(() -> wrongUsage("--sensor: " + SensorArgument.unknown(word)));
       if (sensors.contains(kind)) {
         throw wrongUsage("--sensor: '" + word + "' is there anyway, or named like another");

@@ -1,12 +1,14 @@
 package simbad.experiments.motion;
 
+import static simbad.gap.diagnosis.JsonFigures.interval;
+import static simbad.gap.diagnosis.JsonFigures.put;
+import static simbad.gap.diagnosis.JsonFigures.rounded;
+
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.SerializationFeature;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.nio.file.Path;
 import java.util.List;
 import simbad.gap.audit.AuditFinding;
@@ -18,6 +20,7 @@ import simbad.gap.motion.MotionDiagnosis;
 import simbad.gap.motion.MotionFinding;
 import simbad.gap.motion.MotionPlace;
 import simbad.motion.Robot;
+import simbad.motion.forecast.Windows;
 import simbad.motion.format.DiagnosedMotion;
 import simbad.motion.format.MotionData;
 import simbad.sonar.format.TextFile;
@@ -30,9 +33,7 @@ public final class MotionFiles {
   private static final ObjectMapper MAPPER =
       new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
 
-  private static final double[] HORIZONS_S = {0.5, 2, 5};
   private static final String[] COMPONENTS = {"along_m", "across_m", "turn_rad"};
-  private static final MathContext DIGITS = new MathContext(6);
 
   private MotionFiles() {}
 
@@ -135,7 +136,7 @@ public final class MotionFiles {
         node.put("effect", finding.effect());
         node.put("parameter", parameter.name());
         put(node, "value", parameter.value());
-        add(node.putArray("allowed"), parameter.allowed());
+        interval(node.putArray("allowed"), parameter.allowed());
       }
     }
   }
@@ -150,7 +151,7 @@ public final class MotionFiles {
     ObjectNode intervals = node.putObject("ci95");
     for (MotionFinding.Parameter parameter : finding.parameters()) {
       put(values, parameter.name(), parameter.value());
-      add(intervals.putArray(parameter.name()), parameter.ci95());
+      interval(intervals.putArray(parameter.name()), parameter.ci95());
     }
     if (!finding.remedy().isEmpty()) {
       node.put("remedy", finding.remedy());
@@ -164,11 +165,11 @@ public final class MotionFiles {
     put(node, "after", gap.ratio());
     put(node, "floor", gap.floor());
     put(node, "shrink", gap.shrink());
-    add(node.putArray("shrink_ci95"), gap.shrinkCi95());
+    interval(node.putArray("shrink_ci95"), gap.shrinkCi95());
     ArrayNode horizons = node.putArray("horizons");
-    for (int h = 0; h < HORIZONS_S.length; h++) {
+    for (int h = 0; h < Windows.horizonsS().length; h++) {
       ObjectNode horizon = horizons.addObject();
-      horizon.put("horizon_s", HORIZONS_S[h]);
+      horizon.put("horizon_s", Windows.horizonsS()[h]);
       for (int c = 0; c < COMPONENTS.length; c++) {
         ObjectNode component = horizon.putObject(COMPONENTS[c]);
         put(component, "before", gap.before()[h][c]);
@@ -181,13 +182,13 @@ public final class MotionFiles {
   private static void add(ObjectNode node, MotionDiagnosis.Part part) {
     node.put("what", part.what());
     put(node, "share", part.share());
-    add(node.putArray("ci95"), part.ci95());
+    interval(node.putArray("ci95"), part.ci95());
   }
 
   private static void add(ObjectNode node, MotionPlace place) {
     ObjectNode slice = node.putObject("slice");
     if (place.name().isEmpty()) {
-      add(slice.putArray(place.axis()), new Interval(place.low(), place.high()));
+      interval(slice.putArray(place.axis()), new Interval(place.low(), place.high()));
     } else {
       slice.put(place.axis(), place.name());
     }
@@ -209,28 +210,6 @@ public final class MotionFiles {
     next.separates().forEach(node.putArray("separates")::add);
     node.put("commands", NEXT);
     put(node, "expected_log_odds", next.expectedLogOdds());
-  }
-
-  private static void add(ArrayNode array, Interval interval) {
-    for (double end : new double[] {interval.low(), interval.high()}) {
-      if (Double.isFinite(end)) {
-        array.add(rounded(end));
-      } else {
-        array.addNull();
-      }
-    }
-  }
-
-  private static void put(ObjectNode node, String field, double value) {
-    if (Double.isFinite(value)) {
-      node.put(field, rounded(value));
-    } else {
-      node.putNull(field);
-    }
-  }
-
-  private static double rounded(double value) {
-    return new BigDecimal(value).round(DIGITS).doubleValue();
   }
 
   private static String next(Robot robot, MotionDiagnosis.NextDrive next) {

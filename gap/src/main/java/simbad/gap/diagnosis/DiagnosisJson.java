@@ -1,5 +1,8 @@
 package simbad.gap.diagnosis;
 
+import static simbad.gap.diagnosis.JsonFigures.interval;
+import static simbad.gap.diagnosis.JsonFigures.put;
+
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
@@ -7,8 +10,6 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.UncheckedIOException;
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.Collection;
 import java.util.List;
 import simbad.definition.Effect;
@@ -35,7 +36,6 @@ public final class DiagnosisJson {
       List.of(Verdict.NONE, Verdict.EXPLAINED, Verdict.UNEXPLAINED);
 
   private static final ObjectMapper MAPPER = new ObjectMapper();
-  private static final MathContext DIGITS = new MathContext(6);
 
   private DiagnosisJson() {}
 
@@ -238,27 +238,5 @@ public final class DiagnosisJson {
 
   private static void words(ArrayNode array, Collection<Effect> effects) {
     effects.forEach(effect -> array.add(effect.word()));
-  }
-
-  private static void interval(ArrayNode array, Interval interval) {
-    for (double end : new double[] {interval.low(), interval.high()}) {
-      if (Double.isFinite(end)) {
-        array.add(rounded(end));
-      } else {
-        array.addNull();
-      }
-    }
-  }
-
-  private static void put(ObjectNode node, String field, double value) {
-    if (Double.isFinite(value)) {
-      node.put(field, rounded(value));
-    } else {
-      node.putNull(field);
-    }
-  }
-
-  private static double rounded(double value) {
-    return new BigDecimal(value).round(DIGITS).doubleValue();
   }
 }
