@@ -137,6 +137,29 @@ class StudioTest {
     assertEquals(200, get(at("/", token())).statusCode());
   }
 
+  /** Who sends all of what is too long before reading finds the answer there, not a reset. */
+  @Test
+  void tooLongQuestion_isAnsweredToWhoSendsItWhole() throws Exception {
+    int port = URI.create(studio.url()).getPort();
+    for (int i = 0; i < 5; i++) {
+      try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+        String head =
+            "POST /frames"
+                + token()
+                + " HTTP/1.1\r\nHost: localhost:"
+                + port
+                + "\r\nContent-Length: 300000\r\n\r\n";
+        OutputStream out = socket.getOutputStream();
+        out.write((head + "x".repeat(150_000)).getBytes(StandardCharsets.UTF_8));
+        Thread.sleep(100);
+        out.write("x".repeat(150_000).getBytes(StandardCharsets.UTF_8));
+        Thread.sleep(100);
+        String answer = new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertTrue(answer.startsWith("HTTP/1.1 413"), answer);
+      }
+    }
+  }
+
   /** Half a request each, and garbage. */
   @Test
   void itGoesOnServingWhileMostHang() throws Exception {

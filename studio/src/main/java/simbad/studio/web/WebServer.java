@@ -3,6 +3,8 @@ package simbad.studio.web;
 import io.javalin.Javalin;
 import io.javalin.compression.CompressionStrategy;
 import io.javalin.config.JavalinConfig;
+import io.javalin.http.BadRequestResponse;
+import io.javalin.http.ContentTooLargeResponse;
 import io.javalin.http.Context;
 import io.javalin.http.ForbiddenResponse;
 import io.javalin.http.HandlerType;
@@ -35,6 +37,7 @@ public final class WebServer implements AutoCloseable {
 
   private static final Set<HandlerType> SHOWING = Set.of(HandlerType.GET, HandlerType.HEAD);
   private static final long MOST_QUESTION_BYTES = 65_536;
+  private static final int MOST_TAKEN_IN_BYTES = 1 << 20;
   private static final int FEWEST_THREADS = 2;
   private static final int THREAD_IDLE_MS = 10_000;
 
@@ -116,9 +119,9 @@ public final class WebServer implements AutoCloseable {
         .header(Header.REFERRER_POLICY, "no-referrer")
         .header(Header.CROSS_ORIGIN_RESOURCE_POLICY, "same-origin")
         .header(Header.CONTENT_SECURITY_POLICY, POLICY);
-    if (context.contentLength() > MOST_QUESTION_BYTES) {
-      // It is not read to its end, and the connection ends: nobody shall ask on it again.
-      context.header("Connection", "close");
+    boolean tooLong = context.contentLength() > MOST_QUESTION_BYTES;
+    if (tooLong) {
+      takeIn(context);
     }
     String origin = context.header(Header.ORIGIN);
     if (!guard.admits(context.queryString(), context.header(Header.HOST), origin)) {
@@ -128,6 +131,22 @@ public final class WebServer implements AutoCloseable {
     if (!asks && !SHOWING.contains(context.method())) {
       context.header(Header.ALLOW, "GET, HEAD");
       throw new MethodNotAllowedResponse("only GET");
+    }
+    if (tooLong) {
+      throw new ContentTooLargeResponse();
+    }
+  }
+
+  /**
+   * Reads what is too long to be answered: while it lies unread the connection is reset at its end,
+   * and who sent it may never see the answer. What is longer still is cut off.
+   */
+  private static void takeIn(Context context) {
+    context.header("Connection", "close");
+    try {
+      context.req().getInputStream().readNBytes(MOST_TAKEN_IN_BYTES);
+    } catch (IOException e) {
+      throw new BadRequestResponse("broken off");
     }
   }
 
