@@ -47,6 +47,7 @@ class BenchmarksTest {
         .param("speedMPerS", "1")
         .param("obstacles", "100")
         .param("sonars", "12")
+        .param("robots", "10")
         .param("rows", "120")
         .forks(0)
         .warmupIterations(0)

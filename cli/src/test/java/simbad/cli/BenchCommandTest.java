@@ -182,10 +182,10 @@ class BenchCommandTest {
   }
 
   @Test
-  void tenKills_loseNothingAndLeaveNoSimulator() throws Exception {
+  void fourKills_loseNothingAndLeaveNoSimulator() throws Exception {
     needTools();
     long others = gpsims();
-    checkKills(folder, 10, 4, new Random(1));
+    checkKills(folder, 4, 4, new Random(1));
     for (int i = 0; i < 100 && gpsims() > others; i++) {
       Thread.sleep(100);
     }
@@ -274,7 +274,7 @@ class BenchCommandTest {
   /** The same at fewer bearings: pings take their time. */
   @Test
   void commandsOfTheGuide_work() throws Exception {
-    checkGuide("4");
+    checkGuide("3");
   }
 
   @Test

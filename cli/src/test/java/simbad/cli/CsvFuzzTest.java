@@ -15,7 +15,7 @@ import simbad.gap.diagnosis.DataSetFolder;
 
 /** Broken logs: status 2 with one line that names the file, or a data set that can be read. */
 class CsvFuzzTest {
-  private static final int EACH = 15;
+  private static final int EACH = 8;
   private static final String SIGNS = "0123456789.,;\t \n\r-\"abcm#e";
   private static final String LOG =
       """

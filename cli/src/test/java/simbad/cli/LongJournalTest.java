@@ -108,6 +108,7 @@ class LongJournalTest {
 
   /** 288,000 readings take 40 MB as they stand in the journal and twice that as objects. */
   @Test
+  @Tag("full")
   void readings_areNeverAllInMemory() throws Exception {
     checkAll(200, "-Xmx32m");
     assertTrue(Files.size(folder.resolve("long/journal.txt")) > 15_000_000);

@@ -13,6 +13,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
 import simbad.gap.diagnosis.DataSet;
@@ -104,6 +105,7 @@ class DiagnoserTest {
   }
 
   @Test
+  @Tag("full")
   void doesNotExplainWhatItsVocabularyLacks() throws Exception {
     Diagnosis diagnosis =
         diagnosed("p012", Effect.SOUND_SPEED, Effect.RANGE_OFFSET, Effect.MULTIPATH);
