@@ -19,6 +19,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.TreeMap;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,7 +28,7 @@ import simbad.sonar.sensing.ReadingRow;
 
 /** The withheld check from its command line, with all its processes, on a handful of cases. */
 class BlindCheckCommandTest {
-  private static final int ROWS = 240;
+  private static final int ROWS = 160;
   private static final ObjectMapper MAPPER = new ObjectMapper();
 
   @TempDir
@@ -178,6 +179,7 @@ class BlindCheckCommandTest {
   }
 
   @Test
+  @Tag("full")
   void drawnCases_areOfTheKindsAskedFor() throws IOException {
     Shell shell =
         check(

@@ -197,8 +197,9 @@ class CsvFuzzTest {
       })
   void junkInAnOption_isRefusedOrTaken(String option) throws Exception {
     byte[] log = "true_cm,reading_cm\n10,9\n20,19\n".getBytes(StandardCharsets.UTF_8);
-    for (String junk : JUNK) {
-      check(log, option + "=" + junk.replace("\u0000", "\u0001"));
+    // Every third for each option, so that each of them meets some options.
+    for (int i = Math.floorMod(option.hashCode(), 3); i < JUNK.size(); i += 3) {
+      check(log, option + "=" + JUNK.get(i).replace("\u0000", "\u0001"));
     }
   }
 }

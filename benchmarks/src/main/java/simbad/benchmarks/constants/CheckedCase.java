@@ -96,7 +96,7 @@ record CheckedCase(
         odds,
         tried,
         accepted(truth),
-        !truth.path("unknown").isEmpty(),
+        !truth.path("unknown").isEmpty() || !truth.path("outside_vocabulary").isEmpty(),
         answer.path("verdict").asText().equals("explained"),
         words(answer.path("explanation")));
   }

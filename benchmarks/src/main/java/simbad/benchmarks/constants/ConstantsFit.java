@@ -27,10 +27,10 @@ import simbad.gap.explain.Constants;
  * log-normal prior around the former one.
  */
 final class ConstantsFit {
-  /** A weight of 0 may well be 1, a weight of 4 may well be 2. */
+  /** A weight of 0 may well be 1; a large one came from hundreds of worlds: 6 may be 4.5. */
   private static final double LEAST_SPREAD = 1;
 
-  private static final double SPREAD = 0.5;
+  private static final double SPREAD = 0.25;
 
   private static final double TEMPERATURE_SPREAD = 0.35;
   private static final double FURTHEST = 4;
@@ -40,7 +40,7 @@ final class ConstantsFit {
   private static final double FORMER_CASES = 100;
 
   /** Signs that may speak either way; all others keep the sense that their name says. */
-  private static final Set<String> EITHER = Set.of("level", "level_misfit");
+  private static final Set<String> EITHER = Set.of("level", "level_misfit", "level_stand_in");
 
   private final Constants former;
 

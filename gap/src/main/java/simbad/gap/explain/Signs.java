@@ -44,6 +44,7 @@ public record Signs(
     all.put("stand_in", number(standIn));
     all.put("level", number(level));
     all.put("level_misfit", level ? misfit : 0);
+    all.put("level_stand_in", level ? number(standIn) : 0);
     return all;
   }
 

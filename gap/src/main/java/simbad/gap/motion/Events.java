@@ -1,23 +1,36 @@
 package simbad.gap.motion;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
 
 /**
- * What happens now and then: steps that are far off. A wheel that slips makes the way shorter; what
- * makes it longer as often is something else.
+ * What happens now and then: steps that are far off. A wheel that slips makes the way shorter, or
+ * the turn less; what makes it longer as often is something else. What is off in that component
+ * whose command has just changed may only have come at an unsteady moment.
  *
- * @param shorter times that less way was made than expected
- * @param other times that more was made, or that only the turn was far off
+ * @param shorter times that less way or less turn was made than expected
+ * @param late times that something was off just as its own command had changed
+ * @param other times that more was made, or that it turned without being told
+ * @param slips the stretches of those that are shorter
  */
-record Events(int shorter, int other) {
+record Events(int shorter, int late, int other, List<Evidence.Stretch> slips) {
   /** Of Gaussian steps one in 400,000 is farther off. */
   private static final double FAR = 4.7;
 
   /** What follows within this time belongs to the same event. */
   private static final double ONE_EVENT_S = 1.2;
 
+  /** Longer than what is late by an unsteady time; what is off for longer is something else. */
+  private static final double CHANGED_S = 0.8;
+
   /** The median size of a Gaussian deviate. */
   private static final double MEDIAN = 0.6745;
+
+  private static final int ALONG = 0;
+  private static final int TURN = 2;
 
   static Events of(Evidence evidence, Fit fit) {
     double[][] expected = evidence.expected(fit.hypothesis().chain());
@@ -25,24 +38,63 @@ record Events(int shorter, int other) {
     for (int c = 0; c < white.length; c++) {
       white[c] = scaled(new Whitening(evidence, fit.noises()[c], fit.residuals()[c]).white);
     }
-    int shorter = 0;
-    int other = 0;
-    double until = Double.NEGATIVE_INFINITY;
-    int run = -1;
+    Map<Kind, Integer> counts = new EnumMap<>(Kind.class);
+    List<Evidence.Stretch> slips = new ArrayList<>();
+    Evidence.Stretch event = new Evidence.Stretch(-1, 0, 0);
+    Kind kind = Kind.OTHER;
     for (int i = 0; i < evidence.size(); i++) {
-      boolean far = Math.abs(white[0][i]) > FAR || Math.abs(white[2][i]) > FAR;
-      boolean same = evidence.step(i).run() == run && evidence.step(i).from().timeS() < until;
-      if (far && !same) {
-        boolean less = white[0][i] * Math.signum(expected[0][i]) < -FAR;
-        shorter += less ? 1 : 0;
-        other += less ? 0 : 1;
+      if (Math.abs(white[ALONG][i]) <= FAR && Math.abs(white[TURN][i]) <= FAR) {
+        continue;
       }
-      if (far) {
-        until = evidence.step(i).to().timeS() + ONE_EVENT_S;
-        run = evidence.step(i).run();
+      Evidence.Step step = evidence.step(i);
+      double toS = step.to().timeS();
+      if (event.meets(step.run(), step.from().timeS(), toS)) {
+        boolean lasts = toS - event.fromS() > CHANGED_S;
+        if (kind == Kind.LATE && lasts) {
+          counts.merge(Kind.LATE, -1, Integer::sum);
+          counts.merge(Kind.OTHER, 1, Integer::sum);
+          kind = Kind.OTHER;
+        }
+        event = new Evidence.Stretch(event.run(), event.fromS(), toS + ONE_EVENT_S);
+      } else {
+        kind = kind(evidence, i, white, expected);
+        counts.merge(kind, 1, Integer::sum);
+        event = new Evidence.Stretch(step.run(), step.from().timeS(), toS + ONE_EVENT_S);
+      }
+      if (kind == Kind.SHORTER) {
+        slips.add(event);
       }
     }
-    return new Events(shorter, other);
+    return new Events(
+        counts.getOrDefault(Kind.SHORTER, 0),
+        counts.getOrDefault(Kind.LATE, 0),
+        counts.getOrDefault(Kind.OTHER, 0),
+        slips);
+  }
+
+  private enum Kind {
+    SHORTER,
+    LATE,
+    OTHER
+  }
+
+  private static Kind kind(Evidence evidence, int i, double[][] white, double[][] expected) {
+    boolean turns = Math.abs(white[ALONG][i]) <= FAR;
+    int component = turns ? TURN : ALONG;
+    if (white[component][i] * Math.signum(expected[component][i]) < -FAR) {
+      return Kind.SHORTER;
+    }
+    return hasChanged(evidence, evidence.step(i), turns) ? Kind.LATE : Kind.OTHER;
+  }
+
+  /** Tells whether the command of the turn, or of the speed, changed shortly before or within. */
+  private static boolean hasChanged(Evidence evidence, Evidence.Step step, boolean turns) {
+    return Commands.changed(
+            evidence.runs().get(step.run()).commands(),
+            turns,
+            step.from().timeS() - CHANGED_S,
+            step.to().timeS())
+        > 0;
   }
 
   /** In units in which most of them are standard normal. */

@@ -28,11 +28,16 @@ final class Evidence {
   /** Over a longer hole nothing hangs together. */
   private static final double HOLE_S = 3;
 
+  /** By so much the moment at which a command acts may vary. */
+  private static final double UNSTEADY_S = 0.15;
+
   /** Even a robot that stands is not known to stand still. */
   private static final double STANDING = 0.05;
 
   private final List<MotionRun> runs;
+  private final List<Stretch> left;
   private final List<Step> steps = new ArrayList<>();
+  private final double[] loads;
   private final int[] blocks;
   private final int[] folds;
 
@@ -54,12 +59,31 @@ final class Evidence {
     }
   }
 
+  /**
+   * A stretch of a run.
+   *
+   * @param run index of the run
+   * @param fromS its start
+   * @param toS its end
+   */
+  record Stretch(int run, double fromS, double toS) {
+    boolean meets(int other, double startS, double endS) {
+      return run == other && endS > fromS && startS < toS;
+    }
+  }
+
   Evidence(List<MotionRun> runs) {
+    this(runs, List.of());
+  }
+
+  private Evidence(List<MotionRun> runs, List<Stretch> left) {
     this.runs = runs;
+    this.left = left;
     for (int run = 0; run < runs.size(); run++) {
       cut(run);
     }
     weigh();
+    loads = steps.stream().mapToDouble(Step::load).toArray();
     seen = new double[COMPONENTS][steps.size()];
     for (int i = 0; i < steps.size(); i++) {
       Displacement own = Displacement.between(steps.get(i).from, steps.get(i).to);
@@ -93,7 +117,10 @@ final class Evidence {
     for (int to = 1; to < track.size(); to++) {
       double held = track.get(to).timeS() - track.get(from).timeS();
       if (held >= STEP_S - 1e-6) {
-        boolean known = held <= HOLE_S && track.get(from).timeS() >= firstS;
+        boolean known =
+            held <= HOLE_S
+                && track.get(from).timeS() >= firstS
+                && !isLeftOut(run, track.get(from).timeS(), track.get(to).timeS());
         if (known) {
           steps.add(new Step(run, track.get(from), track.get(to), chained, 1));
         }
@@ -101,6 +128,15 @@ final class Evidence {
         from = to;
       }
     }
+  }
+
+  private boolean isLeftOut(int run, double fromS, double toS) {
+    return left.stream().anyMatch(stretch -> stretch.meets(run, fromS, toS));
+  }
+
+  /** Returns the same log without the steps that meet some stretches. */
+  Evidence without(List<Stretch> stretches) {
+    return new Evidence(runs, List.copyOf(stretches));
   }
 
   private void weigh() {
@@ -119,6 +155,30 @@ final class Evidence {
 
   List<MotionRun> runs() {
     return runs;
+  }
+
+  /** Returns how much is asked of the robot in each step, over the mean. */
+  double[] loads() {
+    return loads;
+  }
+
+  /**
+   * Returns how much a component's command changes as each step goes on, squared, over the mean:
+   * what comes at unsteady moments scatters in proportion to it.
+   *
+   * @param component 0 for the speed, 2 for the turn
+   * @param delayS after which commands act
+   */
+  double[] changes(int component, double delayS) {
+    double[] changes = new double[steps.size()];
+    for (int i = 0; i < changes.length; i++) {
+      Step step = steps.get(i);
+      double fromS = step.from.timeS() - delayS - UNSTEADY_S;
+      double toS = step.to.timeS() - delayS + UNSTEADY_S;
+      changes[i] = Commands.changed(runs.get(step.run).commands(), component != 0, fromS, toS);
+    }
+    double mean = Arrays.stream(changes).average().orElse(0);
+    return Arrays.stream(changes).map(change -> mean > 0 ? change / mean : 0).toArray();
   }
 
   int size() {
@@ -161,7 +221,8 @@ final class Evidence {
     double[][] expected = residuals(chain);
     for (int i = 0; i < steps.size(); i++) {
       for (int c = 0; c < COMPONENTS; c++) {
-        expected[c][i] = seen[c][i] - expected[c][i];
+        double own = seen[c][i] - expected[c][i];
+        expected[c][i] = c == 2 ? wrapped(own) : own;
       }
     }
     return expected;

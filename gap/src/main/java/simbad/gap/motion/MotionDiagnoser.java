@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.IntStream;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Verdict;
@@ -24,6 +25,11 @@ public final class MotionDiagnoser {
 
   /** An effect that is less probable, its ties counted, is not concluded. */
   private static final double SURE = 0.8;
+
+  private static final int MOST_ROUNDS = 3;
+
+  /** Names that a wheel out of round goes by. */
+  private static final Set<String> WHEELS = Set.of("wheel-scale", "wheel-asymmetry", "speed-scale");
 
   private final MotionData data;
   private final List<MotionRun> runs;
@@ -65,20 +71,39 @@ public final class MotionDiagnoser {
     }
   }
 
+  /** What a log says, slips left out or not. */
+  private record Told(Evidence evidence, Odds odds, MotionGap gap, NoiseFindings scatter) {}
+
   /** Returns the diagnosis. */
   public MotionDiagnosis diagnose() {
     Base base = Base.of(data);
     if (evidence.blockCount() < LEAST_BLOCKS) {
       return undecided(base);
     }
-    Odds odds = new Odds(new Search(evidence, data.robot()).run(base.nominal().chain()));
+    Told told = told(base, evidence);
+    Optional<MotionFinding> slip = told.scatter().slip();
+    List<Evidence.Stretch> slips = new ArrayList<>();
+    // What slipped would be taken for wheels that are too small; and without it more is seen.
+    for (int round = 0; round < MOST_ROUNDS && told.scatter().slip().isPresent(); round++) {
+      slips.addAll(told.scatter().slips());
+      Evidence calm = evidence.without(slips);
+      if (calm.blockCount() < LEAST_BLOCKS) {
+        break;
+      }
+      told = told(base, calm);
+    }
+    return concluded(base, told, slip);
+  }
+
+  private Told told(Base base, Evidence of) {
+    Odds odds = new Odds(new Search(of, data.robot()).run(base.nominal().chain()));
     MotionGap gap = gap(base, odds.best());
     if (gap.ratio() >= 1 && !odds.best().hypothesis().forms().isEmpty()) {
       // What makes forecasts worse explains nothing.
       odds = new Odds(List.of(odds.nominal()));
       gap = gap(base, odds.best());
     }
-    return concluded(base, odds, gap);
+    return new Told(of, odds, gap, new NoiseFindings(of, base.noises(), odds.best().fit()));
   }
 
   private MotionGap gap(Base base, Scored set) {
@@ -89,17 +114,25 @@ public final class MotionDiagnoser {
     return MotionGap.of(runs, base.nominal(), folds);
   }
 
-  private MotionDiagnosis concluded(Base base, Odds odds, MotionGap gap) {
+  private MotionDiagnosis concluded(Base base, Told told, Optional<MotionFinding> slip) {
+    Odds odds = told.odds();
+    MotionGap gap = told.gap();
     Findings findings = new Findings(odds);
-    NoiseFindings scatter = new NoiseFindings(evidence, base.noises(), odds.best().fit());
-    Unknown unknown =
-        new Unknown(
-            new Strangers(evidence, odds.best()).traces(odds.nominal().fit().residuals()),
-            scatter.otherEvents());
     List<MotionFinding> named = new ArrayList<>(findings.named());
+    Unknown all =
+        new Unknown(
+            new Strangers(told.evidence(), odds.best()).traces(odds.nominal().fit().residuals()),
+            told.scatter().otherEvents());
+    // A wheel whose size is named may well be out of round.
+    boolean wheels = named.stream().anyMatch(one -> WHEELS.contains(one.effect()));
+    Unknown unknown = wheels ? all.without(Strangers.Kind.RIPPLE) : all;
     boolean sure = named.stream().allMatch(one -> odds.ofAny(one.effect(), one.ties()) >= SURE);
-    List<MotionFinding> noises = scatter.all();
-    named.addAll(unknown.isLikely() && named.isEmpty() ? List.of() : noises);
+    List<MotionFinding> noises = new ArrayList<>();
+    slip.ifPresent(noises::add);
+    // What has no name scatters as well.
+    boolean scatters = !unknown.isLikely() && !all.shows(Strangers.Kind.RIPPLE);
+    told.scatter().noise().filter(noise -> scatters).ifPresent(noises::add);
+    named.addAll(noises);
     Verdict verdict = verdict(named, unknown, sure);
     boolean believes = verdict == Verdict.EXPLAINED || verdict == Verdict.PARTLY;
     List<MotionFinding> explanation = believes ? named : List.of();
@@ -113,7 +146,7 @@ public final class MotionDiagnoser {
         figures,
         new Budget(gap, figures, odds.best(), base.noises()).of(explanation),
         MotionPlaces.of(runs, gap),
-        new Undetectables(evidence, odds).among(Search.forms(data.robot()), use),
+        new Undetectables(told.evidence(), odds).among(Search.forms(data.robot()), use),
         next(odds, explanation),
         fitted(base, odds.best()),
         verdict == Verdict.NONE

@@ -238,7 +238,7 @@ final class MotionGap {
     double sum = 0;
     for (int h = 0; h < horizons.length; h++) {
       for (int c = 0; c < 3; c++) {
-        double own = GAUSSIAN * Math.sqrt(noises[c].variance(horizons[h]));
+        double own = GAUSSIAN * Math.sqrt(noises[c].variance(horizons[h], 1));
         sum += before[h][c] > 0 ? Math.min(1, own / before[h][c]) / 9 : 1.0 / 9;
       }
     }

@@ -17,6 +17,14 @@ final class NoiseFindings {
 
   private static final int LEAST_SLIPS = 5;
 
+  /** A robot that is asked for less, of the mean, is taken to stand. */
+  private static final double MOVING = 0.25;
+
+  private static final int FEWEST = 20;
+
+  /** The median size of a Gaussian deviate. */
+  private static final double MEDIAN = 0.6745;
+
   /** Of what only happens now and then, so much may be something else than a slip. */
   private static final double OTHER_SHARE = 0.25;
 
@@ -37,22 +45,23 @@ final class NoiseFindings {
     events = Events.of(evidence, fit);
   }
 
-  List<MotionFinding> all() {
-    List<MotionFinding> all = new ArrayList<>();
-    slip().ifPresent(all::add);
-    noise().ifPresent(all::add);
-    return all;
-  }
-
   /** Tells how probable it is that something happens now and then that is no slip. */
   double otherEvents() {
     double often = OTHER_SHARE * events.shorter();
     return events.other() < LEAST_SLIPS ? 0 : Chance.ofLogOdds(events.other() - often - 2);
   }
 
-  private Optional<MotionFinding> slip() {
+  /** Returns when wheels slipped. */
+  List<Evidence.Stretch> slips() {
+    return events.slips();
+  }
+
+  /** Wheels that slip now and then. */
+  Optional<MotionFinding> slip() {
     double nats =
-        events.shorter() * PER_SLIP_NATS + events.other() * PER_OTHER_NATS - Odds.COST_NATS / 2;
+        events.shorter() * PER_SLIP_NATS
+            + (events.late() + events.other()) * PER_OTHER_NATS
+            - Odds.COST_NATS / 2;
     if (events.shorter() < LEAST_SLIPS || nats <= 0) {
       return Optional.empty();
     }
@@ -70,10 +79,13 @@ final class NoiseFindings {
             "let wheels slip %.2g times a minute"));
   }
 
-  private Optional<MotionFinding> noise() {
-    Noise along = fit.noises()[0];
-    Noise turn = fit.noises()[2];
-    double times = Math.max(times(along, believed[0]), times(turn, believed[2]));
+  /**
+   * Scatter shows wherever the robot moves. What is off now and then, or where commands have just
+   * changed, leaves the median of half seconds as it was.
+   */
+  Optional<MotionFinding> noise() {
+    double times =
+        Math.max(scattersAsItMoves(0) ? times(0) : 0, scattersAsItMoves(2) ? times(2) : 0);
     double nats = -Odds.COST_NATS;
     for (int c = 0; c < believed.length; c++) {
       double own = new Whitening(evidence, fit.noises()[c], fit.residuals()[c]).logDensity();
@@ -82,7 +94,7 @@ final class NoiseFindings {
     if (times < MATTERS || nats <= 0 || believed[0].tracker() <= Noise.LEAST) {
       return Optional.empty();
     }
-    double sigma = Math.sqrt(along.variance(OVER_S));
+    double sigma = Math.sqrt(fit.noises()[0].variance(OVER_S, 1));
     double half = Chance.NORMAL_95 * sigma / Math.sqrt(2.0 * evidence.blockCount());
     return Optional.of(
         finding(
@@ -92,8 +104,42 @@ final class NoiseFindings {
             "let the way of half a second scatter by %.2g m"));
   }
 
-  private static double times(Noise noise, Noise believed) {
-    return Math.sqrt(noise.variance(OVER_S) / believed.variance(OVER_S));
+  /** Tells whether scatter goes with motion itself rather than with changes of the command. */
+  private boolean scattersAsItMoves(int component) {
+    double[] residuals = fit.residuals()[component];
+    double delayS = fit.hypothesis().chain().delayS();
+    return NoiseFit.likeliest(evidence, evidence.loads(), residuals)
+        >= NoiseFit.likeliest(evidence, evidence.changes(component, delayS), residuals);
+  }
+
+  /** By how many times half seconds of moving are farther off than believed, by their median. */
+  private double times(int component) {
+    List<Double> sizes = new ArrayList<>();
+    double sum = 0;
+    double seconds = 0;
+    double load = 0;
+    for (int i = 0; i < evidence.size(); i++) {
+      Evidence.Step step = evidence.step(i);
+      if (!step.chained()) {
+        sum = 0;
+        seconds = 0;
+        load = 0;
+      }
+      sum += fit.residuals()[component][i];
+      seconds += step.durationS();
+      load += step.load() * step.durationS();
+      if (seconds >= OVER_S - 1e-6) {
+        double mean = load / seconds;
+        if (mean > MOVING) {
+          sizes.add(Math.abs(sum) / Math.sqrt(believed[component].variance(seconds, mean)));
+        }
+        sum = 0;
+        seconds = 0;
+        load = 0;
+      }
+    }
+    double[] sorted = sizes.stream().mapToDouble(size -> size).sorted().toArray();
+    return sorted.length < FEWEST ? 0 : sorted[sorted.length / 2] / MEDIAN;
   }
 
   private static MotionFinding.Parameter parameter(String name, double value, double half) {

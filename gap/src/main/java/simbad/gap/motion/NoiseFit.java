@@ -5,7 +5,6 @@ import java.util.Arrays;
 /** Finds how residuals scatter: the noise that makes them likeliest, by steps in its logarithms. */
 final class NoiseFit {
   private static final double[] FREEDOMS = {3, 5, 10, Noise.GAUSSIAN};
-  private static final double[] LASTS_S = {0.5, 2, 10};
   private static final double FINEST = 0.12;
   private static final int MOST = 80;
 
@@ -13,31 +12,44 @@ final class NoiseFit {
   private static final double LEAST_LOG = Math.log(1e-9);
 
   private final Evidence evidence;
+  private final double[] loads;
   private final double[] residuals;
   private Noise best;
   private double score;
   private int tried;
 
-  private NoiseFit(Evidence evidence, double[] residuals, Noise start) {
+  private NoiseFit(Evidence evidence, double[] loads, double[] residuals, Noise start) {
     this.evidence = evidence;
+    this.loads = loads;
     this.residuals = residuals;
     best = start;
-    score = new Whitening(evidence, start, residuals).logDensity();
+    score = new Whitening(evidence, loads, start, residuals).logDensity();
   }
 
   /** Returns the noises of all components, searched afresh. */
   static Noise[] afresh(Evidence evidence, double[][] residuals) {
     Noise[] noises = new Noise[residuals.length];
-    Arrays.setAll(
-        noises,
-        c -> {
-          NoiseFit fit = new NoiseFit(evidence, residuals[c], Noise.start(typical(residuals[c])));
-          fit.walk(1.5);
-          fit.shapes();
-          fit.walk(0.25);
-          return fit.best;
-        });
+    Arrays.setAll(noises, c -> afresh(evidence, evidence.loads(), residuals[c]).best);
     return noises;
+  }
+
+  private static NoiseFit afresh(Evidence evidence, double[] loads, double[] residuals) {
+    NoiseFit fit = new NoiseFit(evidence, loads, residuals, Noise.start(typical(residuals)));
+    fit.walk(1.5);
+    fit.shapes();
+    fit.walk(0.25);
+    return fit;
+  }
+
+  /**
+   * Returns the log density of one component under the noise that makes it likeliest.
+   *
+   * @param evidence the steps
+   * @param loads what the robot's own variance is in proportion to
+   * @param residuals by step
+   */
+  static double likeliest(Evidence evidence, double[] loads, double[] residuals) {
+    return afresh(evidence, loads, residuals).score;
   }
 
   /** Returns the noises of all components, from ones that were nearly right. */
@@ -46,7 +58,7 @@ final class NoiseFit {
     Arrays.setAll(
         noises,
         c -> {
-          NoiseFit fit = new NoiseFit(evidence, residuals[c], before[c]);
+          NoiseFit fit = new NoiseFit(evidence, evidence.loads(), residuals[c], before[c]);
           fit.walk(0.3);
           return fit.best;
         });
@@ -64,7 +76,7 @@ final class NoiseFit {
     tried = 0;
     for (double step = first; step > FINEST && tried < MOST; ) {
       boolean moved = false;
-      for (int i = 0; i < 3; i++) {
+      for (int i = 0; i < 2; i++) {
         moved |= moved(i, step) || moved(i, -step);
       }
       step = moved ? step : step / 2;
@@ -81,14 +93,11 @@ final class NoiseFit {
     for (double freedom : FREEDOMS) {
       taken(best.withFreedom(freedom));
     }
-    for (double seconds : LASTS_S) {
-      taken(best.withLasting(seconds));
-    }
   }
 
   private boolean taken(Noise noise) {
     tried++;
-    double now = new Whitening(evidence, noise, residuals).logDensity();
+    double now = new Whitening(evidence, loads, noise, residuals).logDensity();
     if (now > score + 1e-6) {
       best = noise;
       score = now;

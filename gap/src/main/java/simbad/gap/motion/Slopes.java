@@ -1,6 +1,7 @@
 package simbad.gap.motion;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import simbad.motion.effect.MotionParameter;
 
@@ -9,6 +10,8 @@ import simbad.motion.effect.MotionParameter;
  * how values vary from block to block, are read off this without driving the model again.
  */
 final class Slopes {
+  private static final int MOST_HALVED = 6;
+
   private final Evidence evidence;
   private final Fit fit;
   private final Whitening[] white;
@@ -19,6 +22,9 @@ final class Slopes {
   /** By free value, component and step: by how much the white residual falls per unit. */
   private final double[][][] columns;
 
+  /** The same of the residuals as they are. */
+  private final double[][][] raw;
+
   private final Linear linear;
 
   Slopes(Evidence evidence, Fit fit) {
@@ -26,7 +32,8 @@ final class Slopes {
     this.fit = fit;
     white = fit.white(evidence);
     free = free(fit.hypothesis());
-    columns = free.parallelStream().map(this::column).toArray(double[][][]::new);
+    raw = free.parallelStream().map(this::column).toArray(double[][][]::new);
+    columns = Arrays.stream(raw).map(this::whitened).toArray(double[][][]::new);
     linear = new Linear(evidence, white, columns);
   }
 
@@ -55,13 +62,24 @@ final class Slopes {
         double by = fit.residuals()[c][i] - moved[c][i];
         own[i] = (c == 2 ? Evidence.wrapped(by) : by) / (other - value);
       }
-      slopes[c] = white[c].of(own);
+      slopes[c] = own;
     }
     return slopes;
   }
 
+  private double[][] whitened(double[][] column) {
+    double[][] result = new double[column.length][];
+    Arrays.setAll(result, c -> white[c].of(column[c]));
+    return result;
+  }
+
   Whitening[] white() {
     return white;
+  }
+
+  /** Returns by how much residuals fall per unit of each free value. */
+  double[][][] raw() {
+    return raw;
   }
 
   /** Returns the columns of all free values. */
@@ -82,9 +100,34 @@ final class Slopes {
     return moved(linear.move(block -> true, damping));
   }
 
-  /** Returns the hypothesis with the values that all blocks but those of a fold say. */
+  /**
+   * Returns the hypothesis with the values that all blocks but those of a fold say. A step that
+   * makes these blocks no likelier is halved: where a value hardly shows, first order goes far.
+   */
   Hypothesis withoutFold(int fold) {
-    return moved(linear.withoutFold(fold));
+    double[] step = linear.withoutFold(fold);
+    double before = withoutFold(fold, fit.hypothesis());
+    for (int halved = 0; halved < MOST_HALVED; halved++) {
+      Hypothesis moved = moved(step);
+      if (withoutFold(fold, moved) >= before) {
+        return moved;
+      }
+      step = Arrays.stream(step).map(by -> by / 2).toArray();
+    }
+    return fit.hypothesis();
+  }
+
+  /** Returns the log density of all blocks but those of a fold. */
+  private double withoutFold(int fold, Hypothesis hypothesis) {
+    double[][] residuals = evidence.residuals(hypothesis.chain());
+    double sum = 0;
+    for (int c = 0; c < residuals.length; c++) {
+      Whitening own = new Whitening(evidence, fit.noises()[c], residuals[c]);
+      for (int i = 0; i < evidence.size(); i++) {
+        sum += evidence.foldOf(evidence.block(i)) == fold ? 0 : own.logDensity(i, own.white[i]);
+      }
+    }
+    return sum;
   }
 
   private Hypothesis moved(double[] by) {

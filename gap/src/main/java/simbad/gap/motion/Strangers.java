@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import simbad.motion.Command;
 import simbad.motion.MotionRun;
+import simbad.motion.TrackPose;
 
 /**
  * What has no name and leaves a trace: plain regressions of what an explanation leaves over on
@@ -16,14 +17,28 @@ final class Strangers {
   private static final double LAG_S = 0.2;
   private static final double RIDGE = 1e-3;
 
+  /** What loses more with the noise as it was gains nothing with another. */
+  private static final double HOPELESS_NATS = -5;
+
+  /** The smallest and largest wheel that is looked for, as the way of a turn, and how finely. */
+  private static final double SHORTEST_M = 0.06;
+
+  private static final double LONGEST_M = 1.6;
+  private static final double FINE = 1.002;
+
+  /** The best of so many lengths gains by chance what so many values do: twice their logarithm. */
+  private static final int SCANNED = 16;
+
   private final Evidence evidence;
   private final Scored best;
   private final double[][] expected;
+  private final double withoutTrace;
 
   Strangers(Evidence evidence, Scored best) {
     this.evidence = evidence;
     this.best = best;
     expected = evidence.expected(best.hypothesis().chain());
+    withoutTrace = withItsNoise(best.slopes().linear(), List.of());
   }
 
   /** A kind of trace. */
@@ -31,6 +46,9 @@ final class Strangers {
     TIME("it changes with time"),
     HEADING("it depends on the heading"),
     SIZE("it does not grow in proportion to the command"),
+    SIDE("it differs from one side to the other, or forth and back"),
+    PLACE("it depends on the place"),
+    RIPPLE("it comes again after a certain way, as if a wheel were out of round"),
     RESPONSE("it follows commands otherwise than any name says");
 
     private final String words;
@@ -73,12 +91,40 @@ final class Strangers {
     }
     Linear with = new Linear(evidence, white, all);
     double nats = Arrays.stream(with.heldOut()).sum() - best.heldOut();
+    nats = nats > HOPELESS_NATS ? Math.max(nats, withItsNoise(with, raw) - withoutTrace) : nats;
     double[] values = with.move(block -> true, RIDGE);
     return new Trace(
         kind,
         nats,
-        raw.size(),
+        raw.size() + (kind == Kind.RIPPLE ? SCANNED : 0),
         share(raw, Arrays.copyOfRange(values, own.length, all.length), nominal));
+  }
+
+  /**
+   * The log density of left-out blocks with the noise that is left then: what lasts as long as a
+   * command does was taken for the robot's own scatter, and hides what foretells it.
+   */
+  private double withItsNoise(Linear with, List<double[][]> raw) {
+    double[][][] own = best.slopes().raw();
+    double[][] moves = new double[Evidence.FOLDS][];
+    Arrays.setAll(moves, with::withoutFold);
+    double[][] left = new double[Evidence.COMPONENTS][evidence.size()];
+    for (int c = 0; c < left.length; c++) {
+      for (int i = 0; i < evidence.size(); i++) {
+        double[] move = moves[evidence.foldOf(evidence.block(i))];
+        left[c][i] = best.fit().residuals()[c][i];
+        for (int k = 0; k < move.length; k++) {
+          double[][] column = k < own.length ? own[k] : raw.get(k - own.length);
+          left[c][i] -= move[k] * column[c][i];
+        }
+      }
+    }
+    Noise[] noises = NoiseFit.afresh(evidence, left);
+    double sum = 0;
+    for (int c = 0; c < left.length; c++) {
+      sum += new Whitening(evidence, noises[c], left[c]).logDensity();
+    }
+    return sum;
   }
 
   private double share(List<double[][]> raw, double[] values, double[][] nominal) {
@@ -104,6 +150,9 @@ final class Strangers {
       case TIME -> time();
       case HEADING -> heading();
       case SIZE -> size();
+      case SIDE -> side();
+      case PLACE -> place();
+      case RIPPLE -> ripple();
       case RESPONSE -> response();
     };
   }
@@ -123,8 +172,94 @@ final class Strangers {
       columns.add(column(1, i -> seconds(i) * Math.cos(heading(i) - turned)));
       columns.add(column(0, i -> along(i) * Math.cos(heading(i) - turned)));
       columns.add(column(2, i -> along(i) * Math.cos(heading(i) - turned)));
+      // Axes that are of unequal length, or not square.
+      columns.add(column(0, i -> along(i) * Math.cos(2 * heading(i) - turned)));
+      columns.add(column(1, i -> along(i) * Math.cos(2 * heading(i) - turned)));
+      columns.add(column(2, i -> turn(i) * Math.cos(2 * heading(i) - turned)));
     }
     return columns;
+  }
+
+  private List<double[][]> side() {
+    return List.of(
+        column(0, i -> Math.abs(along(i))),
+        column(0, i -> Math.abs(turn(i))),
+        column(2, i -> Math.abs(turn(i))),
+        column(2, i -> Math.abs(along(i))));
+  }
+
+  /** What is slower in a part of the room, or is pulled to a point of it. */
+  private List<double[][]> place() {
+    List<double[][]> columns = new ArrayList<>();
+    for (double turned : new double[] {0, Math.PI / 2}) {
+      columns.add(column(0, i -> along(i) * position(i, turned)));
+      columns.add(column(2, i -> turn(i) * position(i, turned)));
+      columns.add(column(0, i -> seconds(i) * position(i, heading(i) + turned)));
+      columns.add(column(1, i -> seconds(i) * position(i, heading(i) + turned)));
+      columns.add(column(0, i -> seconds(i) * Math.cos(heading(i) - turned)));
+      columns.add(column(1, i -> seconds(i) * Math.cos(heading(i) - turned)));
+    }
+    return columns;
+  }
+
+  /** What comes again after the way that shows it most. */
+  private List<double[][]> ripple() {
+    double[] way = way();
+    double most = 0;
+    List<double[][]> best = List.of();
+    for (double lengthM = SHORTEST_M; lengthM < LONGEST_M; lengthM *= FINE) {
+      for (int component : new int[] {0, 2}) {
+        List<double[][]> columns = waves(way, component, 2 * Math.PI / lengthM);
+        double size = size(component, columns);
+        if (size > most) {
+          most = size;
+          best = columns;
+        }
+      }
+    }
+    return best.isEmpty() ? waves(way, 0, 2 * Math.PI) : best;
+  }
+
+  private List<double[][]> waves(double[] way, int component, double perM) {
+    return List.of(
+        column(component, i -> along(i) * Math.cos(perM * way[i])),
+        column(component, i -> along(i) * Math.sin(perM * way[i])));
+  }
+
+  /** The square of the wave that fits, in nats but for a factor. */
+  private double size(int component, List<double[][]> columns) {
+    double size = 0;
+    double[] residuals = best.slopes().white()[component].white;
+    for (double[][] column : columns) {
+      double[] white = best.slopes().white()[component].of(column[component]);
+      double both = 0;
+      double own = 1e-30;
+      for (int i = 0; i < white.length; i++) {
+        double weight = best.slopes().white()[component].weights[i];
+        both += weight * white[i] * residuals[i];
+        own += weight * white[i] * white[i];
+      }
+      size += both * both / own;
+    }
+    return size;
+  }
+
+  /** The way driven at the middle of each step, of its run. */
+  private double[] way() {
+    double[] way = new double[evidence.size()];
+    double sum = 0;
+    for (int i = 0; i < way.length; i++) {
+      sum = i > 0 && evidence.step(i).run() != evidence.step(i - 1).run() ? 0 : sum;
+      way[i] = sum + along(i) / 2;
+      sum += along(i);
+    }
+    return way;
+  }
+
+  /** The place as seen along a direction. */
+  private double position(int step, double rad) {
+    TrackPose from = evidence.step(step).from();
+    return from.xM() * Math.cos(rad) + from.yM() * Math.sin(rad);
   }
 
   private List<double[][]> size() {

@@ -24,8 +24,11 @@ record Unknown(List<Strangers.Trace> traces, double events) {
 
   private static double logOdds(Strangers.Trace trace) {
     double small = COST_NATS * (trace.share() / SHARE - 1);
-    return Math.min(trace.nats() - COST_NATS - PER_VALUE_NATS * trace.values(), small)
-        / TEMPERATURE;
+    return Math.min(gain(trace), small) / TEMPERATURE;
+  }
+
+  private static double gain(Strangers.Trace trace) {
+    return trace.nats() - COST_NATS - PER_VALUE_NATS * trace.values();
   }
 
   private static double probability(Strangers.Trace trace) {
@@ -34,6 +37,16 @@ record Unknown(List<Strangers.Trace> traces, double events) {
 
   double probability() {
     return Math.max(events, traces.stream().mapToDouble(Unknown::probability).max().orElse(0));
+  }
+
+  /** Returns the same without one kind of trace, which a name accounts for. */
+  Unknown without(Strangers.Kind kind) {
+    return new Unknown(traces.stream().filter(trace -> trace.kind() != kind).toList(), events);
+  }
+
+  /** Tells whether there is a kind of trace, however little it foretells. */
+  boolean shows(Strangers.Kind kind) {
+    return traces.stream().anyMatch(t -> t.kind() == kind && gain(t) > 0);
   }
 
   boolean isLikely() {

@@ -4,9 +4,9 @@ import org.hipparchus.special.Gamma;
 
 /**
  * The log density of one component's residuals, step by step, each given those before it (a Kalman
- * filter with two states: the tracker's error at the step's start and the lasting error of the
- * rate). What remains of a residual after what the past foretold, over its scale, is white; with
- * the gains held, slopes are made white by the same filter.
+ * filter with one state: the tracker's error at the step's start). What remains of a residual after
+ * what the past foretold, over its scale, is white; with the gains held, slopes are made white by
+ * the same filter.
  *
  * <p>A residual far out counts as the robot's own slip and widens the step's variance, so that what
  * follows is not taken for its consequence.
@@ -21,42 +21,49 @@ final class Whitening {
   private final Evidence evidence;
   private final Noise noise;
   private final double[] scales;
-  private final double[] trackerGains;
-  private final double[] rateGains;
+  private final double[] gains;
   private final double constant;
   private double logDensity;
-  private double keptFor = -1;
-  private double kept;
 
   Whitening(Evidence evidence, Noise noise, double[] residuals) {
+    this(evidence, evidence.loads(), noise, residuals);
+  }
+
+  /**
+   * Filters.
+   *
+   * @param evidence the steps
+   * @param loads what the robot's own variance is in proportion to, by step
+   * @param noise by which the residuals scatter
+   * @param residuals by step
+   */
+  Whitening(Evidence evidence, double[] loads, Noise noise, double[] residuals) {
     this.evidence = evidence;
     this.noise = noise;
     int n = residuals.length;
     white = new double[n];
     weights = new double[n];
     scales = new double[n];
-    trackerGains = new double[n];
-    rateGains = new double[n];
+    gains = new double[n];
     double nu = noise.freedom();
     constant = Gamma.logGamma((nu + 1) / 2) - Gamma.logGamma(nu / 2) - Math.log(nu * Math.PI) / 2;
-    filter(residuals);
+    filter(loads, residuals);
   }
 
-  private void filter(double[] residuals) {
+  private void filter(double[] loads, double[] residuals) {
     double tracker = noise.tracker() * noise.tracker();
     double process = noise.process() * noise.process();
     double nu = noise.freedom();
-    State state = new State(tracker, noise.rate() * noise.rate());
+    double error = 0;
+    double errorVar = tracker;
     for (int i = 0; i < residuals.length; i++) {
       Evidence.Step step = evidence.step(i);
       if (!step.chained()) {
-        state.begin();
+        error = 0;
+        errorVar = tracker;
       }
-      double s = step.durationS();
-      double own = process * step.load() * s;
-      double withRate = state.rateVar * s - state.both;
-      double variance = withRate * s - state.both * s + state.errorVar + own + tracker;
-      double innovation = residuals[i] - (state.rate * s - state.error);
+      double variance = errorVar + process * loads[i] * step.durationS() + tracker;
+      double innovation = residuals[i] + error;
       double scale = Math.sqrt(variance);
       double z = innovation / scale;
       scales[i] = scale;
@@ -64,52 +71,9 @@ final class Whitening {
       weights[i] = (nu + 1) / (nu + z * z);
       logDensity += logDensity(z, scale);
       // Given Student's t, a far residual came with a variance that was larger by so much.
-      double widened = variance * Math.max(1, 1 / weights[i]);
-      trackerGains[i] = tracker / widened;
-      rateGains[i] = withRate / widened;
-      state.advance(i, innovation, withRate, s);
-    }
-  }
-
-  /** Steps are mostly of one length. */
-  private double kept(double seconds) {
-    if (Math.abs(seconds - keptFor) > 1e-9) {
-      keptFor = seconds;
-      kept = Math.exp(-seconds / noise.lastsS());
-    }
-    return kept;
-  }
-
-  /** Means and variances of the tracker's error and the rate's, and their covariance. */
-  private final class State {
-    private final double tracker;
-    private final double lasting;
-    private double error;
-    private double rate;
-    private double errorVar;
-    private double rateVar;
-    private double both;
-
-    State(double tracker, double lasting) {
-      this.tracker = tracker;
-      this.lasting = lasting;
-    }
-
-    void begin() {
-      error = 0;
-      rate = 0;
-      errorVar = tracker;
-      rateVar = lasting;
-      both = 0;
-    }
-
-    void advance(int i, double innovation, double withRate, double seconds) {
-      double kept = kept(seconds);
-      error = trackerGains[i] * innovation;
-      rate = kept * (rate + rateGains[i] * innovation);
-      errorVar = tracker * (1 - trackerGains[i]);
-      rateVar = kept * kept * (rateVar - rateGains[i] * withRate) + lasting * (1 - kept * kept);
-      both = -kept * rateGains[i] * tracker;
+      gains[i] = tracker / (variance * Math.max(1, 1 / weights[i]));
+      error = gains[i] * innovation;
+      errorVar = tracker * (1 - gains[i]);
     }
   }
 
@@ -132,18 +96,10 @@ final class Whitening {
   double[] of(double[] column) {
     double[] result = new double[column.length];
     double error = 0;
-    double rate = 0;
     for (int i = 0; i < column.length; i++) {
-      Evidence.Step step = evidence.step(i);
-      if (!step.chained()) {
-        error = 0;
-        rate = 0;
-      }
-      double s = step.durationS();
-      double innovation = column[i] - (rate * s - error);
+      double innovation = column[i] + (evidence.step(i).chained() ? error : 0);
       result[i] = innovation / scales[i];
-      error = trackerGains[i] * innovation;
-      rate = kept(s) * (rate + rateGains[i] * innovation);
+      error = gains[i] * innovation;
     }
     return result;
   }

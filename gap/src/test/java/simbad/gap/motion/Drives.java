@@ -52,6 +52,21 @@ final class Drives {
   /** Share of the speed that is gone in the end. */
   double sag;
 
+  /** Each command acts later by up to so much, evenly. */
+  double unsteadyS;
+
+  /** Speed that friction takes from every command. */
+  double lessSpeed;
+
+  /** Steps of the speed, the next towards rest. */
+  double cutStep;
+
+  /** Share by which a wheel out of round goes faster and slower, once in 20 cm. */
+  double ripple;
+
+  /** Share by which turns to the left are larger, and to the right smaller. */
+  double oneSided;
+
   /** Commands in a minute that are not followed. */
   double dropped;
 
@@ -98,6 +113,8 @@ final class Drives {
     double v = 0;
     double w = 0;
     double slipsUntil = -1;
+    double waitsS = 0;
+    double wheel = 0;
     int at = -1;
     Command now = new Command(0, 0, 0);
     for (int i = 0; i * DT < seconds; i++) {
@@ -105,20 +122,26 @@ final class Drives {
       if (i % PER_POSE == 0) {
         track.add(seen(t, x, y, heading));
       }
-      while (at + 1 < commands.size() && commands.get(at + 1).timeS() <= t - lateS) {
+      while (at + 1 < commands.size() && commands.get(at + 1).timeS() <= t - lateS - waitsS) {
         at++;
+        waitsS = unsteadyS > 0 ? unsteadyS * random.nextDouble() : 0;
         now = random.nextDouble() < dropped ? now : commands.get(at);
       }
-      v = followed(v, driven(now.speedMPerS(), deadSpeed, mostSpeed, speedStep), acceleration);
+      double asked = driven(now.speedMPerS(), deadSpeed, mostSpeed, speedStep);
+      v = followed(v, less(asked), acceleration);
       w = followed(w, driven(now.turnRadPerS(), deadTurn, mostTurn, turnStep), 5 * acceleration);
       if (random.nextDouble() < slips / 60 * DT && v != 0) {
         slipsUntil = t + 0.5;
       }
       double ground = v * speedFactor * (t < slipsUntil ? 0.3 : 1) * (1 - sag * t / seconds);
+      wheel += ground * DT;
+      ground *= 1 + ripple * Math.cos(2 * Math.PI * wheel / 0.2);
       ground *= 1 + slope * Math.cos(heading - 0.7);
       double scatter = roughness * Math.sqrt(Math.abs(v) * DT);
       double way = ground * DT + scatter * random.nextGaussian();
-      double turn = (w * turnFactor + turnBias + turnPerMetre * ground) * DT;
+      double turn =
+          (w * turnFactor * (1 + Math.signum(w) * oneSided) + turnBias + turnPerMetre * ground)
+              * DT;
       turn += 5 * scatter * random.nextGaussian();
       x += way * Math.cos(heading + turn / 2);
       y += way * Math.sin(heading + turn / 2);
@@ -130,6 +153,11 @@ final class Drives {
   private static double driven(double command, double dead, double most, double step) {
     double size = Math.abs(command) < dead ? 0 : Math.min(most, Math.abs(command));
     return Math.copySign(step > 0 ? step * Math.rint(size / step) : size, command);
+  }
+
+  private double less(double speed) {
+    double left = Math.max(0, speed - lessSpeed);
+    return cutStep > 0 ? Math.floor(left / cutStep) * cutStep : left;
   }
 
   private double followed(double now, double target, double most) {

@@ -48,6 +48,11 @@ class MotionDiagnoserTest {
         world(10, "saturation", d -> d.mostSpeed = 0.23),
         world(11, "saturation", d -> d.mostTurn = 0.85),
         world(12, "command-quantization", d -> d.speedStep = 0.04),
+        world(15, "dead-band", d -> d.lessSpeed = 0.02),
+        world(16, "command-quantization", d -> d.cutStep = 0.04),
+        world(17, "actuation-latency", MotionDiagnoserTest::lateAtUnsteadyMoments),
+        world(18, "wheel-scale", MotionDiagnoserTest::largeAndOutOfRound),
+        world(19, "slip wheel-asymmetry", MotionDiagnoserTest::slippingAndVeering),
         world(13, "capture-offset", d -> d.forwardM = 0.01),
         world(14, "capture-offset", d -> d.trackerTurned = 0.02),
         world(54, "motion-noise", d -> d.roughness = 0.01),
@@ -59,6 +64,22 @@ class MotionDiagnoserTest {
   private static void lateAndSlow(Drives drives) {
     drives.lateS = 0.1;
     drives.speedFactor = 0.95;
+  }
+
+  private static void lateAtUnsteadyMoments(Drives drives) {
+    drives.lateS = 0.1;
+    drives.unsteadyS = 0.08;
+  }
+
+  private static void largeAndOutOfRound(Drives drives) {
+    drives.speedFactor = 1.05;
+    drives.turnFactor = 1.05;
+    drives.ripple = 0.05;
+  }
+
+  private static void slippingAndVeering(Drives drives) {
+    drives.slips = 8;
+    drives.turnPerMetre = 0.1;
   }
 
   private static void laggingAndTurning(Drives drives) {
@@ -94,7 +115,8 @@ class MotionDiagnoserTest {
     return Stream.of(
         world(51, "heading", d -> d.slope = 0.1),
         world(52, "time", d -> d.sag = 0.15),
-        world(53, "now and then", d -> d.dropped = 0.1));
+        world(53, "now and then", d -> d.dropped = 0.1),
+        world(56, "one side", d -> d.oneSided = 0.05));
   }
 
   @ParameterizedTest(name = "{0} {1}")

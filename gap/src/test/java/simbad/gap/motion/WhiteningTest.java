@@ -49,7 +49,7 @@ class WhiteningTest {
   void columns_areMadeWhiteByTheSameFilter() {
     SplittableRandom random = new SplittableRandom(5);
     double[] residuals = random.doubles(50, -1, 1).toArray();
-    Noise noise = new Noise(0.3, 0.5, 0.4, 2, 4);
+    Noise noise = new Noise(0.3, 0.5, 4);
     Whitening white = new Whitening(evidence(51), noise, residuals);
 
     double[] again = white.of(residuals);
@@ -63,7 +63,7 @@ class WhiteningTest {
   void slip_isOneEvent() {
     double[] residuals = new double[40];
     residuals[20] = 10;
-    Whitening white = new Whitening(evidence(41), new Noise(0.5, 0.1, 0, 2, 4), residuals);
+    Whitening white = new Whitening(evidence(41), new Noise(0.5, 0.1, 4), residuals);
 
     assertTrue(Math.abs(white.white[20]) > 4, "seen");
     assertTrue(Math.abs(white.white[22]) < 2, "over: " + white.white[22]);
@@ -85,6 +85,6 @@ class WhiteningTest {
     // The load of a robot at one speed is 1.05 throughout.
     Noise found = NoiseFit.afresh(evidence, three)[0];
     assertEquals(2, found.tracker(), 0.2);
-    assertEquals(Math.sqrt(2 * 4 + 9 * 0.5), Math.sqrt(found.variance(0.5)), 0.4);
+    assertEquals(Math.sqrt(2 * 4 + 9 * 0.5), Math.sqrt(found.variance(0.5, 1)), 0.4);
   }
 }

@@ -25,6 +25,34 @@ record DeadBand(double speedMPerS, double turnRadPerS) implements MotionChange {
           "commands below %s m/s do nothing: do not give them",
           false);
 
+  /** What friction takes away is missing from larger commands, too. */
+  static final MotionForm LESS =
+      new MotionForm(
+          "dead-band",
+          "dead-band: less by it",
+          List.of(
+              MotionParameter.smooth("dead_band_m_s", 0, 1, 0, 0.01).tried(0.01, 0.05),
+              MotionParameter.smooth("dead_band_rad_s", 0, 3, 0, 0.03).tried(0.03, 0.1)),
+          p -> new Less(p[0], p[1]),
+          "of every speed %s m/s are missing: command so much more",
+          false);
+
+  private record Less(double speedMPerS, double turnRadPerS) implements MotionChange {
+    private static double less(double command, double band) {
+      return Math.copySign(Math.max(0, Math.abs(command) - band), command);
+    }
+
+    @Override
+    public double commandedSpeed(double command) {
+      return less(command, speedMPerS);
+    }
+
+    @Override
+    public double commandedTurn(double command) {
+      return less(command, turnRadPerS);
+    }
+  }
+
   /** Of each wheel by itself. */
   static MotionForm wheels(double wheelBaseM) {
     return new MotionForm(

@@ -64,7 +64,9 @@ public record MotionForm(
   private static boolean doubles(MotionForm one, MotionForm other) {
     boolean delays = one.equals(Delay.CLOCKS) && other.equals(Delay.LATENCY);
     boolean scales =
-        one.equals(Scale.WHEELS) && (other.equals(Scale.SPEED) || other.equals(Scale.TURN));
+        one.equals(Scale.WHEELS)
+            && (other.effect().equals(Scale.SPEED.effect())
+                || other.effect().equals(Scale.TURN.effect()));
     return delays || scales;
   }
 

@@ -14,6 +14,8 @@ public final class MotionForms {
           Scale.SPEED,
           Scale.TURN,
           Scale.WHEELS,
+          Scale.SPEED_GROWING,
+          Scale.TURN_GROWING,
           Veer.BIAS,
           Veer.ASYMMETRY,
           Delay.LATENCY,
@@ -22,9 +24,11 @@ public final class MotionForms {
           Lag.BRAKING,
           Lag.ACCELERATION,
           DeadBand.FORM,
+          DeadBand.LESS,
           Saturation.SPEED,
           Saturation.TURN,
           Quantization.FORM,
+          Quantization.CUT,
           CaptureOffset.POINT,
           CaptureOffset.HEADING);
 

@@ -27,6 +27,37 @@ record Quantization(double speedStepMPerS, double turnStepRadPerS) implements Mo
           "round commanded speeds to steps of %s m/s",
           false);
 
+  /** The next step towards rest is driven: what is left over is cut off. */
+  static final MotionForm CUT =
+      new MotionForm(
+          "command-quantization",
+          "command-quantization: cut",
+          FORM.parameters(),
+          p -> new Cut(p[0], p[1]),
+          "cut commanded speeds down to steps of %s m/s",
+          false);
+
+  private record Cut(double speedStepMPerS, double turnStepRadPerS) implements MotionChange {
+    /** A whole step stays one, however it was rounded. */
+    private static final double WHOLE = 1e-9;
+
+    private static double cut(double command, double step) {
+      return step > 0
+          ? Math.copySign(Math.floor(Math.abs(command) / step + WHOLE) * step, command)
+          : command;
+    }
+
+    @Override
+    public double commandedSpeed(double command) {
+      return cut(command, speedStepMPerS);
+    }
+
+    @Override
+    public double commandedTurn(double command) {
+      return cut(command, turnStepRadPerS);
+    }
+  }
+
   /** Of each wheel by itself. */
   static MotionForm wheels(double wheelBaseM) {
     return new MotionForm(

@@ -30,6 +30,46 @@ record Scale(double speedFactor, double turnFactor) implements MotionChange {
           "multiply the wheel radius by %s",
           false);
 
+  /** A motor whose speed does not grow as its command does. */
+  static final MotionForm SPEED_GROWING =
+      new MotionForm(
+          "speed-scale",
+          "speed-scale: growing with the speed",
+          List.of(
+              MotionParameter.smooth("speed_factor", 0.2, 5, 1, 0.01),
+              MotionParameter.smooth("speed_factor_per_m_s", -5, 5, 0, 0.05)),
+          p -> new Growing(p[0], p[1], 1, 0),
+          "multiply commanded speeds by %s, and by more or less with the speed itself",
+          false);
+
+  static final MotionForm TURN_GROWING =
+      new MotionForm(
+          "turn-scale",
+          "turn-scale: growing with the turn rate",
+          List.of(
+              MotionParameter.smooth("turn_factor", 0.2, 5, 1, 0.01),
+              MotionParameter.smooth("turn_factor_per_rad_s", -2, 2, 0, 0.02)),
+          p -> new Growing(1, 0, p[0], p[1]),
+          "multiply commanded turn rates by %s, and by more or less with the rate itself",
+          false);
+
+  private record Growing(double speed, double perMPerS, double turn, double perRadPerS)
+      implements MotionChange {
+    private static double grown(double value, double factor, double per) {
+      return value * Math.max(0, factor + per * Math.abs(value));
+    }
+
+    @Override
+    public double speed(double speedMPerS) {
+      return grown(speedMPerS, speed, perMPerS);
+    }
+
+    @Override
+    public double turn(double turnRadPerS, double speedMPerS) {
+      return grown(turnRadPerS, turn, perRadPerS);
+    }
+  }
+
   @Override
   public double speed(double speedMPerS) {
     return speedMPerS * speedFactor;
