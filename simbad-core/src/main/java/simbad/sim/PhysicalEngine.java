@@ -47,12 +47,19 @@ public class PhysicalEngine {
    * @param agent whose velocity is that at the start of the step
    */
   protected void computeForces(double elapsedSecond, SimpleAgent agent) {
+    computeForces(elapsedSecond, agent, agent.isAboveGround());
+  }
+
+  /**
+   * The same of an agent that is known to fall or not: what has just been thrown up from the floor
+   * has its weight, too.
+   */
+  void computeForces(double elapsedSecond, SimpleAgent agent, boolean falls) {
     agent.setInteracted(false);
     agent.linearAcceleration.set(0, 0, 0);
     if (agent.getMass() <= 0 || agent.detachedFromSceneGraph) {
       return;
     }
-    boolean falls = agent.isAboveGround();
     double weight = falls || slides(agent) ? weight(agent) : 1;
     if (falls) {
       agent.linearAcceleration.y = -g * weight;

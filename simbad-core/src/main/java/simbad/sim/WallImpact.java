@@ -34,7 +34,7 @@ final class WallImpact {
       Vector3d velocity = agent.linearVelocity;
       velocity.scaleAdd(-elapsedSecond, agent.linearAcceleration, velocity);
       bounce(agent, world.getStaticObjects());
-      engine.computeForces(elapsedSecond, agent);
+      engine.computeForces(elapsedSecond, agent, agent.isAboveGround() || velocity.y > 0);
       velocity.scaleAdd(elapsedSecond, agent.linearAcceleration, velocity);
       agent.integratesPositionChange(elapsedSecond);
       agent.setInteracted(true);

@@ -3,6 +3,7 @@ package simbad.chance;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
@@ -146,6 +147,34 @@ class RandomProgramsTest {
               });
           return holds[0];
         });
+  }
+
+  /** Found among ten thousand: what is thrown up by something low has its weight from the start. */
+  @Test
+  void ballThatIsThrownUp_gainsNothing() {
+    RandomProgram program =
+        new RandomProgram(
+            List.of(
+                new RandomProgram.Thing(
+                    RandomProgram.Kind.BALL,
+                    -0.045913538800582465,
+                    0,
+                    1.715843937577981,
+                    -4994659633068311202L),
+                new RandomProgram.Thing(
+                    RandomProgram.Kind.WALL,
+                    -0.8215002040569748,
+                    0,
+                    2.627594417673679,
+                    6278998917130724956L)),
+            true,
+            47,
+            20);
+    List<Double> energies = new ArrayList<>();
+    program.run(NONE, (step, simulator) -> energies.add(energy(simulator.getAgentList())));
+    for (int i = 1; i < energies.size(); i++) {
+      assertTrue(energies.get(i) <= energies.get(i - 1) + 1e-9, energies::toString);
+    }
   }
 
   private static double energy(List<SimpleAgent> agents) {
