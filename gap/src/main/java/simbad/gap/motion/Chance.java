@@ -7,6 +7,9 @@ final class Chance {
   /** Of a normal deviate 95 % are no further than this. */
   static final double NORMAL_95 = 1.96;
 
+  /** The median size of a standard normal deviate. */
+  static final double MEDIAN = 0.6745;
+
   /** Nothing that is measured is certain. */
   private static final double MOST = 1 - 1e-6;
 

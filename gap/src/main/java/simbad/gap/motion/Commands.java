@@ -8,7 +8,7 @@ final class Commands {
   private Commands() {}
 
   /** Returns the index of the first command that is not before a time. */
-  static int first(List<Command> commands, double timeS) {
+  private static int first(List<Command> commands, double timeS) {
     int low = 0;
     int high = commands.size();
     while (low < high) {
@@ -20,6 +20,11 @@ final class Commands {
       }
     }
     return low;
+  }
+
+  /** Returns the command that is held at a time; before the first one, that. */
+  static Command held(List<Command> commands, double timeS) {
+    return commands.get(Math.max(0, first(commands, Math.nextUp(timeS)) - 1));
   }
 
   /**

@@ -2,9 +2,7 @@ package simbad.gap.motion;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.EnumMap;
 import java.util.List;
-import java.util.Map;
 
 /**
  * What happens now and then: steps that are far off. A wheel that slips makes the way shorter, or
@@ -26,9 +24,6 @@ record Events(int shorter, int late, int other, List<Evidence.Stretch> slips) {
   /** Longer than what is late by an unsteady time; what is off for longer is something else. */
   private static final double CHANGED_S = 0.8;
 
-  /** The median size of a Gaussian deviate. */
-  private static final double MEDIAN = 0.6745;
-
   private static final int ALONG = 0;
   private static final int TURN = 2;
 
@@ -38,38 +33,45 @@ record Events(int shorter, int late, int other, List<Evidence.Stretch> slips) {
     for (int c = 0; c < white.length; c++) {
       white[c] = scaled(new Whitening(evidence, fit.noises()[c], fit.residuals()[c]).white);
     }
-    Map<Kind, Integer> counts = new EnumMap<>(Kind.class);
-    List<Evidence.Stretch> slips = new ArrayList<>();
-    Evidence.Stretch event = new Evidence.Stretch(-1, 0, 0);
-    Kind kind = Kind.OTHER;
+    List<Event> events = new ArrayList<>();
     for (int i = 0; i < evidence.size(); i++) {
       if (Math.abs(white[ALONG][i]) <= FAR && Math.abs(white[TURN][i]) <= FAR) {
         continue;
       }
       Evidence.Step step = evidence.step(i);
-      double toS = step.to().timeS();
-      if (event.meets(step.run(), step.from().timeS(), toS)) {
-        boolean lasts = toS - event.fromS() > CHANGED_S;
-        if (kind == Kind.LATE && lasts) {
-          counts.merge(Kind.LATE, -1, Integer::sum);
-          counts.merge(Kind.OTHER, 1, Integer::sum);
-          kind = Kind.OTHER;
-        }
-        event = new Evidence.Stretch(event.run(), event.fromS(), toS + ONE_EVENT_S);
+      int last = events.size() - 1;
+      if (last >= 0 && events.get(last).goesOnIn(step)) {
+        events.set(last, events.get(last).until(step));
       } else {
-        kind = kind(evidence, i, white, expected);
-        counts.merge(kind, 1, Integer::sum);
-        event = new Evidence.Stretch(step.run(), step.from().timeS(), toS + ONE_EVENT_S);
-      }
-      if (kind == Kind.SHORTER) {
-        slips.add(event);
+        events.add(
+            new Event(
+                kind(evidence, i, white, expected),
+                new Evidence.Stretch(
+                    step.run(), step.from().timeS(), step.to().timeS() + ONE_EVENT_S)));
       }
     }
     return new Events(
-        counts.getOrDefault(Kind.SHORTER, 0),
-        counts.getOrDefault(Kind.LATE, 0),
-        counts.getOrDefault(Kind.OTHER, 0),
-        slips);
+        count(events, Kind.SHORTER),
+        count(events, Kind.LATE),
+        count(events, Kind.OTHER),
+        events.stream().filter(one -> one.kind == Kind.SHORTER).map(Event::stretch).toList());
+  }
+
+  private static int count(List<Event> events, Kind kind) {
+    return (int) events.stream().filter(one -> one.kind == kind).count();
+  }
+
+  private record Event(Kind kind, Evidence.Stretch stretch) {
+    boolean goesOnIn(Evidence.Step step) {
+      return stretch.meets(step.run(), step.from().timeS(), step.to().timeS());
+    }
+
+    Event until(Evidence.Step step) {
+      boolean lasts = step.to().timeS() - stretch.fromS() > CHANGED_S;
+      return new Event(
+          kind == Kind.LATE && lasts ? Kind.OTHER : kind,
+          new Evidence.Stretch(stretch.run(), stretch.fromS(), step.to().timeS() + ONE_EVENT_S));
+    }
   }
 
   private enum Kind {
@@ -100,7 +102,7 @@ record Events(int shorter, int late, int other, List<Evidence.Stretch> slips) {
   /** In units in which most of them are standard normal. */
   private static double[] scaled(double[] white) {
     double[] sizes = Arrays.stream(white).map(Math::abs).sorted().toArray();
-    double scale = sizes.length == 0 ? 1 : sizes[sizes.length / 2] / MEDIAN;
+    double scale = sizes.length == 0 ? 1 : sizes[sizes.length / 2] / Chance.MEDIAN;
     return Arrays.stream(white).map(z -> z / scale).toArray();
   }
 }

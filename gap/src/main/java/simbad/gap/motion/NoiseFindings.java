@@ -22,9 +22,6 @@ final class NoiseFindings {
 
   private static final int FEWEST = 20;
 
-  /** The median size of a Gaussian deviate. */
-  private static final double MEDIAN = 0.6745;
-
   /** Of what only happens now and then, so much may be something else than a slip. */
   private static final double OTHER_SHARE = 0.25;
 
@@ -139,7 +136,7 @@ final class NoiseFindings {
       }
     }
     double[] sorted = sizes.stream().mapToDouble(size -> size).sorted().toArray();
-    return sorted.length < FEWEST ? 0 : sorted[sorted.length / 2] / MEDIAN;
+    return sorted.length < FEWEST ? 0 : sorted[sorted.length / 2] / Chance.MEDIAN;
   }
 
   private static MotionFinding.Parameter parameter(String name, double value, double half) {

@@ -315,16 +315,6 @@ final class Strangers {
   private Command held(int step, double beforeS) {
     List<Command> commands = evidence.runs().get(evidence.step(step).run()).commands();
     double timeS = evidence.step(step).to().timeS() - beforeS;
-    int low = 0;
-    int high = commands.size() - 1;
-    while (low < high) {
-      int middle = (low + high + 1) >>> 1;
-      if (commands.get(middle).timeS() <= timeS) {
-        low = middle;
-      } else {
-        high = middle - 1;
-      }
-    }
-    return commands.get(low);
+    return Commands.held(commands, timeS);
   }
 }

@@ -2,10 +2,9 @@ package simbad.motion.effect;
 
 import java.util.List;
 import simbad.motion.CommandUse;
-import simbad.motion.MotionChange;
 
 /** Small commands do nothing. */
-record DeadBand(double speedMPerS, double turnRadPerS) implements MotionChange {
+final class DeadBand {
   /** Values that are tried, each between two sizes that were commanded. */
   private static final int TRIES = 24;
 
@@ -21,7 +20,7 @@ record DeadBand(double speedMPerS, double turnRadPerS) implements MotionChange {
               MotionParameter.smooth("dead_band_rad_s", 0, 3, 0, 0.03)
                   .inSteps()
                   .tried(use -> CommandUse.between(use.turns(), TRIES))),
-          p -> new DeadBand(p[0], p[1]),
+          p -> new CommandChange(v -> cut(v, p[0]), w -> cut(w, p[1])),
           "commands below %s m/s do nothing: do not give them",
           false);
 
@@ -33,25 +32,11 @@ record DeadBand(double speedMPerS, double turnRadPerS) implements MotionChange {
           List.of(
               MotionParameter.smooth("dead_band_m_s", 0, 1, 0, 0.01).tried(0.01, 0.05),
               MotionParameter.smooth("dead_band_rad_s", 0, 3, 0, 0.03).tried(0.03, 0.1)),
-          p -> new Less(p[0], p[1]),
+          p -> new CommandChange(v -> less(v, p[0]), w -> less(w, p[1])),
           "of every speed %s m/s are missing: command so much more",
           false);
 
-  private record Less(double speedMPerS, double turnRadPerS) implements MotionChange {
-    private static double less(double command, double band) {
-      return Math.copySign(Math.max(0, Math.abs(command) - band), command);
-    }
-
-    @Override
-    public double commandedSpeed(double command) {
-      return less(command, speedMPerS);
-    }
-
-    @Override
-    public double commandedTurn(double command) {
-      return less(command, turnRadPerS);
-    }
-  }
+  private DeadBand() {}
 
   /** Of each wheel by itself. */
   static MotionForm wheels(double wheelBaseM) {
@@ -68,13 +53,7 @@ record DeadBand(double speedMPerS, double turnRadPerS) implements MotionChange {
     return Math.abs(command) < band ? 0 : command;
   }
 
-  @Override
-  public double commandedSpeed(double command) {
-    return cut(command, speedMPerS);
-  }
-
-  @Override
-  public double commandedTurn(double command) {
-    return cut(command, turnRadPerS);
+  private static double less(double command, double band) {
+    return Math.copySign(Math.max(0, Math.abs(command) - band), command);
   }
 }

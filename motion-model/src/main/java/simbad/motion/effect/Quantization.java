@@ -2,14 +2,16 @@ package simbad.motion.effect;
 
 import java.util.List;
 import simbad.motion.CommandUse;
-import simbad.motion.MotionChange;
 
 /** Speeds come in steps: the nearest is driven. A step of 0 is none. */
-record Quantization(double speedStepMPerS, double turnStepRadPerS) implements MotionChange {
+final class Quantization {
   /** Values that are tried: finer steps than a twentieth of the greatest command hardly show. */
   private static final double FACTOR = 0.95;
 
   private static final int TRIES = 68;
+
+  /** A whole step stays one, however it was rounded. */
+  private static final double WHOLE = 1e-9;
 
   private static final MotionParameter SPEED =
       MotionParameter.smooth("step_m_s", 0, 2, 0, 0.02).inSteps();
@@ -23,7 +25,7 @@ record Quantization(double speedStepMPerS, double turnStepRadPerS) implements Mo
               MotionParameter.smooth("step_rad_s", 0, 6, 0, 0.05)
                   .inSteps()
                   .tried(use -> CommandUse.falling(use.turns(), FACTOR, TRIES))),
-          p -> new Quantization(p[0], p[1]),
+          p -> new CommandChange(v -> nearest(v, p[0]), w -> nearest(w, p[1])),
           "round commanded speeds to steps of %s m/s",
           false);
 
@@ -33,30 +35,11 @@ record Quantization(double speedStepMPerS, double turnStepRadPerS) implements Mo
           "command-quantization",
           "command-quantization: cut",
           FORM.parameters(),
-          p -> new Cut(p[0], p[1]),
+          p -> new CommandChange(v -> cut(v, p[0]), w -> cut(w, p[1])),
           "cut commanded speeds down to steps of %s m/s",
           false);
 
-  private record Cut(double speedStepMPerS, double turnStepRadPerS) implements MotionChange {
-    /** A whole step stays one, however it was rounded. */
-    private static final double WHOLE = 1e-9;
-
-    private static double cut(double command, double step) {
-      return step > 0
-          ? Math.copySign(Math.floor(Math.abs(command) / step + WHOLE) * step, command)
-          : command;
-    }
-
-    @Override
-    public double commandedSpeed(double command) {
-      return cut(command, speedStepMPerS);
-    }
-
-    @Override
-    public double commandedTurn(double command) {
-      return cut(command, turnStepRadPerS);
-    }
-  }
+  private Quantization() {}
 
   /** Of each wheel by itself. */
   static MotionForm wheels(double wheelBaseM) {
@@ -69,17 +52,13 @@ record Quantization(double speedStepMPerS, double turnStepRadPerS) implements Mo
         false);
   }
 
-  @Override
-  public double commandedSpeed(double command) {
-    return nearest(command, speedStepMPerS);
-  }
-
-  @Override
-  public double commandedTurn(double command) {
-    return nearest(command, turnStepRadPerS);
-  }
-
   private static double nearest(double command, double step) {
     return step > 0 ? Math.rint(command / step) * step : command;
+  }
+
+  private static double cut(double command, double step) {
+    return step > 0
+        ? Math.copySign(Math.floor(Math.abs(command) / step + WHOLE) * step, command)
+        : command;
   }
 }

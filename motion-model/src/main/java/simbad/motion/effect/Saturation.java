@@ -2,10 +2,9 @@ package simbad.motion.effect;
 
 import java.util.List;
 import simbad.motion.CommandUse;
-import simbad.motion.MotionChange;
 
 /** Large commands are cut. */
-record Saturation(double speedMPerS, double turnRadPerS) implements MotionChange {
+final class Saturation {
   private static final double NONE = Double.POSITIVE_INFINITY;
 
   /** Sizes that are tried, each of which was commanded. */
@@ -19,7 +18,7 @@ record Saturation(double speedMPerS, double turnRadPerS) implements MotionChange
           "saturation",
           "saturation: speed",
           List.of(RIM.tried(use -> CommandUse.among(use.speeds(), TRIES))),
-          p -> new Saturation(p[0], NONE),
+          p -> new CommandChange(v -> cut(v, p[0]), w -> w),
           "cut speeds at %s m/s",
           false);
   static final MotionForm TURN =
@@ -29,9 +28,11 @@ record Saturation(double speedMPerS, double turnRadPerS) implements MotionChange
           List.of(
               MotionParameter.smooth("max_turn_rad_s", 0.02, 20, NONE, 0.03)
                   .tried(use -> CommandUse.among(use.turns(), TRIES))),
-          p -> new Saturation(NONE, p[0]),
+          p -> new CommandChange(v -> v, w -> cut(w, p[0])),
           "cut turn rates at %s rad/s",
           false);
+
+  private Saturation() {}
 
   /** Of each wheel by itself. */
   static MotionForm wheels(double wheelBaseM) {
@@ -46,15 +47,5 @@ record Saturation(double speedMPerS, double turnRadPerS) implements MotionChange
 
   private static double cut(double command, double most) {
     return Math.abs(command) > most ? Math.copySign(most, command) : command;
-  }
-
-  @Override
-  public double commandedSpeed(double command) {
-    return cut(command, speedMPerS);
-  }
-
-  @Override
-  public double commandedTurn(double command) {
-    return cut(command, turnRadPerS);
   }
 }

@@ -3,14 +3,17 @@ package simbad.motion.effect;
 import java.util.List;
 import simbad.motion.MotionChange;
 
-/** Translations and rotations that are too long or too short by a factor. */
-record Scale(double speedFactor, double turnFactor) implements MotionChange {
+/**
+ * Translations and rotations that are too long or too short by a factor, which may grow with them.
+ */
+record Scale(double speedFactor, double perMPerS, double turnFactor, double perRadPerS)
+    implements MotionChange {
   static final MotionForm SPEED =
       new MotionForm(
           "speed-scale",
           "speed-scale",
           List.of(MotionParameter.smooth("speed_factor", 0.2, 5, 1, 0.01)),
-          p -> new Scale(p[0], 1),
+          p -> new Scale(p[0], 0, 1, 0),
           "multiply commanded speeds by %s before driving the model",
           false);
   static final MotionForm TURN =
@@ -18,7 +21,7 @@ record Scale(double speedFactor, double turnFactor) implements MotionChange {
           "turn-scale",
           "turn-scale",
           List.of(MotionParameter.smooth("turn_factor", 0.2, 5, 1, 0.01)),
-          p -> new Scale(1, p[0]),
+          p -> new Scale(1, 0, p[0], 0),
           "multiply commanded turn rates by %s before driving the model",
           false);
   static final MotionForm WHEELS =
@@ -26,7 +29,7 @@ record Scale(double speedFactor, double turnFactor) implements MotionChange {
           "wheel-scale",
           "wheel-scale",
           List.of(MotionParameter.smooth("wheel_factor", 0.2, 5, 1, 0.01)),
-          p -> new Scale(p[0], p[0]),
+          p -> new Scale(p[0], 0, p[0], 0),
           "multiply the wheel radius by %s",
           false);
 
@@ -38,7 +41,7 @@ record Scale(double speedFactor, double turnFactor) implements MotionChange {
           List.of(
               MotionParameter.smooth("speed_factor", 0.2, 5, 1, 0.01),
               MotionParameter.smooth("speed_factor_per_m_s", -5, 5, 0, 0.05)),
-          p -> new Growing(p[0], p[1], 1, 0),
+          p -> new Scale(p[0], p[1], 1, 0),
           "multiply commanded speeds by %s, and by more or less with the speed itself",
           false);
 
@@ -49,34 +52,21 @@ record Scale(double speedFactor, double turnFactor) implements MotionChange {
           List.of(
               MotionParameter.smooth("turn_factor", 0.2, 5, 1, 0.01),
               MotionParameter.smooth("turn_factor_per_rad_s", -2, 2, 0, 0.02)),
-          p -> new Growing(1, 0, p[0], p[1]),
+          p -> new Scale(1, 0, p[0], p[1]),
           "multiply commanded turn rates by %s, and by more or less with the rate itself",
           false);
 
-  private record Growing(double speed, double perMPerS, double turn, double perRadPerS)
-      implements MotionChange {
-    private static double grown(double value, double factor, double per) {
-      return value * Math.max(0, factor + per * Math.abs(value));
-    }
-
-    @Override
-    public double speed(double speedMPerS) {
-      return grown(speedMPerS, speed, perMPerS);
-    }
-
-    @Override
-    public double turn(double turnRadPerS, double speedMPerS) {
-      return grown(turnRadPerS, turn, perRadPerS);
-    }
-  }
-
   @Override
   public double speed(double speedMPerS) {
-    return speedMPerS * speedFactor;
+    return scaled(speedMPerS, speedFactor, perMPerS);
   }
 
   @Override
   public double turn(double turnRadPerS, double speedMPerS) {
-    return turnRadPerS * turnFactor;
+    return scaled(turnRadPerS, turnFactor, perRadPerS);
+  }
+
+  private static double scaled(double value, double factor, double per) {
+    return value * Math.max(0, factor + per * Math.abs(value));
   }
 }
