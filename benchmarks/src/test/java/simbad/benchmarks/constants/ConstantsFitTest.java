@@ -132,6 +132,22 @@ class ConstantsFitTest {
     assertTrue(old.toString().contains("signs: not there"), old.toString());
   }
 
+  /** Worlds of equations say it otherwise: the world's own word stands among the effects. */
+  @Test
+  void whatIsOutsideTheVocabulary_hasNoName(@TempDir Path check) throws IOException {
+    write(
+        check,
+        "answers/c1/diagnosis.json",
+        "{\"verdict\": \"unexplained\", \"explanation\": [\"dropout\"], \"model\": \"threshold\","
+            + " \"signs\": {\"misfit\": 4}, \"tried\": []}");
+    write(
+        check,
+        "world/truth/c1/truth.json",
+        "{\"effects\": {\"one-gain\": {}}, \"outside_vocabulary\": [\"one-gain\"]}");
+    CheckedCase one = CheckedCase.read(check).get(0);
+    assertTrue(one.hasNameless() && ConstantsFit.isUnknown(one));
+  }
+
   /**
    * Two checks of one case each: what is written is read as constants again, and says its origin.
    */

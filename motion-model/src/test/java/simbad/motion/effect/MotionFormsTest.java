@@ -37,6 +37,19 @@ class MotionFormsTest {
   }
 
   @Test
+  void scalesThatGrow_doSoWithWhatTheyScale() {
+    MotionChange speed = change("speed-scale: growing with the speed", 0.9, 0.5);
+    MotionChange turn = change("turn-scale: growing with the turn rate", 1.1, -0.2);
+
+    assertEquals(0.2 * (0.9 + 0.5 * 0.2), speed.speed(0.2), 1e-12);
+    assertEquals(-0.4 * (0.9 + 0.5 * 0.4), speed.speed(-0.4), 1e-12);
+    assertEquals(3, speed.turn(3, 0.2), "turns are as they were");
+    assertEquals(-1.5 * (1.1 - 0.2 * 1.5), turn.turn(-1.5, 0), 1e-12);
+    assertEquals(0, turn.turn(7, 0), "no factor turns it round");
+    assertEquals(0.2, turn.speed(0.2));
+  }
+
+  @Test
   void veers_turnWithTime_orWithTheWay() {
     assertEquals(0.06, way(0, 0, change("turn-bias", 0.02), 3).turnRad(), 1e-9);
     assertEquals(0.3, way(0.5, 0, change("wheel-asymmetry", 0.2), 3).turnRad(), 1e-9);
@@ -51,6 +64,15 @@ class MotionFormsTest {
     assertEquals(-0.051, band.commandedSpeed(-0.051));
     assertEquals(0, band.commandedTurn(-0.09));
     assertEquals(0.1, band.commandedTurn(0.1));
+  }
+
+  @Test
+  void deadBandOfFriction_isMissingFromEveryCommand() {
+    MotionChange band = change("dead-band: less by it", 0.05, 0.1);
+
+    assertEquals(0, band.commandedSpeed(0.049));
+    assertEquals(-0.15, band.commandedSpeed(-0.2), 1e-12);
+    assertEquals(0.4, band.commandedTurn(0.5), 1e-12);
   }
 
   @Test
@@ -72,6 +94,16 @@ class MotionFormsTest {
     assertEquals(0.15, steps.commandedSpeed(0.16), 1e-12);
     assertEquals(-0.25, steps.commandedTurn(-0.3), 1e-12);
     assertEquals(0.16, change("command-quantization", 0, 0.25).commandedSpeed(0.16));
+  }
+
+  @Test
+  void quantizationThatCuts_takesTheStepTowardsRest() {
+    MotionChange steps = change("command-quantization: cut", 0.05, 0.25);
+
+    assertEquals(0.15, steps.commandedSpeed(0.199), 1e-12);
+    assertEquals(-0.15, steps.commandedSpeed(-0.15), 1e-12, "a whole step stays one");
+    assertEquals(0, steps.commandedTurn(-0.2), 1e-12);
+    assertEquals(0.199, change("command-quantization: cut", 0, 0).commandedSpeed(0.199));
   }
 
   /** To 1 m/s at 0.5 m/s2 takes 2 s and 1 m. */
