@@ -164,8 +164,8 @@ public final class MotionPage {
     for (MotionPlace place : places.subList(0, Math.min(MOST_PLACES, places.size()))) {
       tables.row(
           "<code>" + place.axis() + "</code> " + Markup.escaped(place.name()),
-          "#" + Html.number(place.low()),
-          "#" + Html.number(place.high()),
+          "#" + end(place.axis(), place.low()),
+          "#" + end(place.axis(), place.high()),
           "#" + place.rows(),
           "#" + Html.percent(place.share()),
           "#" + Html.fixed(place.before(), 2),
@@ -173,5 +173,10 @@ public final class MotionPage {
           "#" + (place.qValue() < 1e-3 ? "&lt;&nbsp;0.001" : Html.fixed(place.qValue(), 3)));
     }
     tables.end();
+  }
+
+  /** Clocks that count from 1970 need all their digits. */
+  private static String end(String axis, double value) {
+    return axis.equals("t_s") ? Html.fixed(value, 0) : Html.number(value);
   }
 }

@@ -45,8 +45,14 @@ final class Places {
 
   /** The unit that a name ends in, as one writes it behind a number. */
   static String unit(String name) {
-    if (name.endsWith("_m_s")) {
+    if (name.endsWith("_per_m_s")) {
+      return "&nbsp;per&nbsp;m/s";
+    } else if (name.endsWith("_per_rad_s")) {
+      return "&nbsp;per&nbsp;rad/s";
+    } else if (name.endsWith("_m_s")) {
       return "&nbsp;m/s";
+    } else if (name.endsWith("_rad_s")) {
+      return "&nbsp;rad/s";
     } else if (name.endsWith("_deg_s")) {
       return "&nbsp;°/s";
     } else if (name.endsWith("_per_m")) {

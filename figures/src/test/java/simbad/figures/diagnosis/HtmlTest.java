@@ -64,9 +64,18 @@ class HtmlTest {
 
   @ParameterizedTest
   @CsvSource({
-    "sound_speed_m_s, &nbsp;m/s", "rate_deg_s, &nbsp;°/s", "turn_deg, °", "offset_m, &nbsp;m",
-    "delay_s, &nbsp;s", "loss_per_m, &nbsp;1/m", "pings, &nbsp;pings", "factor, ''",
-    "threshold_5_deg_m, &nbsp;m"
+    "sound_speed_m_s, &nbsp;m/s",
+    "rate_deg_s, &nbsp;°/s",
+    "turn_deg, °",
+    "offset_m, &nbsp;m",
+    "delay_s, &nbsp;s",
+    "loss_per_m, &nbsp;1/m",
+    "pings, &nbsp;pings",
+    "factor, ''",
+    "threshold_5_deg_m, &nbsp;m",
+    "max_turn_rad_s, &nbsp;rad/s",
+    "speed_factor_per_m_s, &nbsp;per&nbsp;m/s",
+    "turn_factor_per_rad_s, &nbsp;per&nbsp;rad/s"
   })
   void units_comeOfNames(String name, String unit) {
     assertEquals(unit, Places.unit(name));
