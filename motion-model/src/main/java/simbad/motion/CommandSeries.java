@@ -1,7 +1,6 @@
 package simbad.motion;
 
 import java.util.Arrays;
-import java.util.List;
 
 /**
  * A run's commands as the way and the turn that they ask for up to a time. Held commands make these
@@ -14,15 +13,15 @@ final class CommandSeries {
   private final double[] ways;
   private final double[] angles;
 
-  CommandSeries(List<Command> commands, MotionChain chain) {
-    int n = commands.size();
+  CommandSeries(Command[] commands) {
+    int n = commands.length;
     timesS = new double[n];
     speeds = new double[n];
     turns = new double[n];
     ways = new double[n];
     angles = new double[n];
     for (int i = 0; i < n; i++) {
-      Command command = chain.commanded(commands.get(i));
+      Command command = commands[i];
       timesS[i] = command.timeS();
       speeds[i] = command.speedMPerS();
       turns[i] = command.turnRadPerS();

@@ -56,13 +56,13 @@ public final class Way {
   public static Way of(MotionRun run, MotionChain chain, double fromS, double toS) {
     int size = (int) Math.ceil((toS - fromS) / STEP_S) + 2;
     Way way = new Way(fromS, size, chain.capture());
-    way.drive(new CommandSeries(run.commands(), chain), chain);
+    Stages stages = Stages.of(chain);
+    CommandSeries series = new CommandSeries(stages.commanded(run.commands()));
+    way.drive(series, stages, chain.delayS(), chain.response().over(STEP_S));
     return way;
   }
 
-  private void drive(CommandSeries series, MotionChain chain) {
-    Response.Step follow = chain.response().over(STEP_S);
-    double late = chain.delayS();
+  private void drive(CommandSeries series, Stages stages, double late, Response.Step follow) {
     int index = series.index(startS - late);
     double way = series.way(index, startS - late);
     double angle = series.angle(index, startS - late);
@@ -77,9 +77,9 @@ public final class Way {
       double toTurn = (nextAngle - angle) / STEP_S;
       double nextSpeed = follow.speed().next(speed, toSpeed);
       double nextTurn = follow.turn().next(turn, toTurn);
-      double speedOverGround = chain.speed(follow.speed().mean(speed, toSpeed, nextSpeed));
+      double speedOverGround = stages.speed(follow.speed().mean(speed, toSpeed, nextSpeed));
       double turned = follow.turn().mean(turn, toTurn, nextTurn);
-      step(i, speedOverGround, chain.turn(turned, speedOverGround));
+      step(i, speedOverGround, stages.turn(turned, speedOverGround));
       speed = nextSpeed;
       turn = nextTurn;
       way = nextWay;

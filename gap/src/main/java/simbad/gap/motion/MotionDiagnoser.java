@@ -3,33 +3,26 @@ package simbad.gap.motion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import java.util.stream.IntStream;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Verdict;
 import simbad.motion.CommandUse;
 import simbad.motion.MotionChain;
 import simbad.motion.MotionRun;
-import simbad.motion.Robot;
 import simbad.motion.effect.FittedMotion;
 import simbad.motion.effect.MotionForms;
-import simbad.motion.forecast.MotionForecast;
 import simbad.motion.format.MotionData;
 
 /** Diagnoses a motion folder. Uses no chance: equal data give an equal diagnosis. */
 public final class MotionDiagnoser {
   /** Fewer blocks of ten seconds cannot be left out in fifths. */
-  private static final int LEAST_BLOCKS = 6;
+  static final int LEAST_BLOCKS = 6;
 
-  /** An effect that is less probable, its ties counted, is not concluded. */
-  private static final double SURE = 0.8;
+  /** An effect that takes away less than a hundredth of the gap explains nothing. */
+  static final double WORTH = 0.99;
 
   private static final int MOST_ROUNDS = 3;
-
-  /** Names that a wheel out of round goes by. */
-  private static final Set<String> WHEELS = Set.of("wheel-scale", "wheel-asymmetry", "speed-scale");
 
   private final MotionData data;
   private final List<MotionRun> runs;
@@ -48,39 +41,21 @@ public final class MotionDiagnoser {
     use = CommandUse.of(runs, data.robot().wheelBaseM());
   }
 
-  /** What is believed, and what a reference has shown beside it. */
-  @SuppressWarnings("ArrayRecordComponent") // Three noises, never compared.
-  private record Base(MotionForecast nominal, Noise[] noises, List<FittedMotion> shown) {
-    static Base of(MotionData data) {
-      Robot robot = data.robot();
-      Noise place = Noise.believed(robot.trackSigmaM());
-      Noise[] stated = {place, place, Noise.believed(robot.trackSigmaRad())};
-      Base believed = new Base(MotionForecast.believed(robot), stated, List.of());
-      if (data.reference().isEmpty()) {
-        return believed;
-      }
-      List<MotionRun> runs = data.reference().stream().map(MotionRun::withoutRepeats).toList();
-      Evidence trusted = new Evidence(runs);
-      if (trusted.blockCount() < LEAST_BLOCKS) {
-        return believed;
-      }
-      Scored best = new Odds(new Search(trusted, robot).run(robot.motion())).best();
-      MotionChain chain = best.hypothesis().chain();
-      return new Base(
-          MotionGap.forecast(runs, chain), best.fit().noises(), best.hypothesis().fitted());
-    }
-  }
-
-  /** What a log says, slips left out or not. */
-  private record Told(Evidence evidence, Odds odds, MotionGap gap, NoiseFindings scatter) {}
-
   /** Returns the diagnosis. */
   public MotionDiagnosis diagnose() {
-    Base base = Base.of(data);
+    Believed base = Believed.of(data);
     if (evidence.blockCount() < LEAST_BLOCKS) {
       return undecided(base);
     }
     Told told = told(base, evidence);
+    for (int round = 0; round < MOST_ROUNDS; round++) {
+      Optional<Believed> learnt = base.learning(told.odds().best());
+      if (learnt.isEmpty()) {
+        break;
+      }
+      base = learnt.get();
+      told = told(base, evidence);
+    }
     Optional<MotionFinding> slip = told.scatter().slip();
     List<Evidence.Stretch> slips = new ArrayList<>();
     // What slipped would be taken for wheels that are too small; and without it more is seen.
@@ -95,18 +70,33 @@ public final class MotionDiagnoser {
     return concluded(base, told, slip);
   }
 
-  private Told told(Base base, Evidence of) {
+  private Told told(Believed base, Evidence of) {
     Odds odds = new Odds(new Search(of, data.robot()).run(base.nominal().chain()));
     MotionGap gap = gap(base, odds.best());
-    if (gap.ratio() >= 1 && !odds.best().hypothesis().forms().isEmpty()) {
-      // What makes forecasts worse explains nothing.
-      odds = new Odds(List.of(odds.nominal()));
+    for (Optional<String> idle = idle(odds, gap); idle.isPresent(); idle = idle(odds, gap)) {
+      odds = odds.without(idle.get());
       gap = gap(base, odds.best());
     }
-    return new Told(of, odds, gap, new NoiseFindings(of, base.noises(), odds.best().fit()));
+    return new Told(of, odds, gap, new NoiseFindings(of, base, odds.best().fit()));
   }
 
-  private MotionGap gap(Base base, Scored set) {
+  /** Finds an effect without which the explanation is as good. */
+  private static Optional<String> idle(Odds odds, MotionGap gap) {
+    Hypothesis best = odds.best().hypothesis();
+    List<String> effects = List.copyOf(best.effects());
+    if (effects.isEmpty()) {
+      return Optional.empty();
+    }
+    if (effects.size() == 1) {
+      return gap.ratio() > WORTH ? Optional.of(effects.get(0)) : Optional.empty();
+    }
+    double with = gap.fitted(best.chain());
+    return effects.stream()
+        .filter(effect -> gap.fitted(odds.lacking(effect).hypothesis().chain()) * WORTH < with)
+        .findFirst();
+  }
+
+  private MotionGap gap(Believed base, Scored set) {
     List<MotionChain> folds =
         IntStream.range(0, Evidence.FOLDS)
             .mapToObj(fold -> set.slopes().withoutFold(fold).chain())
@@ -114,38 +104,21 @@ public final class MotionDiagnoser {
     return MotionGap.of(runs, base.nominal(), folds);
   }
 
-  private MotionDiagnosis concluded(Base base, Told told, Optional<MotionFinding> slip) {
+  private MotionDiagnosis concluded(Believed base, Told told, Optional<MotionFinding> slip) {
     Odds odds = told.odds();
-    MotionGap gap = told.gap();
-    Findings findings = new Findings(odds);
-    List<MotionFinding> named = new ArrayList<>(findings.named());
-    Unknown all =
-        new Unknown(
-            new Strangers(told.evidence(), odds.best()).traces(odds.nominal().fit().residuals()),
-            told.scatter().otherEvents());
-    // A wheel whose size is named may well be out of round.
-    boolean wheels = named.stream().anyMatch(one -> WHEELS.contains(one.effect()));
-    Unknown unknown = wheels ? all.without(Strangers.Kind.RIPPLE) : all;
-    boolean sure = named.stream().allMatch(one -> odds.ofAny(one.effect(), one.ties()) >= SURE);
-    List<MotionFinding> noises = new ArrayList<>();
-    slip.ifPresent(noises::add);
-    // What has no name scatters as well.
-    boolean scatters = !unknown.isLikely() && !all.shows(Strangers.Kind.RIPPLE);
-    told.scatter().noise().filter(noise -> scatters).ifPresent(noises::add);
-    named.addAll(noises);
-    Verdict verdict = verdict(named, unknown, sure);
-    boolean believes = verdict == Verdict.EXPLAINED || verdict == Verdict.PARTLY;
-    List<MotionFinding> explanation = believes ? named : List.of();
-    MotionDiagnosis.Gap figures = figures(gap, odds.best(), verdict);
+    Conclusion conclusion = Conclusion.of(told, slip);
+    Verdict verdict = conclusion.verdict();
+    List<MotionFinding> explanation = conclusion.explanation();
+    MotionDiagnosis.Gap figures = figures(told.gap(), odds.best(), verdict);
     return new MotionDiagnosis(
         verdict,
-        headline(verdict, named, unknown, figures),
+        conclusion.headline(figures.shrink()),
         explanation,
-        others(findings, noises, explanation),
-        unknown.probability(),
+        conclusion.others(new Findings(odds).others(explanation)),
+        conclusion.unknown().probability(),
         figures,
-        new Budget(gap, figures, odds.best(), base.noises()).of(explanation),
-        MotionPlaces.of(runs, gap),
+        new Budget(told.gap(), figures, odds.best(), base.noises()).of(explanation),
+        MotionPlaces.of(runs, told.gap()),
         new Undetectables(told.evidence(), odds).among(Search.forms(data.robot()), use),
         next(odds, explanation),
         fitted(base, odds.best()),
@@ -154,22 +127,10 @@ public final class MotionDiagnoser {
             : MotionGap.forecast(runs, odds.best().hypothesis().chain()));
   }
 
-  private static List<FittedMotion> fitted(Base base, Scored best) {
+  private static List<FittedMotion> fitted(Believed base, Scored best) {
     List<FittedMotion> fitted = new ArrayList<>(base.shown());
     fitted.addAll(best.hypothesis().fitted());
     return fitted;
-  }
-
-  private static List<MotionFinding> others(
-      Findings findings, List<MotionFinding> noises, List<MotionFinding> explanation) {
-    List<MotionFinding> others = new ArrayList<>();
-    for (MotionFinding one : findings.others(explanation)) {
-      Optional<MotionFinding> noise =
-          noises.stream().filter(other -> other.effect().equals(one.effect())).findFirst();
-      others.add(noise.orElse(one));
-    }
-    others.sort((a, b) -> Double.compare(b.probability(), a.probability()));
-    return others;
   }
 
   /** Without an effect the forecast stays what was believed. */
@@ -186,38 +147,6 @@ public final class MotionDiagnoser {
         Math.min(ratio, gap.floor(best.fit().noises())));
   }
 
-  private Verdict verdict(List<MotionFinding> named, Unknown unknown, boolean sure) {
-    boolean atBound =
-        named.stream()
-            .flatMap(finding -> finding.parameters().stream())
-            .anyMatch(MotionFinding.Parameter::atBound);
-    if (named.isEmpty()) {
-      return unknown.isLikely() ? Verdict.UNEXPLAINED : Verdict.NONE;
-    }
-    if (!sure) {
-      return Verdict.UNDECIDED;
-    }
-    return unknown.isLikely() || atBound ? Verdict.PARTLY : Verdict.EXPLAINED;
-  }
-
-  private static String headline(
-      Verdict verdict, List<MotionFinding> findings, Unknown unknown, MotionDiagnosis.Gap gap) {
-    String names = String.join(" + ", findings.stream().map(MotionFinding::effect).toList());
-    String shrink = String.format(Locale.ROOT, "the gap shrinks by %.0f %%", 100 * gap.shrink());
-    return switch (verdict) {
-      case NONE -> "no gap beyond chance";
-      case UNEXPLAINED -> "something that no named effect accounts for: " + unknown.words();
-      case UNDECIDED -> "this log does not tell which effects are at work; the likeliest: " + names;
-      case PARTLY ->
-          names
-              + ", and something else ("
-              + (unknown.isLikely() ? unknown.words() : "a value stands at its bound")
-              + "); "
-              + shrink;
-      case EXPLAINED -> names + "; " + shrink;
-    };
-  }
-
   private Optional<MotionDiagnosis.NextDrive> next(Odds odds, List<MotionFinding> explanation) {
     for (MotionFinding one : explanation) {
       for (String tied : one.ties()) {
@@ -232,7 +161,7 @@ public final class MotionDiagnoser {
     return Optional.empty();
   }
 
-  private MotionDiagnosis undecided(Base base) {
+  private MotionDiagnosis undecided(Believed base) {
     double[][] none = new double[3][3];
     return new MotionDiagnosis(
         Verdict.UNDECIDED,

@@ -27,6 +27,11 @@ public record MotionFinding(
     ties = List.copyOf(ties);
   }
 
+  /** Returns the same, no more probable than given. */
+  MotionFinding atMost(double most) {
+    return new MotionFinding(effect, form, Math.min(probability, most), parameters, ties, remedy);
+  }
+
   /**
    * A fitted number.
    *

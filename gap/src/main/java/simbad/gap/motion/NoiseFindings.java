@@ -31,13 +31,15 @@ final class NoiseFindings {
   private static final double PER_OTHER_NATS = Math.log(0.05 / 0.5);
 
   private final Evidence evidence;
+  private final Believed base;
   private final Noise[] believed;
   private final Fit fit;
   private final Events events;
 
-  NoiseFindings(Evidence evidence, Noise[] believed, Fit fit) {
+  NoiseFindings(Evidence evidence, Believed base, Fit fit) {
     this.evidence = evidence;
-    this.believed = believed;
+    this.base = base;
+    believed = base.noises();
     this.fit = fit;
     events = Events.of(evidence, fit);
   }
@@ -109,8 +111,22 @@ final class NoiseFindings {
         >= NoiseFit.likeliest(evidence, evidence.changes(component, delayS), residuals);
   }
 
-  /** By how many times half seconds of moving are farther off than believed, by their median. */
+  /**
+   * By how many times half seconds of moving are farther off than believed, by their median, over
+   * the same of the reference: no law of scatter is quite right.
+   */
   private double times(int component) {
+    double own = times(evidence, fit.residuals()[component], believed[component]);
+    return own / Math.max(1, base.reference().map(one -> usual(one, component)).orElse(1.0));
+  }
+
+  private double usual(Believed.Reference reference, int component) {
+    Evidence trusted = reference.evidence();
+    double[] residuals = trusted.residuals(base.nominal().chain())[component];
+    return times(trusted, residuals, believed[component]);
+  }
+
+  private static double times(Evidence evidence, double[] residuals, Noise believed) {
     List<Double> sizes = new ArrayList<>();
     double sum = 0;
     double seconds = 0;
@@ -122,13 +138,13 @@ final class NoiseFindings {
         seconds = 0;
         load = 0;
       }
-      sum += fit.residuals()[component][i];
+      sum += residuals[i];
       seconds += step.durationS();
       load += step.load() * step.durationS();
       if (seconds >= OVER_S - 1e-6) {
         double mean = load / seconds;
         if (mean > MOVING) {
-          sizes.add(Math.abs(sum) / Math.sqrt(believed[component].variance(seconds, mean)));
+          sizes.add(Math.abs(sum) / Math.sqrt(believed.variance(seconds, mean)));
         }
         sum = 0;
         seconds = 0;

@@ -52,6 +52,25 @@ final class Odds {
     }
   }
 
+  /** Returns the same without the sets that name an effect. */
+  Odds without(String effect) {
+    return new Odds(sets.stream().filter(set -> !set.hypothesis().names(effect)).toList());
+  }
+
+  /** Returns the likeliest set that has no effects but those of the most probable one, less one. */
+  Scored lacking(String effect) {
+    Set<String> rest = best().hypothesis().without(effect).effects();
+    return sets.stream()
+        .filter(set -> rest.containsAll(set.hypothesis().effects()))
+        .max(Comparator.comparingDouble(Scored::heldOut))
+        .orElseThrow();
+  }
+
+  /** Returns how probable it is that an effect is needed, by what blocks gain that are left out. */
+  double ofGain(double nats) {
+    return Chance.ofLogOdds((nats / clumping - COST_NATS) / TEMPERATURE);
+  }
+
   double clumping() {
     return clumping;
   }

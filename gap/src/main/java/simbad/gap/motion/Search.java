@@ -3,9 +3,12 @@ package simbad.gap.motion;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import simbad.motion.CommandUse;
 import simbad.motion.MotionChain;
@@ -39,6 +42,9 @@ final class Search {
 
   /** What gained less of a round's best gains nothing beside more. */
   private static final double HOPELESS_NATS = 0.5;
+
+  /** What a value of a set-up gains where it is none. */
+  private static final double LEAST_NATS = 1;
 
   private final Evidence evidence;
   private final Fitter fitter;
@@ -75,7 +81,27 @@ final class Search {
           set.hypothesis().effects().size() < MOST_EFFECTS ? grown(set, open, REFINED) : List.of();
     }
     replaced(set);
-    return scored();
+    return scored(set.hypothesis().effects());
+  }
+
+  /**
+   * Adds to an explanation of a reference whatever makes left-out blocks likelier, however small:
+   * what a set-up is off by anyway is nobody's change.
+   */
+  Scored calibrated(Scored from) {
+    Scored best = from;
+    boolean better = true;
+    while (better) {
+      Fit base = best.fit();
+      Optional<Scored> next =
+          MotionForms.PLAIN.parallelStream()
+              .filter(form -> apart(base.hypothesis(), form))
+              .map(form -> Scored.of(evidence, fitter.fit(fitter.screened(base, form))))
+              .max(Comparator.comparingDouble(Scored::heldOut));
+      better = next.isPresent() && next.get().heldOut() > best.heldOut() + LEAST_NATS;
+      best = better ? next.get() : best;
+    }
+    return best;
   }
 
   private static List<MotionForm> promising(List<Fit> added, Fit before, Hypothesis set) {
@@ -176,15 +202,18 @@ final class Search {
     return false;
   }
 
-  private List<Scored> scored() {
+  /** The most promising, and what the found set would be without each of its effects. */
+  private List<Scored> scored(Set<String> found) {
     Comparator<Fit> order =
         Comparator.comparingDouble(
             fit -> Odds.COST_NATS * fit.hypothesis().effects().size() - fit.promise());
     List<Fit> front = fits.values().stream().sorted(order).limit(SCORED).toList();
-    List<Fit> all = new ArrayList<>(front);
-    Fit nominal = fits.get(Set.<String>of());
-    if (nominal != null && !all.contains(nominal)) {
-      all.add(nominal);
+    Set<Fit> all = new LinkedHashSet<>(front);
+    all.add(fits.get(Set.<String>of()));
+    for (String effect : found) {
+      Set<String> less = new TreeSet<>(found);
+      less.remove(effect);
+      Optional.ofNullable(fits.get(less)).ifPresent(all::add);
     }
     return all.parallelStream()
         .map(fit -> Scored.of(evidence, fit))

@@ -77,8 +77,13 @@ final class Strangers {
     return Arrays.stream(Kind.values()).map(kind -> trace(kind, nominal)).toList();
   }
 
-  private Trace trace(Kind kind, double[][] nominal) {
-    List<double[][]> raw = columns(kind);
+  /** Returns the log density of left-out blocks with a kind of trace beside the explanation. */
+  double heldOut(Kind kind) {
+    return Arrays.stream(beside(columns(kind)).heldOut()).sum();
+  }
+
+  /** The values of the explanation, and those of a trace behind them. */
+  private Linear beside(List<double[][]> raw) {
     Whitening[] white = best.slopes().white();
     double[][][] own = best.slopes().columns();
     double[][][] all = Arrays.copyOf(own, own.length + raw.size());
@@ -89,7 +94,13 @@ final class Strangers {
       }
       all[own.length + k] = column;
     }
-    Linear with = new Linear(evidence, white, all);
+    return new Linear(evidence, white, all);
+  }
+
+  private Trace trace(Kind kind, double[][] nominal) {
+    List<double[][]> raw = columns(kind);
+    int own = best.slopes().columns().length;
+    Linear with = beside(raw);
     double nats = Arrays.stream(with.heldOut()).sum() - best.heldOut();
     nats = nats > HOPELESS_NATS ? Math.max(nats, withItsNoise(with, raw) - withoutTrace) : nats;
     double[] values = with.move(block -> true, RIDGE);
@@ -97,7 +108,7 @@ final class Strangers {
         kind,
         nats,
         raw.size() + (kind == Kind.RIPPLE ? SCANNED : 0),
-        share(raw, Arrays.copyOfRange(values, own.length, all.length), nominal));
+        share(raw, Arrays.copyOfRange(values, own, values.length), nominal));
   }
 
   /**

@@ -2,6 +2,7 @@ package simbad.gap.motion;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * How probable it is that something without a name is at work.
@@ -44,20 +45,25 @@ record Unknown(List<Strangers.Trace> traces, double events) {
     return new Unknown(traces.stream().filter(trace -> trace.kind() != kind).toList(), events);
   }
 
-  /** Tells whether there is a kind of trace, however little it foretells. */
-  boolean shows(Strangers.Kind kind) {
-    return traces.stream().anyMatch(t -> t.kind() == kind && gain(t) > 0);
+  /** Tells whether something comes again as a wheel turns, however little that foretells. */
+  boolean isRipple() {
+    return traces.stream().anyMatch(t -> t.kind() == Strangers.Kind.RIPPLE && gain(t) > 0);
   }
 
   boolean isLikely() {
     return probability() > LIKELY;
   }
 
-  /** Says what it looks like. */
-  String words() {
+  /** Returns the trace that it shows by, if it is no event. */
+  Optional<Strangers.Trace> trace() {
     return traces.stream()
         .max(Comparator.comparingDouble(Unknown::logOdds))
-        .filter(trace -> probability(trace) >= events)
+        .filter(trace -> probability(trace) >= events);
+  }
+
+  /** Says what it looks like. */
+  String words() {
+    return trace()
         .map(trace -> trace.kind().words())
         .orElse("it is far off now and then, either way");
   }

@@ -32,6 +32,10 @@ public final class MotionForms {
           CaptureOffset.POINT,
           CaptureOffset.HEADING);
 
+  /** What any robot may be off by a little: scales, turning that nobody asked for, lateness. */
+  public static final List<MotionForm> PLAIN =
+      List.of(Scale.SPEED, Scale.TURN, Veer.BIAS, Veer.ASYMMETRY, Delay.LATENCY, Lag.CONSTANTS);
+
   /** Motion that scatters more than believed. */
   public static final String MOTION_NOISE = "motion-noise";
 

@@ -1,0 +1,56 @@
+package simbad.motion;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import simbad.motion.effect.MotionForm;
+import simbad.motion.effect.MotionForms;
+import simbad.motion.effect.MotionParameter;
+
+class StagesTest {
+  private static final Command COMMAND = new Command(3, 0.31, -0.7);
+
+  static List<MotionForm> forms() {
+    return MotionForms.ALL;
+  }
+
+  /** Each form behind a scale of everything, so that the order counts too. */
+  @ParameterizedTest(name = "{0}")
+  @MethodSource("forms")
+  void stages_sayWhatTheChainSays(MotionForm form) {
+    MotionChain chain = MotionChain.EXACT.with(new Halving()).with(form.change(values(form)));
+    Stages stages = Stages.of(chain);
+
+    assertEquals(chain.commanded(COMMAND), stages.commanded(List.of(COMMAND))[0]);
+    assertEquals(chain.speed(0.31), stages.speed(0.31));
+    assertEquals(chain.turn(-0.7, 0.31), stages.turn(-0.7, 0.31));
+  }
+
+  private static double[] values(MotionForm form) {
+    return form.parameters().stream().mapToDouble(StagesTest::value).toArray();
+  }
+
+  private static double value(MotionParameter parameter) {
+    return parameter.within(Math.min(parameter.neutral(), 1) + 0.2);
+  }
+
+  /** The stages of speeds and turns, but not of commands, have a halving. */
+  @Test
+  void whatSaysNothing_isNotAsked() {
+    Stages stages = Stages.of(MotionChain.EXACT.with(new Halving()));
+
+    assertEquals(0, stages.commands().length);
+    assertEquals(1, stages.speeds().length);
+    assertEquals(0, stages.turns().length);
+  }
+
+  private record Halving() implements MotionChange {
+    @Override
+    public double speed(double speedMPerS) {
+      return speedMPerS / 2;
+    }
+  }
+}
