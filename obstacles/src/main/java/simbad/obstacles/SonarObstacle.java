@@ -2,11 +2,13 @@ package simbad.obstacles;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import javax.media.j3d.Transform3D;
 import javax.vecmath.Vector3d;
 import simbad.kernel.geometry.PrismShape;
 import simbad.kernel.geometry.Shape;
 import simbad.scene3d.Figure;
+import simbad.scene3d.FloorEdge;
 import simbad.sim.BlockWorldObject;
 import simbad.sim.StaticObject;
 import simbad.sim.World;
@@ -111,10 +113,17 @@ public class SonarObstacle extends BlockWorldObject {
         Locale.ROOT, "obstacle %s at x %.4g, z %.4g m", type.name(), at.xM(), at.zM());
   }
 
-  /** Adds the shadow to what the window shows. */
+  /** Adds the shadow, and its edge on the floor, to what the window shows. */
   @Override
   protected void decorate(Figure figure) {
     ShadowShape.find(shadow(), BODY_HEIGHT_M).ifPresent(figure::add);
+    shadow().edge().map(SonarObstacle::line).ifPresent(figure::add);
+  }
+
+  private static FloorEdge line(Outline edge) {
+    return new FloorEdge(
+        IntStream.range(0, edge.size()).mapToDouble(edge::xM).toArray(),
+        IntStream.range(0, edge.size()).mapToDouble(edge::zM).toArray());
   }
 
   @Override

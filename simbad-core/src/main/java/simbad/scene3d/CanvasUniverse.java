@@ -1,13 +1,16 @@
 package simbad.scene3d;
 
+import java.awt.Dimension;
 import java.awt.GraphicsConfiguration;
 import java.awt.GraphicsEnvironment;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.image.BufferedImage;
 import java.util.function.Consumer;
 import javax.media.j3d.BranchGroup;
 import javax.media.j3d.Canvas3D;
 import javax.media.j3d.GraphicsConfigTemplate3D;
+import javax.media.j3d.Group;
 import javax.media.j3d.Locale;
 import javax.media.j3d.PhysicalBody;
 import javax.media.j3d.PhysicalEnvironment;
@@ -27,6 +30,9 @@ final class CanvasUniverse {
   private static final double FAR_SIDES = 20;
 
   private static final double LEAST_FAR_M = 100;
+
+  /** Pictures are so many times as fine as the canvas: they are not smoothed. */
+  private static final int FINENESS = 2;
 
   private static @Nullable GraphicsConfiguration configuration;
 
@@ -100,6 +106,8 @@ final class CanvasUniverse {
     ViewPlatform platform = new ViewPlatform();
     eye.setCapability(TransformGroup.ALLOW_TRANSFORM_WRITE);
     eye.setCapability(TransformGroup.ALLOW_TRANSFORM_READ);
+    eye.setCapability(Group.ALLOW_CHILDREN_EXTEND);
+    eye.setCapability(Group.ALLOW_CHILDREN_WRITE);
     eye.addChild(platform);
     eye.addChild(Illumination.headlight());
     view.attachViewPlatform(platform);
@@ -142,6 +150,34 @@ final class CanvasUniverse {
 
   TransformGroup eye() {
     return eye;
+  }
+
+  /** Returns the width of a pixel of the picture at a distance of 1. */
+  double pixelShare() {
+    return 2 * Math.tan(view.getFieldOfView() / 2) / Math.max(1, canvas.getWidth());
+  }
+
+  /**
+   * Takes a picture of what the canvas shows, out of sight: it does not matter what lies before it.
+   *
+   * @throws DisplayException if Java 3D cannot draw it
+   */
+  BufferedImage photograph() {
+    int width = FINENESS * Math.max(1, canvas.getWidth());
+    int height = FINENESS * Math.max(1, canvas.getHeight());
+    try {
+      Film film;
+      synchronized (UniverseLock.LOCK) {
+        film = new Film(new Dimension(width, height), eye, view.getFieldOfView(), NEAR_M);
+      }
+      BufferedImage picture = film.expose();
+      synchronized (UniverseLock.LOCK) {
+        film.close();
+      }
+      return picture;
+    } catch (RuntimeException | LinkageError e) {
+      throw Missing.of(e);
+    }
   }
 
   void add(BranchGroup branch) {
