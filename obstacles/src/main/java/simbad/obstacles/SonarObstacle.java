@@ -27,6 +27,9 @@ public class SonarObstacle extends BlockWorldObject {
   /** Height of the body in metres, well over any belt. */
   public static final double BODY_HEIGHT_M = 1.0;
 
+  /** Of the shadow as it is drawn: a low one hides neither robots nor its own edge. */
+  private static final double DRAWN_SHADOW_M = 0.05;
+
   private final ObstacleType type;
   private final double reachM;
 
@@ -116,7 +119,7 @@ public class SonarObstacle extends BlockWorldObject {
   /** Adds the shadow, and its edge on the floor, to what the window shows. */
   @Override
   protected void decorate(Figure figure) {
-    ShadowShape.find(shadow(), BODY_HEIGHT_M).ifPresent(figure::add);
+    ShadowShape.find(shadow(), DRAWN_SHADOW_M).ifPresent(figure::add);
     shadow().edge().map(SonarObstacle::line).ifPresent(figure::add);
   }
 

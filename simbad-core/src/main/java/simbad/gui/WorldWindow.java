@@ -8,6 +8,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JInternalFrame;
@@ -149,15 +150,16 @@ public final class WorldWindow extends JInternalFrame {
     World shown = world;
     if (shown != null) {
       Path into = folder;
-      BufferedImage below = legendPicture();
+      Optional<BufferedImage> below = legendPicture();
       Commands.run(() -> save(shown, below, into));
     }
   }
 
-  private void save(World shown, BufferedImage below, Path into) {
+  private void save(World shown, Optional<BufferedImage> below, Path into) {
     String outcome;
     try {
-      Path file = PictureFile.write(into, stacked(shown.photograph(), below));
+      BufferedImage taken = shown.photograph();
+      Path file = PictureFile.write(into, below.map(part -> stacked(taken, part)).orElse(taken));
       outcome = file.getFileName() + " is written, in " + into;
     } catch (IOException e) {
       outcome = PictureFile.why(e);
@@ -168,30 +170,28 @@ public final class WorldWindow extends JInternalFrame {
     SwingUtilities.invokeLater(() -> strip.say(said));
   }
 
-  /** Returns the legend as it is shown, twice as fine as on the screen, as the world's picture. */
-  private BufferedImage legendPicture() {
-    int height = legend.isVisible() ? legend.getHeight() : 0;
-    BufferedImage image =
-        new BufferedImage(
-            2 * Math.max(1, legend.getWidth()),
-            2 * Math.max(1, height),
-            BufferedImage.TYPE_INT_RGB);
-    Graphics2D graphics = image.createGraphics();
-    graphics.scale(2, 2);
-    if (height > 0) {
-      legend.printAll(graphics);
+  /** Returns the legend as it is shown, if it is. */
+  private Optional<BufferedImage> legendPicture() {
+    if (!legend.isVisible() || legend.getHeight() == 0) {
+      return Optional.empty();
     }
+    BufferedImage image =
+        new BufferedImage(legend.getWidth(), legend.getHeight(), BufferedImage.TYPE_INT_RGB);
+    Graphics2D graphics = image.createGraphics();
+    legend.printAll(graphics);
     graphics.dispose();
-    return image.getSubimage(0, 0, image.getWidth(), Math.max(1, 2 * height));
+    return Optional.of(image);
   }
 
   private static BufferedImage stacked(BufferedImage above, BufferedImage below) {
-    int height = below.getHeight() > 2 ? below.getHeight() : 0;
     BufferedImage both =
-        new BufferedImage(above.getWidth(), above.getHeight() + height, BufferedImage.TYPE_INT_RGB);
+        new BufferedImage(
+            Math.max(above.getWidth(), below.getWidth()),
+            above.getHeight() + below.getHeight(),
+            BufferedImage.TYPE_INT_RGB);
     Graphics2D graphics = both.createGraphics();
-    graphics.drawImage(below, 0, above.getHeight(), null);
     graphics.drawImage(above, 0, 0, null);
+    graphics.drawImage(below, 0, above.getHeight(), null);
     graphics.dispose();
     return both;
   }

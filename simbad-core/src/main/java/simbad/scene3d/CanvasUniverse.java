@@ -1,16 +1,18 @@
 package simbad.scene3d;
 
-import java.awt.Dimension;
 import java.awt.GraphicsConfiguration;
 import java.awt.GraphicsEnvironment;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.image.BufferedImage;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import javax.media.j3d.BranchGroup;
 import javax.media.j3d.Canvas3D;
 import javax.media.j3d.GraphicsConfigTemplate3D;
-import javax.media.j3d.Group;
 import javax.media.j3d.Locale;
 import javax.media.j3d.PhysicalBody;
 import javax.media.j3d.PhysicalEnvironment;
@@ -31,8 +33,7 @@ final class CanvasUniverse {
 
   private static final double LEAST_FAR_M = 100;
 
-  /** Pictures are so many times as fine as the canvas: they are not smoothed. */
-  private static final int FINENESS = 2;
+  private static final long PATIENCE_S = 10;
 
   private static @Nullable GraphicsConfiguration configuration;
 
@@ -46,7 +47,7 @@ final class CanvasUniverse {
   private final Locale locale = new Locale(universe);
   private final View view = new View();
   private final TransformGroup eye = new TransformGroup();
-  private final Canvas3D canvas;
+  private final SceneCanvas canvas;
   private final RenderingErrorListener errors = this::fail;
   private volatile Consumer<String> failure = message -> {};
   private volatile Lookout lookout = Lookout.TOP;
@@ -106,8 +107,6 @@ final class CanvasUniverse {
     ViewPlatform platform = new ViewPlatform();
     eye.setCapability(TransformGroup.ALLOW_TRANSFORM_WRITE);
     eye.setCapability(TransformGroup.ALLOW_TRANSFORM_READ);
-    eye.setCapability(Group.ALLOW_CHILDREN_EXTEND);
-    eye.setCapability(Group.ALLOW_CHILDREN_WRITE);
     eye.addChild(platform);
     eye.addChild(Illumination.headlight());
     view.attachViewPlatform(platform);
@@ -158,25 +157,22 @@ final class CanvasUniverse {
   }
 
   /**
-   * Takes a picture of what the canvas shows, out of sight: it does not matter what lies before it.
+   * Takes a picture of what the canvas shows, with the next frame.
    *
-   * @throws DisplayException if Java 3D cannot draw it
+   * @throws DisplayException if no frame is drawn, as while the canvas is hidden
    */
   BufferedImage photograph() {
-    int width = FINENESS * Math.max(1, canvas.getWidth());
-    int height = FINENESS * Math.max(1, canvas.getHeight());
+    CompletableFuture<BufferedImage> picture = canvas.photographNextFrame();
     try {
-      Film film;
-      synchronized (UniverseLock.LOCK) {
-        film = new Film(new Dimension(width, height), eye, view.getFieldOfView(), NEAR_M);
-      }
-      BufferedImage picture = film.expose();
-      synchronized (UniverseLock.LOCK) {
-        film.close();
-      }
-      return picture;
-    } catch (RuntimeException | LinkageError e) {
-      throw Missing.of(e);
+      // A scene at rest is not drawn again by itself.
+      view.repaint();
+      drawOnce();
+      return picture.get(PATIENCE_S, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw Missing.frame(e);
+    } catch (ExecutionException | TimeoutException e) {
+      throw Missing.frame(e);
     }
   }
 

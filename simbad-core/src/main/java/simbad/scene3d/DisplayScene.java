@@ -106,9 +106,9 @@ public final class DisplayScene {
   }
 
   /**
-   * Takes a picture of what the canvas shows, twice as fine.
+   * Takes a picture of what the canvas shows. It waits for a frame to be drawn.
    *
-   * @throws DisplayException if Java 3D cannot draw it
+   * @throws DisplayException if there is none, as while the canvas is hidden
    */
   public BufferedImage photograph() {
     return universe.photograph();

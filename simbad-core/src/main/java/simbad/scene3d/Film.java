@@ -1,6 +1,5 @@
 package simbad.scene3d;
 
-import java.awt.Dimension;
 import java.awt.GraphicsConfiguration;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
@@ -29,25 +28,11 @@ final class Film {
   private final int height;
   private final Canvas3D canvas;
   private final View view = new View();
-  private final BranchGroup branch = new BranchGroup();
   private final ImageComponent2D buffer;
 
-  /** Creates a film for a robot's camera. */
   Film(int width, int height, TransformGroup eye) {
-    this(new Dimension(width, height), eye, PictureSource.FIELD_OF_VIEW_RAD, PictureSource.NEAR_M);
-  }
-
-  /**
-   * Creates a film.
-   *
-   * @param size of its pictures, pixels
-   * @param eye carries the camera
-   * @param fieldOfViewRad across the picture
-   * @param nearM what is nearer is not seen
-   */
-  Film(Dimension size, TransformGroup eye, double fieldOfViewRad, double nearM) {
-    width = size.width;
-    height = size.height;
+    this.width = width;
+    this.height = height;
     canvas = new Canvas3D(configuration(), true);
     Screen3D screen = canvas.getScreen3D();
     screen.setSize(width, height);
@@ -61,14 +46,14 @@ final class Film {
     canvas.setOffScreenBuffer(buffer);
     view.setPhysicalBody(new PhysicalBody());
     view.setPhysicalEnvironment(new PhysicalEnvironment());
-    view.setFieldOfView(fieldOfViewRad);
+    view.setFieldOfView(PictureSource.FIELD_OF_VIEW_RAD);
     view.setFrontClipPolicy(View.VIRTUAL_EYE);
     view.setBackClipPolicy(View.VIRTUAL_EYE);
-    view.setFrontClipDistance(nearM);
+    view.setFrontClipDistance(PictureSource.NEAR_M);
     view.setBackClipDistance(FAR_M);
     view.addCanvas3D(canvas);
     ViewPlatform platform = new ViewPlatform();
-    branch.setCapability(BranchGroup.ALLOW_DETACH);
+    BranchGroup branch = new BranchGroup();
     branch.addChild(platform);
     eye.addChild(branch);
     view.attachViewPlatform(platform);
@@ -95,20 +80,14 @@ final class Film {
   }
 
   void expose(Picture picture) {
-    expose().getRGB(0, 0, width, height, picture.argb(), 0, width);
-  }
-
-  /** Returns the buffer itself: the next picture is taken into it. */
-  BufferedImage expose() {
     canvas.renderOffScreenBuffer();
     canvas.waitForOffScreenRendering();
-    return buffer.getImage();
+    buffer.getImage().getRGB(0, 0, width, height, picture.argb(), 0, width);
   }
 
   void close() {
     canvas.setOffScreenBuffer(null);
     view.removeAllCanvas3Ds();
     view.attachViewPlatform(null);
-    branch.detach();
   }
 }

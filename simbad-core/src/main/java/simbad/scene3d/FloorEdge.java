@@ -11,7 +11,7 @@ import javax.vecmath.Point3d;
 /** The edge of a detection shadow as a line on the floor. */
 public final class FloorEdge implements Animated {
   private static final float OPACITY = 0.95f;
-  private static final float WIDTH_PX = 2;
+  private static final float WIDTH_PX = 1.5f;
 
   /** So far above the floor and the grid that all can be told apart. */
   private static final double LEVEL_M = 0.003;

@@ -12,6 +12,9 @@ public final class NameTag implements Animated {
   /** Between the agent and its name. */
   private static final double GAP_PX = 4;
 
+  /** So much of the way to the agent, where it looks the same: what is nearest is drawn last. */
+  private static final double NEARER = 0.1;
+
   /** A transform must not flatten what it is applied to. */
   private static final double SMALLEST = 1e-6;
 
@@ -76,7 +79,10 @@ public final class NameTag implements Animated {
     Vector3d up = new Vector3d(turn.m01, turn.m11, turn.m21);
     double pixelM = Math.max(SMALLEST, pixelShare * distanceM(worldFromEye, place));
     place.scaleAdd(reachM + GAP_PX * pixelM, up, place);
-    wanted.set(turn, place, pixelM);
+    Vector3d eye = new Vector3d();
+    worldFromEye.get(eye);
+    place.interpolate(eye, place, NEARER);
+    wanted.set(turn, place, NEARER * pixelM);
     if (!wanted.equals(shown)) {
       shown.set(wanted);
       pose.setTransform(wanted);

@@ -74,7 +74,6 @@ public final class OffscreenCamera implements PictureSource {
     VirtualUniverse.addRenderingErrorListener(errors);
     eye.setCapability(TransformGroup.ALLOW_TRANSFORM_WRITE);
     eye.setCapability(Group.ALLOW_CHILDREN_EXTEND);
-    eye.setCapability(Group.ALLOW_CHILDREN_WRITE);
     BranchGroup branch = new BranchGroup();
     branch.addChild(eye);
     locale.addBranchGraph(branch);

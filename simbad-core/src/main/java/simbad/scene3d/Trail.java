@@ -18,7 +18,7 @@ import javax.vecmath.Vector3d;
 public final class Trail implements Animated {
   private static final int CAPACITY = 2048;
   private static final float OPACITY = 0.9f;
-  private static final float WIDTH_PX = 2;
+  private static final float WIDTH_PX = 3;
 
   /** So far above the grid that both can be told apart. */
   private static final double LEVEL_M = 0.004;
@@ -27,7 +27,7 @@ public final class Trail implements Animated {
   private static final double FARTHEST_STEP_M = 0.5;
 
   /** Steps from one look at the agent to the next within which its way is known well enough. */
-  private static final int MOST_STEPS = 50;
+  private static final int MOST_STEPS = 200;
 
   private final Figure figure;
   private final IntSupplier counter;

@@ -94,10 +94,10 @@ final class TrailPoints {
     }
   }
 
-  /** Keeps every second point, the last one among them. */
+  /** Keeps every second point, the first one and the last among them. */
   private void thin() {
     int kept = 0;
-    for (int i = 1 - size % 2; i < size; i += 2) {
+    for (int i = 0; i < size; i += i == size - 2 ? 1 : 2) {
       System.arraycopy(coordinates, 3 * i, coordinates, 3 * kept, 3);
       kept++;
     }

@@ -267,10 +267,10 @@ public class World {
   }
 
   /**
-   * Takes a picture of what the canvas shows, whatever lies before it, twice as fine. It takes a
-   * moment.
+   * Takes a picture of what the canvas shows, whatever lies before it. It waits for a frame to be
+   * drawn.
    *
-   * @throws simbad.scene3d.DisplayException without a canvas, or if Java 3D cannot draw it
+   * @throws simbad.scene3d.DisplayException if there is no canvas, or it is hidden
    */
   public BufferedImage photograph() {
     return shownView().photograph();
