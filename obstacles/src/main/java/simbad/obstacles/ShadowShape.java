@@ -21,7 +21,7 @@ import simbad.sonar.shape.DetectionShadow;
  */
 public class ShadowShape extends Shape3D {
   private static final Color3f BURLYWOOD = new Color3f(new Color(222, 184, 135));
-  private static final float TRANSPARENCY = 0.75f;
+  private static final float TRANSPARENCY = 0.6f;
   private static final int COORDINATES = 3;
 
   /**

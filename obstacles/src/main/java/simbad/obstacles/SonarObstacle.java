@@ -27,8 +27,8 @@ public class SonarObstacle extends BlockWorldObject {
   /** Height of the body in metres, well over any belt. */
   public static final double BODY_HEIGHT_M = 1.0;
 
-  /** Of the shadow as it is drawn: a low one hides neither robots nor its own edge. */
-  private static final double DRAWN_SHADOW_M = 0.05;
+  /** Height of the shadow as the window draws it: flat, it hides no robot, trail or edge. */
+  private static final double DRAWN_SHADOW_M = 0.004;
 
   private final ObstacleType type;
   private final double reachM;

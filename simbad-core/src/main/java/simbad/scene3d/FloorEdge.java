@@ -13,10 +13,10 @@ public final class FloorEdge implements Animated {
   private static final float OPACITY = 0.95f;
   private static final float WIDTH_PX = 1.5f;
 
-  /** So far above the floor and the grid that all can be told apart. */
-  private static final double LEVEL_M = 0.003;
+  /** So far above the grid and the shadow that all can be told apart. */
+  private static final double LEVEL_M = 0.008;
 
-  private final Ink ink = new Ink(Palette.LIGHT.edge(), OPACITY, WIDTH_PX);
+  private final Ink ink = new Ink(Palette.LIGHT.edge(), OPACITY, WIDTH_PX).covering();
   private final Curtain curtain;
 
   /**

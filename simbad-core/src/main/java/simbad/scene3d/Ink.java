@@ -2,6 +2,7 @@ package simbad.scene3d;
 
 import javax.media.j3d.Appearance;
 import javax.media.j3d.ColoringAttributes;
+import javax.media.j3d.RenderingAttributes;
 import javax.vecmath.Color3f;
 
 /** A colour of lines that can be changed while they are shown. */
@@ -21,6 +22,12 @@ final class Ink {
     colouring = new ColoringAttributes(color, ColoringAttributes.SHADE_FLAT);
     colouring.setCapability(ColoringAttributes.ALLOW_COLOR_WRITE);
     appearance.setColoringAttributes(colouring);
+  }
+
+  /** Hides what lies below it, in whatever order the two are drawn. */
+  Ink covering() {
+    appearance.setRenderingAttributes(new RenderingAttributes());
+    return this;
   }
 
   Appearance appearance() {

@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.GraphicsEnvironment;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import javax.media.j3d.Appearance;
@@ -31,23 +32,32 @@ final class TagShape {
   private static final int PADDING_PX = 5;
   private static final int ROUND_PX = 8;
 
-  /** Finer than the screen, for screens that are scaled and for pictures. */
-  private static final int FINENESS = 2;
-
   private TagShape() {}
 
   static Shape3D of(String text) {
+    int fineness = fineness();
     FontMetrics metrics = metrics();
     int width = metrics.stringWidth(text) + 2 * PADDING_PX;
     int height = metrics.getHeight() + 2;
     BufferedImage image =
         new BufferedImage(
-            powerOf2(FINENESS * width), powerOf2(FINENESS * height), BufferedImage.TYPE_INT_ARGB);
+            powerOf2(fineness * width), powerOf2(fineness * height), BufferedImage.TYPE_INT_ARGB);
     Graphics2D graphics = image.createGraphics();
-    graphics.scale(FINENESS, FINENESS);
+    graphics.scale(fineness, fineness);
     paint(graphics, text, width, height);
     graphics.dispose();
-    return new Shape3D(plate(image, width, height), appearance(image));
+    return new Shape3D(plate(image, width, height, fineness), appearance(image));
+  }
+
+  /** As many pixels of the image as the screen has for one of the layout's. */
+  private static int fineness() {
+    double scale =
+        GraphicsEnvironment.getLocalGraphicsEnvironment()
+            .getDefaultScreenDevice()
+            .getDefaultConfiguration()
+            .getDefaultTransform()
+            .getScaleX();
+    return Math.max(1, (int) Math.ceil(scale));
   }
 
   private static FontMetrics metrics() {
@@ -73,9 +83,10 @@ final class TagShape {
   }
 
   /** The part of the image that is painted, which is its upper left corner. */
-  private static QuadArray plate(BufferedImage image, int width, int height) {
-    float right = (float) FINENESS * width / image.getWidth();
-    float bottom = 1 - (float) FINENESS * height / image.getHeight();
+  private static QuadArray plate(
+      BufferedImage image, int width, int height, int fineness) {
+    float right = (float) fineness * width / image.getWidth();
+    float bottom = 1 - (float) fineness * height / image.getHeight();
     QuadArray quad =
         new QuadArray(4, GeometryArray.COORDINATES | GeometryArray.TEXTURE_COORDINATE_2);
     double half = width / 2.0;

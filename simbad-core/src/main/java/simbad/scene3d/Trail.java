@@ -20,8 +20,8 @@ public final class Trail implements Animated {
   private static final float OPACITY = 0.9f;
   private static final float WIDTH_PX = 3;
 
-  /** So far above the grid that both can be told apart. */
-  private static final double LEVEL_M = 0.004;
+  /** So far above the edges of shadows that both can be told apart. */
+  private static final double LEVEL_M = 0.012;
 
   /** What an agent covers in one step at most: 10 m/s at the usual 20 steps per second. */
   private static final double FARTHEST_STEP_M = 0.5;
@@ -35,7 +35,7 @@ public final class Trail implements Animated {
   private final TrailPoints points;
   private final BranchGroup group = new BranchGroup();
   private final Curtain curtain;
-  private final Ink ink = new Ink(Palette.LIGHT.trail(), OPACITY, WIDTH_PX);
+  private final Ink ink = new Ink(Palette.LIGHT.trail(), OPACITY, WIDTH_PX).covering();
   private final LineStripArray line =
       new LineStripArray(CAPACITY, GeometryArray.COORDINATES, new int[] {2});
   private final Transform3D pose = new Transform3D();

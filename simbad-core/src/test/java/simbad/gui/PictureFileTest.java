@@ -24,8 +24,7 @@ class PictureFileTest {
     assertEquals(folder.resolve("simbad-world-001.png"), PictureFile.write(folder, picture));
     Path third = PictureFile.write(folder, picture);
     assertEquals(folder.resolve("simbad-world-003.png"), third);
-    assertEquals(
-        "mine", Files.readString(taken));
+    assertEquals("mine", Files.readString(taken));
     assertEquals(3, ImageIO.read(third.toFile()).getWidth());
   }
 
