@@ -83,8 +83,7 @@ final class TagShape {
   }
 
   /** The part of the image that is painted, which is its upper left corner. */
-  private static QuadArray plate(
-      BufferedImage image, int width, int height, int fineness) {
+  private static QuadArray plate(BufferedImage image, int width, int height, int fineness) {
     float right = (float) fineness * width / image.getWidth();
     float bottom = 1 - (float) fineness * height / image.getHeight();
     QuadArray quad =

@@ -7,7 +7,7 @@ package simbad.scene3d;
  */
 final class TrailPoints {
   /** How many times the least distance may double. */
-  private static final int MOST_DOUBLINGS = 3;
+  private static final int MOST_DOUBLINGS = 2;
 
   private final double firstSpacingM;
   private final double[] coordinates;

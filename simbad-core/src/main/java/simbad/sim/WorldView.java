@@ -27,7 +27,7 @@ final class WorldView {
   private static final double ANY_SIZE_M = 0.5;
 
   /** Points of a trail that would lie from one side of the world to the other. */
-  private static final double SPACINGS_IN_WORLD = 800;
+  private static final double SPACINGS_IN_WORLD = 300;
 
   private final DisplayScene scene;
   private final double sideM;

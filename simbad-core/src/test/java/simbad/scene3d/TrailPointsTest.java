@@ -42,10 +42,10 @@ class TrailPointsTest {
   void endlessWay_losesItsBeginning_notItsShape() {
     drive(0, 200);
     assertTrue(points.size() <= CAPACITY);
-    assertEquals(8 * SPACING_M, points.spacingM(), 1e-12);
+    assertEquals(4 * SPACING_M, points.spacingM(), 1e-12);
     for (int i = 1; i < points.size(); i++) {
       double gapM = points.get(i, 0) - points.get(i - 1, 0);
-      assertTrue(gapM >= 0 && gapM <= 8 * SPACING_M + 0.002, "gap " + gapM);
+      assertTrue(gapM >= 0 && gapM <= 4 * SPACING_M + 0.002, "gap " + gapM);
     }
     assertEquals(200, points.get(points.size() - 1, 0), 0.002);
   }
