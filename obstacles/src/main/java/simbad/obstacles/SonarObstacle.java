@@ -2,11 +2,13 @@ package simbad.obstacles;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import javax.media.j3d.Transform3D;
 import javax.vecmath.Vector3d;
 import simbad.kernel.geometry.PrismShape;
 import simbad.kernel.geometry.Shape;
 import simbad.scene3d.Figure;
+import simbad.scene3d.FloorEdge;
 import simbad.sim.BlockWorldObject;
 import simbad.sim.StaticObject;
 import simbad.sim.World;
@@ -24,6 +26,9 @@ import simbad.sonar.shape.Overlap;
 public class SonarObstacle extends BlockWorldObject {
   /** Height of the body in metres, well over any belt. */
   public static final double BODY_HEIGHT_M = 1.0;
+
+  /** Height of the shadow as the window draws it: flat, it hides no robot, trail or edge. */
+  private static final double DRAWN_SHADOW_M = 0.004;
 
   private final ObstacleType type;
   private final double reachM;
@@ -111,10 +116,17 @@ public class SonarObstacle extends BlockWorldObject {
         Locale.ROOT, "obstacle %s at x %.4g, z %.4g m", type.name(), at.xM(), at.zM());
   }
 
-  /** Adds the shadow to what the window shows. */
+  /** Adds the shadow, and its edge on the floor, to what the window shows. */
   @Override
   protected void decorate(Figure figure) {
-    ShadowShape.find(shadow(), BODY_HEIGHT_M).ifPresent(figure::add);
+    ShadowShape.find(shadow(), DRAWN_SHADOW_M).ifPresent(figure::add);
+    shadow().edge().map(SonarObstacle::line).ifPresent(figure::add);
+  }
+
+  private static FloorEdge line(Outline edge) {
+    return new FloorEdge(
+        IntStream.range(0, edge.size()).mapToDouble(edge::xM).toArray(),
+        IntStream.range(0, edge.size()).mapToDouble(edge::zM).toArray());
   }
 
   @Override

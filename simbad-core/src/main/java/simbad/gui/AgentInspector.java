@@ -12,6 +12,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
+import javax.swing.text.DefaultCaret;
 import simbad.kernel.run.Pacer;
 import simbad.sim.Agent;
 import simbad.sim.Device;
@@ -50,12 +51,13 @@ public class AgentInspector extends JInternalFrame implements Runnable {
     devices.setLayout(new BoxLayout(devices, BoxLayout.Y_AXIS));
     text.setEditable(false);
     text.setFocusable(false);
+    // New text shall not scroll to itself.
+    ((DefaultCaret) text.getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
     text.setFont(new Font(Font.MONOSPACED, Font.PLAIN, text.getFont().getSize()));
     text.setBorder(BorderFactory.createEmptyBorder(GAP, GAP, GAP, GAP));
     setLayout(new BorderLayout());
     add(chooser(), BorderLayout.PAGE_START);
-    add(scrolled(devices), BorderLayout.CENTER);
-    add(text, BorderLayout.PAGE_END);
+    add(scrolled(devices, text), BorderLayout.CENTER);
     setPreferredSize(new Dimension(WIDTH, HEIGHT));
     choose(agent);
     pack();
@@ -70,9 +72,10 @@ public class AgentInspector extends JInternalFrame implements Runnable {
     return new LabelledRow(" Agent", chooser);
   }
 
-  private static JScrollPane scrolled(JPanel panel) {
+  private static JScrollPane scrolled(JPanel panel, JTextArea below) {
     JPanel top = new JPanel(new BorderLayout());
     top.add(panel, BorderLayout.PAGE_START);
+    top.add(below, BorderLayout.CENTER);
     JScrollPane pane = new JScrollPane(top);
     pane.setBorder(BorderFactory.createEmptyBorder());
     pane.getVerticalScrollBar().setUnitIncrement(SCROLL_PX);

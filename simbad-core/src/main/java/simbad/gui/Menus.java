@@ -10,19 +10,24 @@ import javax.swing.KeyStroke;
 
 /** The menus of the main window that do not belong to one simulation. */
 final class Menus {
-  private static final String CONTROLS =
+  /** As in docs/guide/window.md. */
+  static final String CONTROLS =
       """
       <html><table cellpadding=3>
-      <tr><td>left mouse button</td><td>turn the view</td></tr>
-      <tr><td>right mouse button</td><td>move the view</td></tr>
+      <tr><td>left button</td><td>turn the view</td></tr>
+      <tr><td>right button</td><td>move the view</td></tr>
       <tr><td>wheel, middle button, Alt + left button</td><td>nearer or farther</td></tr>
       <tr><td>double click</td><td>back to the chosen view</td></tr>
-      <tr><td>F5, F6, F7</td><td>run, pause, one step</td></tr>
-      <tr><td>F8, F9</td><td>reset, restart</td></tr>
+      <tr><td>F5, F6, F7, F8, F9</td><td>run, pause, step, reset, restart</td></tr>
       <tr><td>Ctrl+1, Ctrl+2</td><td>view from the top, from the side</td></tr>
-      <tr><td>Ctrl+3 to Ctrl+6</td><td>follow the chosen agent</td></tr>
-      <tr><td>Ctrl+I</td><td>inspect an agent</td></tr>
-      <tr><td>Ctrl+Q</td><td>quit</td></tr>
+      <tr><td>Ctrl+3, Ctrl+4</td><td>follow the chosen agent from far above, from near above</td></tr>
+      <tr><td>Ctrl+5, Ctrl+6</td><td>follow it beside, behind</td></tr>
+      <tr><td>Ctrl+7</td><td>follow it and look over it to the middle of the world</td></tr>
+      <tr><td>Ctrl+L, Ctrl+T</td><td>legend, trails: on or off</td></tr>
+      <tr><td>Ctrl+N, Ctrl+E</td><td>names, shadow edges: on or off</td></tr>
+      <tr><td>Ctrl+S</td><td>save a picture of the world</td></tr>
+      <tr><td>Ctrl+I, Ctrl+Shift+A</td><td>inspect an agent, arrange the windows</td></tr>
+      <tr><td>F1, Ctrl+Q</td><td>help, quit</td></tr>
       <tr><td>other keys</td><td>go to the robots' key sensors</td></tr>
       </table></html>""";
 

@@ -123,9 +123,12 @@ final class Session {
 
   /** Returns the menus that control this session. */
   Stream<JMenu> menus() {
+    Stream<JMenu> show = Stream.ofNullable(worldWindow).map(WorldWindow::createMenu);
     return control == null
-        ? Stream.empty()
-        : Stream.of(control.simulatorControl().createMenu(), control.worldControl().createMenu());
+        ? show
+        : Stream.concat(
+            Stream.of(control.simulatorControl().createMenu(), control.worldControl().createMenu()),
+            show);
   }
 
   /** Opens an inspector for the first agent if none is open; on the event thread. */

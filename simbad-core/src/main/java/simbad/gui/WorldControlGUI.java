@@ -49,7 +49,8 @@ public class WorldControlGUI extends JPanel implements ActionListener {
             choice("far", World.VIEW_ABOVE_AGENT, "Follow from far above", "control 3"),
             choice("near", World.VIEW_ABOVE_AGENT_NEAR, "Follow from near above", "control 4"),
             choice("beside", World.VIEW_AGENT_SIDE, "Follow at its side", "control 5"),
-            choice("behind", World.VIEW_BEHIND_AGENT, "Follow from behind", "control 6"));
+            choice("behind", World.VIEW_BEHIND_AGENT, "Follow from behind", "control 6"),
+            choice("inwards", World.VIEW_INWARDS, "Look over it to the middle", "control 7"));
     setLayout(new BoxLayout(this, BoxLayout.Y_AXIS));
     add(new LabelledRow("View from", toggles(places)));
     add(new LabelledRow("Follow", toggles(followers)));

@@ -1,5 +1,7 @@
 package simbad.scene3d;
 
+import java.util.EnumSet;
+import java.util.Set;
 import javax.media.j3d.Node;
 
 /**
@@ -17,4 +19,14 @@ public interface Animated {
 
   /** Draws what was copied. */
   void show();
+
+  /** Takes on how the scene shall be shown from now on; called between captures. */
+  default void adopt(Look look) {
+    // Most parts look the same in every light.
+  }
+
+  /** Returns what of it a legend explains; most parts need none. */
+  default Set<Sign> signs() {
+    return EnumSet.noneOf(Sign.class);
+  }
 }

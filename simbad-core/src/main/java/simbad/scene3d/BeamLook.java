@@ -26,7 +26,7 @@ record BeamLook(GeometryArray body, GeometryArray end, Appearance bodyLook, Appe
   /** The look without an echo. */
   static BeamLook idle(Beams.Style style) {
     boolean cone = style.halfAngleRad().isPresent();
-    return of(style, style.color(), cone ? 0.18f : 0.7f, 0.4f);
+    return of(style, style.color(), cone ? 0.12f : 0.7f, 0.4f);
   }
 
   /** The look with an echo. */

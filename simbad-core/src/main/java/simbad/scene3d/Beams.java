@@ -1,6 +1,8 @@
 package simbad.scene3d;
 
+import java.util.EnumSet;
 import java.util.OptionalDouble;
+import java.util.Set;
 import javax.media.j3d.BranchGroup;
 import javax.media.j3d.Node;
 import javax.vecmath.Color3f;
@@ -69,5 +71,10 @@ public final class Beams implements Animated {
         beams[i].showIdle();
       }
     }
+  }
+
+  @Override
+  public Set<Sign> signs() {
+    return EnumSet.of(Sign.SILENT, Sign.ECHO);
   }
 }

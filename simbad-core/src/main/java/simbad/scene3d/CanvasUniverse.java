@@ -4,6 +4,11 @@ import java.awt.GraphicsConfiguration;
 import java.awt.GraphicsEnvironment;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.image.BufferedImage;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import javax.media.j3d.BranchGroup;
 import javax.media.j3d.Canvas3D;
@@ -28,6 +33,8 @@ final class CanvasUniverse {
 
   private static final double LEAST_FAR_M = 100;
 
+  private static final long PATIENCE_S = 10;
+
   private static @Nullable GraphicsConfiguration configuration;
 
   static {
@@ -40,7 +47,7 @@ final class CanvasUniverse {
   private final Locale locale = new Locale(universe);
   private final View view = new View();
   private final TransformGroup eye = new TransformGroup();
-  private final Canvas3D canvas;
+  private final SceneCanvas canvas;
   private final RenderingErrorListener errors = this::fail;
   private volatile Consumer<String> failure = message -> {};
   private volatile Lookout lookout = Lookout.TOP;
@@ -142,6 +149,31 @@ final class CanvasUniverse {
 
   TransformGroup eye() {
     return eye;
+  }
+
+  /** Returns the width of a pixel of the picture at a distance of 1. */
+  double pixelShare() {
+    return 2 * Math.tan(view.getFieldOfView() / 2) / Math.max(1, canvas.getWidth());
+  }
+
+  /**
+   * Takes a picture of what the canvas shows, with the next frame.
+   *
+   * @throws DisplayException if no frame is drawn, as while the canvas is hidden
+   */
+  BufferedImage photograph() {
+    CompletableFuture<BufferedImage> picture = canvas.photographNextFrame();
+    try {
+      // A scene at rest is not drawn again by itself.
+      view.repaint();
+      drawOnce();
+      return picture.get(PATIENCE_S, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw Missing.frame(e);
+    } catch (ExecutionException | TimeoutException e) {
+      throw Missing.frame(e);
+    }
   }
 
   void add(BranchGroup branch) {

@@ -1,13 +1,16 @@
 package simbad.scene3d;
 
+import java.awt.image.BufferedImage;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import javax.media.j3d.BranchGroup;
 import javax.media.j3d.Canvas3D;
 import javax.media.j3d.Transform3D;
 import javax.media.j3d.TransformGroup;
 import javax.vecmath.Matrix3d;
-import javax.vecmath.Vector3d;
 import org.jspecify.annotations.Nullable;
 import simbad.kernel.drawing.Stage;
 import simbad.kernel.run.Pacer;
@@ -22,26 +25,34 @@ public final class DisplayScene {
   private final CanvasUniverse universe;
   private final StepHold hold;
   private final Viewpoint viewpoint = new Viewpoint();
-  private final List<Figure> figures = new CopyOnWriteArrayList<>();
+  private final List<Animated> parts = new CopyOnWriteArrayList<>();
+  private final List<NameTag> tags = new CopyOnWriteArrayList<>();
+  private final Backdrop backdrop;
   private final Pacer pacer = new Pacer("world view");
   private final Transform3D eye = new Transform3D();
   private final Transform3D eyeShown = new Transform3D();
   private @Nullable Figure followed;
-  private boolean turnsToo;
+  private Lookout lookout = Lookout.TOP;
+  private volatile Look look = Look.LIGHT;
+  private Look lookShown = Look.LIGHT;
 
   /**
    * Creates a scene without figures and starts drawing it.
    *
-   * @param stage gives the light and the background; its visuals are not added
+   * @param stage gives the light; its visuals are not added
    * @param sideM side of the world's floor, metres, above 0
+   * @param backdrop colours of the floor and the background
    * @param hold keeps steps away while the scene copies
    * @throws DisplayException if Java 3D cannot draw here
    */
-  public DisplayScene(Stage stage, double sideM, StepHold hold) {
+  public DisplayScene(Stage stage, double sideM, Backdrop backdrop, StepHold hold) {
     universe = CanvasUniverse.open(sideM);
     this.hold = hold;
-    universe.add(Illumination.of(stage));
-    universe.add(Grid.of(sideM));
+    this.backdrop = backdrop;
+    universe.add(Illumination.lights(stage));
+    Ground ground = new Ground(sideM, backdrop);
+    parts.add(ground);
+    universe.add(ground.node());
     start();
   }
 
@@ -62,8 +73,45 @@ public final class DisplayScene {
 
   /** Shows a figure from now on. */
   public void add(Figure figure) {
-    figures.add(figure);
-    universe.add(figure.node());
+    add(figure, figure.node());
+  }
+
+  /** Shows where something has been, from now on. */
+  public void add(Trail trail) {
+    add(trail, trail.node());
+  }
+
+  /** Shows a name from now on. */
+  public void add(NameTag tag) {
+    tags.add(tag);
+    add(tag, tag.node());
+  }
+
+  private void add(Animated part, BranchGroup node) {
+    part.adopt(backdrop.onFloor(look));
+    parts.add(part);
+    universe.add(node);
+  }
+
+  /** Says how the scene is shown from the next frame on. */
+  public void show(Look wanted) {
+    look = wanted;
+  }
+
+  /** Returns what a legend of this scene explains. */
+  public Set<Sign> signs() {
+    Set<Sign> all = EnumSet.noneOf(Sign.class);
+    parts.forEach(part -> all.addAll(part.signs()));
+    return all;
+  }
+
+  /**
+   * Takes a picture of what the canvas shows. It waits for a frame to be drawn.
+   *
+   * @throws DisplayException if there is none, as while the canvas is hidden
+   */
+  public BufferedImage photograph() {
+    return universe.photograph();
   }
 
   /**
@@ -75,7 +123,7 @@ public final class DisplayScene {
    */
   public synchronized void look(Lookout lookout, Lookout.Sizes sizes, @Nullable Figure figure) {
     followed = figure;
-    turnsToo = lookout.turns();
+    this.lookout = lookout;
     viewpoint.setAnchor(new Transform3D());
     lookout.place(viewpoint, sizes);
     universe.look(lookout);
@@ -84,40 +132,42 @@ public final class DisplayScene {
 
   /** Copies what has changed and draws it; a copy that a step holds up for long is left out. */
   public void refresh() {
+    adoptLook();
     if (hold.take()) {
       try {
-        figures.forEach(Figure::capture);
+        parts.forEach(Animated::capture);
       } finally {
         hold.release();
       }
-      figures.forEach(Figure::show);
+      parts.forEach(Animated::show);
       followFigure();
     }
     showEye();
+  }
+
+  private void adoptLook() {
+    Look wanted = look;
+    if (!wanted.equals(lookShown)) {
+      lookShown = wanted;
+      Look onFloor = backdrop.onFloor(wanted);
+      parts.forEach(part -> part.adopt(part instanceof Ground ? wanted : onFloor));
+    }
   }
 
   private synchronized void followFigure() {
     if (followed != null) {
       Transform3D anchor = new Transform3D();
       followed.get(anchor);
-      if (!turnsToo) {
-        Vector3d place = new Vector3d();
-        anchor.get(place);
-        anchor.set(place);
-      } else {
-        anchor.setRotation(headingOf(anchor));
-      }
+      anchor.setRotation(level(lookout.anchorTurnRad(anchor)));
       viewpoint.setAnchor(anchor);
     }
   }
 
-  /** The turn about the vertical alone: the eye does not roll with a tilted body. */
-  private static Matrix3d headingOf(Transform3D pose) {
+  /** A turn about the vertical alone: the eye does not roll with a tilted body. */
+  private static Matrix3d level(double turnRad) {
     Matrix3d turn = new Matrix3d();
-    pose.get(turn);
-    Matrix3d level = new Matrix3d();
-    level.rotY(Math.atan2(turn.m02, turn.m00));
-    return level;
+    turn.rotY(turnRad);
+    return turn;
   }
 
   private synchronized void showEye() {
@@ -126,6 +176,8 @@ public final class DisplayScene {
       eyeShown.set(eye);
       universe.eye().setTransform(eye);
     }
+    double pixelShare = universe.pixelShare();
+    tags.forEach(tag -> tag.face(eye, pixelShare));
   }
 
   /** Draws from now on whenever something has changed. */
@@ -155,7 +207,8 @@ public final class DisplayScene {
   public void dispose() {
     pacer.stop();
     universe.close();
-    figures.clear();
+    parts.clear();
+    tags.clear();
     synchronized (this) {
       followed = null;
     }

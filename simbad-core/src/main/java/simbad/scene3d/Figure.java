@@ -1,7 +1,9 @@
 package simbad.scene3d;
 
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import javax.media.j3d.BranchGroup;
 import javax.media.j3d.Group;
@@ -123,6 +125,23 @@ public final class Figure implements Animated {
     body.detach();
     body = changed;
     visible.addChild(body);
+  }
+
+  @Override
+  public void adopt(Look look) {
+    parts.forEach(part -> part.adopt(look));
+  }
+
+  @Override
+  public Set<Sign> signs() {
+    Set<Sign> all = EnumSet.noneOf(Sign.class);
+    parts.forEach(part -> all.addAll(part.signs()));
+    return all;
+  }
+
+  /** Returns true if the object was to be seen when it was last captured. */
+  boolean isPresent() {
+    return presentCaptured;
   }
 
   /** Writes where the object was in its frame when it was last captured. */

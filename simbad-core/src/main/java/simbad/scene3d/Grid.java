@@ -1,10 +1,7 @@
 package simbad.scene3d;
 
-import javax.media.j3d.BranchGroup;
 import javax.media.j3d.GeometryArray;
 import javax.media.j3d.LineArray;
-import javax.media.j3d.Shape3D;
-import javax.vecmath.Color3f;
 import javax.vecmath.Point3d;
 
 /** A faint grid of metres on the floor, by which one sees where the floor ends. */
@@ -15,18 +12,10 @@ final class Grid {
   /** More lines would be a grey mash. */
   private static final int MOST_LINES = 100;
 
-  private static final float OPACITY = 0.12f;
-
   private Grid() {}
 
-  /** Creates the grid of a world of a given side, metres. */
-  static BranchGroup of(double sideM) {
-    BranchGroup group = new BranchGroup();
-    group.addChild(new Shape3D(lines(sideM), Appearances.stroke(new Color3f(0, 0, 0), OPACITY, 1)));
-    return group;
-  }
-
-  private static LineArray lines(double sideM) {
+  /** Returns the lines of the grid of a world of a given side, metres. */
+  static LineArray lines(double sideM) {
     int count = Math.max(2, Math.min(MOST_LINES, (int) Math.round(sideM) + 1));
     LineArray lines = new LineArray(4 * count, GeometryArray.COORDINATES);
     double half = sideM / 2;

@@ -12,6 +12,7 @@ import javax.vecmath.Point3d;
 import javax.vecmath.Point3f;
 import javax.vecmath.Vector3f;
 import simbad.kernel.drawing.Lighting;
+import simbad.kernel.drawing.Rgb;
 import simbad.kernel.drawing.Stage;
 
 /** The lights and the background of a stage. */
@@ -26,10 +27,22 @@ final class Illumination {
   private Illumination() {}
 
   static BranchGroup of(Stage stage) {
-    BranchGroup group = new BranchGroup();
-    Background background = new Background(Facet3D.color(stage.background()));
+    BranchGroup group = lights(stage);
+    group.addChild(background(stage.background()));
+    return group;
+  }
+
+  /** Returns a background whose colour can be changed. */
+  static Background background(Rgb colour) {
+    Background background = new Background(Facet3D.color(colour));
     background.setApplicationBounds(EVERYWHERE);
-    group.addChild(background);
+    background.setCapability(Background.ALLOW_COLOR_WRITE);
+    return background;
+  }
+
+  /** Returns the lights of a stage alone. */
+  static BranchGroup lights(Stage stage) {
+    BranchGroup group = new BranchGroup();
     group.addChild(reaching(new AmbientLight(Facet3D.color(stage.lighting().ambient()))));
     stage.lighting().lamps().forEach(lamp -> group.addChild(reaching(light(lamp))));
     return group;

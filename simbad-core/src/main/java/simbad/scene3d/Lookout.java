@@ -1,5 +1,7 @@
 package simbad.scene3d;
 
+import javax.media.j3d.Transform3D;
+import javax.vecmath.Matrix3d;
 import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
 
@@ -53,6 +55,24 @@ public enum Lookout {
           new Point3d(),
           new Vector3d(0, 1, 0));
     }
+  },
+  /**
+   * Outside of an agent, looking over it towards the middle of the world, where what it goes round
+   * stands.
+   */
+  INWARDS(true, true, 0, 0) {
+    @Override
+    public void place(Viewpoint viewpoint, Sizes sizes) {
+      double h = sizes.heightM();
+      viewpoint.look(new Point3d(-3.5 * h, 7.5 * h, 0), new Point3d(2.2 * h, 0, 0), UP);
+    }
+
+    @Override
+    double anchorTurnRad(Transform3D worldFromAgent) {
+      Vector3d place = new Vector3d();
+      worldFromAgent.get(place);
+      return Math.atan2(place.z, 0.0 - place.x);
+    }
   };
 
   /**
@@ -72,6 +92,7 @@ public enum Lookout {
     }
   }
 
+  private static final Vector3d UP = new Vector3d(0, 1, 0);
   private static final double LEAST_NEAR_M = 0.2;
 
   /** Half of Java 3D's own field of view, across the window. */
@@ -116,9 +137,23 @@ public enum Lookout {
     return follows;
   }
 
-  /** Returns true if the eye also turns with the agent's heading. */
+  /** Returns true if the eye also turns, with the agent's heading or with its place. */
   public boolean turns() {
     return turns;
+  }
+
+  /**
+   * Returns how the frame of the eye's place is turned about the vertical, radians.
+   *
+   * @param worldFromAgent where the agent is that the eye follows
+   */
+  double anchorTurnRad(Transform3D worldFromAgent) {
+    if (!turns) {
+      return 0;
+    }
+    Matrix3d turn = new Matrix3d();
+    worldFromAgent.get(turn);
+    return Math.atan2(turn.m02, turn.m00);
   }
 
   /** Puts the eye at this place, relative to the viewpoint's anchor. */

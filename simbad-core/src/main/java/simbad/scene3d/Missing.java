@@ -19,6 +19,10 @@ final class Missing {
         "no 3D view: OpenGL is missing or fails: " + why, new IllegalStateException(why));
   }
 
+  static DisplayException frame(Throwable failure) {
+    return new DisplayException("the world is not drawn; is its window hidden?", failure);
+  }
+
   /** Finds out what a failure to start Java 3D comes from. */
   static DisplayException of(Throwable failure) {
     if (failure instanceof DisplayException known) {

@@ -12,15 +12,22 @@ import java.util.Locale;
 import javax.swing.JPanel;
 
 /**
- * A belt from above, ahead to the right: each ray as long as it measures, red where it has a hit,
- * and round them the numbers.
+ * A belt from above, ahead to the right: a ray with an echo is red and as long as its range, one
+ * without is an orange stub as in the world; round them the ranges, or that there is none.
  */
 final class BeltPanel extends JPanel {
   private static final int SIDE = 200;
-  private static final int MARGIN = 30;
-  private static final double TEXT_ROOM = 26;
+  private static final int MARGIN_X = 46;
+  private static final int MARGIN_Y = 20;
+  private static final double TEXT_ROOM = 36;
+  private static final double STUB_SHARE = 0.1;
+  private static final float FONT_PX = 10;
+  private static final String NO_ECHO = "no echo";
   private static final double HUB_SHARE = 0.2;
-  private static final Color HIT = new Color(220, 60, 50);
+  private static final Color HIT = new Color(198, 38, 30);
+  private static final Color HIT_ON_DARK = new Color(255, 120, 110);
+  private static final int MIDDLE_GREY = 128;
+  private static final Color SILENT = new Color(240, 128, 64);
   private static final Color RING = new Color(128, 128, 128, 80);
 
   private final transient RangeSensorBelt belt;
@@ -40,7 +47,7 @@ final class BeltPanel extends JPanel {
     picture.setRenderingHint(
         RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
     picture.translate(getWidth() / 2.0, getHeight() / 2.0);
-    double rim = Math.min(getWidth(), getHeight()) / 2.0 - MARGIN;
+    double rim = Math.min(getWidth() / 2.0 - MARGIN_X, getHeight() / 2.0 - MARGIN_Y);
     double hub = HUB_SHARE * rim;
     paintCircle(picture, hub);
     paintCircle(picture, rim);
@@ -56,16 +63,23 @@ final class BeltPanel extends JPanel {
   }
 
   private void paintRay(Graphics2D picture, int i, double hub, double rim) {
-    double share = Math.min(1, belt.getMeasurement(i) / belt.getMaxRange());
+    boolean echo = belt.hasHit(i);
+    double share = echo ? Math.min(1, belt.getMeasurement(i) / belt.getMaxRange()) : STUB_SHARE;
     double end = hub + share * (rim - hub);
     double cos = Math.cos(anglesRad[i]);
     double sin = Math.sin(anglesRad[i]);
-    picture.setColor(belt.hasHit(i) ? HIT : getForeground());
+    picture.setColor(echo ? hit() : SILENT);
     picture.draw(new Line2D.Double(hub * cos, -hub * sin, end * cos, -end * sin));
-    double around = rim + MARGIN / 2.0;
-    if (i % every(around) == 0) {
-      paintText(picture, text(i), around * cos, -around * sin);
+    double across = rim + MARGIN_X / 2.0;
+    if (i % every(across) == 0) {
+      picture.setColor(echo ? hit() : getForeground());
+      paintText(picture, text(i), across * cos, -(rim + MARGIN_Y / 2.0) * sin);
     }
+  }
+
+  /** Red that can be read on the panel. */
+  private Color hit() {
+    return getBackground().getGreen() < MIDDLE_GREY ? HIT_ON_DARK : HIT;
   }
 
   /** Leaves so many numbers out that those on the circle do not run into one another. */
@@ -74,16 +88,16 @@ final class BeltPanel extends JPanel {
     return (int) Math.ceil(TEXT_ROOM / Math.max(1, roomEach));
   }
 
-  private String text(int i) {
+  /** What is written at a sensor: what it hears, never the number that stands for nothing. */
+  String text(int i) {
     if (belt.type() == RangeSensorBelt.TYPE_BUMPER) {
       return belt.hasHit(i) ? "hit" : "-";
     }
-    double range = belt.getMeasurement(i);
-    return Double.isInfinite(range) ? "\u221e" : String.format(Locale.ROOT, "%.2f", range);
+    return belt.hasHit(i) ? String.format(Locale.ROOT, "%.2f m", belt.getMeasurement(i)) : NO_ECHO;
   }
 
   private static void paintText(Graphics2D picture, String text, double x, double y) {
-    picture.setFont(picture.getFont().deriveFont(10f));
+    picture.setFont(picture.getFont().deriveFont(FONT_PX));
     FontMetrics metrics = picture.getFontMetrics();
     double left = x - metrics.stringWidth(text) / 2.0;
     double base = y + (metrics.getAscent() - metrics.getDescent()) / 2.0;

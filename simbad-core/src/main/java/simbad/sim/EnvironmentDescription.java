@@ -21,6 +21,8 @@ public class EnvironmentDescription {
   /** Box normals that shade softly. */
   public static final int NORMALS_REALISTIC = 2;
 
+  private static final float USUAL_GREY = 0.8f;
+
   /** White. */
   public Color3f white = new Color3f(1, 1, 1);
 
@@ -102,6 +104,8 @@ public class EnvironmentDescription {
    */
   public Set<Compatibility> compatibility = Compatibility.fromProperty();
 
+  private final Color3f usualFloor = floorColor;
+  private final Color3f usualBackground = backgroundColor;
   private final Set<Compatibility> touched = EnumSet.noneOf(Compatibility.class);
   private final Set<Object> arguments = Collections.newSetFromMap(new IdentityHashMap<>());
   private final List<Object> objects = new ArrayList<>();
@@ -134,6 +138,22 @@ public class EnvironmentDescription {
   /** Returns true if an object that was made took the same vector or colour as this one does. */
   boolean isSecondUse(Object argument) {
     return !arguments.add(argument);
+  }
+
+  /** Returns true if the program has given the floor a colour. */
+  boolean hasOwnFloor() {
+    return isOwn(floorColor, usualFloor);
+  }
+
+  /** Returns true if the program has given the background a colour. */
+  boolean hasOwnBackground() {
+    return isOwn(backgroundColor, usualBackground);
+  }
+
+  /** Another object, though it may be as grey, or the same one repainted. */
+  @SuppressWarnings("ReferenceEquality") // Who assigns a colour has chosen it.
+  private static boolean isOwn(Color3f colour, Color3f usual) {
+    return colour != usual || !colour.equals(new Color3f(USUAL_GREY, USUAL_GREY, USUAL_GREY));
   }
 
   /** Returns the static objects and agents, in the order in which they were added. */

@@ -136,8 +136,8 @@ public class LightSensor extends Eye {
     @Override
     protected void paintComponent(Graphics graphics) {
       super.paintComponent(graphics);
-      graphics.setColor(Color.DARK_GRAY);
-      graphics.drawString(String.format(Locale.ROOT, "%.3f", luminance), 2, 2 * HEIGHT_PX - 5);
+      graphics.setColor(getForeground());
+      graphics.drawString(String.format(Locale.ROOT, "%.3f of 1", luminance), 2, 2 * HEIGHT_PX - 5);
       graphics.drawRect(0, 0, WIDTH_PX - 1, HEIGHT_PX - 1);
       graphics.setColor(Color.ORANGE);
       graphics.fillRect(1, 1, Math.round(luminance * (WIDTH_PX - 2)), HEIGHT_PX - 2);

@@ -17,6 +17,7 @@ import simbad.kernel.drawing.Visual;
 import simbad.kernel.geometry.BallShape;
 import simbad.kernel.geometry.BoxShape;
 import simbad.kernel.geometry.Placement;
+import simbad.scene3d.Backdrop;
 
 /** What of a world's looks belongs to no object: floor, axes, lamps, light and background. */
 final class Surroundings {
@@ -30,7 +31,7 @@ final class Surroundings {
 
   private Surroundings() {}
 
-  /** Creates a stage with an environment's surroundings and none of its objects. */
+  /** Creates a stage with an environment's surroundings, the floor first, and no objects. */
   static Stage stage(EnvironmentDescription environment) {
     List<PointLight> lamps = new ArrayList<>();
     light1(environment).ifPresent(lamps::add);
@@ -43,6 +44,15 @@ final class Surroundings {
     }
     lamps.forEach(lamp -> stage.add(still(List.of(globe(lamp)))));
     return stage;
+  }
+
+  /** Returns the colours of an environment, and whether the program has chosen them. */
+  static Backdrop backdrop(EnvironmentDescription environment) {
+    return new Backdrop(
+        rgb(environment.backgroundColor),
+        environment.hasOwnBackground(),
+        rgb(environment.floorColor),
+        environment.hasOwnFloor());
   }
 
   /** Returns the environment's first lamp if it is lit. */

@@ -1,9 +1,11 @@
 package simbad.sim;
 
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.function.Consumer;
 import javax.media.j3d.Canvas3D;
@@ -15,7 +17,10 @@ import simbad.kernel.drawing.Stage;
 import simbad.kernel.geometry.Placement;
 import simbad.kernel.render.Picture;
 import simbad.kernel.scene.Scene;
+import simbad.scene3d.Backdrop;
 import simbad.scene3d.DisplayException;
+import simbad.scene3d.Look;
+import simbad.scene3d.Sign;
 
 /** The static objects and agents of an environment, and the scene in which sensors see them. */
 public class World {
@@ -37,6 +42,9 @@ public class World {
   /** The window follows an agent from its side. */
   public static final int VIEW_AGENT_SIDE = 6;
 
+  /** The window follows an agent from outside and looks over it to the middle of the world. */
+  public static final int VIEW_INWARDS = 7;
+
   /** Side of the drawn floor, metres. */
   protected float worldSize;
 
@@ -44,6 +52,7 @@ public class World {
   private final Set<Compatibility> touched;
   private final Scene scene = new Scene();
   private final Stage stage;
+  private final Backdrop backdrop;
   private final WorldCameras cameras;
   private final List<PointLight> lights;
   private final List<StaticObject> standing = new ArrayList<>();
@@ -55,6 +64,7 @@ public class World {
   private @Nullable SimpleAgent viewedAgent;
   private volatile @Nullable WorldView view;
   private @Nullable DisplayException noView;
+  private volatile Look look = Look.LIGHT;
 
   /** Creates a world with the environment's static objects; the simulator adds the agents. */
   public World(EnvironmentDescription environment) {
@@ -63,6 +73,7 @@ public class World {
     habits.addAll(environment.compatibility);
     touched = environment.touched();
     stage = Surroundings.stage(environment);
+    backdrop = Surroundings.backdrop(environment);
     cameras = new WorldCameras(stage);
     lights =
         List.of(
@@ -209,9 +220,10 @@ public class World {
 
   private WorldView openView() {
     try {
-      WorldView opened = new WorldView(stage, worldSize, stepLock);
-      stage.visuals().subList(0, surroundings).forEach(opened::add);
+      WorldView opened = new WorldView(stage, worldSize, backdrop, stepLock);
+      stage.visuals().subList(1, surroundings).forEach(opened::add);
       objects.forEach(opened::add);
+      opened.show(look);
       opened.look(viewPoint, viewedAgent);
       return opened;
     } catch (DisplayException e) {
@@ -236,6 +248,37 @@ public class World {
   /** Returns from where the world is viewed, a VIEW constant. */
   public int getViewPoint() {
     return viewPoint;
+  }
+
+  /** Says how the canvas shows this world; before there is one, how it will. */
+  public synchronized void setLook(Look newLook) {
+    look = newLook;
+    ifShown(shown -> shown.show(newLook));
+  }
+
+  /** Returns how the canvas shows this world. */
+  public Look getLook() {
+    return look;
+  }
+
+  /** Returns what a legend of the canvas explains; without a canvas, nothing. */
+  public synchronized Set<Sign> signs() {
+    return view == null ? Set.of() : view.signs();
+  }
+
+  /**
+   * Takes a picture of what the canvas shows, whatever lies before it. It waits for a frame to be
+   * drawn.
+   *
+   * @throws simbad.scene3d.DisplayException if there is no canvas, or it is hidden
+   */
+  public BufferedImage photograph() {
+    return shownView().photograph();
+  }
+
+  private synchronized WorldView shownView() {
+    getCanvas3D();
+    return Objects.requireNonNull(view);
   }
 
   /** Stops drawing; without a canvas, nothing. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import javax.media.j3d.Transform3D;
+import javax.vecmath.AxisAngle4d;
 import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
 import net.jqwik.api.ForAll;
@@ -164,6 +165,8 @@ class ViewpointTest {
           case ABOVE -> new Point3d(0, 16, 0);
           case ABOVE_NEAR -> new Point3d(0, 5, 0);
           case SIDE -> new Point3d(0, 1, 3);
+          // The original had none.
+          case INWARDS -> new Point3d(-1.75, 3.75, 0);
         };
     check(expected.x, expected.y, expected.z, eye());
   }
@@ -187,6 +190,21 @@ class ViewpointTest {
         assertTrue(Math.abs(corner.y / corner.z) < across / shape, shape + ": " + corner);
       }
     }
+  }
+
+  /** Wherever the agent stands and looks, the eye is farther out than it. */
+  @ParameterizedTest
+  @CsvSource({"3, 0", "0, 3", "-3, 0", "0, -3", "2, -1"})
+  void lookoutInwards_isOutsideOfTheAgent(double xM, double zM) {
+    Transform3D agent = new Transform3D();
+    agent.rotY(1);
+    agent.setTranslation(new Vector3d(xM, 0.15, zM));
+    Transform3D anchor = new Transform3D(agent);
+    anchor.setRotation(new AxisAngle4d(0, 1, 0, Lookout.INWARDS.anchorTurnRad(agent)));
+    Lookout.INWARDS.place(viewpoint, new Lookout.Sizes(8, 0.4, 0.1));
+    viewpoint.setAnchor(anchor);
+    double out = 1 + 3.5 * 0.4 / Math.hypot(xM, zM);
+    check(out * xM, 0.15 + 7.5 * 0.4, out * zM, eye());
   }
 
   /** An agent is seen as large as in the original. */

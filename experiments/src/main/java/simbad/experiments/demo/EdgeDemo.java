@@ -28,7 +28,7 @@ abstract class EdgeDemo extends Demo {
 
   EdgeDemo(SonarObstacle obstacle) {
     setWorldSize(8);
-    worldViewPoint = World.VIEW_FROM_TOP;
+    worldViewPoint = World.VIEW_INWARDS;
     type = obstacle.type();
     add(obstacle);
     robot = robot(type);

@@ -18,6 +18,13 @@ import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.Overlap;
 
 class EdgeDemoTest {
+  /** The robot is a few centimetres wide: seen with the whole floor it is a dot. */
+  @ParameterizedTest
+  @ValueSource(strings = {"SquareDemo", "RoundDemo", "AngleDemo"})
+  void window_beginsNearTheRobot(String name) {
+    assertEquals(World.VIEW_INWARDS, DemoManager.find(name).orElseThrow().worldViewPoint);
+  }
+
   /** Once the edge is found, the robot stays within a few of its steps, and gets on round it. */
   @ParameterizedTest
   @ValueSource(strings = {"SquareDemo", "RoundDemo", "AngleDemo"})
