@@ -8,7 +8,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simbad.figures.diagnosis.Browser;
+import simbad.figures.page.Browser;
 
 /**
  * The guides' pages and a run's in headless Chromium, in both themes, wide and narrow. Those of the

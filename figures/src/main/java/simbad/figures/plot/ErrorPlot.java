@@ -56,7 +56,8 @@ public record ErrorPlot(Caption caption, List<ErrorSeries> series) {
     return new Figure(caption, chart, size);
   }
 
-  private ErrorScale scale() {
+  /** Returns the scale of the error's axis. */
+  public ErrorScale scale() {
     return ErrorScale.of(
         series.stream()
             .flatMap(s -> s.errors().stream())
