@@ -22,7 +22,9 @@ final class HorizonGraph {
     Graph graph =
         new Graph(
             "Score " + name + ", before and after", new Horizons(), AxisScale.over(0, most, 4));
-    graph.axes("forecast over, s", "score," + shown.unit().replace('\u00a0', ' '));
+    graph.axes(
+        "forecast over, s",
+        "score, " + (shown.unit().equals("°") ? "degrees" : shown.unit().replace("\u00a0", "")));
     for (int h = 0; h < MotionPage.HORIZONS.length; h++) {
       bar(graph, h + MARGIN, "before", shown, gap.before()[h][component]);
       bar(graph, h + 0.5, "after", shown, gap.after()[h][component]);

@@ -171,7 +171,8 @@ public final class MotionPage {
           new Picture(
               COMPONENTS[c],
               HorizonGraph.of(COMPONENTS[c], shown, gap, c),
-              "Before and after, over half a second, two and five."));
+              Html.of(Html.key("before"), " before, ", Html.key("after"), " after"),
+              Html.NONE));
     }
     return pictures;
   }

@@ -152,12 +152,13 @@ public final class Svg {
    *
    * @param corner the grid's upper left one
    * @param side of a cell
-   * @param rows each as M, first column, row and a half, h and how many columns
+   * @param rows each as M, first column, row, h and how many columns
    * @param style its class
    * @param tip may be empty
    */
   public void cells(Spot corner, double side, String rows, String style, String tip) {
-    text.append("<g transform=\"translate(").append(at(corner.x(), corner.y()));
+    // A row's colour lies to both sides of its line.
+    text.append("<g transform=\"translate(").append(at(corner.x(), corner.y() + side / 2));
     text.append(") scale(").append(Numbers.plain(side, 4)).append(")\">");
     path(rows, "cells " + style, tip);
     text.append("</g>\n");

@@ -54,6 +54,13 @@ public record ErrorScale(boolean isLog, double bottomCm, double topCm, boolean i
     return Math.max(bottomCm, errorCm);
   }
 
+  /** Returns the error that lies at a share of the axis's length. */
+  double at(double share) {
+    return isLog
+        ? bottomCm * Math.pow(topCm / bottomCm, share)
+        : bottomCm + share * (topCm - bottomCm);
+  }
+
   /** Returns where labels stand. */
   public List<Double> ticks() {
     if (!isLog) {

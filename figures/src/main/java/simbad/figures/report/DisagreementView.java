@@ -68,24 +68,31 @@ final class DisagreementView {
           end++;
         }
         if (end > column) {
-          rows.append("M" + column + " " + row + ".5h" + (end - column));
+          rows.append("M" + column + " " + row + "h" + (end - column));
           count += end - column;
         }
         column = Math.max(end, column + 1);
       }
     }
-    if (count > 0) {
-      String tip =
-          "disagrees at "
-              + wrong
-              + " of "
-              + DetectionMap.HEADINGS
-              + " headings: "
-              + count
-              + " of "
-              + grid.cells() * grid.cells()
-              + " places";
-      svg.cells(new Spot(LEFT, TOP), SIDE / grid.cells(), rows.toString(), shade(wrong), tip);
+    draw(wrong, count, rows.toString());
+  }
+
+  /** Most places of most maps agree: they are the ground under the others. */
+  private void draw(int wrong, int count, String rows) {
+    String tip =
+        "disagrees at "
+            + wrong
+            + " of "
+            + DetectionMap.HEADINGS
+            + " headings: "
+            + count
+            + " of "
+            + grid.cells() * grid.cells()
+            + " places";
+    if (wrong == 0) {
+      svg.rectangle(new Spot(LEFT, TOP), new Spot(SIDE, SIDE), "shade " + shade(0), tip);
+    } else if (count > 0) {
+      svg.cells(new Spot(LEFT, TOP), SIDE / grid.cells(), rows, shade(wrong), tip);
     }
   }
 

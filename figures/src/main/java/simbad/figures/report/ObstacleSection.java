@@ -32,7 +32,15 @@ final class ObstacleSection {
   private final String id;
   private final int most;
 
-  private ObstacleSection(Page page, List<RunResult> results, String id, int most) {
+  /**
+   * Begins the section.
+   *
+   * @param page to which it is added
+   * @param results of one obstacle; at least one
+   * @param id of its table in the page
+   * @param most how many corners a curve of it may have
+   */
+  ObstacleSection(Page page, List<RunResult> results, String id, int most) {
     this.page = page;
     this.results = results;
     this.type = results.get(0).type();
@@ -40,23 +48,17 @@ final class ObstacleSection {
     this.most = most;
   }
 
-  /**
-   * Adds the section.
-   *
-   * @param page to which it is added
-   * @param results of one obstacle; at least one
-   * @param id of its table in the page
-   * @param most how many corners a curve of it may have
-   */
-  static void add(Page page, List<RunResult> results, String id, int most) {
-    ObstacleSection section = new ObstacleSection(page, results, id, most);
-    section.say();
+  /** Adds all of it, with the maps or without. */
+  void add(boolean withMaps) {
+    say();
     List<Picture> pictures = new ArrayList<>();
-    pictures.add(section.traces());
-    pictures.add(section.errors());
-    results.forEach(result -> pictures.add(map(result)));
+    pictures.add(traces());
+    pictures.add(errors());
+    if (withMaps) {
+      results.forEach(result -> pictures.add(map(result)));
+    }
     page.pictures(pictures);
-    section.files();
+    files();
   }
 
   private void say() {

@@ -24,10 +24,32 @@ import simbad.sonar.scene.SonarSpec;
 
 /** A run's page: what was asked, the figures, the pictures, and how to read each. */
 final class ReportPage {
-  /** Corners that all curves of a page may have together, in some 6 bytes each. */
-  private static final int BUDGET = 20_000;
+  /** What a page may have. */
+  private static final int MOST_CHARACTERS = 295_000;
 
   private static final int MOST_CORNERS = 2_000;
+
+  /** From fine to coarse: the first with which a page is small enough is taken. */
+  private static final List<Detail> DETAILS =
+      List.of(
+          new Detail(20_000, true),
+          new Detail(8_000, true),
+          new Detail(8_000, false),
+          new Detail(1_000, false));
+
+  /**
+   * How much is drawn.
+   *
+   * @param corners that all curves of a page may have together, in some 6 bytes each
+   * @param maps whether the maps stand on the page, or only beside it
+   */
+  private record Detail(int corners, boolean maps) {
+    /** Of each drive there are two curves. */
+    int each(int drives) {
+      return Math.min(MOST_CORNERS, corners / Math.max(1, 2 * drives));
+    }
+  }
+
   private static final String NOTHING = "\u2013";
 
   private final Page page;
@@ -46,17 +68,31 @@ final class ReportPage {
       Map<String, String> hashes,
       Map<String, List<RunResult>> byObstacle)
       throws IOException {
-    ReportPage own = new ReportPage(top, byObstacle.values());
-    own.addLimits();
-    own.addErrors();
-    // Of each drive there are two curves.
-    int most = Math.min(MOST_CORNERS, BUDGET / Math.max(1, 2 * own.results.size()));
+    String html = "";
+    for (Detail detail : DETAILS) {
+      html = new ReportPage(top, byObstacle.values()).html(origin, hashes, byObstacle, detail);
+      if (html.length() <= MOST_CHARACTERS) {
+        break;
+      }
+    }
+    TextFile.write(file, html);
+  }
+
+  private String html(
+      RunOrigin origin,
+      Map<String, String> hashes,
+      Map<String, List<RunResult>> byObstacle,
+      Detail detail) {
+    addLimits();
+    addErrors();
     int number = 0;
     for (List<RunResult> one : byObstacle.values()) {
-      ObstacleSection.add(own.page, one, "bearings-" + ++number, most);
+      ObstacleSection section =
+          new ObstacleSection(page, one, "bearings-" + ++number, detail.each(results.size()));
+      section.add(detail.maps());
     }
-    own.addOrigin(origin, hashes);
-    TextFile.write(file, own.page.html());
+    addOrigin(origin, hashes);
+    return page.html();
   }
 
   private void addLimits() {
@@ -97,7 +133,7 @@ final class ReportPage {
   private void addMeanings(boolean isCompared) {
     int lines = ErrorWords.MEANINGS.size() - (isCompared ? 0 : 1);
     page.soft(
-        String.join(" ", ErrorWords.MEANINGS.subList(0, lines)),
+        String.join(" ", ErrorWords.MEANINGS.subList(0, lines)).replaceAll(";$", "."),
         " The radial error of a bearing is the mean over all crossings of it; it is harsh where the"
             + " edge runs nearly along the bearing. A lobe that was cut off shows in what was kept of"
             + " the edge and in the distance from it. Map agrees: the share of places and headings at"
