@@ -38,7 +38,7 @@ final class DiagnosisPage {
     page =
         new Page(
             data.name() + ": " + diagnosis.verdict().word(),
-            "Simulation and reality: " + data.name());
+            "Simulation and reality: " + data.name() + " (" + diagnosis.verdict().word() + ")");
   }
 
   /**

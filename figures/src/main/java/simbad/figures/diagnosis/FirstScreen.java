@@ -47,7 +47,7 @@ final class FirstScreen {
         add(bars, finding.effect().word(), finding.probability(), "after");
       }
     }
-    add(bars, "something else", diagnosis.unknownProbability(), "unknown");
+    add(bars, "unknown", diagnosis.unknownProbability(), "unknown");
     Html meanings = Html.all(VerdictWords.named(diagnosis).stream().map(this::meaning).toList());
     return Page.panel("", "Which effect is at work: probability", bars.html(), meanings);
   }

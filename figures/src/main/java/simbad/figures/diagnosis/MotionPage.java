@@ -96,7 +96,7 @@ public final class MotionPage {
     Bars bars = new Bars();
     diagnosis.findings().forEach(one -> bar(bars, one.form(), one.probability(), "after"));
     possible(diagnosis).forEach(one -> bar(bars, one.effect(), one.probability(), "after"));
-    bar(bars, "something else", diagnosis.unknownProbability(), "unknown");
+    bar(bars, "unknown", diagnosis.unknownProbability(), "unknown");
     return bars.html();
   }
 

@@ -29,6 +29,11 @@ final class PolarMap {
   private static final int RINGS = 10;
   private static final int LABEL_GAP = 16;
   private static final double USUAL = 0.98;
+
+  /** Less than half a turn, so that an arc goes the short way. */
+  private static final int LONGEST_RUN = SECTORS / 2 - 1;
+
+  private static final int NO_SHADE = -1;
   private static final double SECTOR_DEG = 360.0 / SECTORS;
 
   private final Obstacle obstacle;
@@ -87,12 +92,19 @@ final class PolarMap {
     String[] paths = new String[SHADES];
     Arrays.fill(paths, "");
     for (int ring = 0; ring < rings; ring++) {
-      for (int sector = 0; sector < SECTORS; sector++) {
-        double gapCm = cells[ring][sector];
-        if (!Double.isNaN(gapCm)) {
-          int shade = (int) Math.max(0, Math.min(SHADES - 1.0, scale.share(gapCm) * SHADES));
-          paths[shade] += cell(ring, sector);
+      int sector = 0;
+      while (sector < SECTORS) {
+        int shade = shade(cells[ring][sector], scale);
+        int end = sector + 1;
+        while (end < SECTORS
+            && end - sector < LONGEST_RUN
+            && shade(cells[ring][end], scale) == shade) {
+          end++;
         }
+        if (shade != NO_SHADE) {
+          paths[shade] += cells(ring, sector, end);
+        }
+        sector = end;
       }
     }
     for (int shade = 0; shade < SHADES; shade++) {
@@ -100,6 +112,12 @@ final class PolarMap {
         svg.path(paths[shade], "shade h" + shade, "");
       }
     }
+  }
+
+  private static int shade(double gapCm, AxisScale scale) {
+    return Double.isNaN(gapCm)
+        ? NO_SHADE
+        : (int) Math.max(0, Math.min(SHADES - 1.0, scale.share(gapCm) * SHADES));
   }
 
   /** What the page's script reads: a comma between sectors, a semicolon between rings. */
@@ -156,11 +174,12 @@ final class PolarMap {
     return sums;
   }
 
-  private String cell(int ring, int sector) {
+  /** Cells of a ring beside each other, up to an end that is not among them. */
+  private String cells(int ring, int sector, int end) {
     double inner = ring * radius.step();
     double outer = inner + radius.step();
     double from = (sector - 0.5) * SECTOR_DEG;
-    double to = from + SECTOR_DEG;
+    double to = (end - 0.5) * SECTOR_DEG;
     return "M"
         + at(inner, from)
         + "L"
