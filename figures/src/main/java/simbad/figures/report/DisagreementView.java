@@ -113,7 +113,7 @@ final class DisagreementView {
       svg.words(new Spot(LEFT - 7, down + 5), "end", scale.label(tick));
     }
     svg.words(new Spot(LEFT + SIDE / 2, TOP + SIDE + 34), "middle", "x, m");
-    svg.wordsUpward(new Spot(12, TOP + SIDE / 2), "z, m (down the page)");
+    svg.wordsUpward(new Spot(15, TOP + SIDE / 2), "z, m (down the page)");
   }
 
   private void edge(ThresholdTable table) {

@@ -48,16 +48,25 @@ final class ObstacleSection {
     this.most = most;
   }
 
-  /** Adds all of it, with the maps or without. */
-  void add(boolean withMaps) {
+  /**
+   * Adds the section.
+   *
+   * @param withMaps whether with the maps
+   * @param withTraces whether with the other pictures and their table
+   */
+  void add(boolean withMaps, boolean withTraces) {
     say();
     List<Picture> pictures = new ArrayList<>();
-    pictures.add(traces());
-    pictures.add(errors());
+    if (withTraces) {
+      pictures.add(traces());
+      pictures.add(errors());
+    }
     if (withMaps) {
       results.forEach(result -> pictures.add(map(result)));
     }
-    page.pictures(pictures);
+    if (!pictures.isEmpty()) {
+      page.pictures(pictures);
+    }
     files();
   }
 
@@ -180,8 +189,7 @@ final class ObstacleSection {
   }
 
   private void files() {
-    List<Object> parts =
-        new ArrayList<>(List.of("The same pictures for print, beside this page: "));
+    List<Object> parts = new ArrayList<>(List.of("Pictures for print, beside this page: "));
     List<String> names = new ArrayList<>(List.of("polar", "errors"));
     results.forEach(result -> names.add("map-" + result.sensor().word()));
     for (String name : names) {

@@ -35,12 +35,13 @@ final class ReportPage {
           new Detail(20_000, true),
           new Detail(8_000, true),
           new Detail(8_000, false),
-          new Detail(1_000, false));
+          new Detail(0, false));
 
   /**
    * How much is drawn.
    *
-   * @param corners that all curves of a page may have together, in some 6 bytes each
+   * @param corners that all curves of a page may have together, in some 6 bytes each; 0 for no
+   *     pictures, which stand beside the page
    * @param maps whether the maps stand on the page, or only beside it
    */
   private record Detail(int corners, boolean maps) {
@@ -89,7 +90,7 @@ final class ReportPage {
     for (List<RunResult> one : byObstacle.values()) {
       ObstacleSection section =
           new ObstacleSection(page, one, "bearings-" + ++number, detail.each(results.size()));
-      section.add(detail.maps());
+      section.add(detail.maps(), detail.corners() > 0);
     }
     addOrigin(origin, hashes);
     return page.html();
