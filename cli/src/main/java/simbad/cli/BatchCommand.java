@@ -11,6 +11,7 @@ import simbad.experiments.batch.BatchFolder;
 import simbad.experiments.batch.BatchJob;
 import simbad.experiments.batch.ResultLog;
 import simbad.experiments.workers.Workers;
+import simbad.figures.batch.BatchReport;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TextFile;
 
@@ -22,7 +23,8 @@ import simbad.sonar.format.TextFile;
           + " obstacles, scenes, sensors, effects, controllers, speeds, seeds"
           + " (docs/guide/batch.md).",
       "Writes a row per run to results.csv in --out; a batch that was interrupted goes on with the"
-          + " same command."
+          + " same command.",
+      "In the end report.html says what the rows show, and which runs went wrong."
     },
     footer = {
       "",
@@ -65,7 +67,9 @@ final class BatchCommand extends Subcommand {
         out().flush();
       }
       work(job, log);
+      BatchReport.write(out, BuildVersion.text());
       out().println(runs(log.done()) + " in " + out.resolve("results.csv"));
+      out().println("report: " + out.resolve(BatchReport.PAGE));
       if (log.failed() > 0) {
         complain(new IOException(failures(log)));
       }

@@ -1,6 +1,7 @@
 package simbad.cli;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -23,6 +24,7 @@ import simbad.experiments.blindcheck.CheckScores;
 import simbad.experiments.blindcheck.CheckSummary;
 import simbad.experiments.workers.Workers;
 import simbad.figures.blindcheck.CheckReport;
+import simbad.figures.diagnosis.DiagnosisReport;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TemporaryFolder;
@@ -207,9 +209,10 @@ final class BlindCheck {
   /**
    * Has the answers scored and writes the results.
    *
+   * @param allPages whether each case keeps its page, or only those that were answered wrongly
    * @throws DataFormatException when a truth or a data set is not the one that was committed to
    */
-  void score() throws IOException, DataFormatException, InterruptedException {
+  void score(boolean allPages) throws IOException, DataFormatException, InterruptedException {
     Path baseline = folder.resolve("baseline");
     answerByRule(baseline);
     try (TemporaryFolder temporary = TemporaryFolder.create("simbad-scores")) {
@@ -227,12 +230,25 @@ final class BlindCheck {
       TextFile.write(folder.resolve("scores.txt"), Files.readString(text));
       CheckScores scores = CheckScores.read(file);
       CheckReport.write(folder, order, scores);
+      if (!allPages) {
+        dropPages(scores);
+      }
       CheckSummary.lines(scores).forEach(out::println);
       scores.missingPredictions().ifPresent(out::println);
     }
     log("scored");
     out.println();
     out.println("written to " + folder + " (open " + folder.resolve(CheckReport.PAGE) + ")");
+  }
+
+  /** Of a right answer the scores say all; thousands of pages would fill a disk unread. */
+  private void dropPages(CheckScores scores) throws IOException {
+    for (JsonNode one : scores.cases()) {
+      if (one.path("right").asBoolean()) {
+        Path answer = answers.resolve(one.path("case").asText());
+        Files.deleteIfExists(answer.resolve(DiagnosisReport.PAGE));
+      }
+    }
   }
 
   /** Has the baseline's answers given, unless they are already. */

@@ -177,6 +177,11 @@ final class BlindCheckCommand extends Subcommand {
   private double limitS = 600;
 
   @Option(
+      names = "--all-pages",
+      description = "Keep every case's report.html, not only those of wrong answers.")
+  private boolean allPages;
+
+  @Option(
       names = "--audit-only",
       description =
           "Diagnose nothing; count how often the audit warns of what is not there, and how often it"
@@ -203,7 +208,7 @@ final class BlindCheckCommand extends Subcommand {
       return;
     }
     List<String> unanswered = check.diagnose(who, Duration.ofMillis((long) (1000 * limitS)));
-    check.score();
+    check.score(allPages);
     if (!unanswered.isEmpty()) {
       throw new IOException(
           unanswered.size()

@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import simbad.experiments.report.ErrorWords;
 import simbad.experiments.report.TableName;
 import simbad.experiments.run.EdgeLoss;
 import simbad.experiments.run.ErrorParts;
@@ -25,14 +26,14 @@ final class RunSummary {
         row,
         TITLE,
         "sensor",
-        "mean cm",
-        "RMS cm",
-        "max cm",
-        "beside cm",
-        "edge kept",
-        "from edge",
-        "unreached",
-        "reduction");
+        ErrorWords.MEAN,
+        ErrorWords.RMS,
+        ErrorWords.MAX,
+        ErrorWords.BESIDE,
+        ErrorWords.EDGE_KEPT,
+        ErrorWords.FROM_EDGE,
+        ErrorWords.UNREACHED,
+        ErrorWords.REDUCTION);
     for (RunResult result : results) {
       TraceErrors errors = result.errors();
       out.printf(
@@ -51,7 +52,7 @@ final class RunSummary {
           errors.unreachedBearings() + "/" + errors.radialM().size(),
           percent(result.reductionVsOriginal()));
     }
-    printLegend(out);
+    ErrorWords.MEANINGS.forEach(out::println);
     EdgeLoss.of(results).forEach(loss -> out.println(loss.sentence()));
     TraceMove.of(results).forEach(move -> out.println(move.sentence()));
     ErrorParts.of(results).forEach(parts -> out.println(parts.sentence()));
@@ -68,14 +69,6 @@ final class RunSummary {
         + Math.max(LEAST_WIDTH, sensor)
         + "s"
         + ROW;
-  }
-
-  private static void printLegend(PrintWriter out) {
-    out.println(
-        "mean, RMS, max: radial error |r - T| over the bearings; beside: mean distance from");
-    out.println("the shadow's edge; edge kept: share of it with a place of the trace within 5 cm;");
-    out.println("from edge: greatest distance in cm from the edge to the trace;");
-    out.println("reduction: of the mean against the original sensor.");
   }
 
   private static String name(RunResult result) {

@@ -108,6 +108,7 @@ class ArchitectureTest {
         "simbad.figures, 50",
         "simbad.cli, 60",
         "simbad.figures.diagnosis, 15",
+        "simbad.figures.page, 10",
         "simbad.gap, 30",
         "simbad.blindworld, 40",
         "simbad.scattering, 10",
@@ -413,7 +414,7 @@ class ArchitectureTest {
     clockless(
             "simbad.experiments.(demo|run|control|report|table|diagnosis|dataset|blindcheck|motion)..")
         .check(CLASSES);
-    clockless("simbad.figures.(report|plot|diagnosis|blindcheck)..").check(CLASSES);
+    clockless("simbad.figures.(report|plot|diagnosis|blindcheck|batch|page)..").check(CLASSES);
   }
 
   private static ArchRule clockless(String from) {

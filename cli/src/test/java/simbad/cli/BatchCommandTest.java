@@ -129,7 +129,7 @@ class BatchCommandTest {
     assertTrue(one.out().contains("24 runs in"), one.out());
     assertEquals(0, batch(spec, "three", "--jobs", "3").status());
     checkSame("one", "three");
-    assertEquals(24 + 4, files("one").size(), "traces, results, batch, spec, table");
+    assertEquals(24 + 5, files("one").size(), "traces, results, report, batch, spec, table");
     Shell again = batch(spec, "one");
     assertEquals(0, again.status(), again.err());
     checkSame("one", "three");
@@ -186,6 +186,9 @@ class BatchCommandTest {
     Shell shell = batch(spec, "out");
     checkRefused(shell, 1, "24 of 48 runs failed; their rows say why");
     assertEquals(49, Files.readAllLines(folder.resolve("out/results.csv")).size());
+    String page = Files.readString(folder.resolve("out/report.html"));
+    assertTrue(page.contains("<strong>48 runs</strong>: 24 failed, 12 did not get round"), page);
+    assertTrue(page.contains("<h2>Runs that went wrong: 36</h2>"), page);
     checkRefused(batch(spec, "out"), 1, "24 of 48 runs failed");
   }
 

@@ -89,6 +89,8 @@ class BlindCheckCommandTest {
     assertEquals(2, all.at("/oracle/shares/all verdicts right/hits").asInt());
     assertEquals(
         "2 verified against manifest.json", json("check.json").at("/commitments").asText());
+    assertFalse(
+        Files.exists(out().resolve("answers/plain/report.html")), "it was answered rightly");
     checkSeals();
     checkOpenFolder();
     checkResumed(arguments);

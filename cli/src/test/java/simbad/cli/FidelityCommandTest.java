@@ -39,7 +39,7 @@ class FidelityCommandTest {
     assertFirst(page, "Is the shadow sensor faithful?", "<strong>round, shadow</strong>: faithful");
     assertTrue(page.contains("<td>at most 3 cm</td>"), page);
     assertFalse(page.contains("<strong>missed"), page);
-    assertFalse(page.contains("smaller than original"), page);
+    assertFalse(page.contains("reduction"), page);
     assertTrue(page.contains("Radial error by bearing, logarithmic."), page);
   }
 
@@ -48,7 +48,7 @@ class FidelityCommandTest {
     String top = page.substring(page.indexOf("<main>"), page.indexOf("class=\"note\""));
     assertTrue(top.contains("<h1>" + title + "</h1>"), top);
     assertTrue(top.contains(verdict), top);
-    assertFalse(top.contains("<img"), top);
+    assertFalse(top.contains("<svg"), top);
   }
 
   /** Nothing on the page is of a logarithmic plot or of a shadow sensor: there is neither. */
@@ -68,7 +68,7 @@ class FidelityCommandTest {
     assertEquals(2, page.split("<td>held</td>", -1).length - 1, page);
     assertFalse(page.contains("logarithmic"), page);
     assertFalse(page.contains("shadow sensor"), page);
-    assertFalse(page.contains("smaller than original"), page);
+    assertFalse(page.contains("reduction"), page);
   }
 
   @Test

@@ -25,7 +25,7 @@ import simbad.sonar.format.WholeFile;
  * when the process ended. A run's trace is there before its row is.
  */
 public final class ResultLog implements AutoCloseable {
-  private static final String RESULTS = "results.csv";
+  static final String RESULTS = "results.csv";
   private static final String TRACES = "traces";
   private static final int BLOCK = 1 << 16;
 

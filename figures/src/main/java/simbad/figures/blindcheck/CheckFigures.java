@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.function.Predicate;
 import simbad.experiments.blindcheck.Calibration;
 import simbad.experiments.blindcheck.CheckScores.Figures;
-import simbad.figures.plot.AgreementPlot;
-import simbad.figures.plot.AgreementPoint;
-import simbad.figures.plot.Caption;
-import simbad.figures.plot.Figure;
+import simbad.figures.page.Numbers;
+import simbad.figures.page.Picture;
+import simbad.figures.page.Svg.Spot;
+import simbad.figures.page.Table;
 
 /** The pictures of a check. */
 final class CheckFigures {
@@ -18,33 +18,42 @@ final class CheckFigures {
   private CheckFigures() {}
 
   /** The reliability diagram of the verdict's probability. */
-  static Figure verdict(Figures figures) {
+  static Picture verdict(Figures figures) {
     return reliability(
         "Probability of the verdict", figures, figures.calibration("verdict_calibration"));
   }
 
   /** The reliability diagram of the first effect's probability. */
-  static Figure firstEffect(Figures figures) {
+  static Picture firstEffect(Figures figures) {
     return reliability(
         "Probability of the effect listed first",
         figures,
         figures.calibration("first_named_calibration"));
   }
 
-  private static Figure reliability(String title, Figures figures, Calibration calibration) {
-    List<AgreementPoint> points =
-        calibration.bins().stream()
-            .map(
-                bin ->
-                    new AgreementPoint(
-                        bin.stated(), bin.share(), bin.low(), bin.high(), bin.of() + ""))
-            .toList();
-    return new AgreementPlot(
-            new Caption(title, figures.part() + "; n = " + calibration.claims()),
-            new AgreementPlot.Axes("probability stated", "share that was so", 0, 1),
-            "cases of like probability, their number, 95 % interval",
-            points)
-        .figure();
+  private static Picture reliability(String title, Figures figures, Calibration calibration) {
+    String words = title + "; " + figures.part() + "; n = " + calibration.claims();
+    AgreementGraph graph = new AgreementGraph(words, "probability stated", "share that was so", 0);
+    Table table = Table.of("#stated", "#cases", "#so", "#share", "#95\u00a0% interval");
+    for (Calibration.Bin bin : calibration.bins()) {
+      String interval = Numbers.percent(bin.low()) + " to " + Numbers.percent(bin.high());
+      String stated = Numbers.percent(bin.stated(), 1);
+      graph.group(
+          bin.stated(),
+          bin.share(),
+          bin.low(),
+          bin.high(),
+          "stated " + stated + ": " + bin.hits() + " of " + bin.of() + " were so, " + interval);
+      table.row(stated, bin.of(), bin.hits(), Numbers.percent(bin.share()), interval);
+    }
+    return new Picture(
+            title,
+            graph.html(),
+            figures.part()
+                + "; n = "
+                + calibration.claims()
+                + ". Cases of like probability, with 95\u00a0% intervals.")
+        .with("As a table", table);
   }
 
   /**
@@ -53,32 +62,38 @@ final class CheckFigures {
    * @param part of the cases, for the caption
    * @param cases those that the plot shall show
    */
-  static Figure shrinkage(String part, List<JsonNode> cases) {
-    List<AgreementPoint> points =
+  static Picture shrinkage(String part, List<JsonNode> cases) {
+    List<Spot> claims =
         cases.stream()
             .filter(has("shrink_claimed").and(has("shrink_sealed")))
             .map(
                 one ->
-                    AgreementPoint.of(
+                    new Spot(
                         one.path("shrink_claimed").asDouble(),
                         one.path("shrink_sealed").asDouble()))
             .toList();
+    String words = part + "; n = " + claims.size();
+    AgreementGraph graph =
+        new AgreementGraph(
+            "Shrinkage of the gap; " + words,
+            "shrinkage claimed",
+            "shrinkage on the sealed rows",
+            least(claims));
+    graph.cloud(claims, claims.size() + " cases");
+    return new Picture(
+        "Shrinkage of the gap",
+        graph.html(),
+        words + ". Cases with something named or left unexplained.");
+  }
+
+  private static double least(List<Spot> claims) {
     double least =
-        points.stream()
-            .mapToDouble(point -> Math.min(point.claimed(), point.found()))
+        claims.stream()
+            .mapToDouble(claim -> Math.min(claim.x(), claim.y()))
             .map(value -> SHRINK_STEP * Math.floor(value / SHRINK_STEP))
             .min()
             .orElse(0);
-    return new AgreementPlot(
-            new Caption("Shrinkage of the gap", part + "; n = " + points.size()),
-            new AgreementPlot.Axes(
-                "shrinkage claimed",
-                "shrinkage on the sealed rows",
-                Math.max(LEAST_SHRINK, Math.min(0, least)),
-                1),
-            "cases with something named or left unexplained",
-            points)
-        .figure();
+    return Math.max(LEAST_SHRINK, Math.min(0, least));
   }
 
   private static Predicate<JsonNode> has(String name) {

@@ -8,7 +8,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import simbad.experiments.blindcheck.CheckJson;
-import simbad.figures.markup.Markup;
+import simbad.figures.page.Html;
+import simbad.figures.page.Table;
 
 /** Counts of what was said, across, by what was so, down; darker is more of the row. */
 final class ConfusionTable {
@@ -55,11 +56,11 @@ final class ConfusionTable {
   /**
    * The table.
    *
-   * @param corner what the rows are, as HTML
-   * @param part of the cases, as HTML
+   * @param corner what the rows are
+   * @param part of the cases
    * @param counts by row and column
    */
-  static String of(String corner, String part, JsonNode counts) {
+  static Html of(String corner, String part, JsonNode counts) {
     Set<String> said = new TreeSet<>(order());
     List<String> rows = new ArrayList<>();
     for (var row : counts.properties()) {
@@ -67,14 +68,12 @@ final class ConfusionTable {
       row.getValue().fieldNames().forEachRemaining(said::add);
     }
     rows.sort(order());
-    StringBuilder html =
-        new StringBuilder("<div class=\"scroll\" tabindex=\"0\"><table class=\"confusion\">\n");
-    html.append("<caption>" + part + "</caption>\n<thead><tr><th scope=\"col\">" + corner);
-    html.append("</th>");
-    said.forEach(name -> html.append(heading("col", name)));
-    html.append("<th class=\"n\" scope=\"col\">all</th></tr></thead>\n<tbody>\n");
-    rows.forEach(name -> addRow(html, name, counts.path(name), said));
-    return html.append("</tbody></table></div>\n").toString();
+    List<String> columns = new ArrayList<>(List.of(corner));
+    said.forEach(name -> columns.add("#" + name));
+    columns.add("#all");
+    Table table = Table.of(columns).caption(part).styled("confusion").withRowHeads();
+    rows.forEach(name -> addRow(table, name, counts.path(name), said));
+    return table.html();
   }
 
   private static Comparator<String> order() {
@@ -87,21 +86,18 @@ final class ConfusionTable {
     return last >= 0 ? FIRST.size() + 1 + last : first < 0 ? FIRST.size() : first;
   }
 
-  private static String heading(String scope, String name) {
-    return "<th scope=\"" + scope + "\"><span>" + Markup.escaped(name) + "</span></th>";
-  }
-
-  private static void addRow(StringBuilder html, String name, JsonNode row, Set<String> said) {
+  private static void addRow(Table table, String name, JsonNode row, Set<String> said) {
     int all = 0;
     for (JsonNode count : row) {
       all += count.asInt();
     }
-    html.append("<tr>" + heading("row", name));
+    List<Object> cells = new ArrayList<>(List.of(name));
     for (String column : said) {
       int count = row.path(column).asInt();
       int shade = (int) Math.ceil((double) SHADES * count / Math.max(1, all));
-      html.append("<td class=\"n s" + shade + "\">" + (count == 0 ? "" : count) + "</td>");
+      cells.add(new Table.Shaded(count == 0 ? "" : count + "", shade));
     }
-    html.append("<td class=\"n soft\">" + all + "</td></tr>\n");
+    cells.add(Html.soft(all));
+    table.row(cells.toArray());
   }
 }

@@ -1,9 +1,10 @@
 package simbad.figures.blindcheck;
 
-import java.util.Locale;
 import java.util.OptionalDouble;
 import simbad.experiments.blindcheck.CheckScores.Estimate;
 import simbad.experiments.blindcheck.Measure;
+import simbad.figures.page.Html;
+import simbad.figures.page.Numbers;
 
 /**
  * The cells of one figure: value, interval as numbers and as a bar, how counted, reached or not.
@@ -14,61 +15,50 @@ final class ScoreCell {
 
   private ScoreCell() {}
 
-  static String of(Measure measure, Estimate found, boolean off) {
-    OptionalDouble reach = measure.reach(off);
-    return "<td><b>"
-        + measure.text(found.value())
-        + "</b> <span class=\"soft\">"
-        + measure.number(found.low())
-        + " to "
-        + measure.number(found.high())
-        + "</span>"
-        + bar(measure, found, reach)
-        + "</td><td class=\"soft\">"
-        + found.counted()
-        + "</td><td class=\"n\">"
-        + (reach.isPresent() ? reached(measure, found, reach.getAsDouble()) : "")
-        + "</td>";
+  /** Value and interval, as numbers and as a bar. */
+  static Html value(Measure measure, Estimate found, boolean off) {
+    String interval = measure.number(found.low()) + " to " + measure.number(found.high());
+    return Html.of(
+        Html.strong(measure.text(found.value())),
+        " ",
+        Html.soft(interval),
+        bar(measure, found, measure.reach(off)));
   }
 
-  private static String reached(Measure measure, Estimate found, double reach) {
+  /** What is to be reached, and whether it was. */
+  static Html reached(Measure measure, Estimate found, boolean off) {
+    OptionalDouble reach = measure.reach(off);
+    return reach.isPresent() ? reached(measure, found, reach.getAsDouble()) : Html.NONE;
+  }
+
+  private static Html reached(Measure measure, Estimate found, double reach) {
     boolean met = meets(measure, found.value(), reach);
     // An interval that holds what is to be reached leaves it open.
     boolean sure =
         met == meets(measure, found.low(), reach) && met == meets(measure, found.high(), reach);
-    return (measure.isCost() ? "&le;&nbsp;" : "&ge;&nbsp;")
-        + measure.text(reach)
-        + (met ? " <span class=\"met\">met" : " <span class=\"missed\">missed")
-        + (sure ? "</span>" : "</span>, not surely");
+    return Html.of(
+        measure.isCost() ? "≤\u00a0" : "≥\u00a0",
+        measure.text(reach),
+        " ",
+        met ? Html.styled("b", "met", "met") : Html.styled("b", "missed", "missed"),
+        sure ? "" : ", not surely");
   }
 
   private static boolean meets(Measure measure, double value, double reach) {
     return measure.isCost() ? value <= reach : value >= reach;
   }
 
-  private static String bar(Measure measure, Estimate found, OptionalDouble reach) {
-    String mark =
-        reach.isPresent()
-            ? "<i class=\"reach\" style=\"left:" + at(measure, reach.getAsDouble()) + "%\"></i>"
-            : "";
+  private static Html bar(Measure measure, Estimate found, OptionalDouble reach) {
+    Html mark = reach.isPresent() ? mark(measure, "reach", reach.getAsDouble()) : Html.NONE;
     double low = share(measure, found.low());
-    return "<div class=\"track\"><i class=\"span\" style=\"left:"
-        + percent(low)
-        + "%;width:"
-        + percent(share(measure, found.high()) - low)
-        + "%\"></i><i class=\"dot\" style=\"left:"
-        + at(measure, found.value())
-        + "%\"></i>"
-        + mark
-        + "</div>";
+    double width = share(measure, found.high()) - low;
+    Html span =
+        Html.placed("i", "span", "left:" + Numbers.css(low) + ";width:" + Numbers.css(width));
+    return Html.styled("span", "track", span, mark(measure, "dot", found.value()), mark);
   }
 
-  private static String at(Measure measure, double value) {
-    return percent(share(measure, value));
-  }
-
-  private static String percent(double share) {
-    return String.format(Locale.ROOT, "%.1f", 100 * share);
+  private static Html mark(Measure measure, String style, double value) {
+    return Html.placed("i", style, "left:" + Numbers.css(share(measure, value)));
   }
 
   /** Where a value lies on the bar, from 0 to 1. */

@@ -1,7 +1,8 @@
 package simbad.figures.diagnosis;
 
 import java.util.List;
-import simbad.figures.markup.Markup;
+import simbad.figures.page.Html;
+import simbad.figures.page.Page;
 import simbad.gap.audit.Audit;
 import simbad.gap.audit.AuditFinding;
 
@@ -10,30 +11,27 @@ final class AuditSection {
   private AuditSection() {}
 
   /** Adds the findings, and nothing where there are none. */
-  static void add(StringBuilder page, List<AuditFinding> findings, String dataset) {
+  static void add(Page page, List<AuditFinding> findings, String dataset) {
     if (findings.isEmpty()) {
       return;
     }
-    page.append(
-        "<section class=\"panel\" id=\"audit\"><h3>What is wrong with the data</h3>\n<ul>\n");
-    for (AuditFinding finding : findings) {
-      page.append(
-          "<li><strong>"
-              + finding.severity().word()
-              + "</strong>, "
-              + finding.file().fileName()
-              + first(finding)
-              + ": "
-              + Markup.escaped(AuditWords.sentence(finding))
-              + ".</li>\n");
-    }
-    page.append("</ul>\n");
-    AuditWords.mendingCommand(dataset, findings)
-        .ifPresent(
-            command ->
-                page.append(
-                    "<p>A mended copy: <code>" + Markup.escaped(command) + "</code></p>\n"));
-    page.append("</section>\n");
+    Html items = Page.listed(findings.stream().map(AuditSection::item).toList());
+    Html mending =
+        AuditWords.mendingCommand(dataset, findings)
+            .map(command -> Html.styled("p", "soft", "A mended copy: ", Html.code(command)))
+            .orElse(Html.NONE);
+    page.add(Page.panel("audit", "What is wrong with the data", items, mending));
+  }
+
+  private static Html item(AuditFinding finding) {
+    return Html.of(
+        Html.strong(finding.severity().word()),
+        ", ",
+        finding.file().fileName(),
+        first(finding),
+        ": ",
+        AuditWords.sentence(finding),
+        ".");
   }
 
   /** From where on; rows are counted from 1 below the file's head. */
@@ -43,20 +41,22 @@ final class AuditSection {
 
   /** A page of the audit alone. */
   static String page(String dataset, List<AuditFinding> findings) {
-    String name = Markup.escaped(dataset);
-    StringBuilder page = new StringBuilder(Style.head(name + ": audit"));
-    page.append("<h1>Simulation and reality: " + name + "</h1>\n");
-    page.append("<p class=\"verdict\">" + verdict(findings) + "</p>\n");
+    Page page = new Page(dataset + ": audit", "Simulation and reality: " + dataset);
+    page.verdict(verdict(findings));
     add(page, findings, dataset);
-    return page.append("</main>\n</body>\n</html>\n").toString();
+    return page.html();
   }
 
-  private static String verdict(List<AuditFinding> findings) {
+  private static Html verdict(List<AuditFinding> findings) {
     if (findings.isEmpty()) {
-      return "<strong>Nothing found:</strong> these data can be what they are said to be.";
+      return said("Nothing found:", " these data can be what they are said to be.");
     }
     return Audit.refuses(findings)
-        ? "<strong>Not diagnosed:</strong> as they stand, these data cannot be believed."
-        : "<strong>Audited only:</strong> nothing was fitted.";
+        ? said("Not diagnosed:", " as they stand, these data cannot be believed.")
+        : said("Audited only:", " nothing was fitted.");
+  }
+
+  private static Html said(String first, String rest) {
+    return Html.of(Html.strong(first), rest);
   }
 }

@@ -5,6 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
+import simbad.figures.page.AxisScale;
+import simbad.figures.page.Graph;
+import simbad.figures.page.Html;
+import simbad.figures.page.Numbers;
 
 /** The mean gap before and after, by some quantity of the rows, in bins of one width. */
 final class GapGraph {
@@ -28,7 +32,7 @@ final class GapGraph {
    * @param quantity of a row; rows without it are left out
    * @return nothing where the quantity is the same in all rows
    */
-  static Optional<String> of(
+  static Optional<Html> of(
       String title,
       double least,
       List<RowFinding> rows,
@@ -63,7 +67,7 @@ final class GapGraph {
         rows.stream().mapToDouble(row -> row.after().gapCm()).average().orElse(0));
   }
 
-  private static String draw(String title, AxisScale x, double width, List<Bin> bins) {
+  private static Html draw(String title, AxisScale x, double width, List<Bin> bins) {
     double most =
         bins.stream()
             .filter(bin -> bin.rows() >= LEAST_ROWS)
@@ -83,15 +87,15 @@ final class GapGraph {
             from + BARS[1] * width,
             bin.beforeCm(),
             "before",
-            where + "before " + Html.fixed(bin.beforeCm(), 2) + " cm");
+            where + "before " + Numbers.fixed(bin.beforeCm(), 2) + " cm");
         graph.bar(
             from + BARS[1] * width,
             from + BARS[2] * width,
             bin.afterCm(),
             "after",
-            where + "after " + Html.fixed(bin.afterCm(), 2) + " cm");
+            where + "after " + Numbers.fixed(bin.afterCm(), 2) + " cm");
       }
     }
-    return graph.end();
+    return graph.html();
   }
 }

@@ -1,7 +1,7 @@
 package simbad.figures.diagnosis;
 
 import java.util.stream.Collectors;
-import simbad.figures.markup.Markup;
+import simbad.figures.page.Numbers;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Place;
 
@@ -28,42 +28,42 @@ final class Places {
           default -> variable;
         };
     String unit = unit(variable);
-    return Markup.escaped(what)
+    return what
         + " "
-        + condition.name().map(Markup::escaped).orElse("")
+        + condition.name().orElse("")
         + condition.interval().map(ends -> interval(ends, unit)).orElse("");
   }
 
   private static String interval(Interval ends, String unit) {
     if (!Double.isFinite(ends.low())) {
-      return "below " + Html.number(ends.high()) + unit;
+      return "below " + Numbers.number(ends.high()) + unit;
     }
     return Double.isFinite(ends.high())
-        ? Html.number(ends.low()) + " to " + Html.number(ends.high()) + unit
-        : "from " + Html.number(ends.low()) + unit;
+        ? Numbers.number(ends.low()) + " to " + Numbers.number(ends.high()) + unit
+        : "from " + Numbers.number(ends.low()) + unit;
   }
 
   /** The unit that a name ends in, as one writes it behind a number. */
   static String unit(String name) {
     if (name.endsWith("_per_m_s")) {
-      return "&nbsp;per&nbsp;m/s";
+      return "\u00a0per\u00a0m/s";
     } else if (name.endsWith("_per_rad_s")) {
-      return "&nbsp;per&nbsp;rad/s";
+      return "\u00a0per\u00a0rad/s";
     } else if (name.endsWith("_m_s")) {
-      return "&nbsp;m/s";
+      return "\u00a0m/s";
     } else if (name.endsWith("_rad_s")) {
-      return "&nbsp;rad/s";
+      return "\u00a0rad/s";
     } else if (name.endsWith("_deg_s")) {
-      return "&nbsp;°/s";
+      return "\u00a0°/s";
     } else if (name.endsWith("_per_m")) {
-      return "&nbsp;1/m";
+      return "\u00a01/m";
     } else if (name.endsWith("_deg")) {
       return "°";
     } else if (name.endsWith("_m")) {
-      return "&nbsp;m";
+      return "\u00a0m";
     } else if (name.endsWith("_pings") || name.equals("pings")) {
-      return "&nbsp;pings";
+      return "\u00a0pings";
     }
-    return name.endsWith("_s") ? "&nbsp;s" : "";
+    return name.endsWith("_s") ? "\u00a0s" : "";
   }
 }

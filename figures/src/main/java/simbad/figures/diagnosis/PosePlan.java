@@ -2,6 +2,11 @@ package simbad.figures.diagnosis;
 
 import java.util.ArrayList;
 import java.util.List;
+import simbad.figures.page.AxisScale;
+import simbad.figures.page.Html;
+import simbad.figures.page.Numbers;
+import simbad.figures.page.Svg;
+import simbad.figures.page.Svg.Spot;
 import simbad.sonar.frame.Point;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.scene.Scene;
@@ -25,7 +30,7 @@ final class PosePlan {
     this.z = z;
   }
 
-  static String of(List<ReadingRow> poses, Scene scene) {
+  static Html of(List<ReadingRow> poses, Scene scene) {
     List<Point> points = new ArrayList<>();
     poses.forEach(row -> points.add(row.pose().position()));
     scene.obstacles().forEach(o -> points.addAll(o.worldOutline().corners()));
@@ -33,7 +38,7 @@ final class PosePlan {
     plan.axes();
     scene.obstacles().forEach(o -> plan.outline(o.worldOutline().corners()));
     poses.forEach(row -> plan.arrow(row.pose()));
-    return plan.svg.end();
+    return plan.svg.html();
   }
 
   /** One scale for both axes, so that angles are true. */
@@ -54,15 +59,15 @@ final class PosePlan {
 
   private void axes() {
     for (double tick = first(x); tick <= x.high(); tick += x.step()) {
-      svg.line(xOf(tick), TOP, xOf(tick), TOP + PLOT, "grid");
-      svg.words(xOf(tick), TOP + PLOT + 16, "middle", x.label(tick));
+      svg.line(new Spot(xOf(tick), TOP), new Spot(xOf(tick), TOP + PLOT), "grid");
+      svg.words(new Spot(xOf(tick), TOP + PLOT + 16), "middle", x.label(tick));
     }
     for (double tick = first(z); tick <= z.high(); tick += z.step()) {
-      svg.line(LEFT, zOf(tick), LEFT + PLOT, zOf(tick), "grid");
-      svg.words(LEFT - 5, zOf(tick) + 4, "end", z.label(tick));
+      svg.line(new Spot(LEFT, zOf(tick)), new Spot(LEFT + PLOT, zOf(tick)), "grid");
+      svg.words(new Spot(LEFT - 5, zOf(tick) + 4), "end", z.label(tick));
     }
-    svg.words(LEFT + PLOT / 2.0, SIZE - 8, "middle", "x, m");
-    svg.wordsUpward(16, TOP + PLOT / 2.0, "z, m (down the page)");
+    svg.words(new Spot(LEFT + PLOT / 2.0, SIZE - 8), "middle", "x, m");
+    svg.wordsUpward(new Spot(16, TOP + PLOT / 2.0), "z, m (down the page)");
   }
 
   private static double first(AxisScale axis) {
@@ -75,15 +80,26 @@ final class PosePlan {
       path.append(path.isEmpty() ? "M" : "L").append(Svg.at(xOf(corner.xM()), zOf(corner.zM())));
     }
     svg.path(path + "Z", "body", "");
-    svg.circle(xOf(corners.get(0).xM()), zOf(corners.get(0).zM()), 3, "dot");
+    svg.circle(new Spot(xOf(corners.get(0).xM()), zOf(corners.get(0).zM())), 3, "dot", "");
   }
 
   private void arrow(Pose pose) {
     double px = xOf(pose.position().xM());
     double pz = zOf(pose.position().zM());
     double heading = pose.heading().radians();
-    svg.circle(px, pz, 2.2, "ping");
-    svg.line(px, pz, px + ARROW * Math.cos(heading), pz - ARROW * Math.sin(heading), "aim");
+    String tip =
+        "x "
+            + Numbers.fixed(pose.position().xM(), 2)
+            + " m, z "
+            + Numbers.fixed(pose.position().zM(), 2)
+            + " m, heading "
+            + Numbers.fixed(Math.toDegrees(heading), 0)
+            + "°";
+    svg.circle(new Spot(px, pz), 2.2, "ping", tip);
+    svg.line(
+        new Spot(px, pz),
+        new Spot(px + ARROW * Math.cos(heading), pz - ARROW * Math.sin(heading)),
+        "aim");
   }
 
   private double xOf(double value) {

@@ -5,6 +5,10 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.DoubleStream;
 import simbad.figures.diagnosis.RowFinding.Fit;
+import simbad.figures.page.AxisScale;
+import simbad.figures.page.Graph;
+import simbad.figures.page.Html;
+import simbad.figures.page.Numbers;
 
 /** How readings lie in their forecasts, before and after: as histograms. */
 final class ResidualGraph {
@@ -17,7 +21,7 @@ final class ResidualGraph {
   private ResidualGraph() {}
 
   /** Where in its forecast each reading lies: level at 1 when the forecasts hold. */
-  static String ranks(List<RowFinding> rows) {
+  static Html ranks(List<RowFinding> rows) {
     double[] before = counts(rows, row -> row.before().pit() * PIT_BINS, PIT_BINS);
     double[] after = counts(rows, row -> row.after().pit() * PIT_BINS, PIT_BINS);
     double most = Math.max(max(before), max(after)) * PIT_BINS / rows.size();
@@ -30,11 +34,11 @@ final class ResidualGraph {
     bars(
         graph, new AxisScale(0, 1, 1.0 / PIT_BINS), before, after, (double) PIT_BINS / rows.size());
     graph.level(1, "floor");
-    return graph.end();
+    return graph.html();
   }
 
   /** How far echoes lie from the median of those expected; nothing where there are too few. */
-  static Optional<String> ranges(List<RowFinding> rows) {
+  static Optional<Html> ranges(List<RowFinding> rows) {
     double[] before = residuals(rows, RowFinding::before);
     double[] after = residuals(rows, RowFinding::after);
     if (before.length < RANGE_BINS || after.length < RANGE_BINS) {
@@ -47,7 +51,7 @@ final class ResidualGraph {
     graph.axes("reading less expected echo, cm (beyond: last bins)", "share of echoes, %");
     AxisScale bins = new AxisScale(x.low(), x.high(), (x.high() - x.low()) / RANGE_BINS);
     bars(graph, bins, shares(before, x), shares(after, x), 1);
-    return Optional.of(graph.end());
+    return Optional.of(graph.html());
   }
 
   private static void bars(
@@ -57,8 +61,11 @@ final class ResidualGraph {
       double to = from + bins.step();
       double middle = (from + to) / 2;
       double margin = bins.step() * 0.06;
-      graph.bar(from + margin, middle, before[i] * scale, "before", "");
-      graph.bar(middle, to - margin, after[i] * scale, "after", "");
+      String where = Numbers.number(from) + " to " + Numbers.number(to) + ": ";
+      double gone = before[i] * scale;
+      double left = after[i] * scale;
+      graph.bar(from + margin, middle, gone, "before", where + "before " + Numbers.fixed(gone, 2));
+      graph.bar(middle, to - margin, left, "after", where + "after " + Numbers.fixed(left, 2));
     }
   }
 

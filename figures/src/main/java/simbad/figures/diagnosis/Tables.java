@@ -1,7 +1,10 @@
 package simbad.figures.diagnosis;
 
 import java.util.List;
-import simbad.figures.markup.Markup;
+import simbad.figures.page.Html;
+import simbad.figures.page.Numbers;
+import simbad.figures.page.Page;
+import simbad.figures.page.Table;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.FittedParameter;
@@ -16,34 +19,35 @@ final class Tables {
   private static final int MOST_TRIED = 15;
   private static final double POSSIBLE = 0.05;
 
-  private final StringBuilder page;
+  private final Page page;
 
-  Tables(StringBuilder page) {
+  Tables(Page page) {
     this.page = page;
   }
 
   void places(List<Place> places) {
     if (places.isEmpty()) {
-      page.append(
-          "<p>No slice of bearing, distance, angle, obstacle, sensor, run, time or speed has a gap"
-              + " larger than elsewhere.</p>\n");
+      page.say(
+          "No slice of bearing, distance, angle, obstacle, sensor, run, time or speed has a gap"
+              + " larger than elsewhere.");
       return;
     }
-    begin("place", "kind", "#rows", "#share of the gap", "#before, cm", "#after, cm", "#q");
+    Table table =
+        Table.of("place", "kind", "#rows", "#share of the gap", "#before, cm", "#after, cm", "#q");
     for (Place place : places.subList(0, Math.min(MOST_PLACES, places.size()))) {
-      row(
+      table.row(
           Places.words(place),
           place.kind().words(),
-          "#" + place.rows(),
-          "#" + Html.percent(place.shareOfGap()),
-          "#" + Html.fixed(place.beforeCm(), 2),
-          "#" + Html.fixed(place.afterCm(), 2),
-          "#" + (place.qValue() < 1e-3 ? "&lt;&nbsp;0.001" : Html.fixed(place.qValue(), 3)));
+          place.rows(),
+          Numbers.percent(place.shareOfGap()),
+          Numbers.fixed(place.beforeCm(), 2),
+          Numbers.fixed(place.afterCm(), 2),
+          Numbers.qValue(place.qValue()));
     }
-    end();
-    page.append(
-        "<p class=\"soft\">Found on one half of the data, confirmed and measured on the other; q is"
-            + " the share of false finds among places with such a q or less. Places overlap.</p>\n");
+    page.table(table);
+    page.soft(
+        "Found on one half of the data, confirmed and measured on the other; q is the share of"
+            + " false finds among places with such a q or less. Places overlap.");
   }
 
   /** Of what is concluded or at least possible. */
@@ -57,97 +61,68 @@ final class Tables {
                         || diagnosis.explanation().contains(finding.effect()))
             .toList();
     if (shown.isEmpty()) {
-      page.append("<p>No effect is probable enough for its parameters to mean something.</p>\n");
+      page.say("No effect is probable enough for its parameters to mean something.");
     }
-    for (EffectFinding finding : shown) {
-      boolean many = finding.parameters().size() > MANY_PARAMETERS;
-      page.append(
-          many
-              ? "<details><summary>" + heading(finding) + "</summary>\n"
-              : "<h3>" + heading(finding) + "</h3>\n");
-      begin("parameter", "#fitted", "#95&nbsp;% interval");
-      finding.parameters().forEach(this::parameter);
-      end();
-      page.append(many ? "</details>\n" : "");
+    shown.forEach(this::parameters);
+  }
+
+  private void parameters(EffectFinding finding) {
+    Table table = Table.of("parameter", "#fitted", "#95\u00a0% interval");
+    finding.parameters().forEach(parameter -> add(table, parameter));
+    if (finding.parameters().size() > MANY_PARAMETERS) {
+      page.add(Page.folded(heading(finding), table.html()));
+    } else {
+      page.part(heading(finding)).table(table);
     }
   }
 
   private static String heading(EffectFinding finding) {
     return finding.effect().word()
         + " ("
-        + finding.form().map(form -> "form " + Markup.escaped(form) + ", ").orElse("")
+        + finding.form().map(form -> "form " + form + ", ").orElse("")
         + "probability "
-        + Html.probability(finding.probability())
+        + Numbers.probability(finding.probability())
         + ")";
   }
 
-  private void parameter(FittedParameter parameter) {
+  private static void add(Table table, FittedParameter parameter) {
     String unit = Places.unit(parameter.name());
-    Interval ends = parameter.ci95();
-    row(
-        "<code>" + Markup.escaped(parameter.name()) + "</code>",
-        "#" + Html.number(parameter.value()) + unit,
-        "#" + interval(ends, unit));
+    table.row(
+        Html.code(parameter.name()),
+        Numbers.number(parameter.value()) + unit,
+        interval(parameter.ci95(), unit));
   }
 
   static String interval(Interval ends, String unit) {
     return Double.isInfinite(ends.low()) && Double.isInfinite(ends.high())
         ? "not known from these data"
-        : Html.number(ends.low()) + " to " + Html.number(ends.high()) + unit;
+        : Numbers.number(ends.low()) + " to " + Numbers.number(ends.high()) + unit;
   }
 
   void undetectable(List<Undetectable> undetectable) {
     if (undetectable.isEmpty()) {
-      page.append("<p>Every effect would have shown in these data.</p>\n");
+      page.say("Every effect would have shown in these data.");
       return;
     }
-    begin("effect", "parameter", "#would have shown from");
+    Table table = Table.of("effect", "parameter", "#would have shown from");
     for (Undetectable one : undetectable) {
-      row(
+      table.row(
           one.effect().word(),
-          "<code>" + Markup.escaped(one.parameter()) + "</code>",
-          "#"
-              + (one.leastSize().isPresent()
-                  ? Html.number(one.leastSize().getAsDouble()) + Places.unit(one.parameter())
-                  : "at no size"));
+          Html.code(one.parameter()),
+          one.leastSize().isPresent()
+              ? Numbers.number(one.leastSize().getAsDouble()) + Places.unit(one.parameter())
+              : "at no size");
     }
-    end();
+    page.table(table);
   }
 
   void tried(List<Diagnosis.Attempt> tried) {
-    begin("effects together", "#evidence, nats");
+    Table table = Table.of("effects together", "#evidence, nats");
     for (Diagnosis.Attempt attempt : tried.subList(0, Math.min(MOST_TRIED, tried.size()))) {
-      row(
-          attempt.effects().isEmpty() ? "none (simulator as it is)" : Html.list(attempt.effects()),
-          "#" + Html.fixed(attempt.heldOutNats(), 1));
+      table.row(
+          attempt.effects().isEmpty() ? "none (simulator as it is)" : Names.list(attempt.effects()),
+          Numbers.fixed(attempt.heldOutNats(), 1));
     }
-    end();
-  }
-
-  void begin(String... titles) {
-    page.append("<div class=\"scroll\" tabindex=\"0\"><table><thead><tr>");
-    for (String title : titles) {
-      page.append(
-          title.startsWith("#")
-              ? "<th scope=\"col\" class=\"n\">" + title.substring(1) + "</th>"
-              : "<th scope=\"col\">" + title + "</th>");
-    }
-    page.append("</tr></thead><tbody>\n");
-  }
-
-  /** Cells that begin with # are numbers. */
-  void row(String... cells) {
-    page.append("<tr>");
-    for (String cell : cells) {
-      page.append(
-          cell.startsWith("#")
-              ? "<td class=\"n\">" + cell.substring(1) + "</td>"
-              : "<td>" + cell + "</td>");
-    }
-    page.append("</tr>\n");
-  }
-
-  void end() {
-    page.append("</tbody></table></div>\n");
+    page.table(table);
   }
 }

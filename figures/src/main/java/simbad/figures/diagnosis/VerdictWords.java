@@ -1,9 +1,12 @@
 package simbad.figures.diagnosis;
 
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import simbad.definition.Effect;
-import simbad.figures.markup.Markup;
+import simbad.figures.page.Html;
+import simbad.figures.page.Numbers;
+import simbad.figures.page.Page;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.GapFigures;
@@ -19,71 +22,85 @@ final class VerdictWords {
 
   private VerdictWords() {}
 
-  /** The verdict in a sentence or two of HTML. */
-  static String sentence(Diagnosis diagnosis) {
+  /** The verdict in a sentence or two. */
+  static Html sentence(Diagnosis diagnosis) {
     return switch (diagnosis.verdict()) {
       case NONE ->
-          "<strong>No gap beyond chance:</strong> these readings are what the simulator expects"
-              + withinFigures(diagnosis.gap())
-              + ".";
-      case EXPLAINED ->
-          "<strong>"
-              + Html.list(diagnosis.explanation())
-              + "</strong>"
-              + explains(diagnosis)
-              + ": "
-              + shrinkage(diagnosis)
-              + ". The diagnosed model itself expects a gap of "
-              + Html.centimetres(diagnosis.gap().floorCm())
-              + " from scatter.";
-      case PARTLY ->
-          "<strong>"
-              + Html.list(diagnosis.explanation())
-              + (diagnosis.explanation().size() == 1 ? " is" : " are")
-              + " at work, and something else is too</strong>: "
-              + shrinkage(diagnosis)
-              + ". The diagnosed model itself expects a gap of "
-              + Html.centimetres(diagnosis.gap().floorCm())
-              + " from scatter"
-              + (diagnosis.reason().isEmpty()
-                  ? "."
-                  : ". Beside it, " + Markup.escaped(diagnosis.reason()) + ".");
+          Html.of(
+              Html.strong("No gap beyond chance:"),
+              " these readings are what the simulator expects",
+              withinFigures(diagnosis.gap()),
+              ".");
+      case EXPLAINED -> explained(diagnosis);
+      case PARTLY -> partly(diagnosis);
       case UNEXPLAINED -> unexplained(diagnosis);
       case UNDECIDED ->
-          "<strong>These data cannot tell:</strong> " + Markup.escaped(diagnosis.reason()) + ".";
+          Html.of(Html.strong("These data cannot tell:"), " ", diagnosis.reason(), ".");
     };
   }
 
-  private static String unexplained(Diagnosis diagnosis) {
-    if (diagnosis.explanation().isEmpty()) {
-      return "<strong>"
-          + (leavesGap(diagnosis.gap())
-              ? "There is a gap, and no effect that has a name here accounts for it"
-              : "The readings differ from what the simulator expects in a way that no effect with a"
-                  + " name here accounts for")
-          + "</strong>"
-          + withinFigures(diagnosis.gap())
-          + "."
-          + (diagnosis.reason().isEmpty()
-              ? ""
-              : " What happens: " + Markup.escaped(diagnosis.reason()) + ".");
-    }
-    boolean one = diagnosis.explanation().size() == 1;
-    return "<strong>No named effect accounts for the gap.</strong> Nearest "
-        + (one ? "comes " : "come ")
-        + Html.list(diagnosis.explanation())
-        + ": "
-        + shrinkage(diagnosis)
-        + ". "
-        + (diagnosis.reason().isEmpty()
+  private static Html explained(Diagnosis diagnosis) {
+    return Html.of(
+        Html.strong(Names.list(diagnosis.explanation())),
+        diagnosis.explanation().size() == 1
+            ? " accounts for the gap"
+            : " together account for the gap",
+        ": ",
+        shrinkage(diagnosis),
+        expected(diagnosis.gap()));
+  }
+
+  private static Html partly(Diagnosis diagnosis) {
+    return Html.of(
+        Html.strong(
+            Names.list(diagnosis.explanation()),
+            diagnosis.explanation().size() == 1 ? " is" : " are",
+            " at work, and something else is too"),
+        ": ",
+        shrinkage(diagnosis),
+        expected(diagnosis.gap()),
+        diagnosis.reason().isEmpty() ? "" : " Beside it, " + diagnosis.reason() + ".");
+  }
+
+  private static String expected(GapFigures gap) {
+    return ". The diagnosed model itself expects a gap of "
+        + Numbers.centimetres(gap.floorCm())
+        + " from scatter.";
+  }
+
+  private static Html unexplained(Diagnosis diagnosis) {
+    return diagnosis.explanation().isEmpty() ? nameless(diagnosis) : nearest(diagnosis);
+  }
+
+  private static Html nameless(Diagnosis diagnosis) {
+    return Html.of(
+        Html.strong(
+            leavesGap(diagnosis.gap())
+                ? "There is a gap, and no effect that has a name here accounts for it"
+                : "The readings differ from what the simulator expects in a way that no effect with"
+                    + " a name here accounts for"),
+        withinFigures(diagnosis.gap()),
+        ".",
+        diagnosis.reason().isEmpty() ? "" : " What happens: " + diagnosis.reason() + ".");
+  }
+
+  private static Html nearest(Diagnosis diagnosis) {
+    return Html.of(
+        Html.strong("No named effect accounts for the gap."),
+        diagnosis.explanation().size() == 1 ? " Nearest comes " : " Nearest come ",
+        Names.list(diagnosis.explanation()),
+        ": ",
+        shrinkage(diagnosis),
+        ". ",
+        diagnosis.reason().isEmpty()
             ? remains(diagnosis.gap())
-            : "But " + Markup.escaped(diagnosis.reason()) + ".");
+            : "But " + diagnosis.reason() + ".");
   }
 
   /** Why what comes nearest is no explanation. */
   private static String remains(GapFigures gap) {
     return leavesGap(gap)
-        ? "But that model expects only " + Html.centimetres(gap.floorCm()) + " from scatter."
+        ? "But that model expects only " + Numbers.centimetres(gap.floorCm()) + " from scatter."
         : "The size of what is left is what that model expects from scatter, but the readings"
             + " spread otherwise than it says.";
   }
@@ -93,56 +110,52 @@ final class VerdictWords {
     return gap.afterCm() > LEFT * gap.floorCm();
   }
 
-  private static String explains(Diagnosis diagnosis) {
-    return diagnosis.explanation().size() == 1
-        ? " accounts for the gap"
-        : " together account for the gap";
-  }
-
   private static String withinFigures(GapFigures gap) {
     return " (the gap is "
-        + Html.centimetres(gap.beforeCm())
+        + Numbers.centimetres(gap.beforeCm())
         + ", of which the model expects "
-        + Html.centimetres(gap.floorCm())
+        + Numbers.centimetres(gap.floorCm())
         + " from scatter alone)";
   }
 
-  private static String shrinkage(Diagnosis diagnosis) {
+  private static Html shrinkage(Diagnosis diagnosis) {
     GapFigures gap = diagnosis.gap();
-    return "with "
-        + (diagnosis.explanation().size() == 1 ? "it" : "them")
-        + " in the simulator the gap shrinks from "
-        + Html.centimetres(gap.beforeCm())
-        + " to "
-        + Html.centimetres(gap.afterCm())
-        + ", by <strong>"
-        + Html.percent(gap.shrink())
-        + "</strong>";
+    return Html.of(
+        "with ",
+        diagnosis.explanation().size() == 1 ? "it" : "them",
+        " in the simulator the gap shrinks from ",
+        Numbers.centimetres(gap.beforeCm()),
+        " to ",
+        Numbers.centimetres(gap.afterCm()),
+        ", by ",
+        Html.strong(Numbers.percent(gap.shrink())));
   }
 
-  /**
-   * What stands under the verdict: ties and the chance of something unknown, where worth saying.
-   */
-  static String second(Diagnosis diagnosis) {
-    StringBuilder words = new StringBuilder();
-    for (EffectFinding finding : named(diagnosis)) {
-      if (!finding.indistinguishableFrom().isEmpty()) {
-        words.append(
-            "<p class=\"note\">These data cannot tell "
-                + finding.effect().word()
-                + " from "
-                + Html.list(finding.indistinguishableFrom())
-                + ".</p>\n");
-      }
-    }
+  /** Adds what stands under the verdict: ties and the chance of something unknown. */
+  static void addSecond(Page page, Diagnosis diagnosis) {
+    ties(diagnosis).forEach(page::note);
     if (diagnosis.verdict() != Verdict.UNDECIDED
         && diagnosis.unknownProbability() >= WORTH_SAYING) {
-      words.append(
-          "<p>That something without a name here is at work has a probability of "
-              + Html.probability(diagnosis.unknownProbability())
-              + ".</p>\n");
+      page.say(
+          "That something without a name here is at work has a probability of ",
+          Numbers.probability(diagnosis.unknownProbability()),
+          ".");
     }
-    return words.toString();
+  }
+
+  private static List<String> ties(Diagnosis diagnosis) {
+    List<String> ties = new ArrayList<>();
+    for (EffectFinding finding : named(diagnosis)) {
+      if (!finding.indistinguishableFrom().isEmpty()) {
+        ties.add(
+            "These data cannot tell "
+                + finding.effect().word()
+                + " from "
+                + Names.list(finding.indistinguishableFrom())
+                + ".");
+      }
+    }
+    return ties;
   }
 
   /** The findings of the effects concluded to be at work. */

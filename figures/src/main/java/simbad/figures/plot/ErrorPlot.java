@@ -18,10 +18,14 @@ import org.knowm.xchart.XYChart;
  * drawn at its bottom, whose label then begins with "≤". A curve breaks where bearings are missing,
  * and its value at 0 is repeated at 360.
  *
+ * <p>Behind the curves stand the table's lobes, so that one sees whose error is of a lobe that was
+ * cut off.
+ *
  * @param caption title and provenance, both always shown
  * @param series the sensors in the legend's order, names distinct
+ * @param table its thresholds by rising bearing from 0; empty for no lobes
  */
-public record ErrorPlot(Caption caption, List<ErrorSeries> series) {
+public record ErrorPlot(Caption caption, List<ErrorSeries> series, List<PolarPoint> table) {
   private static final int WIDTH = 540;
   private static final String Y_TITLE = "radial error |r − T| (cm)";
   private static final double ASPECT = 0.46;
@@ -29,10 +33,19 @@ public record ErrorPlot(Caption caption, List<ErrorSeries> series) {
   private static final double TURN_DEG = 360;
   private static final double TICK_DEG = 30;
 
-  /** Copies the list. */
+  /** The largest lobe, as a share of the plot's height. */
+  private static final double LOBE = 0.94;
+
+  /** Copies the lists. */
   public ErrorPlot {
     series = List.copyOf(series);
+    table = List.copyOf(table);
     Checks.distinctNames(series, ErrorSeries::name);
+  }
+
+  /** A plot without lobes. */
+  public ErrorPlot(Caption caption, List<ErrorSeries> series) {
+    this(caption, series, List.of());
   }
 
   /** Tells whether the error's axis is logarithmic. */
@@ -47,21 +60,46 @@ public record ErrorPlot(Caption caption, List<ErrorSeries> series) {
     chart.getStyler().setYAxisLogarithmic(scale.isLog());
     Frame.range(chart, 0, TURN_DEG, scale.bottomCm(), scale.topCm());
     List<Curve> curves = series.stream().map(s -> curve(s, scale)).toList();
+    List<Curve> lobes = lobes(scale);
     Frame.add(chart, curves);
+    Frame.add(chart, lobes);
     Ticks ticks = ticks(scale);
     Dimension size = Frame.fit(chart, ticks, ASPECT);
+    chart.addAnnotation(new Layer(new CurveLayer(lobes)));
     chart.addAnnotation(new Layer((g, screen) -> paintGrid(g, screen, scale)));
     chart.addAnnotation(new Layer(new CurveLayer(curves)));
     chart.addAnnotation(new Layer(ticks));
     return new Figure(caption, chart, size);
   }
 
-  private ErrorScale scale() {
+  /** Returns the scale of the error's axis. */
+  public ErrorScale scale() {
     return ErrorScale.of(
         series.stream()
             .flatMap(s -> s.errors().stream())
             .mapToDouble(e -> e.errorM() * CM_PER_M)
             .toArray());
+  }
+
+  /** Thresholds have no axis of their own: the legend says how far the largest reaches. */
+  private List<Curve> lobes(ErrorScale scale) {
+    double mostM = table.stream().mapToDouble(PolarPoint::radiusM).max().orElse(0);
+    if (!(mostM > 0)) {
+      return List.of();
+    }
+    int last = table.size();
+    double[] deg = new double[last + 3];
+    double[] cm = new double[last + 3];
+    for (int i = 0; i <= last; i++) {
+      PolarPoint point = table.get(i % last);
+      deg[i] = i < last ? Math.toDegrees(point.bearingRad()) : TURN_DEG;
+      cm[i] = scale.at(LOBE * point.radiusM() / mostM);
+    }
+    deg[last + 1] = TURN_DEG;
+    cm[last + 1] = scale.bottomCm();
+    cm[last + 2] = scale.bottomCm();
+    String name = "the table's lobes, the largest " + Steps.label(mostM) + " m";
+    return List.of(new Curve(name, deg, cm, Look.of(SeriesRole.BAND), SeriesStyle.AREA));
   }
 
   private static Curve curve(ErrorSeries series, ErrorScale scale) {

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
  * @param topCm where it ends
  * @param isClamped whether errors below the bottom are drawn on it
  */
-record ErrorScale(boolean isLog, double bottomCm, double topCm, boolean isClamped) {
+public record ErrorScale(boolean isLog, double bottomCm, double topCm, boolean isClamped) {
   /** A tenth of a millimetre: what lies below is nought to any sonar. */
   private static final double LEAST_LOG_CM = 0.01;
 
@@ -25,8 +25,12 @@ record ErrorScale(boolean isLog, double bottomCm, double topCm, boolean isClampe
 
   private static final int TICKS = 6;
 
-  /** The scale that suits a set of errors in centimetres; 0 to 1 cm where there are none. */
-  static ErrorScale of(double... errorsCm) {
+  /**
+   * Returns the scale that suits a set of errors; 0 to 1 cm where there are none.
+   *
+   * @param errorsCm at least 0
+   */
+  public static ErrorScale of(double... errorsCm) {
     double largest = DoubleStream.of(errorsCm).max().orElse(0);
     double least = DoubleStream.of(errorsCm).filter(e -> e > 0).min().orElse(largest);
     double bottom = Math.max(LEAST_LOG_CM, least);
@@ -45,12 +49,20 @@ record ErrorScale(boolean isLog, double bottomCm, double topCm, boolean isClampe
     return new ErrorScale(false, 0, step * Steps.count(reach, step), false);
   }
 
-  double clamped(double errorCm) {
+  /** Returns where an error is drawn: not below the axis. */
+  public double clamped(double errorCm) {
     return Math.max(bottomCm, errorCm);
   }
 
-  /** Where labels stand. */
-  List<Double> ticks() {
+  /** Returns the error that lies at a share of the axis's length. */
+  double at(double share) {
+    return isLog
+        ? bottomCm * Math.pow(topCm / bottomCm, share)
+        : bottomCm + share * (topCm - bottomCm);
+  }
+
+  /** Returns where labels stand. */
+  public List<Double> ticks() {
     if (!isLog) {
       return Steps.multiples(0, topCm, Steps.step(topCm, TICKS));
     }
@@ -59,8 +71,8 @@ record ErrorScale(boolean isLog, double bottomCm, double topCm, boolean isClampe
     return Stream.concat(Stream.of(bottomCm), decades.stream()).distinct().toList();
   }
 
-  /** The label at a tick: the bottom one says when less is drawn there. */
-  String label(double cm) {
+  /** Returns the label at a tick: the bottom one says when less is drawn there. */
+  public String label(double cm) {
     return (isClamped && cm == bottomCm ? "≤" : "") + Steps.label(cm);
   }
 

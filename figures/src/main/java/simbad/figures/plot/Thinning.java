@@ -1,12 +1,11 @@
 package simbad.figures.plot;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import simbad.figures.markup.Corners;
 
 /**
  * Leaves points out of long curves without a visible change (Douglas and Peucker, Cartographica
@@ -62,28 +61,12 @@ final class Thinning {
 
   /** The points of a curve whose edges stay within a tolerance of the curve given. */
   static List<PolarPoint> within(List<PolarPoint> points, double toleranceM) {
-    BitSet kept = keep(Plane.of(points), toleranceM);
+    double[] x = points.stream().mapToDouble(PolarPoint::xM).toArray();
+    double[] z = points.stream().mapToDouble(PolarPoint::zM).toArray();
+    BitSet kept = Corners.needed(x, z, toleranceM);
     List<PolarPoint> result = new ArrayList<>(kept.cardinality());
     kept.stream().forEach(i -> result.add(points.get(i)));
     return result;
-  }
-
-  private static BitSet keep(Plane plane, double toleranceM) {
-    BitSet kept = new BitSet();
-    kept.set(0);
-    kept.set(plane.last());
-    Deque<int[]> spans = new ArrayDeque<>();
-    spans.push(new int[] {0, plane.last()});
-    while (!spans.isEmpty()) {
-      int[] span = spans.pop();
-      int far = plane.farthest(span[0], span[1]);
-      if (far >= 0 && plane.distance(far, span[0], span[1]) > toleranceM) {
-        kept.set(far);
-        spans.push(new int[] {span[0], far});
-        spans.push(new int[] {far, span[1]});
-      }
-    }
-    return kept;
   }
 
   @FunctionalInterface
@@ -94,50 +77,6 @@ final class Thinning {
   private record Cell(long column, long row) {
     static Cell of(PolarPoint point, double sideM) {
       return new Cell(Math.round(point.xM() / sideM), Math.round(point.zM() / sideM));
-    }
-  }
-
-  /** The points in Cartesian coordinates, so that no sine is taken twice. */
-  private static final class Plane {
-    private final double[] x;
-    private final double[] z;
-
-    private Plane(double[] x, double[] z) {
-      this.x = x;
-      this.z = z;
-    }
-
-    static Plane of(List<PolarPoint> points) {
-      return new Plane(
-          points.stream().mapToDouble(PolarPoint::xM).toArray(),
-          points.stream().mapToDouble(PolarPoint::zM).toArray());
-    }
-
-    int last() {
-      return x.length - 1;
-    }
-
-    /** The index strictly between two others that lies farthest from their edge, or -1. */
-    int farthest(int from, int to) {
-      int best = -1;
-      double bestDistance = -1;
-      for (int i = from + 1; i < to; i++) {
-        double distance = distance(i, from, to);
-        if (distance > bestDistance) {
-          bestDistance = distance;
-          best = i;
-        }
-      }
-      return best;
-    }
-
-    double distance(int i, int from, int to) {
-      double dx = x[to] - x[from];
-      double dz = z[to] - z[from];
-      double length2 = dx * dx + dz * dz;
-      double along = (x[i] - x[from]) * dx + (z[i] - z[from]) * dz;
-      double t = length2 == 0 ? 0 : Math.max(0, Math.min(1, along / length2));
-      return Math.hypot(x[i] - x[from] - t * dx, z[i] - z[from] - t * dz);
     }
   }
 }

@@ -113,7 +113,9 @@ final class RunPictures {
     }
     ObstacleType type = results.get(0).type();
     return new ErrorPlot(
-        new Caption("Radial error of the traces: " + type.name(), provenance(type)), series);
+        new Caption("Radial error of the traces: " + type.name(), provenance(type)),
+        series,
+        points(type.thresholds().table()));
   }
 
   private static List<BearingError> bearingErrors(RunResult result) {

@@ -5,27 +5,22 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.nio.file.Path;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import simbad.figures.page.Browser;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Verdict;
 
-/** The page in headless Chromium, in both themes and at two widths. */
+/** The page in headless Chromium, in both themes and at three widths. */
 class PageInBrowserTest {
   @TempDir private Path folder = Path.of("target");
 
   @ParameterizedTest
-  @CsvSource({
-    "explained, 1280, false",
-    "explained, 800, true",
-    "none, 800, false",
-    "unexplained, 1280, true"
-  })
-  void page_isWhole(String verdict, int width, boolean dark) throws Exception {
+  @ValueSource(strings = {"explained", "none", "unexplained"})
+  void page_isWhole(String verdict) throws Exception {
     assumeTrue(Browser.isThere(), "no Chromium on this machine: the page is not looked at");
     DataSet data = Samples.data("bench of a rather long name, 2026-11-21");
-    String page = Samples.page(diagnosis(verdict, data), data);
-    new Browser(folder).look(page, width, dark);
+    new Browser(folder).look(Samples.page(diagnosis(verdict, data), data));
   }
 
   private static Diagnosis diagnosis(String verdict, DataSet data) {

@@ -1,11 +1,13 @@
 package simbad.figures.plot;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -127,5 +129,29 @@ class ErrorPlotTest {
   private static Figure figure(List<BearingError> errors) {
     ErrorSeries series = new ErrorSeries("sensor", SeriesRole.SHADOW, errors);
     return new ErrorPlot(Samples.CAPTION, List.of(series)).figure();
+  }
+
+  /**
+   * The largest lobe fills the plot, the smallest is at its bottom, at 360 degrees it is as at 0.
+   */
+  @Test
+  void lobes_standBehindTheErrors() {
+    List<PolarPoint> table =
+        List.of(new PolarPoint(0, 0), new PolarPoint(Math.PI / 2, 2), new PolarPoint(Math.PI, 1));
+    ErrorSeries errors =
+        new ErrorSeries("shadow", SeriesRole.SHADOW, List.of(new BearingError(0, 0.01)));
+    XYChart chart =
+        new ErrorPlot(new Caption("Title", "table"), List.of(errors), table).figure().chart();
+    XYSeries lobes =
+        Objects.requireNonNull(chart.getSeriesMap().get("the table's lobes, the largest 2 m"));
+    double top = chart.getStyler().getYAxisMax();
+    assertArrayEquals(new double[] {0, 90, 180, 360, 360, 0}, lobes.getXData(), 1e-9);
+    assertArrayEquals(new double[] {0, 0.94 * top, 0.47 * top, 0, 0, 0}, lobes.getYData(), 1e-9);
+  }
+
+  @Test
+  void noTable_noLobes() {
+    XYChart chart = new ErrorPlot(new Caption("Title", "table"), List.of()).figure().chart();
+    assertEquals(0, chart.getSeriesMap().size());
   }
 }

@@ -10,7 +10,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import simbad.figures.diagnosis.Browser;
+import simbad.figures.page.Browser;
+import simbad.figures.page.Typist;
 
 /** The pages' search in headless Chromium, with nothing but the keyboard. */
 @Timeout(180)

@@ -1,4 +1,4 @@
-package simbad.figures.diagnosis;
+package simbad.figures.page;
 
 import java.math.BigDecimal;
 import java.util.ArrayList;
@@ -11,19 +11,25 @@ import java.util.List;
  * @param high at its end, above low
  * @param step between its ticks: 1, 2 or 5 times a power of ten
  */
-record AxisScale(double low, double high, double step) {
+public record AxisScale(double low, double high, double step) implements Axis {
   private static final double[] ROUND = {1, 2, 5, 10};
 
-  /** Covers an interval with about so many ticks; an empty interval becomes one step. */
-  static AxisScale over(double low, double high, int ticks) {
+  /**
+   * Covers an interval; an empty one becomes one step.
+   *
+   * @param low its begin
+   * @param high its end
+   * @param ticks about how many there shall be
+   */
+  public static AxisScale over(double low, double high, int ticks) {
     double step = roundStep((high - low) / ticks);
     double from = Math.floor(low / step + 1e-9) * step;
     double to = Math.ceil(high / step - 1e-9) * step;
     return new AxisScale(from, to > from ? to : from + step, step);
   }
 
-  /** The least round step that is not below a size. */
-  static double roundStep(double size) {
+  /** Returns the least round step that is not below a size. */
+  public static double roundStep(double size) {
     if (!(size > 0)) {
       return 1;
     }
@@ -36,13 +42,14 @@ record AxisScale(double low, double high, double step) {
     return 10 * power;
   }
 
-  /** Where a value lies, 0 at the begin and 1 at the end. */
-  double share(double value) {
+  @Override
+  public double share(double value) {
     return (value - low) / (high - low);
   }
 
-  /** The ticks, begin and end included. */
-  List<Double> ticks() {
+  /** Returns the ticks, begin and end included. */
+  @Override
+  public List<Double> ticks() {
     List<Double> ticks = new ArrayList<>();
     for (int i = 0; low + i * step <= high + step * 1e-6; i++) {
       ticks.add(low + i * step);
@@ -50,8 +57,9 @@ record AxisScale(double low, double high, double step) {
     return ticks;
   }
 
-  /** A tick as text, with as many decimals as the step needs and a true minus. */
-  String label(double tick) {
+  /** Returns a tick as text, with as many decimals as the step needs and a true minus. */
+  @Override
+  public String label(double tick) {
     int decimals = Math.max(0, (int) Math.ceil(-Math.log10(step) - 1e-9));
     BigDecimal rounded = new BigDecimal(tick).setScale(decimals, java.math.RoundingMode.HALF_EVEN);
     String text = rounded.signum() == 0 ? "0" : rounded.toPlainString();

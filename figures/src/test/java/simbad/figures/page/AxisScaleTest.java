@@ -1,4 +1,4 @@
-package simbad.figures.diagnosis;
+package simbad.figures.page;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

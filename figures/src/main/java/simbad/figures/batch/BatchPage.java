@@ -1,0 +1,150 @@
+package simbad.figures.batch;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.ToLongFunction;
+import simbad.experiments.batch.BatchSurvey;
+import simbad.experiments.batch.BatchSurvey.Group;
+import simbad.experiments.report.ErrorWords;
+import simbad.figures.page.Bars;
+import simbad.figures.page.Html;
+import simbad.figures.page.Numbers;
+import simbad.figures.page.Page;
+import simbad.figures.page.Table;
+
+/** A batch on one page, however many runs it has. */
+final class BatchPage {
+  /** What a page of 300 kB can hold; a batch of so many groups is looked at with a program. */
+  private static final int MOST_GROUPS = 300;
+
+  private static final int MOST_PANELS = 24;
+  private static final int MOST_WORDS = 240;
+  private static final String NOTHING = "\u2013";
+
+  private final Page page = new Page("A batch of runs", "A batch of runs");
+  private final BatchSurvey survey;
+
+  private BatchPage(BatchSurvey survey) {
+    this.survey = survey;
+  }
+
+  static String of(BatchSurvey survey, String version) {
+    BatchPage own = new BatchPage(survey);
+    own.addVerdict();
+    own.addPanels();
+    own.addTable();
+    own.addWrong();
+    own.page.section("What this was made of");
+    own.page.soft("Program ", version, ". All rows are in results.csv, the spec in spec.json.");
+    return own.page.html();
+  }
+
+  private long sum(ToLongFunction<Group> count) {
+    return survey.groups().stream().mapToLong(count).sum();
+  }
+
+  private void addVerdict() {
+    Html runs = Html.strong(survey.runs() == 1 ? "1 run" : survey.runs() + " runs");
+    if (survey.wrongRuns() == 0) {
+      page.verdict(runs, ": all went round, and nothing went wrong.");
+    } else {
+      page.missed(
+          runs,
+          ": ",
+          sum(Group::failed),
+          " failed, ",
+          sum(Group::unclosed),
+          " did not get round, ",
+          sum(Group::lost),
+          " got round and did not keep the edge.");
+    }
+  }
+
+  /** Per obstacle a bar for each sensor. */
+  private void addPanels() {
+    Map<String, List<Group>> byObstacle = new LinkedHashMap<>();
+    survey.groups().stream()
+        .limit(MOST_GROUPS)
+        .forEach(
+            group ->
+                byObstacle.computeIfAbsent(group.obstacle(), name -> new ArrayList<>()).add(group));
+    List<Html> panels = new ArrayList<>();
+    byObstacle.forEach((name, groups) -> panels.add(panel(name, groups)));
+    page.section("Mean radial error, cm");
+    page.add(Html.styled("div", "panels", Html.all(panels.stream().limit(MOST_PANELS).toList())));
+  }
+
+  private static Html panel(String obstacle, List<Group> groups) {
+    double most = groups.stream().mapToDouble(group -> group.meanCm().orElse(0)).max().orElse(0);
+    Bars bars = new Bars();
+    for (Group group : groups) {
+      double share = most > 0 ? group.meanCm().orElse(0) / most : 0;
+      bars.bar(group.sensor(), share, "after", number(group.meanCm()));
+    }
+    return Page.panel("", obstacle, bars.html());
+  }
+
+  private void addTable() {
+    Table table =
+        Table.of(
+            "obstacle",
+            "sensor",
+            "#runs",
+            "#failed",
+            "#not round",
+            "#edge not kept",
+            "#" + ErrorWords.MEAN,
+            "#" + ErrorWords.MAX);
+    survey.groups().stream().limit(MOST_GROUPS).forEach(group -> add(table, group));
+    page.section("By obstacle and sensor").table(table);
+    page.soft(
+        "mean: of the runs' mean radial errors |r - T|; max: the greatest of all. Edge not kept: less"
+            + " than 95\u00a0% of it has a place of the trace within 5 cm.");
+  }
+
+  private static void add(Table table, Group group) {
+    table.row(
+        group.obstacle(),
+        group.sensor(),
+        group.runs(),
+        group.failed(),
+        group.unclosed(),
+        group.lost(),
+        number(group.meanCm()),
+        number(group.maxCm()));
+  }
+
+  private static String number(OptionalDouble cm) {
+    return cm.isPresent() ? Numbers.fixed(cm.getAsDouble(), 2) : NOTHING;
+  }
+
+  private void addWrong() {
+    page.section("Runs that went wrong: " + survey.wrongRuns());
+    if (survey.wrong().isEmpty()) {
+      return;
+    }
+    Table table = Table.of("#run", "obstacle", "sensor", "settings", "what");
+    survey
+        .wrong()
+        .forEach(
+            one ->
+                table.row(
+                    one.number(),
+                    one.obstacle(),
+                    one.sensor(),
+                    one.settings(),
+                    shortened(one.what())));
+    page.table(table);
+    if (survey.wrong().size() < survey.wrongRuns()) {
+      page.soft("The first " + survey.wrong().size() + " stand here, all in results.csv.");
+    }
+  }
+
+  /** An error may be as long as a program likes. */
+  private static String shortened(String what) {
+    return what.length() <= MOST_WORDS ? what : what.substring(0, MOST_WORDS - 1) + "…";
+  }
+}

@@ -1,0 +1,5 @@
+/** The page of a batch. */
+@NullMarked
+package simbad.figures.batch;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,5 @@
+/** Tests of the pages of runs. */
+@NullMarked
+package simbad.figures.report;
+
+import org.jspecify.annotations.NullMarked;
