@@ -135,10 +135,18 @@ public class AgentInspector extends JInternalFrame implements Runnable {
     SwingUtilities.invokeLater(() -> show(state));
   }
 
+  /** Says the units of figures whose lines, which programs may read, have none. */
+  static String withUnits(String state) {
+    return state
+        .replaceAll("(?m)^(counter: +\\d+)$", "$1 steps")
+        .replaceAll("(?m)^steps/s: ( +\\S+) now$", "pace:    $1 steps/s now")
+        .replaceAll("(?m)^( +\\S+) on average$", "$1 steps/s on average");
+  }
+
   private void show(String state) {
     // In the order in which a layout takes its locks, which old programs start on any thread.
     synchronized (text.getTreeLock()) {
-      text.setText(state);
+      text.setText(withUnits(state));
     }
     devices.repaint();
   }

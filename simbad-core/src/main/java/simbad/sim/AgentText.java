@@ -13,7 +13,7 @@ final class AgentText {
         "\n",
         "class:     " + agent.getClass().getSimpleName(),
         "name:      " + agent.getName(),
-        "counter:   " + agent.getCounter() + " steps",
+        "counter:   " + agent.getCounter(),
         "lifetime:  " + text(agent.getLifeTime()) + " s",
         "collision: " + (agent.collisionDetected() ? "yes" : "no"),
         "x:         " + text(agent.placement().xM()) + " m",
@@ -28,8 +28,8 @@ final class AgentText {
     return String.join(
         "\n",
         "odometer:  " + text(robot.getOdometer()) + " m",
-        "pace:      " + text(meter.fps) + " steps/s now",
-        "           " + text(meter.fpsSinceStart) + " steps/s on average",
+        "steps/s:   " + text(meter.fps) + " now",
+        "           " + text(meter.fpsSinceStart) + " on average",
         robot.getKinematicModel().toString(threeDigits()));
   }
 
