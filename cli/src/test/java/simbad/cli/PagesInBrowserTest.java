@@ -105,7 +105,7 @@ class PagesInBrowserTest {
     String said = typist.look("document.querySelector('" + errors + " output').textContent");
     assertTrue(
         said.matches(
-            "bearing, degrees 5, threshold, cm 288\\.0, original, cm [\\d.]+, shadow, cm [\\d.]+"),
+            "bearing, degrees 5, threshold, cm 288\\.0, original error, cm [\\d.]+, shadow error, cm [\\d.]+"),
         said);
   }
 }

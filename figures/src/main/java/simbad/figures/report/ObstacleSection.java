@@ -162,7 +162,7 @@ final class ObstacleSection {
 
   private Table table() {
     List<String> columns = new ArrayList<>(List.of("#bearing, degrees", "#threshold, cm"));
-    results.forEach(result -> columns.add("#" + result.sensor().word() + ", cm"));
+    results.forEach(result -> columns.add("#" + result.sensor().word() + " error, cm"));
     Table table = Table.of(columns).named(id);
     ThresholdTable thresholds = type.thresholds().table();
     for (int i = 0; i < thresholds.size(); i++) {
