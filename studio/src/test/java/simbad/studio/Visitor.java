@@ -1,146 +1,37 @@
 package simbad.studio;
 
-import static org.junit.jupiter.api.Assertions.assertTrue;
-
 import com.deque.html.axecore.selenium.AxeBuilder;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import java.io.BufferedReader;
-import java.io.File;
-import java.io.IOException;
 import java.io.InputStream;
 import java.net.URI;
-import java.net.http.HttpClient;
-import java.net.http.HttpRequest;
-import java.net.http.HttpResponse.BodyHandlers;
-import java.net.http.WebSocket;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Base64;
-import java.util.List;
 import java.util.Objects;
-import java.util.Optional;
-import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.CompletionStage;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
-import org.jspecify.annotations.Nullable;
+import simbad.figures.page.Browser;
+import simbad.figures.page.DevTools;
 
 /** Somebody with mouse and keyboard before a page in headless Chromium (DevTools protocol). */
 public final class Visitor implements AutoCloseable {
   private static final ObjectMapper MAPPER = new ObjectMapper();
-  private static final String LISTENING = "DevTools listening on ";
-  private static final long PATIENCE_S = 60;
-  private static final Optional<Path> CHROMIUM =
-      Stream.of(System.getenv("PATH").split(File.pathSeparator, -1))
-          .flatMap(
-              folder ->
-                  Stream.of("chromium", "chromium-browser", "google-chrome")
-                      .map(name -> Path.of(folder, name)))
-          .filter(Files::isExecutable)
-          .findFirst();
 
-  private final Process chromium;
-  private final WebSocket socket;
-  private final BlockingQueue<String> answers;
-  private int number;
+  private final DevTools tools;
 
-  private Visitor(Process chromium, WebSocket socket, BlockingQueue<String> answers) {
-    this.chromium = chromium;
-    this.socket = socket;
-    this.answers = answers;
+  private Visitor(DevTools tools) {
+    this.tools = tools;
   }
 
   public static boolean isThere() {
-    return CHROMIUM.isPresent();
+    return Browser.isThere();
   }
 
   public static Visitor at(String page, Path folder) throws Exception {
-    List<String> command =
-        List.of(
-            CHROMIUM.orElseThrow().toString(),
-            "--headless",
-            "--no-sandbox",
-            "--disable-gpu",
-            "--no-first-run",
-            "--disable-background-networking",
-            "--disable-component-update",
-            "--disable-sync",
-            "--disable-dev-shm-usage",
-            "--user-data-dir=" + Files.createTempDirectory(folder, "profile"),
-            "--window-size=1280,800",
-            "--remote-debugging-port=0",
-            page);
-    Process chromium = new ProcessBuilder(command).redirectErrorStream(true).start();
-    HttpClient client = HttpClient.newHttpClient();
-    URI browser = listening(chromium);
-    BlockingQueue<String> answers = new LinkedBlockingQueue<>();
-    WebSocket socket =
-        client.newWebSocketBuilder().buildAsync(tab(client, browser), new Ear(answers)).join();
-    return new Visitor(chromium, socket, answers);
+    return new Visitor(DevTools.before(URI.create(page), folder));
   }
 
-  private static URI listening(Process chromium) throws IOException {
-    BufferedReader lines = chromium.inputReader(StandardCharsets.UTF_8);
-    String line = lines.readLine();
-    while (line != null && !line.startsWith(LISTENING)) {
-      line = lines.readLine();
-    }
-    // What it says later is read, lest it waits for a reader.
-    Thread reader = new Thread(() -> lines.lines().forEach(rest -> {}));
-    reader.setDaemon(true);
-    reader.start();
-    assertTrue(line != null, "Chromium ended");
-    return URI.create(String.valueOf(line).substring(LISTENING.length()));
-  }
-
-  private static URI tab(HttpClient client, URI browser) throws Exception {
-    URI list = URI.create("http://" + browser.getAuthority() + "/json/list");
-    String text = client.send(HttpRequest.newBuilder(list).build(), BodyHandlers.ofString()).body();
-    for (JsonNode target : MAPPER.readTree(text)) {
-      if (target.path("type").asText().equals("page")) {
-        return URI.create(target.path("webSocketDebuggerUrl").asText());
-      }
-    }
-    throw new AssertionError("no page: " + text);
-  }
-
-  /** Hears what the browser answers. */
-  private record Ear(StringBuilder begun, BlockingQueue<String> answers)
-      implements WebSocket.Listener {
-    Ear(BlockingQueue<String> answers) {
-      this(new StringBuilder(), answers);
-    }
-
-    @Override
-    public @Nullable CompletionStage<?> onText(WebSocket socket, CharSequence part, boolean last) {
-      begun.append(part);
-      if (last) {
-        answers.add(begun.toString());
-        begun.setLength(0);
-      }
-      socket.request(1);
-      return null;
-    }
-  }
-
-  private JsonNode ask(String method, String parameters) throws Exception {
-    int id = ++number;
-    ObjectNode call = MAPPER.createObjectNode().put("id", id).put("method", method);
-    call.set("params", MAPPER.readTree(parameters));
-    socket.sendText(call.toString(), true).join();
-    while (true) {
-      String answer = answers.poll(PATIENCE_S, TimeUnit.SECONDS);
-      assertTrue(answer != null, method + ": no answer");
-      JsonNode json = MAPPER.readTree(answer);
-      if (json.path("id").asInt() == id) {
-        return json.path("result");
-      }
-    }
+  private void ask(String method, String parameters) throws Exception {
+    tools.ask(method, (ObjectNode) MAPPER.readTree(parameters));
   }
 
   /** The window's size in pixels, and the theme. */
@@ -197,22 +88,12 @@ public final class Visitor implements AutoCloseable {
 
   /** What an expression is on the page, as text; a promise is awaited. */
   public String look(String expression) throws Exception {
-    ObjectNode parameters =
-        MAPPER
-            .createObjectNode()
-            .put("expression", expression)
-            .put("awaitPromise", true)
-            .put("returnByValue", true);
-    return ask("Runtime.evaluate", parameters.toString()).path("result").path("value").asText();
+    return tools.look(expression);
   }
 
   /** Waits until an expression is true; what it never became is said. */
   public void await(String expression) throws Exception {
-    long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
-    while (!look(expression).equals("true")) {
-      assertTrue(System.nanoTime() < end, "in vain: " + expression);
-      Thread.sleep(30);
-    }
+    tools.await(expression);
   }
 
   /** What axe-core, an accessibility checker, finds wrong. */
@@ -227,16 +108,11 @@ public final class Visitor implements AutoCloseable {
 
   /** The window as a picture in PNG. */
   public byte[] picture() throws Exception {
-    return Base64.getDecoder().decode(ask("Page.captureScreenshot", "{}").path("data").asText());
+    return tools.picture();
   }
 
-  /** Ends the browser with all its processes: one that is left still writes into the folder. */
   @Override
   public void close() {
-    List<ProcessHandle> all = new ArrayList<>(chromium.descendants().toList());
-    all.add(chromium.toHandle());
-    socket.abort();
-    all.forEach(ProcessHandle::destroyForcibly);
-    all.forEach(process -> process.onExit().join());
+    tools.close();
   }
 }

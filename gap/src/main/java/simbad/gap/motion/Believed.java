@@ -90,12 +90,7 @@ record Believed(
   }
 
   private double logDensity(Reference trusted, MotionChain chain) {
-    double[][] residuals = trusted.evidence.residuals(chain);
-    double sum = 0;
-    for (int c = 0; c < residuals.length; c++) {
-      sum += new Whitening(trusted.evidence, noises[c], residuals[c]).logDensity();
-    }
-    return sum;
+    return Whitening.logDensity(trusted.evidence, noises, trusted.evidence.residuals(chain));
   }
 
   /** How seldom set-ups are so far off, in nats: deviations in units of what is practical. */

@@ -40,17 +40,17 @@ record Conclusion(
   static Conclusion of(Told told, Optional<MotionFinding> slip) {
     Odds odds = told.odds();
     List<MotionFinding> found = new Findings(odds).named();
+    Strangers strangers = new Strangers(told.evidence(), odds.best());
     Unknown all =
         new Unknown(
-            new Strangers(told.evidence(), odds.best()).traces(odds.nominal().fit().residuals()),
-            told.scatter().otherEvents());
+            strangers.traces(odds.nominal().fit().residuals()), told.scatter().otherEvents());
     // A wheel whose size is named may well be out of round.
     boolean wheels = found.stream().anyMatch(one -> WHEELS.contains(one.effect()));
     Unknown unknown = wheels ? all.without(Strangers.Kind.RIPPLE) : all;
     List<MotionFinding> named = new ArrayList<>();
     List<String> shadows = new ArrayList<>();
     for (MotionFinding one : found) {
-      if (isConfirmed(one, told, unknown)) {
+      if (isConfirmed(one, told, strangers, unknown)) {
         named.add(one);
       } else {
         shadows.add(one.effect());
@@ -73,13 +73,13 @@ record Conclusion(
    * Tells whether an effect is needed also where something without a name may be anything, and
    * matters more than that: what gains less may be its shadow.
    */
-  private static boolean isConfirmed(MotionFinding one, Told told, Unknown unknown) {
+  private static boolean isConfirmed(
+      MotionFinding one, Told told, Strangers with, Unknown unknown) {
     if (!unknown.isLikely() || unknown.trace().isEmpty()) {
       return true;
     }
     Strangers.Trace trace = unknown.trace().get();
     Odds odds = told.odds();
-    Strangers with = new Strangers(told.evidence(), odds.best());
     Strangers without = new Strangers(told.evidence(), odds.lacking(one.effect()));
     double nats = with.heldOut(trace.kind()) - without.heldOut(trace.kind());
     return nats > trace.nats() && odds.ofGain(nats) >= SURE;

@@ -36,10 +36,7 @@ final class Fitter {
   }
 
   private Fit with(Hypothesis hypothesis, double[][] residuals, Noise[] noises) {
-    double score = 0;
-    for (int c = 0; c < residuals.length; c++) {
-      score += new Whitening(evidence, noises[c], residuals[c]).logDensity();
-    }
+    double score = Whitening.logDensity(evidence, noises, residuals);
     return new Fit(hypothesis, residuals, noises, score);
   }
 

@@ -32,13 +32,11 @@ final class Strangers {
   private final Evidence evidence;
   private final Scored best;
   private final double[][] expected;
-  private final double withoutTrace;
 
   Strangers(Evidence evidence, Scored best) {
     this.evidence = evidence;
     this.best = best;
     expected = evidence.expected(best.hypothesis().chain());
-    withoutTrace = withItsNoise(best.slopes().linear(), List.of());
   }
 
   /** A kind of trace. */
@@ -74,7 +72,8 @@ final class Strangers {
   record Trace(Kind kind, double nats, int values, double share) {}
 
   List<Trace> traces(double[][] nominal) {
-    return Arrays.stream(Kind.values()).map(kind -> trace(kind, nominal)).toList();
+    double without = withItsNoise(best.slopes().linear(), List.of());
+    return Arrays.stream(Kind.values()).map(kind -> trace(kind, nominal, without)).toList();
   }
 
   /** Returns the log density of left-out blocks with a kind of trace beside the explanation. */
@@ -97,12 +96,12 @@ final class Strangers {
     return new Linear(evidence, white, all);
   }
 
-  private Trace trace(Kind kind, double[][] nominal) {
+  private Trace trace(Kind kind, double[][] nominal, double without) {
     List<double[][]> raw = columns(kind);
     int own = best.slopes().columns().length;
     Linear with = beside(raw);
     double nats = Arrays.stream(with.heldOut()).sum() - best.heldOut();
-    nats = nats > HOPELESS_NATS ? Math.max(nats, withItsNoise(with, raw) - withoutTrace) : nats;
+    nats = nats > HOPELESS_NATS ? Math.max(nats, withItsNoise(with, raw) - without) : nats;
     double[] values = with.move(block -> true, RIDGE);
     return new Trace(
         kind,
@@ -130,12 +129,7 @@ final class Strangers {
         }
       }
     }
-    Noise[] noises = NoiseFit.afresh(evidence, left);
-    double sum = 0;
-    for (int c = 0; c < left.length; c++) {
-      sum += new Whitening(evidence, noises[c], left[c]).logDensity();
-    }
-    return sum;
+    return Whitening.logDensity(evidence, NoiseFit.afresh(evidence, left), left);
   }
 
   private double share(List<double[][]> raw, double[] values, double[][] nominal) {

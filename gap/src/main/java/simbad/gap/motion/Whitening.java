@@ -82,6 +82,15 @@ final class Whitening {
     return constant - (nu + 1) / 2 * Math.log1p(z * z / nu) - Math.log(scale);
   }
 
+  /** Returns the log density of the residuals of all components, each under its noise. */
+  static double logDensity(Evidence evidence, Noise[] noises, double[][] residuals) {
+    double sum = 0;
+    for (int c = 0; c < residuals.length; c++) {
+      sum += new Whitening(evidence, noises[c], residuals[c]).logDensity();
+    }
+    return sum;
+  }
+
   /** Returns the sum of the log densities of all steps. */
   double logDensity() {
     return logDensity;
