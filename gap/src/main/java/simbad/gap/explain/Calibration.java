@@ -23,7 +23,7 @@ import simbad.sonar.scene.SensorLaw;
  * What a reference log says of the set-up: in what it is a little off while the simulation is
  * trusted, and how far its readings hang together.
  */
-public final class Calibration {
+public final class Calibration implements SetupDoubt {
   /** What an effect must gain beside a set-up that is fitted to the log as well. */
   private static final double SUPERFLUOUS_NATS = 15;
 
@@ -192,26 +192,31 @@ public final class Calibration {
         .orElseGet(() -> loosened(evidence, explanation));
   }
 
-  /** Returns how far the reference leaves a level law open; none under the threshold rule. */
-  Optional<Leeway> leeway() {
+  @Override
+  public Optional<Leeway> leeway() {
     return leeway;
   }
 
-  /** Returns by how much blocks of echoes and of ranges vary more than by chance. */
-  double[] blocksVary() {
+  @Override
+  public double[] blocksVary() {
     return heldOut
         .map(error -> new double[] {error.echoes(), error.ranges()})
         .orElse(new double[] {clumping, rangeClumping});
   }
 
-  /** Returns by how much more than by chance the set-up itself is off in slices of a log. */
-  double misfitTimes(double chance, int rows) {
+  @Override
+  public double misfitTimes(double chance, int rows) {
     return heldOut.map(error -> error.misfitTimes(chance, rows)).orElse(1.0);
   }
 
-  /** Returns by how much more the set-up's own gap is than it expects of itself. */
-  double gapTimes() {
+  @Override
+  public double gapTimes() {
     return heldOut.map(ModelError::gapTimes).orElse(1.0);
+  }
+
+  @Override
+  public boolean isHeldOut() {
+    return heldOut.isPresent();
   }
 
   /**

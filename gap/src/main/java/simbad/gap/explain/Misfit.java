@@ -13,6 +13,9 @@ import simbad.sonar.ping.PingLog;
 
 /** How far a hypothesis is off in any slice of a log. */
 public final class Misfit {
+  /** How many of the greatest misfits count. */
+  static final int TOP = 5;
+
   private static final double LEAST_SUPPORT = 2;
   private static final int LEAST_ROWS = 12;
 

@@ -72,7 +72,7 @@ public record ModelError(
         Arrays.stream(expected).average().orElse(0),
         echoes,
         ranges,
-        Misfit.of(all).top(Unknown.TOP, echoes, ranges),
+        Misfit.of(all).top(Misfit.TOP, echoes, ranges),
         places.excessDb(),
         places.rangeM());
   }

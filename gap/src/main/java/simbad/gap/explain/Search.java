@@ -107,7 +107,7 @@ public final class Search {
 
   /** Returns whether the set that was built leaves something over. */
   public boolean isOff() {
-    return Misfit.ofPings(evidence, best.hypothesis()).top(Unknown.TOP) > OFF;
+    return Misfit.ofPings(evidence, best.hypothesis()).top(Misfit.TOP) > OFF;
   }
 
   /**

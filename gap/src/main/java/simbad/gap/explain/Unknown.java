@@ -21,9 +21,6 @@ import simbad.sonar.shape.Outline;
  * makes it, {@link Constants} say.
  */
 public final class Unknown {
-  /** How many of the greatest misfits count. */
-  static final int TOP = 5;
-
   /** By chance the mean of the five greatest misfits reaches this. */
   private static final double CHANCE = 3;
 
@@ -71,24 +68,24 @@ public final class Unknown {
    *
    * @param evidence the log
    * @param open the same before a set-up that has moved as far as its reference leaves open
-   * @param calibration of the log
+   * @param doubt of the set-up
    * @param gain of the best set
    * @param best the best set of effects
    */
   public static Signs signs(
-      Evidence evidence, Evidence open, Calibration calibration, Gain gain, Hypothesis best) {
+      Evidence evidence, Evidence open, SetupDoubt doubt, Gain gain, Hypothesis best) {
     Misfit misfit =
-        calibration
+        doubt
             .leeway()
             .map(leeway -> Misfit.of(evidence, best, leeway))
             .orElseGet(() -> Misfit.of(open, best));
-    double[] vary = calibration.blocksVary();
-    double off = misfit.top(TOP, vary[0], vary[1]);
-    off /= calibration.misfitTimes(CHANCE, evidence.log().size());
-    if (calibration.modelError().isPresent() && isWithinItself(gain)) {
+    double[] vary = doubt.blocksVary();
+    double off = misfit.top(Misfit.TOP, vary[0], vary[1]);
+    off /= doubt.misfitTimes(CHANCE, evidence.log().size());
+    if (doubt.isHeldOut() && isWithinItself(gain)) {
       off = Math.min(off, CHANCE + MOST_UNSEEN);
     }
-    return signs(Math.max(0, off - CHANCE), gain, calibration.gapTimes(), best, evidence.setup());
+    return signs(Math.max(0, off - CHANCE), gain, doubt.gapTimes(), best, evidence.setup());
   }
 
   /** Three effects at once are rarer than one thing that has no name. */
