@@ -1,6 +1,5 @@
 package simbad.gap.explain;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import simbad.definition.Effect;
@@ -26,11 +25,6 @@ import simbad.sonar.scene.SensorLaw;
 public final class Calibration implements SetupDoubt {
   /** What an effect must gain beside a set-up that is fitted to the log as well. */
   private static final double SUPERFLUOUS_NATS = 15;
-
-  /** Blocks in which less could happen say nothing. */
-  private static final double LEAST_VARIANCE = 0.5;
-
-  private static final double LEAST_SQUARES = 4;
 
   private final Optional<Evidence> reference;
   private final Hypothesis setup;
@@ -63,8 +57,8 @@ public final class Calibration implements SetupDoubt {
     this.leeway = leeway;
     Optional<Surprise> surprise = reference.map(evidence -> new Surprise(evidence, setup));
     // Where rows were held out, they say more, and all evidence is divided by it already.
-    clumping = heldOut.isPresent() ? 1 : surprise.map(Calibration::ofEchoes).orElse(1.0);
-    rangeClumping = heldOut.isPresent() ? 1 : surprise.map(Calibration::ofRanges).orElse(1.0);
+    clumping = heldOut.isPresent() ? 1 : surprise.map(Clumping::ofEchoes).orElse(1.0);
+    rangeClumping = heldOut.isPresent() ? 1 : surprise.map(Clumping::ofRanges).orElse(1.0);
   }
 
   /** Returns the calibration of a set-up without a reference: it is as it is believed to be. */
@@ -341,39 +335,5 @@ public final class Calibration implements SetupDoubt {
     Evidence raw = evidence.calibrated(List.of());
     Hypothesis loose = rival(raw, explanation).setup;
     return evidence.calibrated(loose.changes());
-  }
-
-  static double ofEchoes(Surprise surprise) {
-    Blocks blocks = new Blocks(surprise.log);
-    double[] sum = new double[blocks.count()];
-    double[] variance = new double[blocks.count()];
-    for (int i = 0; i < surprise.log.size(); i++) {
-      sum[blocks.of(i)] += (surprise.log.echo(i) ? 1 : 0) - surprise.expected[i];
-      variance[blocks.of(i)] += surprise.expected[i] * (1 - surprise.expected[i]);
-    }
-    return clumping(sum, variance, LEAST_VARIANCE);
-  }
-
-  static double ofRanges(Surprise surprise) {
-    Blocks blocks = new Blocks(surprise.log);
-    double[] sum = new double[blocks.count()];
-    double[] squares = new double[blocks.count()];
-    for (int i = 0; i < surprise.log.size(); i++) {
-      sum[blocks.of(i)] += surprise.score[i];
-      squares[blocks.of(i)] += surprise.score[i] * surprise.score[i];
-    }
-    return clumping(sum, squares, LEAST_SQUARES);
-  }
-
-  /** Mean square of the blocks' sums of surprises, each in units of what chance gives. */
-  private static double clumping(double[] sum, double[] variance, double least) {
-    double[] square = new double[sum.length];
-    int count = 0;
-    for (int i = 0; i < sum.length; i++) {
-      if (variance[i] > least) {
-        square[count++] = sum[i] * sum[i] / variance[i];
-      }
-    }
-    return count == 0 ? 1 : Math.max(1, Arrays.stream(square, 0, count).average().orElse(1));
   }
 }

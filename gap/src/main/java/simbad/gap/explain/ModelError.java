@@ -64,8 +64,8 @@ public record ModelError(
       }
       places.take(SetupScores.of(evidence, Hypothesis.NONE), out::holds);
     }
-    double echoes = Calibration.ofEchoes(all);
-    double ranges = Calibration.ofRanges(all);
+    double echoes = Clumping.ofEchoes(all);
+    double ranges = Clumping.ofRanges(all);
     return new ModelError(
         gap.length,
         Arrays.stream(gap).average().orElse(0),
