@@ -14,10 +14,10 @@ import simbad.gap.diagnosis.AtBound;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Place;
 import simbad.gap.diagnosis.Verdict;
-import simbad.gap.explain.Blocks;
-import simbad.gap.explain.Gain;
-import simbad.gap.explain.Weighed;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.score.Blocks;
+import simbad.gap.score.Gain;
+import simbad.gap.search.Weighed;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
 

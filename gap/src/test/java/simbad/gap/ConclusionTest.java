@@ -12,14 +12,14 @@ import simbad.definition.Effect;
 import simbad.gap.diagnosis.GapKind;
 import simbad.gap.diagnosis.Place;
 import simbad.gap.diagnosis.Verdict;
-import simbad.gap.explain.Blocks;
-import simbad.gap.explain.Gain;
-import simbad.gap.explain.GapMeter;
-import simbad.gap.explain.Probabilities;
-import simbad.gap.explain.Scored;
-import simbad.gap.explain.Weighed;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
+import simbad.gap.score.Blocks;
+import simbad.gap.score.Gain;
+import simbad.gap.score.GapMeter;
+import simbad.gap.score.Probabilities;
+import simbad.gap.score.Scored;
+import simbad.gap.search.Weighed;
 import simbad.sonar.ping.PingLog;
 
 /** What holds of a verdict whatever the probabilities say. */

@@ -16,7 +16,7 @@ import org.hipparchus.optim.nonlinear.scalar.noderiv.BOBYQAOptimizer;
 import org.hipparchus.optim.univariate.BrentOptimizer;
 import org.hipparchus.optim.univariate.SearchInterval;
 import org.hipparchus.optim.univariate.UnivariateObjectiveFunction;
-import simbad.gap.explain.Constants;
+import simbad.gap.unexplained.Constants;
 
 /**
  * Most probable constants, given checked cases and the constants that were known before.

@@ -14,7 +14,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import simbad.gap.explain.Constants;
+import simbad.gap.unexplained.Constants;
 import simbad.sonar.format.WholeFile;
 
 /**

@@ -18,7 +18,7 @@ import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import simbad.gap.explain.Constants;
+import simbad.gap.unexplained.Constants;
 
 class ConstantsFitTest {
   private static final Set<String> GAIN = Set.of("gain");

@@ -1,7 +1,6 @@
 /**
- * The set-up as a reference log shows it, under the level law: how strongly each obstacle answers,
- * how the echo fades with distance and angle, how ranges walk with the level; which of the two laws
- * foretells the reference better where it was not fitted, and how far that one is off.
+ * The set-up as a reference log shows it: which of the two laws predicts rows of the reference best
+ * that it was not fitted on, how far that law is off there, and which effects belong to the set-up.
  */
 @NullMarked
 package simbad.gap.calibrate;

@@ -7,7 +7,7 @@ import java.util.function.IntPredicate;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.hipparchus.special.Erf;
-import simbad.gap.explain.Blocks;
+import simbad.gap.score.Blocks;
 
 /** Tests slices on pings that they were not found on. */
 final class Confirmation {

@@ -1,0 +1,102 @@
+package simbad.gap.calibrate;
+
+import java.util.Arrays;
+import simbad.definition.Parameter;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Hypothesis;
+
+/**
+ * By how much a log under a set of effects would be likelier if the set-up moved as far as its
+ * reference leaves open: 0 under the threshold rule.
+ */
+public final class SetupLeave {
+  /** A form of more values has places or a table, which no parabola follows. */
+  private static final int MOST_VALUES = 3;
+
+  /** Steps of a value: shares of what it is away from nothing, or of its interval. */
+  private static final double STEP_SHARE = 0.12;
+
+  private static final double INTERVAL_SHARE = 0.02;
+
+  /** A parabola is trusted no further. */
+  private static final double MOST_STEPS = 3;
+
+  private final Evidence evidence;
+  private final Calibration calibration;
+
+  /**
+   * Asks a calibration.
+   *
+   * @param evidence the log before it
+   * @param calibration of the set-up
+   */
+  public SetupLeave(Evidence evidence, Calibration calibration) {
+    this.evidence = evidence;
+    this.calibration = calibration;
+  }
+
+  /** Returns the nats for a set whose values stay as they are. */
+  public double nats(Hypothesis set) {
+    return calibration.leewayNats(evidence, set);
+  }
+
+  /**
+   * Returns the nats for a set whose values move as well: they were fitted before a set-up that
+   * stood still. One step of each value in turn, by a parabola.
+   */
+  public double natsWithValues(Hypothesis set) {
+    double start = logLikelihood(set);
+    double here = start + nats(set);
+    if (calibration.leeway().isPresent()) {
+      Hypothesis best = set;
+      for (int form = 0, at = 0; form < set.forms().size(); form++) {
+        int size = set.forms().get(form).parameters().size();
+        for (int i = at; i < at + size && size <= MOST_VALUES; i++) {
+          Hypothesis moved = stepped(best, i, here);
+          double there = moved.equals(best) ? here : together(moved);
+          best = there > here ? moved : best;
+          here = Math.max(here, there);
+        }
+        at += size;
+      }
+    }
+    return here - start;
+  }
+
+  private Hypothesis stepped(Hypothesis set, int value, double here) {
+    Parameter parameter = set.parameters().get(value);
+    double own = set.values()[value];
+    double step = step(parameter, own);
+    double room = Math.min(own - parameter.low(), parameter.high() - own);
+    if (!(step > 0) || room < step) {
+      return set;
+    }
+    double up = together(moved(set, value, own + step));
+    double down = together(moved(set, value, own - step));
+    double bend = up + down - 2 * here;
+    double steps = bend < 0 ? (down - up) / (2 * bend) : Math.signum(up - down) * MOST_STEPS;
+    double most = Math.min(MOST_STEPS, room / step);
+    return moved(set, value, own + step * Math.max(-most, Math.min(most, steps)));
+  }
+
+  private static double step(Parameter parameter, double own) {
+    double away = Math.abs(own - parameter.neutral());
+    return Double.isFinite(away) && away > 0
+        ? STEP_SHARE * away
+        : INTERVAL_SHARE * (parameter.high() - parameter.low());
+  }
+
+  private static Hypothesis moved(Hypothesis set, int value, double to) {
+    double[] values = set.values();
+    values[value] = to;
+    return set.with(values);
+  }
+
+  private double together(Hypothesis set) {
+    return logLikelihood(set) + nats(set);
+  }
+
+  private double logLikelihood(Hypothesis set) {
+    return Arrays.stream(evidence.logLikelihood(set)).sum();
+  }
+}

@@ -1,0 +1,379 @@
+package simbad.gap.calibrate.level;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.hipparchus.linear.ArrayRealVector;
+import org.hipparchus.linear.MatrixUtils;
+import org.hipparchus.linear.RealMatrix;
+import org.jspecify.annotations.Nullable;
+import simbad.sonar.catalogue.LevelForms;
+import simbad.sonar.frame.Angles;
+import simbad.sonar.ping.Geometry;
+
+/**
+ * How far a reference leaves the level law open. All rows of a log see the same set-up, so that
+ * more rows do not make what it is off by an effect: readings are off together as the set-up is,
+ * and a log's ranges are as likely as the set-up's most probable move makes them. That is by a
+ * normal distribution of the values, with the log's information by its scores (Berndt, Hall, Hall
+ * and Hausman 1974).
+ */
+public final class Leeway {
+  /** Half of what differs from one day to the next (docs/method/level-model.md). */
+  private static final double DAYS_GAIN_DB = 0.15;
+
+  private static final double DAYS_ABSORPTION_DB_PER_M = 0.05;
+  private static final double DAYS_TURN_RAD = Math.toRadians(0.25);
+  private static final double DAYS_PLACE_M = 0.002;
+  private static final double DAYS_AIR = 0.0009;
+
+  /** An obstacle's echo path is the same over so wide a sector. */
+  private static final int SECTORS = 24;
+
+  /** What was read further from every obstacle has to do with none of them. */
+  private static final double NEAR_M = 0.2;
+
+  private static final double LEAST_PLACE_DB = 0.05;
+
+  private static final int WALK = LevelForms.WALK_DB.size();
+  private static final int SCALE = WALK;
+  private static final int CONSTANT = WALK + 1;
+  private static final int TARGETS = WALK + 2;
+
+  private final Predictor predictor;
+  private final int targets;
+  private final RealMatrix excessCovariance;
+  private final RealMatrix rangeCovariance;
+  private final RealMatrix rangePrecision;
+
+  /** Of the levels' values and, behind them, of what levels are off at each place. */
+  private final RealMatrix levelPrecision;
+
+  private Leeway(Known known, RealMatrix excess, RealMatrix range, RealMatrix level) {
+    predictor = known.predictor;
+    targets = known.ranges.byBearing().size();
+    excessCovariance = excess;
+    rangeCovariance = range;
+    rangePrecision = inverse(range);
+    levelPrecision = level;
+  }
+
+  /**
+   * What a fit knows of its values.
+   *
+   * @param layout of the values of levels
+   * @param predictor of excesses, set to the values
+   * @param covariance of the values
+   * @param ranges as fitted
+   */
+  record Known(Layout layout, Predictor predictor, RealMatrix covariance, Ranges ranges) {}
+
+  /**
+   * Returns what a fit leaves open, what differs from one day to the next, and where the law is a
+   * little wrong.
+   *
+   * @param known by the fit
+   * @param excessDb by how much levels are off at a distance, beyond what the fit knows of itself
+   * @param rangeM the same of ranges, metres
+   */
+  static Leeway of(Known known, double excessDb, double rangeM) {
+    RealMatrix excess = known.covariance.copy();
+    double off = excessDb * excessDb;
+    add(excess, Layout.LEVEL, DAYS_GAIN_DB * DAYS_GAIN_DB);
+    add(excess, Layout.ABSORPTION, DAYS_ABSORPTION_DB_PER_M * DAYS_ABSORPTION_DB_PER_M);
+    add(excess, known.layout.squint(), DAYS_TURN_RAD * DAYS_TURN_RAD);
+    RealMatrix level = ofPlaces(excess, known.ranges.byBearing().size(), off);
+    add(excess, Layout.LEVEL, off);
+    for (int knot = 0; knot < LevelForms.RECEIVER_M.size(); knot++) {
+      add(excess, Layout.RECEIVER + knot, off);
+    }
+    return new Leeway(known, excess, ofRanges(known.ranges, rangeM), level);
+  }
+
+  /** What levels are off at one place says nothing of the next. */
+  private static RealMatrix ofPlaces(RealMatrix excess, int targets, double variance) {
+    int size = excess.getRowDimension();
+    int places = targets * LevelForms.RECEIVER_M.size();
+    RealMatrix precision = MatrixUtils.createRealMatrix(size + places, size + places);
+    precision.setSubMatrix(inverse(excess).getData(), 0, 0);
+    for (int place = 0; place < places; place++) {
+      add(precision, size + place, 1 / Math.max(LEAST_PLACE_DB * LEAST_PLACE_DB, variance));
+    }
+    return precision;
+  }
+
+  private static RealMatrix ofRanges(Ranges ranges, double rangeM) {
+    int targets = ranges.byBearing().size();
+    int size = TARGETS + targets * (SECTORS + 1);
+    RealMatrix range = MatrixUtils.createRealMatrix(size, size);
+    range.setSubMatrix(ranges.byLevel().covariance().getData(), 0, 0);
+    for (int knot = 0; knot < WALK; knot++) {
+      add(range, knot, rangeM * rangeM);
+    }
+    add(range, SCALE, DAYS_AIR * DAYS_AIR);
+    add(range, CONSTANT, DAYS_PLACE_M * DAYS_PLACE_M + rangeM * rangeM);
+    for (int target = 0; target < targets; target++) {
+      add(range, constant(target), DAYS_PLACE_M * DAYS_PLACE_M);
+      double[] path = ranges.byBearing().get(target).values();
+      for (int sector = 0; sector < SECTORS; sector++) {
+        add(range, sector(target, sector), variance(path, sector));
+      }
+    }
+    return range;
+  }
+
+  private static RealMatrix inverse(RealMatrix matrix) {
+    return Matrices.positive(matrix).getSolver().getInverse();
+  }
+
+  private static void add(RealMatrix matrix, int at, double variance) {
+    matrix.addToEntry(at, at, variance);
+  }
+
+  private static int constant(int target) {
+    return TARGETS + target * (SECTORS + 1);
+  }
+
+  private static int sector(int target, int sector) {
+    return constant(target) + 1 + sector;
+  }
+
+  private static double variance(double[] path, int sector) {
+    int each = LevelForms.BEARINGS / SECTORS;
+    int first = LevelForms.BEARINGS + sector * each;
+    return Arrays.stream(path, first, first + each).map(own -> own * own).average().orElse(0);
+  }
+
+  /**
+   * Returns by how many nats a log's ranges would be likelier if the set-up moved.
+   *
+   * @param pulls of the log under a hypothesis
+   * @param perMetre by how much the log probability of each reading rises with its range
+   * @return at least 0
+   */
+  public double rangeNats(Pulls pulls, double[] perMetre) {
+    Sums metres = new Sums(rangePrecision.getRowDimension());
+    for (int ping = 0; ping < perMetre.length; ping++) {
+      if (pulls.range[ping] != null && perMetre[ping] != 0) {
+        metres.add(pulls.range[ping], perMetre[ping]);
+      }
+    }
+    return metres.nats(rangePrecision);
+  }
+
+  /**
+   * Moves the set-up's levels to where they and a log are most probable together.
+   *
+   * @param pulls of the log under a hypothesis
+   * @param echoes how likely each reading is where its excess is another
+   */
+  public Moved moved(Pulls pulls, EchoCurves echoes) {
+    int places = excessCovariance.getRowDimension();
+    List<LevelMove.Row> rows = new ArrayList<>();
+    for (int ping = 0; ping < echoes.size(); ping++) {
+      Pull pull = pulls.level[ping];
+      if (pull != null && !echoes.isFlat(ping)) {
+        Pull own = pull.and(places + pulls.place[ping]);
+        rows.add(new LevelMove.Row(ping, own.index, own.value));
+      }
+    }
+    LevelMove move = new LevelMove(levelPrecision, rows, echoes);
+    double nats = move.climb();
+    return new Moved(nats, move.shiftsDb());
+  }
+
+  /**
+   * Levels that have moved.
+   *
+   * @param nats by which the log and they are likelier; at least 0
+   * @param shiftsDb by how much the excess of what each ping is most about is more, decibels
+   */
+  @SuppressWarnings("ArrayRecordComponent") // read only
+  public record Moved(double nats, double[] shiftsDb) {}
+
+  /**
+   * How the excess and the range of what each ping is most about move with the set-up. Immutable.
+   */
+  public static final class Pulls {
+    private final @Nullable Pull[] level;
+    private final @Nullable Pull[] range;
+    private final int[] place;
+
+    private Pulls(int size) {
+      place = new int[size];
+      level = new Pull[size];
+      range = new Pull[size];
+    }
+  }
+
+  /** By how much something moves with some of the values. */
+  @SuppressWarnings("ArrayRecordComponent") // read only
+  private record Pull(int[] index, double[] value) {
+    /** With one value more. */
+    Pull and(int more) {
+      int[] indices = Arrays.copyOf(index, index.length + 1);
+      double[] values = Arrays.copyOf(value, value.length + 1);
+      indices[index.length] = more;
+      values[value.length] = 1;
+      return new Pull(indices, values);
+    }
+  }
+
+  /**
+   * Finds how a log hangs on the set-up.
+   *
+   * @param geometry of the log under a hypothesis
+   * @param added what the hypothesis adds to the excess of each line of sight, decibels
+   */
+  public Pulls pulls(Geometry geometry, double[] added) {
+    int size = geometry.log().size();
+    Pulls pulls = new Pulls(size);
+    Predictor.Slope slope = new Predictor.Slope();
+    for (int ping = 0; ping < size; ping++) {
+      int line = line(geometry, ping);
+      if (line >= 0) {
+        boolean read = geometry.log().echo(ping);
+        Predictor.Row row =
+            predictor.row(Trials.trial(geometry, line, read).with(added[line], 1, 0));
+        Predictor.Excess own = predictor.excess(row);
+        predictor.slope(row, own, slope);
+        pulls.level[ping] = pull(slope);
+        pulls.place[ping] = place(row.trial());
+        if (read) {
+          pulls.range[ping] = ofRange(row.trial(), own.decibels());
+        }
+      }
+    }
+    return pulls;
+  }
+
+  private static int place(Trials.Trial trial) {
+    return trial.target() * LevelForms.RECEIVER_M.size()
+        + LevelForms.receiverKnot(trial.nearestM());
+  }
+
+  private static Pull pull(Predictor.Slope slope) {
+    int[] index = new int[slope.size()];
+    double[] value = new double[index.length];
+    for (int i = 0; i < index.length; i++) {
+      index[i] = slope.index(i);
+      value[i] = slope.value(i);
+    }
+    return new Pull(index, value);
+  }
+
+  /** What readings of several pings have in common by the set-up. */
+  public final class Together {
+    private final Pulls pulls;
+    private final double[] levels = new double[excessCovariance.getRowDimension()];
+    private final double[] metres = new double[rangeCovariance.getRowDimension()];
+
+    private Together(Pulls pulls) {
+      this.pulls = pulls;
+    }
+
+    /**
+     * Adds a ping.
+     *
+     * @param ping index
+     * @param perDecibel by how much what is summed rises with the ping's excess
+     * @param perMetre the same with its range
+     */
+    public void add(int ping, double perDecibel, double perMetre) {
+      add(pulls.level[ping], perDecibel, levels);
+      add(pulls.range[ping], perMetre, metres);
+    }
+
+    private static void add(@Nullable Pull pull, double rise, double[] into) {
+      if (pull != null && rise != 0) {
+        for (int i = 0; i < pull.index.length; i++) {
+          into[pull.index[i]] += rise * pull.value[i];
+        }
+      }
+    }
+
+    /** Returns how much the sum varies with the levels that the set-up leaves open. */
+    public double levelVariance() {
+      return variance(excessCovariance, levels);
+    }
+
+    /** Returns the same with the ranges. */
+    public double rangeVariance() {
+      return variance(rangeCovariance, metres);
+    }
+
+    private static double variance(RealMatrix covariance, double[] sum) {
+      ArrayRealVector vector = new ArrayRealVector(sum, false);
+      return Math.max(0, covariance.operate(vector).dotProduct(vector));
+    }
+  }
+
+  /** Returns an empty sum of pings. */
+  public Together together(Pulls pulls) {
+    return new Together(pulls);
+  }
+
+  /** The line of sight that a reading is most about; negative for none. */
+  private int line(Geometry geometry, int ping) {
+    boolean read = geometry.log().echo(ping);
+    int best = -1;
+    double least = read ? NEAR_M : Double.POSITIVE_INFINITY;
+    for (int target = 0; target < targets; target++) {
+      int line = ping * targets + target;
+      double nearest = geometry.nearestM(line);
+      double off = read ? Math.abs(nearest - geometry.log().rangeM(ping)) : nearest;
+      if (off < least) {
+        least = off;
+        best = line;
+      }
+    }
+    return best;
+  }
+
+  private static Pull ofRange(Trials.Trial trial, double excessDb) {
+    double[] walk = RangeFit.weights(LevelForms.WALK_DB, excessDb);
+    int[] index = new int[WALK + 4];
+    double[] value = new double[index.length];
+    for (int knot = 0; knot < WALK; knot++) {
+      index[knot] = knot;
+      value[knot] = walk[knot];
+    }
+    int place = (int) (trial.bearingRad() / Angles.TURN_RAD * SECTORS);
+    index[WALK] = SCALE;
+    value[WALK] = trial.nearestM();
+    index[WALK + 1] = CONSTANT;
+    index[WALK + 2] = constant(trial.target());
+    index[WALK + 3] = sector(trial.target(), Math.floorMod(place, SECTORS));
+    Arrays.fill(value, WALK + 1, value.length, 1);
+    return new Pull(index, value);
+  }
+
+  /** Sums of scores, and of their squares. */
+  private static final class Sums {
+    private final double[] score;
+    private final double[][] information;
+
+    Sums(int size) {
+      score = new double[size];
+      information = new double[size][size];
+    }
+
+    void add(Pull pull, double rise) {
+      for (int i = 0; i < pull.index.length; i++) {
+        double own = rise * pull.value[i];
+        double[] row = information[pull.index[i]];
+        score[pull.index[i]] += own;
+        for (int j = 0; j < pull.index.length; j++) {
+          row[pull.index[j]] += own * rise * pull.value[j];
+        }
+      }
+    }
+
+    /** Half the gain of a step to the top. */
+    double nats(RealMatrix precision) {
+      ArrayRealVector right = new ArrayRealVector(score);
+      RealMatrix all = precision.add(MatrixUtils.createRealMatrix(information));
+      return Matrices.positive(all).getSolver().solve(right).dotProduct(right) / 2;
+    }
+  }
+}

@@ -1,0 +1,105 @@
+package simbad.gap.calibrate.level;
+
+import java.util.List;
+import org.hipparchus.linear.ArrayRealVector;
+import org.hipparchus.linear.MatrixUtils;
+import org.hipparchus.linear.RealMatrix;
+import org.hipparchus.linear.RealVector;
+
+/**
+ * Moves the values of a set-up's levels to where they and a log are most probable together, by
+ * Newton's method; curvature that points upwards is left out.
+ */
+final class LevelMove {
+  private static final int STEPS = 12;
+  private static final int HALVINGS = 6;
+
+  /** A step that gains less ends the search, natural. */
+  private static final double GAIN = 0.1;
+
+  private final RealMatrix precision;
+  private final List<Row> rows;
+  private final EchoCurves echoes;
+  private final double[] at = new double[3];
+  private double[] values;
+
+  /** A reading, and how its excess moves with some of the values. */
+  @SuppressWarnings("ArrayRecordComponent") // read only
+  record Row(int ping, int[] index, double[] value) {
+    double shift(double[] values) {
+      double sum = 0;
+      for (int i = 0; i < index.length; i++) {
+        sum += value[i] * values[index[i]];
+      }
+      return sum;
+    }
+  }
+
+  LevelMove(RealMatrix precision, List<Row> rows, EchoCurves echoes) {
+    this.precision = precision;
+    this.rows = rows;
+    this.echoes = echoes;
+    values = new double[precision.getRowDimension()];
+  }
+
+  /** Finds where; returns by how many nats log and set-up are likelier there. */
+  double climb() {
+    double start = top(values);
+    double here = start;
+    for (int step = 0; step < STEPS; step++) {
+      RealVector move = move();
+      double next = here;
+      for (int halving = 0; halving < HALVINGS && next <= here; halving++) {
+        double[] there = new ArrayRealVector(values).add(move).toArray();
+        double top = top(there);
+        if (top > here) {
+          values = there;
+          next = top;
+        }
+        move = move.mapMultiply(0.5);
+      }
+      double gain = next - here;
+      here = next;
+      if (gain < GAIN) {
+        break;
+      }
+    }
+    return here - start;
+  }
+
+  /** Returns by how many decibels each reading has moved. */
+  double[] shiftsDb() {
+    double[] shifts = new double[echoes.size()];
+    rows.forEach(row -> shifts[row.ping] = row.shift(values));
+    return shifts;
+  }
+
+  private double top(double[] there) {
+    ArrayRealVector vector = new ArrayRealVector(there, false);
+    double sum = -precision.operate(vector).dotProduct(vector) / 2;
+    for (Row row : rows) {
+      echoes.at(row.ping, row.shift(there), at);
+      sum += at[0];
+    }
+    return sum;
+  }
+
+  private RealVector move() {
+    double[][] information = precision.getData();
+    double[] score = precision.operate(new ArrayRealVector(values)).mapMultiply(-1).toArray();
+    for (Row row : rows) {
+      echoes.at(row.ping, row.shift(values), at);
+      double down = Math.max(0, -at[2]);
+      for (int i = 0; i < row.index.length; i++) {
+        score[row.index[i]] += at[1] * row.value[i];
+        double[] into = information[row.index[i]];
+        double own = down * row.value[i];
+        for (int j = 0; j < row.index.length && own != 0; j++) {
+          into[row.index[j]] += own * row.value[j];
+        }
+      }
+    }
+    RealMatrix matrix = MatrixUtils.createRealMatrix(information);
+    return Matrices.positive(matrix).getSolver().solve(new ArrayRealVector(score));
+  }
+}

@@ -1,0 +1,73 @@
+package simbad.gap.score;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import simbad.gap.diagnosis.ForecastGap;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.model.ReadingDistribution;
+import simbad.sonar.ping.PingLog;
+import simbad.sonar.predict.DiagnosedModel;
+
+/**
+ * Measures the gap of each ping, as {@link ForecastGap} says. Predictions never look at readings.
+ */
+public final class GapMeter {
+  private static final int FLOOR_POINTS = 12;
+  private static final double LEAST = 1e-6;
+
+  /** Further than any echo: quantiles below it are those of the echoes alone. */
+  private static final double BEYOND_M = 1e4;
+
+  private final PingLog log;
+  private final double noEchoM;
+
+  /** Creates a meter for a log. */
+  public GapMeter(Evidence evidence) {
+    log = evidence.log();
+    noEchoM = evidence.setup().noEchoM();
+  }
+
+  /**
+   * The gap of each ping and what it would be on average if the model were right.
+   *
+   * @param observedM gap of each ping, metres
+   * @param expectedM expectation of the same under the model itself, metres
+   */
+  @SuppressWarnings("ArrayRecordComponent") // one value for each ping; read only
+  public record Gaps(double[] observedM, double[] expectedM) {}
+
+  /** Measures a hypothesis. */
+  public Gaps measure(Evidence evidence, Hypothesis hypothesis) {
+    DiagnosedModel model = evidence.model(hypothesis);
+    List<ReadingDistribution> forecast = model.forecast(evidence.geometry(model));
+    double[] observed = new double[log.size()];
+    double[] expected = new double[log.size()];
+    IntStream.range(0, log.size())
+        .parallel()
+        .forEach(
+            ping -> {
+              double[] quantiles = ForecastGap.quantilesM(forecast.get(ping), noEchoM);
+              double read = log.echo(ping) ? log.rangeM(ping) : noEchoM;
+              observed[ping] = ForecastGap.gapM(quantiles, read);
+              expected[ping] = expected(forecast.get(ping), quantiles);
+            });
+    return new Gaps(observed, expected);
+  }
+
+  private double expected(ReadingDistribution forecast, double[] quantiles) {
+    double silent = forecast.noEchoProbability();
+    double sum = silent * ForecastGap.gapM(quantiles, noEchoM);
+    double each = (1 - silent) / FLOOR_POINTS;
+    // Echoes and misses apart: a rare one of either costs much and would fall between quantiles.
+    if (each > LEAST) {
+      double[] levels = new double[FLOOR_POINTS];
+      Arrays.setAll(levels, i -> (i + 0.5) * each);
+      for (double read : forecast.quantilesM(levels, BEYOND_M)) {
+        sum += each * ForecastGap.gapM(quantiles, read);
+      }
+    }
+    return sum;
+  }
+}

@@ -1,0 +1,112 @@
+package simbad.gap.score;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Hypothesis;
+import simbad.gap.fit.Robust;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.ping.PingLog;
+import simbad.sonar.scene.SonarSpec;
+
+/**
+ * How far readings of one placement hang together, by an analysis of variance: where a tape put the
+ * target a little off, all of them are off. Medians and median deviations throughout, so that
+ * readings that are no echo of the target tell nothing.
+ */
+public final class PlacementScatter {
+  /** Of a median of normal readings: its variance over that of their mean. */
+  private static final double MEDIAN_VARIANCE = Math.PI / 2;
+
+  /** Distances that differ by less than this share of the whole span give no slope. */
+  private static final double APART = 0.1;
+
+  /** Scatter within placements is more than believed from so many times on. */
+  private static final double MORE = 1.2;
+
+  private final List<double[]> placed = new ArrayList<>();
+  private double rows;
+  private double squares;
+  private double believedM;
+  private double withinM;
+
+  private PlacementScatter() {}
+
+  /**
+   * Returns by how much more sums over readings vary than those of independent ones: 1 + (n - 1) r,
+   * with n readings to a placement and r the share of the variance that is between placements (Kish
+   * 1965, the design effect). 1 where nothing was put in place repeatedly.
+   */
+  public static double clumping(Evidence evidence, Placements placements) {
+    if (!placements.areRepeated()) {
+      return 1;
+    }
+    PlacementScatter scatter = new PlacementScatter();
+    scatter.read(evidence, placements);
+    return scatter.placed.size() < 3 ? 1 : scatter.designEffect();
+  }
+
+  /** Tells whether readings of one placement scatter more than the sensor is believed to. */
+  public static boolean isNoisier(Evidence evidence, Placements placements) {
+    PlacementScatter scatter = new PlacementScatter();
+    scatter.read(evidence, placements);
+    double free = scatter.rows - scatter.placed.size();
+    return free > 0 && Math.sqrt(scatter.squares / free) > MORE * scatter.believedM;
+  }
+
+  private void read(Evidence evidence, Placements placements) {
+    PingLog log = evidence.log();
+    Geometry geometry = evidence.geometry(evidence.model(Hypothesis.NONE));
+    DoubleStream.Builder within = DoubleStream.builder();
+    for (int[] pings : placements.pings()) {
+      int[] heard =
+          Arrays.stream(pings)
+              .filter(i -> log.echo(i) && Double.isFinite(nearestM(geometry, i)))
+              .toArray();
+      if (heard.length > 1) {
+        double[] ranges = Arrays.stream(heard).mapToDouble(log::rangeM).toArray();
+        double middle = Robust.median(ranges);
+        placed.add(new double[] {nearestM(geometry, heard[0]), middle});
+        squares += Arrays.stream(ranges).map(r -> (r - middle) * (r - middle)).sum();
+        Arrays.stream(ranges).map(range -> Math.abs(range - middle)).forEach(within);
+        rows += heard.length;
+      }
+    }
+    SonarSpec sensor = evidence.setup().sensor();
+    double step = sensor.resolutionM();
+    believedM = Math.hypot(sensor.rangeNoiseM(), step / Math.sqrt(12));
+    double seen = placed.isEmpty() ? 0 : scale(within.build().toArray());
+    withinM = Math.max(believedM, seen);
+  }
+
+  private static double scale(double... deviations) {
+    return Robust.NORMAL_OVER_MAD * Robust.median(deviations);
+  }
+
+  private double designEffect() {
+    double[] distances = placed.stream().mapToDouble(one -> one[0]).toArray();
+    double[] readings = placed.stream().mapToDouble(one -> one[1]).toArray();
+    DoubleSummaryStatistics span = Arrays.stream(distances).summaryStatistics();
+    double found = Robust.medianSlope(distances, readings, APART * (span.getMax() - span.getMin()));
+    double slope = Double.isNaN(found) ? 1 : found;
+    double[] off = placed.stream().mapToDouble(one -> one[1] - slope * one[0]).toArray();
+    double middle = Robust.median(off);
+    double betweenM = scale(Arrays.stream(off).map(value -> Math.abs(value - middle)).toArray());
+    double each = rows / placed.size();
+    double between = Math.max(0, betweenM * betweenM - MEDIAN_VARIANCE * withinM * withinM / each);
+    double all = between + withinM * withinM;
+    return all > 0 ? 1 + (each - 1) * between / all : 1;
+  }
+
+  private static double nearestM(Geometry geometry, int ping) {
+    int first = ping * geometry.obstacles();
+    return IntStream.range(first, first + geometry.obstacles())
+        .mapToDouble(geometry::nearestM)
+        .min()
+        .orElse(Double.POSITIVE_INFINITY);
+  }
+}

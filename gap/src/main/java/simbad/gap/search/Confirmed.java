@@ -1,0 +1,109 @@
+package simbad.gap.search;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import simbad.definition.Effect;
+import simbad.gap.fit.Hypothesis;
+import simbad.gap.score.Probabilities;
+import simbad.gap.score.Scored;
+
+/**
+ * Effects that are at work beyond doubt, though something is left over beside them. A near clamp
+ * that every second reading shows is there, whatever else is.
+ */
+public final class Confirmed {
+  private final List<Scored> sets;
+  private final Set<Effect> doubtful;
+  private final double worthNats;
+  private final boolean isPlaced;
+
+  /**
+   * Creates a judge of sets.
+   *
+   * @param sets that were fitted, with their held-out scores
+   * @param doubtful effects that take up a little of anything, and are never sure beside a rest
+   * @param worthNats what a further effect must gain to be as probable as its absence
+   * @param isPlaced whether many readings are of one placement: what takes up a little of anything
+   *     then knows each placement, and that it predicts better says nothing
+   */
+  Confirmed(List<Scored> sets, Set<Effect> doubtful, double worthNats, boolean isPlaced) {
+    this.isPlaced = isPlaced;
+    this.sets = List.copyOf(sets);
+    this.doubtful = Set.copyOf(doubtful);
+    this.worthNats = worthNats;
+  }
+
+  /**
+   * Returns what is sure of the best set, or of the best of those that predict nearly as well:
+   * effects that would be named even if they did not show in the gap, since leaving one out costs
+   * so much, and of which no other one in its place does nearly as well. What stands beside them in
+   * the set takes up the rest, for want of something better, and is not named. What is sure in a
+   * set that is far worse only does the work of what the best set has.
+   */
+  public Optional<Scored> best() {
+    double most = sets.stream().mapToDouble(Scored::heldOut).max().orElse(0);
+    return sets.stream()
+        .filter(set -> isPlaced || set.heldOut() > most - worthNats)
+        .sorted(Comparator.comparingDouble((Scored set) -> set.heldOut()).reversed())
+        .map(this::sure)
+        .flatMap(Optional::stream)
+        .findFirst();
+  }
+
+  private Optional<Scored> sure(Scored set) {
+    Hypothesis sure = set.hypothesis();
+    for (Effect effect : set.hypothesis().effects()) {
+      sure = isSure(effect, set) ? sure : sure.without(effect);
+    }
+    Set<Effect> named = Set.copyOf(sure.effects());
+    return named.isEmpty() ? Optional.empty() : find(named);
+  }
+
+  private boolean isSure(Effect effect, Scored set) {
+    Hypothesis rest = set.hypothesis().without(effect);
+    if (doubtful.contains(effect) || isAtBound(effect, set.hypothesis())) {
+      return false;
+    }
+    Optional<Scored> without = find(Set.copyOf(rest.effects()));
+    double sure = (1 + Probabilities.UNSEEN) * worthNats;
+    return without.isPresent()
+        && set.heldOut() - without.get().heldOut() > sure
+        && sets.stream().noneMatch(other -> isRival(other, effect, set));
+  }
+
+  /**
+   * Whether another set has another effect in the place of one, and does nearly as well; what takes
+   * up a little of anything has to do better.
+   */
+  private boolean isRival(Scored other, Effect effect, Scored set) {
+    List<Effect> rest = set.hypothesis().without(effect).effects();
+    List<Effect> others = other.hypothesis().effects();
+    return others.size() == rest.size() + 1
+        && !others.contains(effect)
+        && others.containsAll(rest)
+        && (isDoubtful(others, rest)
+            ? !isPlaced && other.heldOut() > set.heldOut()
+            : other.heldOut() > set.heldOut() - worthNats);
+  }
+
+  /** Whether what the first have beside the others is doubtful. */
+  private boolean isDoubtful(List<Effect> some, List<Effect> others) {
+    return some.stream().anyMatch(effect -> doubtful.contains(effect) && !others.contains(effect));
+  }
+
+  private static boolean isAtBound(Effect effect, Hypothesis set) {
+    Hypothesis alone = set;
+    for (Effect other : set.effects()) {
+      alone = other == effect ? alone : alone.without(other);
+    }
+    return alone.isAtBound();
+  }
+
+  private Optional<Scored> find(Set<Effect> effects) {
+    return sets.stream()
+        .filter(set -> Set.copyOf(set.hypothesis().effects()).equals(effects))
+        .findFirst();
+  }
+}

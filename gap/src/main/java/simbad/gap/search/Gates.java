@@ -1,0 +1,81 @@
+package simbad.gap.search;
+
+import java.util.DoubleSummaryStatistics;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.IntStream;
+import simbad.gap.fit.Evidence;
+import simbad.gap.score.PlacementScatter;
+import simbad.gap.score.Placements;
+import simbad.sonar.effect.Definitions;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.LogDesign;
+import simbad.sonar.ping.PingLog;
+import simbad.sonar.ping.Scenes;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.UniformDetection;
+import simbad.sonar.shape.Outline;
+
+/**
+ * What physics, symmetry or the design of a log forbids: an effect that cannot be there, or that
+ * nothing in the log could show, is not looked for.
+ */
+final class Gates {
+  /** A polygon of so many corners whose distances from the axis differ by less is round. */
+  private static final int ROUND_CORNERS = 12;
+
+  private static final double ROUND = 0.97;
+
+  private Gates() {}
+
+  /** Returns those of some forms that are possible. */
+  static List<Form> open(Evidence evidence, List<Form> forms) {
+    LogDesign design = design(evidence);
+    return forms.stream()
+        .filter(form -> Definitions.of(form.effect()).canShow(form, design))
+        .toList();
+  }
+
+  private static LogDesign design(Evidence evidence) {
+    SensingSetup setup = evidence.setup();
+    Placements placements = new Placements(evidence.log());
+    boolean repeated = placements.areRepeated();
+    boolean noisier = !repeated || PlacementScatter.isNoisier(evidence, placements);
+    double wayM = medianPeriodS(evidence.log()) * setup.sensor().assumedSoundSpeedMPerS() / 2;
+    return new LogDesign(setup, evidence.log(), repeated, noisier, wayM, round(setup));
+  }
+
+  /** The obstacles that look the same from all sides. */
+  private static Set<String> round(SensingSetup setup) {
+    Set<String> round = new HashSet<>();
+    List<String> labels = Scenes.labels(setup.scene());
+    for (int i = 0; i < labels.size(); i++) {
+      Obstacle obstacle = setup.scene().obstacles().get(i);
+      if (obstacle.detection() instanceof UniformDetection && isRound(obstacle.outline())) {
+        round.add(labels.get(i));
+      }
+    }
+    return round;
+  }
+
+  private static boolean isRound(Outline outline) {
+    DoubleSummaryStatistics radii =
+        outline.corners().stream()
+            .mapToDouble(corner -> Math.hypot(corner.xM(), corner.zM()))
+            .summaryStatistics();
+    return radii.getCount() >= ROUND_CORNERS && radii.getMin() > ROUND * radii.getMax();
+  }
+
+  /** From ping to ping of one sensor in one run, seconds; 0 where there is no second ping. */
+  private static double medianPeriodS(PingLog log) {
+    double[] periods =
+        IntStream.range(0, log.size())
+            .filter(i -> i > log.sequenceStart(i))
+            .mapToDouble(i -> log.timeS(i) - log.timeS(i - 1))
+            .sorted()
+            .toArray();
+    return periods.length == 0 ? 0 : periods[periods.length / 2];
+  }
+}

@@ -1,0 +1,296 @@
+package simbad.gap.search;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import simbad.definition.Effect;
+import simbad.gap.calibrate.SetupLeave;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Fit;
+import simbad.gap.fit.Fitter;
+import simbad.gap.fit.Fold;
+import simbad.gap.fit.Hypothesis;
+import simbad.gap.fit.Refit;
+import simbad.gap.fit.Screen;
+import simbad.gap.score.Blocks;
+import simbad.gap.score.HeldOut;
+import simbad.gap.score.Scored;
+import simbad.gap.unexplained.Misfit;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
+
+/**
+ * Looks for the sets of effects that explain a log: all single effects; then, as long as it is
+ * worth it, every effect beside the best set, and every effect in the place of each of its members.
+ */
+public final class Search {
+  private static final int MOST_EFFECTS = 3;
+  private static final int JOINT = 3;
+  private static final int PROMISING = 8;
+  private static final int RUNNERS_UP = 2;
+
+  /** From a set that fits worse by so much than another of its size nothing better is built. */
+  private static final double BEHIND_NATS = 25;
+
+  /** A set whose greatest misfits are beyond this leaves something over. */
+  private static final double OFF = 4;
+
+  /** For each value of what stands beside a table. */
+  private static final int TABLED_EVALUATIONS = 20;
+
+  /** What is further behind is not looked at again. */
+  private static final double FRONT_NATS = 12;
+
+  /** How many sets get a held-out score. */
+  private static final int SCORED = 10;
+
+  private final Evidence evidence;
+  private final Blocks blocks;
+  private final List<Form> forms;
+  private final double worthNats;
+  private final Optional<SetupLeave> leave;
+  private final Map<Set<Effect>, Fit> fits = new LinkedHashMap<>();
+  private final Map<Hypothesis, Double> leaves = new ConcurrentHashMap<>();
+  private final Map<Hypothesis, Double> farLeaves = new ConcurrentHashMap<>();
+  private List<Fit> singles = List.of();
+  private Fit best = new Fit(Hypothesis.NONE, Double.NEGATIVE_INFINITY);
+
+  /**
+   * Creates a search.
+   *
+   * @param evidence the log
+   * @param excluded effects that are not looked for
+   * @param worthNats what a further effect must gain to be built upon
+   * @param leave that the set-up has; none where it stands still
+   */
+  public Search(
+      Evidence evidence, Set<Effect> excluded, double worthNats, Optional<SetupLeave> leave) {
+    this.evidence = evidence;
+    this.leave = leave;
+    this.worthNats = worthNats;
+    blocks = new Blocks(evidence.log());
+    forms =
+        Gates.open(evidence, Forms.all(evidence.setup(), evidence.log().sensors())).stream()
+            .filter(form -> !excluded.contains(form.effect()))
+            .toList();
+  }
+
+  /** Returns all sets that were fitted, the most probable held-out first. */
+  public List<Scored> run() {
+    Fit nominal = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
+    keep(nominal);
+    singles = best(new Screen(evidence, nominal).all(forms).values());
+    singles.forEach(this::keep);
+    plain();
+    best = built(nominal, singles);
+    return scored();
+  }
+
+  /** The law of the ranges, and what else is plain beside it. */
+  private void plain() {
+    Fit law = new PlainFamily(evidence, forms).law();
+    keep(law);
+    if (law.hypothesis().forms().size() > 1) {
+      grown(
+          law,
+          forms.stream()
+              .filter(form -> PlainFamily.BESIDE_THE_LAW.contains(form.effect()))
+              .toList());
+    }
+  }
+
+  /** Returns whether the set that was built leaves something over. */
+  public boolean isOff() {
+    return Misfit.ofPings(evidence, best.hypothesis()).top(Misfit.TOP) > OFF;
+  }
+
+  /**
+   * Searches once more from each of the runners-up: the first was perhaps only the one that soaks
+   * up most.
+   *
+   * @return all sets that were fitted until now, the most probable held-out first
+   */
+  public List<Scored> further() {
+    Fit nominal = Objects.requireNonNull(fits.get(Set.<Effect>of()));
+    List<Effect> built = best.hypothesis().effects();
+    singles.stream()
+        .filter(single -> !built.containsAll(single.hypothesis().effects()))
+        .limit(RUNNERS_UP)
+        .forEach(single -> built(nominal, List.of(single)));
+    return scored();
+  }
+
+  /** Builds upon the first of some sets as long as it is worth it. */
+  private Fit built(Fit nominal, List<Fit> starts) {
+    Fit set = nominal;
+    List<Fit> added = starts;
+    while (worth(added, set) && set.hypothesis().forms().size() < MOST_EFFECTS) {
+      set = joint(swapped(added.get(0)));
+      keep(set);
+      if (isBehind(set)) {
+        return set;
+      }
+      // What gained nothing beside fewer effects gains nothing beside more.
+      List<Form> open =
+          set.hypothesis().forms().size() == 1 ? forms : promising(added, set.hypothesis());
+      added = grown(set, open);
+    }
+    prune(set);
+    return set;
+  }
+
+  /** Whether another set of as many effects, two or more, fits far better. */
+  private boolean isBehind(Fit set) {
+    int size = set.hypothesis().forms().size();
+    return size > 1
+        && fits.values().stream()
+            .filter(fit -> fit.hypothesis().forms().size() == size)
+            .anyMatch(fit -> fit.logLikelihood() > set.logLikelihood() + BEHIND_NATS);
+  }
+
+  private boolean worth(List<Fit> added, Fit base) {
+    return !added.isEmpty() && added.get(0).logLikelihood() - base.logLikelihood() > worthNats;
+  }
+
+  private List<Form> promising(List<Fit> added, Hypothesis base) {
+    Set<Effect> gained =
+        added.stream()
+            .limit(PROMISING)
+            .flatMap(fit -> fit.hypothesis().effects().stream())
+            .collect(Collectors.toSet());
+    return forms.stream()
+        .filter(form -> gained.contains(form.effect()) && !base.has(form.effect()))
+        .toList();
+  }
+
+  /** The base with one effect more, the best first; the first few with all values refined. */
+  private List<Fit> grown(Fit base, List<Form> open) {
+    List<Fit> added = best(new Screen(evidence, base).all(open).values());
+    List<Fit> joint =
+        added.stream().limit(JOINT).toList().parallelStream().map(this::joint).toList();
+    added.forEach(this::keep);
+    joint.forEach(this::keep);
+    List<Fit> all = new ArrayList<>(joint);
+    all.addAll(added.subList(joint.size(), added.size()));
+    return best(all);
+  }
+
+  /**
+   * Puts what explains much alone in the place of each member but the last, which was just chosen
+   * among all: the first may have been taken because it soaks up what two others do. The member
+   * itself is among them, looked for anew now that the others are known.
+   */
+  private Fit swapped(Fit set) {
+    Fit swapped = set;
+    List<Effect> members = set.hypothesis().effects();
+    for (Effect member : members.subList(0, members.size() - 1)) {
+      Hypothesis rest = swapped.hypothesis().without(member);
+      keep(joint(new Fit(rest, swapped.logLikelihood())));
+      // Beside the values that they had beside it: alone they would do its work.
+      Fit base = new Fitter(evidence, Fold.ALL).refine(rest, 0);
+      // What gained little beside what soaked it up may gain most beside the other.
+      List<Fit> others = grown(base, members.size() > 2 ? promising(singles, rest) : forms);
+      if (!others.isEmpty() && others.get(0).logLikelihood() > swapped.logLikelihood()) {
+        swapped = others.get(0);
+      }
+    }
+    return swapped;
+  }
+
+  /** Fits the best set without each of its members: what was added first may be superfluous. */
+  private void prune(Fit set) {
+    if (set.hypothesis().forms().size() > 1) {
+      set.hypothesis().effects().parallelStream()
+          .map(member -> joint(new Fit(set.hypothesis().without(member), set.logLikelihood())))
+          .toList()
+          .forEach(this::keep);
+    }
+  }
+
+  /** Refines all values of a set together, first by long steps, then by short ones. */
+  private Fit joint(Fit fit) {
+    int size = fit.hypothesis().size();
+    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    if (fit.hypothesis().hasTable()) {
+      return tabled(fit.hypothesis(), fitter);
+    }
+    Hypothesis far = fitter.refine(fit.hypothesis(), 20 + 20 * size).hypothesis();
+    return fitter.polish(far, 20 + 15 * size);
+  }
+
+  /** A table is read off the log anew now that the other effects are known, if that is better. */
+  private Fit tabled(Hypothesis set, Fitter fitter) {
+    Fit kept = new Fit(set, fitter.logLikelihood(set));
+    Hypothesis read = new Refit(evidence, Fold.ALL).of(set, TABLED_EVALUATIONS);
+    double again = fitter.logLikelihood(read);
+    return again > kept.logLikelihood() ? new Fit(read, again) : kept;
+  }
+
+  private static List<Fit> best(Collection<Fit> all) {
+    return all.stream().sorted(Comparator.comparingDouble(fit -> -fit.logLikelihood())).toList();
+  }
+
+  private void keep(Fit fit) {
+    fits.merge(
+        new TreeSet<>(fit.hypothesis().effects()),
+        fit,
+        (a, b) -> a.logLikelihood() >= b.logLikelihood() ? a : b);
+  }
+
+  private List<Scored> scored() {
+    List<Fit> ranked =
+        fits.values().stream().sorted(Comparator.comparingDouble(fit -> -promise(fit))).toList();
+    HeldOut heldOut = new HeldOut(evidence, blocks);
+    List<Scored> again = heldOut.score(ranked.subList(0, Math.min(SCORED, ranked.size())));
+    List<Scored> scored = new ArrayList<>(again);
+    ranked.stream().skip(SCORED).map(fit -> HeldOut.guess(fit, again)).forEach(scored::add);
+    return HeldOut.capped(leave.map(open -> moved(scored, open)).orElse(scored)).stream()
+        .sorted(Comparator.comparingDouble(one -> -one.heldOut()))
+        .toList();
+  }
+
+  /** Sets before a set-up that moves with each; of those in front the values move as well. */
+  private List<Scored> moved(List<Scored> sets, SetupLeave open) {
+    List<Scored> moved =
+        sets.parallelStream().map(one -> plus(one, once(leaves, one, open::nats))).toList();
+    double front = moved.stream().mapToDouble(Scored::heldOut).max().orElse(0) - FRONT_NATS;
+    return IntStream.range(0, sets.size())
+        .parallel()
+        .mapToObj(
+            i ->
+                moved.get(i).heldOut() < front
+                    ? moved.get(i)
+                    : plus(sets.get(i), once(farLeaves, sets.get(i), open::natsWithValues)))
+        .toList();
+  }
+
+  /** What costs as much as a fit is asked once of a set, however often sets are scored. */
+  private static double once(
+      Map<Hypothesis, Double> known, Scored set, ToDoubleFunction<Hypothesis> nats) {
+    // Two threads that ask at once find the same.
+    Double before = known.get(set.hypothesis());
+    double now = before == null ? nats.applyAsDouble(set.hypothesis()) : before;
+    known.put(set.hypothesis(), now);
+    return now;
+  }
+
+  private static Scored plus(Scored set, double nats) {
+    return new Scored(set.hypothesis(), set.inSample() + nats, set.heldOut() + nats);
+  }
+
+  /** What a set may reach held-out: each effect more costs what chance would gain. */
+  private double promise(Fit fit) {
+    return fit.logLikelihood() - worthNats * fit.hypothesis().forms().size();
+  }
+}

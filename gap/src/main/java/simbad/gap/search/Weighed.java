@@ -1,0 +1,127 @@
+package simbad.gap.search;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import simbad.definition.Effect;
+import simbad.definition.Trait;
+import simbad.gap.fit.Evidence;
+import simbad.gap.score.Blocks;
+import simbad.gap.score.Gain;
+import simbad.gap.score.Placements;
+import simbad.gap.score.PracticalSize;
+import simbad.gap.score.Probabilities;
+import simbad.gap.score.Scored;
+import simbad.gap.unexplained.Unknown;
+import simbad.sonar.effect.Definitions;
+
+/**
+ * Sets of effects weighed against each other. A set that makes the gap of rows larger that it was
+ * not fitted on explains nothing, however much likelier it makes them, nor does one that leaves the
+ * gap as it was: the next one takes its place.
+ *
+ * @param probabilities of the sets that are left
+ * @param taken the set that is concluded upon: the most probable one, or what of it is sure
+ * @param gain of that set
+ * @param enlarging sets that would have been taken, but for the gap that they enlarge
+ */
+public record Weighed(
+    Probabilities probabilities, Scored taken, Gain gain, List<Scored> enlarging) {
+  /** What takes up a little of anything, beside those that soak up where things were placed. */
+  private static final Set<Effect> SOAK_UP = new TreeSet<>(PlainFamily.SOAK_UP_PLACEMENTS);
+
+  static {
+    SOAK_UP.addAll(Unknown.SOAK);
+    SOAK_UP.addAll(Definitions.with(Trait.SOAKS_UP_A_REST));
+  }
+
+  /** Copies the list. */
+  public Weighed {
+    enlarging = List.copyOf(enlarging);
+  }
+
+  /**
+   * Weighs sets, the nominal model among them.
+   *
+   * @param evidence the log
+   * @param sets that were fitted
+   * @param worthNats what a further effect must gain to be as probable as its absence
+   * @param temperature by which nats are divided
+   */
+  public static Weighed of(
+      Evidence evidence, List<Scored> sets, double worthNats, double temperature) {
+    PracticalSize size = new PracticalSize(evidence, sets);
+    Blocks blocks = new Blocks(evidence.log());
+    double most = (1 + Probabilities.UNSEEN) * worthNats;
+    Set<Effect> unseen = new TreeSet<>();
+    if (new Placements(evidence.log()).areRepeated()) {
+      unseen.addAll(PlainFamily.SOAK_UP_PLACEMENTS);
+    }
+    List<Scored> left = new ArrayList<>(sets);
+    left.removeIf(set -> isOutdone(set, sets, worthNats));
+    List<Scored> enlarging = new ArrayList<>();
+    while (true) {
+      Probabilities probabilities = new Probabilities(left, worthNats, temperature, unseen);
+      Scored best = probabilities.best();
+      if (unseen.addAll(size.unseen(best, most))) {
+        continue;
+      }
+      Gain gain = Gain.of(evidence, blocks, best.hypothesis());
+      if (best.hypothesis().forms().isEmpty() || gain.isWorthNaming()) {
+        return new Weighed(probabilities, best, gain, enlarging);
+      }
+      left.remove(best);
+      if (gain.afterM() > gain.beforeM()) {
+        enlarging.add(best);
+      }
+    }
+  }
+
+  /** At an end of the search, while a set that is not says nearly as much. */
+  private static boolean isOutdone(Scored one, List<Scored> sets, double worthNats) {
+    return one.hypothesis().isAtBound()
+        && sets.stream()
+            .filter(set -> !set.hypothesis().forms().isEmpty())
+            .filter(set -> !set.hypothesis().isAtBound())
+            .anyMatch(set -> set.heldOut() > one.heldOut() - worthNats);
+  }
+
+  /**
+   * Returns the same with a gain that knows what is left before a set-up which has moved.
+   *
+   * @param evidence the log
+   * @param open the same before a set-up that has moved as far as its reference leaves open
+   */
+  public Weighed beside(Evidence evidence, Evidence open) {
+    if (open == evidence) {
+      return this;
+    }
+    return new Weighed(probabilities, taken, gain.beside(gainOf(open, taken).after()), enlarging);
+  }
+
+  /** Returns what could stand in the place of an effect of the set that is concluded upon. */
+  public List<Effect> inPlaceOf(Effect effect, double nats) {
+    return probabilities.inPlaceOf(effect, taken, nats);
+  }
+
+  /**
+   * Returns what is sure beside a rest that no effect explains, with its own gain; empty if nothing
+   * is, or if it leaves the gap as it was.
+   *
+   * @param evidence the log
+   * @param sets that were fitted
+   * @param worthNats what a further effect must gain to be as probable as its absence
+   */
+  public Optional<Weighed> confirmed(Evidence evidence, List<Scored> sets, double worthNats) {
+    return new Confirmed(sets, SOAK_UP, worthNats, new Placements(evidence.log()).areRepeated())
+        .best()
+        .map(sure -> new Weighed(probabilities, sure, gainOf(evidence, sure), enlarging))
+        .filter(sure -> sure.gain.isWorthNaming());
+  }
+
+  private static Gain gainOf(Evidence evidence, Scored set) {
+    return Gain.of(evidence, new Blocks(evidence.log()), set.hypothesis());
+  }
+}

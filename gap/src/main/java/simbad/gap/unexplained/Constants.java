@@ -1,0 +1,104 @@
+package simbad.gap.unexplained;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Objects;
+import simbad.sonar.scene.SensorLaw;
+
+/**
+ * The constants that decide: how probable something without a name is by its {@link Signs}, and for
+ * how much likelihoods are taken. They stand in one file with where they come from, and
+ * benchmarks/fit-constants fits them anew.
+ *
+ * @param least probability of something without a name where no sign speaks for it
+ * @param most the same where all do
+ * @param base of the regression
+ * @param weights of the signs, by name
+ * @param thresholdTemperature by which nats are divided under the threshold rule, positive
+ * @param levelTemperature the same under the level law
+ * @param namedRightly share of the named effects that were there, in logs that were checked
+ */
+public record Constants(
+    double least,
+    double most,
+    double base,
+    Map<String, Double> weights,
+    double thresholdTemperature,
+    double levelTemperature,
+    double namedRightly) {
+  private static final String FILE = "constants.json";
+  private static final String FORMAT = "simbad-constants/1";
+  private static final Constants OWN = read();
+
+  /** Copies the weights, in their order. */
+  public Constants {
+    weights = Collections.unmodifiableMap(new LinkedHashMap<>(weights));
+  }
+
+  /** Returns those that the diagnosis uses. */
+  public static Constants own() {
+    return OWN;
+  }
+
+  private static Constants read() {
+    try (InputStream file = Constants.class.getResourceAsStream(FILE)) {
+      return of(new ObjectMapper().readTree(Objects.requireNonNull(file, FILE)));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /**
+   * Reads constants.
+   *
+   * @param root of a file of format "simbad-constants/1"
+   * @throws IllegalArgumentException if a field is missing or no number
+   */
+  public static Constants of(JsonNode root) {
+    if (!FORMAT.equals(root.path("format").asText())) {
+      throw new IllegalArgumentException(
+          "format: \"" + root.path("format").asText() + "\" is not \"" + FORMAT + '"');
+    }
+    JsonNode unknown = root.path("unknown");
+    Map<String, Double> weights = new LinkedHashMap<>();
+    for (String name : Signs.NONE.byName().keySet()) {
+      weights.put(name, number(unknown, name));
+    }
+    JsonNode temperature = root.path("temperature");
+    return new Constants(
+        number(unknown, "least"),
+        number(unknown, "most"),
+        number(unknown, "base"),
+        weights,
+        number(temperature, "threshold"),
+        number(temperature, "level"),
+        number(root, "named_rightly"));
+  }
+
+  private static double number(JsonNode parent, String field) {
+    if (!parent.path(field).isNumber()) {
+      throw new IllegalArgumentException(field + ": " + parent.path(field) + " is no number");
+    }
+    return parent.get(field).doubleValue();
+  }
+
+  /** Returns the temperature under a law. */
+  public double temperature(SensorLaw.Model law) {
+    return law == SensorLaw.Model.LEVEL ? levelTemperature : thresholdTemperature;
+  }
+
+  /** Returns how probable it is, by some signs, that something without a name is at work. */
+  public double unknown(Map<String, Double> signs) {
+    double logit = base;
+    for (Map.Entry<String, Double> weight : weights.entrySet()) {
+      logit += weight.getValue() * signs.getOrDefault(weight.getKey(), 0.0);
+    }
+    return least + (most - least) / (1 + Math.exp(-logit));
+  }
+}

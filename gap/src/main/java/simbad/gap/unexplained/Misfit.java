@@ -1,0 +1,239 @@
+package simbad.gap.unexplained;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import simbad.gap.calibrate.level.Leeway;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.ping.PingLog;
+
+/** How far a hypothesis is off in any slice of a log. */
+public final class Misfit {
+  /** How many of the greatest misfits count. */
+  public static final int TOP = 5;
+
+  private static final double LEAST_SUPPORT = 2;
+  private static final int LEAST_ROWS = 12;
+
+  private final List<Slice> slices = new ArrayList<>();
+
+  /**
+   * A slice with one way of being off.
+   *
+   * @param name of the slice
+   * @param kind echo, range, scatter; or forecast, echoes where no reading is known
+   * @param z standard normal where the hypothesis is right
+   * @param size share of echoes off, or normal scores off on average
+   * @param rows in the slice
+   */
+  public record Slice(String name, String kind, double z, double size, int rows) {
+    boolean isOfRanges() {
+      return kind.equals("range") || kind.equals("scatter");
+    }
+  }
+
+  private Misfit(Evidence evidence, Hypothesis hypothesis, boolean ahead, Optional<Openness> open) {
+    List<Slicing.Cut> cuts = look(new Surprise(evidence, hypothesis), open);
+    if (ahead && evidence.model(hypothesis).hasMemory()) {
+      Foresight foresight = Foresight.of(evidence, hypothesis);
+      cuts.forEach(cut -> lookAhead(evidence.log(), foresight, cut));
+    }
+    sort();
+  }
+
+  private Misfit(Surprise surprise) {
+    look(surprise, Optional.empty());
+    sort();
+  }
+
+  /** Looks at what was got wrong of the pings of a log. */
+  public static Misfit of(Surprise surprise) {
+    return new Misfit(surprise);
+  }
+
+  private void sort() {
+    slices.sort(Comparator.comparingDouble(slice -> -Math.abs(slice.z)));
+  }
+
+  private List<Slicing.Cut> look(Surprise surprise, Optional<Openness> open) {
+    double[] spread = spread(surprise);
+    List<Slicing.Cut> cuts = new Slicing(surprise.log, surprise.geometry).all();
+    for (Slicing.Cut cut : cuts) {
+      look(surprise, cut, spread, open);
+    }
+    return cuts;
+  }
+
+  /**
+   * Looks at all slices, and at what a hypothesis with memory expects where no reading is known.
+   */
+  public static Misfit of(Evidence evidence, Hypothesis hypothesis) {
+    return new Misfit(evidence, hypothesis, true, Optional.empty());
+  }
+
+  /**
+   * Looks at all slices before a set-up that a reference leaves open: what all pings of a slice
+   * have in common by it is no misfit.
+   */
+  static Misfit of(Evidence evidence, Hypothesis hypothesis, Leeway leeway) {
+    Openness open = Openness.of(evidence, hypothesis, leeway);
+    return new Misfit(evidence, hypothesis, true, Optional.of(open));
+  }
+
+  /** Looks at all slices, ping by ping alone: far quicker where a hypothesis has memory. */
+  public static Misfit ofPings(Evidence evidence, Hypothesis hypothesis) {
+    return new Misfit(evidence, hypothesis, false, Optional.empty());
+  }
+
+  /** Returns all slices, the most off first. */
+  public List<Slice> slices() {
+    return List.copyOf(slices);
+  }
+
+  /** Returns the mean of the greatest of a number of slices, each cut and kind counted once. */
+  public double top(int count) {
+    return top(count, 1, 1);
+  }
+
+  /**
+   * Returns the mean of the greatest where readings hang together.
+   *
+   * @param count of slices, each cut and kind counted once
+   * @param echoes by how much more than by chance sums of echoes vary, at least 1
+   * @param ranges by how much more sums of ranges do, at least 1
+   */
+  public double top(int count, double echoes, double ranges) {
+    Map<String, Double> greatest = new HashMap<>();
+    for (Slice slice : slices) {
+      double more = slice.isOfRanges() ? ranges : echoes;
+      String key = slice.name.replaceAll("#.*", "") + slice.kind;
+      greatest.merge(key, Math.abs(slice.z) / Math.sqrt(more), Math::max);
+    }
+    return greatest.values().stream()
+        .sorted(Comparator.reverseOrder())
+        .limit(count)
+        .mapToDouble(z -> z)
+        .average()
+        .orElse(0);
+  }
+
+  /** Mean square of the scores, and the spread of the squares. */
+  private static double[] spread(Surprise s) {
+    double sum = 0;
+    double squares = 0;
+    int count = 0;
+    for (int i = 0; i < s.score.length; i++) {
+      if (s.log.echo(i)) {
+        double square = s.score[i] * s.score[i];
+        sum += square;
+        squares += square * square;
+        count++;
+      }
+    }
+    double mean = count > 0 ? sum / count : 1;
+    double variance = count > 1 ? squares / count - mean * mean : 1;
+    return new double[] {Math.max(1e-6, mean), Math.sqrt(Math.max(1e-6, variance))};
+  }
+
+  private void look(Surprise s, Slicing.Cut cut, double[] spread, Optional<Openness> open) {
+    Tally[] tallies = new Tally[cut.count()];
+    for (int i = 0; i < cut.slice().length; i++) {
+      if (cut.slice()[i] >= 0) {
+        int at = cut.slice()[i];
+        if (tallies[at] == null) {
+          tallies[at] = new Tally(open);
+        }
+        tallies[at].add(s, i);
+      }
+    }
+    for (int at = 0; at < tallies.length; at++) {
+      if (tallies[at] != null) {
+        tallies[at].tell(cut.name() + "#" + at, spread, slices);
+      }
+    }
+  }
+
+  private void lookAhead(PingLog log, Foresight foresight, Slicing.Cut cut) {
+    boolean[] echo = new boolean[log.size()];
+    int[] rows = new int[cut.count()];
+    for (int i = 0; i < echo.length; i++) {
+      echo[i] = log.echo(i);
+      if (cut.slice()[i] >= 0) {
+        rows[cut.slice()[i]]++;
+      }
+    }
+    double[][] off = foresight.off(cut, echo);
+    for (int at = 0; at < rows.length; at++) {
+      double deviation = off[1][at];
+      if (rows[at] >= LEAST_ROWS && deviation * deviation >= LEAST_SUPPORT) {
+        double share = off[0][at] / rows[at];
+        slices.add(
+            new Slice(cut.name() + "#" + at, "forecast", off[0][at] / deviation, share, rows[at]));
+      }
+    }
+  }
+
+  private static final class Tally {
+    private int rows;
+    private int echoes;
+    private double expected;
+    private double variance;
+    private double scores;
+    private double squares;
+    private final Optional<Openness> open;
+    private final Optional<Leeway.Together> together;
+
+    Tally(Optional<Openness> open) {
+      this.open = open;
+      together = open.map(Openness::slice);
+    }
+
+    void add(Surprise s, int i) {
+      rows++;
+      expected += s.expected[i];
+      variance += s.expected[i] * (1 - s.expected[i]);
+      if (together.isPresent()) {
+        Openness own = open.orElseThrow();
+        together.get().add(i, own.chancePerDb()[i], own.scorePerMetre()[i]);
+      }
+      if (s.log.echo(i)) {
+        echoes++;
+        scores += s.score[i];
+        squares += s.score[i] * s.score[i];
+      }
+    }
+
+    void tell(String name, double[] spread, List<Slice> into) {
+      if (rows >= LEAST_ROWS && variance >= LEAST_SUPPORT) {
+        into.add(
+            new Slice(name, "echo", echoZ() / echoesTogether(), (echoes - expected) / rows, rows));
+      }
+      if (echoes >= LEAST_ROWS) {
+        double own = echoes * Math.max(spread[0], 0.5);
+        double shift = scores / Math.sqrt(own + together.map(t -> t.rangeVariance()).orElse(0.0));
+        into.add(new Slice(name, "range", shift, scores / echoes, rows));
+        double scatter = (squares - echoes * spread[0]) / (spread[1] * Math.sqrt(echoes));
+        into.add(new Slice(name, "scatter", scatter, squares / echoes, rows));
+      }
+    }
+
+    /** By how many times more echoes vary than each for itself. */
+    private double echoesTogether() {
+      return Math.sqrt(1 + together.map(t -> t.levelVariance()).orElse(0.0) / variance);
+    }
+
+    /** Root of the deviance of the rarer outcome, so that few events are not over-rated. */
+    private double echoZ() {
+      boolean rareEcho = expected < rows / 2.0;
+      double rare = rareEcho ? expected : rows - expected;
+      double seen = rareEcho ? echoes : rows - echoes;
+      double deviance = 2 * ((seen > 0 ? seen * Math.log(seen / rare) : 0) - (seen - rare));
+      double root = Math.signum(seen - rare) * Math.sqrt(Math.max(0, deviance));
+      return (rareEcho ? root : -root) / Math.sqrt(variance / rare);
+    }
+  }
+}

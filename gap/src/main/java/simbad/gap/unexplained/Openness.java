@@ -1,0 +1,47 @@
+package simbad.gap.unexplained;
+
+import java.util.Arrays;
+import java.util.List;
+import simbad.gap.calibrate.level.Leeway;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Hypothesis;
+import simbad.sonar.ping.Change;
+import simbad.sonar.ping.Geometry;
+
+/**
+ * How much of what a hypothesis got wrong the set-up leaves open: all pings of a slice see the same
+ * set-up, and are off together where it is.
+ */
+@SuppressWarnings("ArrayRecordComponent") // one value for each ping; read only
+public record Openness(Leeway leeway, Leeway.Pulls pulls, double[] chancePerDb, double[] scorePerMetre) {
+  /**
+   * Asks how echoes and ranges hang on the set-up.
+   *
+   * @param evidence the log
+   * @param hypothesis of it
+   * @param leeway of the set-up
+   */
+  public static Openness of(Evidence evidence, Hypothesis hypothesis, Leeway leeway) {
+    Geometry geometry = evidence.geometry(evidence.model(hypothesis));
+    double[] chance =
+        SetupScores.perDecibel(
+            hypothesis, changes -> new Surprise(evidence, evidence.model(changes)).expected);
+    double[] score =
+        SetupScores.perMetre(
+            hypothesis, changes -> new Surprise(evidence, evidence.model(changes)).score);
+    return new Openness(leeway, pulls(geometry, hypothesis, leeway), chance, score);
+  }
+
+  /** Finds how a log under a hypothesis hangs on the set-up. */
+  public static Leeway.Pulls pulls(Geometry geometry, Hypothesis hypothesis, Leeway leeway) {
+    List<Change> changes = hypothesis.changes();
+    double[] added = new double[geometry.log().size() * geometry.obstacles()];
+    Arrays.setAll(added, line -> geometry.addedDb(changes, line));
+    return leeway.pulls(geometry, added);
+  }
+
+  /** Returns an empty slice. */
+  public Leeway.Together slice() {
+    return leeway.together(pulls);
+  }
+}

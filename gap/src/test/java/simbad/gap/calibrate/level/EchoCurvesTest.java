@@ -1,0 +1,69 @@
+package simbad.gap.calibrate.level;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import org.hipparchus.special.Erf;
+import org.junit.jupiter.api.Test;
+
+/** Curves beside the probit law that they follow. */
+class EchoCurvesTest {
+  private static double read(double decibels) {
+    return Math.log(0.002 + 0.996 * Erf.erfc(-decibels / Math.sqrt(2)) / 2);
+  }
+
+  /** A reading that was heard at 1 dB, and one that no level moves. */
+  private static final EchoCurves CURVES =
+      new EchoCurves(decibels -> new double[] {read(1 + decibels), -0.5});
+
+  private static double[] at(double decibels) {
+    double[] into = new double[3];
+    CURVES.at(0, decibels, into);
+    return into;
+  }
+
+  @Test
+  void betweenKnotsTheCurveIsNearTheLaw() {
+    for (double shift = -5; shift <= 5; shift += 0.1) {
+      assertEquals(read(1 + shift), at(shift)[0], 0.12, "at " + shift);
+    }
+  }
+
+  @Test
+  void derivativesAreThoseOfTheCurve() {
+    double step = 1e-4;
+    for (double shift : new double[] {-4.1, -2.7, -0.3, 0.4, 2.9}) {
+      double slope = (at(shift + step)[0] - at(shift - step)[0]) / (2 * step);
+      double bend = (at(shift + step)[1] - at(shift - step)[1]) / (2 * step);
+      assertEquals(slope, at(shift)[1], 1e-6, "slope at " + shift);
+      assertEquals(bend, at(shift)[2], 1e-4, "bend at " + shift);
+    }
+  }
+
+  /** Between two knots nothing is likelier than at both. */
+  @Test
+  void aMonotoneLawGivesAMonotoneCurve() {
+    double[] values =
+        java.util.stream.DoubleStream.iterate(-14, x -> x <= 14, x -> x + 0.05)
+            .map(x -> at(x)[0])
+            .toArray();
+    double[] sorted = values.clone();
+    Arrays.sort(sorted);
+
+    assertEquals(0, Arrays.mismatch(values, sorted) + 1, "first step down");
+  }
+
+  @Test
+  void beyondTheKnotsTheCurveIsFlat() {
+    assertEquals(at(14)[0], at(40)[0]);
+    assertEquals(0, at(40)[1]);
+  }
+
+  @Test
+  void whatNoLevelMovesIsFlat() {
+    assertTrue(CURVES.isFlat(1));
+    assertFalse(CURVES.isFlat(0));
+  }
+}

@@ -1,0 +1,78 @@
+package simbad.gap.score;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fixture.Ladders;
+import simbad.gap.fixture.Worlds;
+import simbad.sonar.ping.PingLog;
+import simbad.sonar.sensing.ReadingRow;
+
+/** Ladders and drives: what was put in place, and how far its readings hang together. */
+class PlacementsTest {
+  private static Placements of(List<ReadingRow> rows) {
+    return new Placements(new PingLog(rows));
+  }
+
+  private static double clumping(List<ReadingRow> rows) {
+    Evidence evidence = new Evidence(Ladders.BOARD, List.of(), new PingLog(rows));
+    return PlacementScatter.clumping(evidence, of(rows));
+  }
+
+  private static double[] sixty() {
+    return IntStream.range(0, 60).mapToDouble(i -> 0.2 + 0.04 * i).toArray();
+  }
+
+  @Test
+  void ladder_isRepeated_driveIsNot() {
+    Placements ladder = of(Ladders.read((range, lot) -> range, 1));
+    assertEquals(10, ladder.count());
+    assertTrue(ladder.areRepeated());
+    assertFalse(of(Worlds.poses(200, 0.3, 1.3, 1)).areRepeated());
+    double[] three = {0.5, 1, 1.5};
+    assertFalse(of(Ladders.read((range, lot) -> range, three, 30, 0, 1)).areRepeated());
+  }
+
+  /** Numbers and blocks are those of the places, whenever each row was read. */
+  @Test
+  void blocks_areOfPlaces_whateverTheOrder() {
+    List<ReadingRow> rows = Ladders.read((range, lot) -> range, 1);
+    for (List<ReadingRow> some : List.of(rows, Ladders.dealtAnew(rows, 5))) {
+      PingLog log = new PingLog(some);
+      Blocks blocks = new Blocks(log);
+      assertEquals(10, blocks.count());
+      for (int ping = 0; ping < log.size(); ping++) {
+        int nearer = 0;
+        for (double other : new double[] {0.1, 0.2, 0.35, 0.5, 0.75, 1, 1.4, 1.9, 2.4, 2.8}) {
+          nearer += other < log.zM(ping) - 1e-9 ? 1 : 0;
+        }
+        assertEquals(nearer, blocks.of(ping));
+      }
+    }
+  }
+
+  /** Sixteen readings with 3 mm of noise, placed with 2 mm: 1 + 15 * 4 / 13, of chance a fifth. */
+  @Test
+  void designEffect_isThatOfTheVariances() {
+    assertEquals(5.6, clumping(Ladders.read((range, lot) -> range, sixty(), 16, 0.002, 3)), 1.4);
+    assertEquals(1, clumping(Ladders.read((range, lot) -> range, sixty(), 16, 0, 3)), 0.5);
+    double far = clumping(Ladders.read((range, lot) -> range, sixty(), 16, 0.03, 3));
+    assertTrue(far > 14 && far <= 16, "" + far);
+  }
+
+  /** A wrong factor is no error of placements, nor are readings from elsewhere. */
+  @Test
+  void designEffect_isNotOfTheLaw_norOfStrays() {
+    assertEquals(
+        5.6, clumping(Ladders.read((range, lot) -> 0.394 * range, sixty(), 16, 0.0051, 3)), 1.6);
+    assertEquals(
+        5.6,
+        clumping(Ladders.read((range, lot) -> lot < 0.1 ? 40 * lot : range, sixty(), 16, 0.002, 3)),
+        1.6);
+  }
+}

@@ -1,0 +1,87 @@
+package simbad.gap.search;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import simbad.definition.Effect;
+import simbad.definition.Parameter;
+import simbad.gap.calibrate.Calibration;
+import simbad.gap.calibrate.SetupLeave;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Hypothesis;
+import simbad.gap.fixture.LevelWorlds;
+import simbad.gap.fixture.Worlds;
+import simbad.sonar.change.LevelDrift;
+import simbad.sonar.change.LevelScatter;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
+import simbad.sonar.ping.Change;
+import simbad.sonar.ping.PingLog;
+
+/** Worlds in which something happens that is no effect, and worlds in which nothing of it does. */
+class StrangersTest {
+  private static final Calibration CALIBRATION =
+      Calibration.of(LevelWorlds.POST, new PingLog(LevelWorlds.log(1200, 31)));
+  private static final double WORTH_NATS = 20;
+  private static final Form DROPOUT =
+      Forms.find(Effect.DROPOUT, "single", LevelWorlds.POST, List.of("s")).orElseThrow();
+
+  /** Asks of a log in which something was changed. */
+  private static Strangers.Found found(Hypothesis truth, Hypothesis named) {
+    Evidence evidence =
+        CALIBRATION.evidence(
+            LevelWorlds.POST,
+            new PingLog(Worlds.read(LevelWorlds.POST, LevelWorlds.poses(1000, 47), truth, 48)));
+    return new Strangers(evidence, new SetupLeave(evidence, CALIBRATION))
+        .against(named, WORTH_NATS, 1);
+  }
+
+  private static Hypothesis with(Change change) {
+    Form form = new Form(Optional.empty(), "stranger", List.<Parameter>of(), values -> change);
+    return LevelWorlds.truth().and(form);
+  }
+
+  @Test
+  void whereNothingChanged_nothingIsStrange() {
+    double share = found(LevelWorlds.truth(), Hypothesis.NONE).share();
+    assertTrue(share > 0.99, () -> "share " + share);
+  }
+
+  @Test
+  void echoesThatScatter_areNotNone_norDropout() {
+    Hypothesis truth = with(new LevelScatter(0, 8));
+    Strangers.Found none = found(truth, Hypothesis.NONE);
+    assertTrue(none.share() < 0.1, none::toString);
+    assertTrue(none.what().startsWith("echoes get stronger and weaker from ping to ping, by "));
+    Strangers.Found dropout = found(truth, Hypothesis.NONE.and(DROPOUT, 0.2));
+    assertTrue(dropout.share() < 0.1, dropout::toString);
+  }
+
+  @Test
+  void strengthThatDrifts_isNotNone() {
+    double durationS = 0.05 * 1000;
+    Strangers.Found none = found(with(new LevelDrift(0, -4, -9, durationS)), Hypothesis.NONE);
+    assertTrue(none.share() < 0.1, none::toString);
+    assertTrue(none.what().startsWith("the strength of echoes drifts"), none::toString);
+  }
+
+  /** A drift that stays, and a scatter of nothing about another mean, are gains: no strangers. */
+  @Test
+  void gainStays() {
+    Form gain = Forms.find(Effect.GAIN, "level", LevelWorlds.POST, List.of("s")).orElseThrow();
+    Strangers.Found found = found(LevelWorlds.truth().and(gain, -5), Hypothesis.NONE.and(gain, -5));
+    assertTrue(found.share() > 0.99, found::toString);
+    assertEquals("", found.what(), "nothing is said of what is not there");
+  }
+
+  /** Strong echoes are lost as often as weak ones: nothing of their strength does that. */
+  @Test
+  void dropoutStays() {
+    Hypothesis truth = LevelWorlds.truth().and(DROPOUT, 0.3);
+    double share = found(truth, Hypothesis.NONE.and(DROPOUT, 0.3)).share();
+    assertTrue(share > 0.95, () -> "share " + share);
+  }
+}

@@ -1,0 +1,89 @@
+package simbad.gap.search;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import simbad.definition.Effect;
+import simbad.gap.fit.Evidence;
+import simbad.gap.fit.Hypothesis;
+import simbad.gap.fixture.Worlds;
+import simbad.gap.score.Gain;
+import simbad.gap.score.GapMeter;
+import simbad.gap.score.Probabilities;
+import simbad.gap.score.Scored;
+import simbad.sonar.sensing.ReadingRow;
+
+class WeighedTest {
+  private static final int BLOCK = 25;
+
+  private static Hypothesis offset(double metres) {
+    return Worlds.effect(Effect.RANGE_OFFSET, "constant", metres);
+  }
+
+  /** Six blocks of 25 rows; the ranges of every other block are shifted otherwise. */
+  private static Evidence shifted(double evenM, double oddM) {
+    List<ReadingRow> poses = Worlds.poses(6 * BLOCK, 0.3, 1.3, 5);
+    List<ReadingRow> even = Worlds.read(poses, offset(evenM), 6);
+    List<ReadingRow> odd = Worlds.read(poses, offset(oddM), 6);
+    List<ReadingRow> rows = new ArrayList<>();
+    for (int i = 0; i < poses.size(); i++) {
+      rows.add((i / BLOCK % 2 == 0 ? even : odd).get(i));
+    }
+    return Worlds.evidence(rows);
+  }
+
+  private static Weighed weighed(Evidence evidence, Scored likelier) {
+    List<Scored> sets = List.of(likelier, new Scored(Hypothesis.NONE, 0, 0));
+    return Weighed.of(evidence, sets, Probabilities.COST_NATS, 1);
+  }
+
+  /** What was fitted on one half is wrong by 4 cm on the other, however likely it is said to be. */
+  @Test
+  void setThatEnlargesTheGap_givesWayToTheNext() {
+    Scored set = new Scored(offset(0.02), 500, 500);
+    Weighed weighed = weighed(shifted(0.02, -0.02), set);
+    assertEquals(List.of(set), weighed.enlarging());
+    assertEquals(Hypothesis.NONE, weighed.probabilities().best().hypothesis());
+    assertEquals(weighed.gain().beforeM(), weighed.gain().afterM());
+  }
+
+  /**
+   * Where nothing is shifted an offset of nothing takes nothing away, said to be however likely.
+   */
+  @Test
+  void setThatLeavesTheGapAsItIs_isNotTaken() {
+    Weighed weighed = weighed(shifted(0, 0), new Scored(offset(0), 500, 500));
+    assertEquals(Hypothesis.NONE, weighed.taken().hypothesis());
+  }
+
+  @Test
+  void worthNaming_isAHundredthOfTheGap() {
+    GapMeter.Gaps before = new GapMeter.Gaps(new double[] {1}, new double[1]);
+    GapMeter.Gaps less = new GapMeter.Gaps(new double[] {0.991}, new double[1]);
+    GapMeter.Gaps worth = new GapMeter.Gaps(new double[] {0.989}, new double[1]);
+    assertTrue(!new Gain(before, less).isWorthNaming() && new Gain(before, worth).isWorthNaming());
+  }
+
+  /** Before a set-up that has moved less is seen, or more expected. */
+  @Test
+  void whatASetupThatMovesTakesUp_isNotLeft() {
+    GapMeter.Gaps far = new GapMeter.Gaps(new double[] {0.05}, new double[] {0.02});
+    assertTrue(new Gain(far, far).leavesMuch());
+    GapMeter.Gaps moved = new GapMeter.Gaps(new double[] {0.05}, new double[] {0.03});
+    Gain open = new Gain(far, far).beside(moved);
+    assertTrue(!open.leavesMuch());
+    assertEquals(0.03, open.floorM());
+  }
+
+  @Test
+  void setThatShrinksTheGap_isTaken() {
+    Scored set = new Scored(offset(0.1), 500, 500);
+    Weighed weighed = weighed(shifted(0.1, 0.1), set);
+    assertEquals(List.of(), weighed.enlarging());
+    assertEquals(set, weighed.probabilities().best());
+    assertTrue(weighed.gain().afterM() < 0.5 * weighed.gain().beforeM());
+  }
+}
