@@ -13,7 +13,8 @@ import simbad.sonar.ping.Geometry;
  * set-up, and are off together where it is.
  */
 @SuppressWarnings("ArrayRecordComponent") // one value for each ping; read only
-public record Openness(Leeway leeway, Leeway.Pulls pulls, double[] chancePerDb, double[] scorePerMetre) {
+public record Openness(
+    Leeway leeway, Leeway.Pulls pulls, double[] chancePerDb, double[] scorePerMetre) {
   /**
    * Asks how echoes and ranges hang on the set-up.
    *

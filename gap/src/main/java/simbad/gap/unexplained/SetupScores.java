@@ -38,7 +38,8 @@ public record SetupScores(Geometry geometry, double[] perDecibel, double[] perMe
   }
 
   /** Returns by how much a value of each ping rises with the excess of what it hears. */
-  public static double[] perDecibel(Hypothesis hypothesis, Function<List<Change>, double[]> values) {
+  public static double[] perDecibel(
+      Hypothesis hypothesis, Function<List<Change>, double[]> values) {
     return slope(hypothesis, values, LevelGain::new, STEP_DB);
   }
 

@@ -14,7 +14,7 @@ import simbad.figures.diagnosis.RowSurvey;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Place;
-import simbad.gap.place.PlaceRows;
+import simbad.gap.locate.PlaceRows;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.predict.DiagnosedModel;
 import simbad.sonar.predict.FittedModel;

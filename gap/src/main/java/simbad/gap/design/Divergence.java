@@ -1,4 +1,4 @@
-package simbad.gap.place;
+package simbad.gap.design;
 
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.scene.SensingSetup;

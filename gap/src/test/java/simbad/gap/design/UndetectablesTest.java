@@ -1,4 +1,4 @@
-package simbad.gap.place;
+package simbad.gap.design;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;

@@ -1,4 +1,4 @@
-package simbad.gap.place;
+package simbad.gap.locate;
 
 import java.util.List;
 import java.util.Optional;

@@ -1,4 +1,4 @@
-package simbad.gap.place;
+package simbad.gap.design;
 
 import java.util.List;
 import java.util.Optional;

@@ -1,4 +1,4 @@
-package simbad.gap.place;
+package simbad.gap.design;
 
 import java.util.OptionalDouble;
 import java.util.stream.Stream;

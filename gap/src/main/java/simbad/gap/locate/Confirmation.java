@@ -1,4 +1,4 @@
-package simbad.gap.place;
+package simbad.gap.locate;
 
 import java.util.ArrayList;
 import java.util.Comparator;
