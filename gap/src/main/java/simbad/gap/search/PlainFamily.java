@@ -11,6 +11,7 @@ import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.Screen;
+import simbad.gap.score.Probabilities;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
 
