@@ -19,11 +19,9 @@ import simbad.gap.unexplained.Clumping;
 import simbad.gap.unexplained.Constants;
 import simbad.gap.unexplained.Openness;
 import simbad.gap.unexplained.SetupDoubt;
-import simbad.gap.unexplained.SetupScores;
 import simbad.gap.unexplained.Surprise;
 import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.effect.Form;
-import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SensorLaw;
@@ -151,34 +149,14 @@ public final class Calibration implements SetupDoubt {
     return leeway.map(open -> leewayNats(open, evidence, hypothesis)).orElse(0.0);
   }
 
-  /** Levels first: how far an echo reads depends on how strong it is. */
   private static double leewayNats(Leeway open, Evidence evidence, Hypothesis hypothesis) {
-    Geometry geometry = evidence.geometry(evidence.model(hypothesis));
-    Leeway.Pulls pulls = Openness.pulls(geometry, hypothesis, open);
-    Leeway.Moved levels = moved(open, pulls, evidence, hypothesis, geometry);
-    LevelShift shift = new LevelShift(levels.shiftsDb());
-    double[] perMetre =
-        SetupScores.perMetre(
-            hypothesis, changes -> evidence.logLikelihood(shift.and(changes), geometry));
-    return levels.nats() + open.rangeNats(pulls, perMetre);
-  }
-
-  private static Leeway.Moved moved(
-      Leeway open,
-      Leeway.Pulls pulls,
-      Evidence evidence,
-      Hypothesis hypothesis,
-      Geometry geometry) {
-    return open.moved(
-        pulls,
-        SetupScores.echoes(hypothesis, changes -> evidence.logLikelihood(changes, geometry)));
+    SetupMove move = new SetupMove(open, evidence, hypothesis);
+    return move.nats(move.levels());
   }
 
   /** A log before a set-up whose levels have moved to where they and it are likeliest together. */
   private static Evidence settled(Leeway open, Evidence evidence) {
-    Geometry geometry = evidence.geometry(evidence.model(Hypothesis.NONE));
-    Leeway.Pulls pulls = Openness.pulls(geometry, Hypothesis.NONE, open);
-    Leeway.Moved levels = moved(open, pulls, evidence, Hypothesis.NONE, geometry);
+    Leeway.Moved levels = new SetupMove(open, evidence, Hypothesis.NONE).levels();
     return evidence.calibrated(new LevelShift(levels.shiftsDb()).and(evidence.calibration()));
   }
 

@@ -1,7 +1,9 @@
 package simbad.gap.calibrate;
 
 import java.util.Arrays;
+import java.util.Optional;
 import simbad.definition.Parameter;
+import simbad.gap.calibrate.level.Leeway;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 
@@ -33,6 +35,11 @@ public final class SetupLeave {
   public SetupLeave(Evidence evidence, Calibration calibration) {
     this.evidence = evidence;
     this.calibration = calibration;
+  }
+
+  /** Returns how far the set-up may move; none under the threshold rule. */
+  public Optional<Leeway> leeway() {
+    return calibration.leeway();
   }
 
   /** Returns the nats for a set whose values stay as they are. */

@@ -1,6 +1,7 @@
 package simbad.gap.search;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
@@ -99,6 +100,8 @@ public final class Strangers {
    * @param temperature by which nats are divided
    */
   public Found against(Hypothesis named, double worthNats, double temperature) {
+    if (System.getProperty("dev") != null) { dev(named, worthNats, temperature); }
+
     List<Rival> rivals = new ArrayList<>();
     for (Form form : forms) {
       rivals.add(new Rival(named, form, worthNats));
@@ -116,6 +119,23 @@ public final class Strangers {
     double sum = weights.stream().mapToDouble(Weight::times).sum();
     Weight most = Collections.max(weights, Comparator.comparingDouble(Weight::times));
     return new Found(sum, sum > 1 ? words(most.set) : "");
+  }
+
+  private void dev(Hypothesis named, double worthNats, double temperature) {
+    double own = nats(polished(new Fitter(evidence, Fold.ALL), named));
+    System.out.printf("DEV named %s own %.1f worth %.1f temperature %.2f%n", named.effects(), own, worthNats, temperature);
+    double duration = new Placements(evidence.log()).areRepeated() ? 0 : evidence.log().lastsS();
+    List<Hypothesis> rests = new ArrayList<>();
+    rests.add(named);
+    for (Effect effect : named.effects()) { rests.add(named.without(effect)); }
+    if (named.effects().size() > 1) { rests.add(Hypothesis.NONE); }
+    for (Hypothesis rest : rests) {
+      double plain = Arrays.stream(evidence.logLikelihood(rest)).sum() + leave.nats(rest) - 0.5 * rest.size();
+      System.out.printf("DEV  rest %s plain %+.1f%n", rest.effects(), plain - own);
+      for (Wandering.Curve curve : new Wandering(leave.leeway().orElseThrow(), evidence, rest, duration).curves()) {
+        System.out.printf("DEV    %+.1f %s%n", curve.nats() - 0.5 * rest.size() - own, curve.what());
+      }
+    }
   }
 
   /** Whether an effect is itself a matter of levels: a stranger does all that it does. */

@@ -3,6 +3,7 @@ package simbad.gap.calibrate.level;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.BiFunction;
 import org.hipparchus.linear.ArrayRealVector;
 import org.hipparchus.linear.MatrixUtils;
 import org.hipparchus.linear.RealMatrix;
@@ -168,19 +169,68 @@ public final class Leeway {
    * @param echoes how likely each reading is where its excess is another
    */
   public Moved moved(Pulls pulls, EchoCurves echoes) {
+    LevelMove move = new LevelMove(levelPrecision, rows(pulls, echoes, (ping, pull) -> pull), echoes);
+    double nats = move.climb();
+    return new Moved(nats, move.shiftsDb());
+  }
+
+  /** The readings that levels say something of. */
+  private List<LevelMove.Row> rows(
+      Pulls pulls, EchoCurves echoes, BiFunction<Integer, Pull, Pull> more) {
     int places = excessCovariance.getRowDimension();
     List<LevelMove.Row> rows = new ArrayList<>();
     for (int ping = 0; ping < echoes.size(); ping++) {
       Pull pull = pulls.level[ping];
       if (pull != null && !echoes.isFlat(ping)) {
-        Pull own = pull.and(places + pulls.place[ping]);
+        Pull own = more.apply(ping, pull.and(places + pulls.place[ping], 1));
         rows.add(new LevelMove.Row(ping, own.index, own.value));
       }
     }
-    LevelMove move = new LevelMove(levelPrecision, rows, echoes);
-    double nats = move.climb();
-    return new Moved(nats, move.shiftsDb());
+    return rows;
   }
+
+  /**
+   * Moves the set-up's levels, and lets them wander besides along something that the set-up knows
+   * nothing of.
+   *
+   * @param pulls of the log under a hypothesis
+   * @param echoes how likely each reading is where its excess is another
+   * @param along what they may wander
+   * @param spreadDb how far they do, standard deviation
+   */
+  public Wandered wandered(Pulls pulls, EchoCurves echoes, Along along, double spreadDb) {
+    int own = levelPrecision.getRowDimension();
+    RealMatrix precision =
+        MatrixUtils.createRealMatrix(own + along.size(), own + along.size());
+    precision.setSubMatrix(levelPrecision.getData(), 0, 0);
+    precision.setSubMatrix(along.precision(spreadDb).getData(), own, own);
+    List<LevelMove.Row> rows =
+        rows(
+            pulls,
+            echoes,
+            (ping, pull) ->
+                along.has(ping)
+                    ? pull.and(own + along.knot(ping), 1 - along.share(ping))
+                        .and(own + along.next(ping), along.share(ping))
+                    : pull);
+    LevelMove both = new LevelMove(precision, rows, echoes);
+    double nats = both.climb();
+    LevelMove alone = new LevelMove(levelPrecision, rows(pulls, echoes, (ping, pull) -> pull), echoes);
+    alone.climb();
+    // The set-up's own values cost nothing here as they cost nothing where nothing wanders.
+    double cost = both.logShare() - alone.logShare();
+    return new Wandered(new Moved(nats + cost, both.shiftsDb()), both.valuesFrom(own));
+  }
+
+  /**
+   * Levels that have wandered.
+   *
+   * @param moved by how many nats the log is likelier, what all that might have been costs taken
+   *     away; may be below 0
+   * @param atKnotsDb by how much levels are more at each knot, decibels
+   */
+  @SuppressWarnings("ArrayRecordComponent") // read only
+  public record Wandered(Moved moved, double[] atKnotsDb) {}
 
   /**
    * Levels that have moved.
@@ -198,11 +248,20 @@ public final class Leeway {
     private final @Nullable Pull[] level;
     private final @Nullable Pull[] range;
     private final int[] place;
+    private final int[] line;
 
     private Pulls(int size) {
       place = new int[size];
+      line = new int[size];
       level = new Pull[size];
       range = new Pull[size];
+    }
+
+    /**
+     * Returns the line of sight that a ping is most about; negative where it is about no obstacle.
+     */
+    public int line(int ping) {
+      return line[ping];
     }
   }
 
@@ -210,11 +269,11 @@ public final class Leeway {
   @SuppressWarnings("ArrayRecordComponent") // read only
   private record Pull(int[] index, double[] value) {
     /** With one value more. */
-    Pull and(int more) {
+    Pull and(int more, double rise) {
       int[] indices = Arrays.copyOf(index, index.length + 1);
       double[] values = Arrays.copyOf(value, value.length + 1);
       indices[index.length] = more;
-      values[value.length] = 1;
+      values[value.length] = rise;
       return new Pull(indices, values);
     }
   }
@@ -231,6 +290,7 @@ public final class Leeway {
     Predictor.Slope slope = new Predictor.Slope();
     for (int ping = 0; ping < size; ping++) {
       int line = line(geometry, ping);
+      pulls.line[ping] = line;
       if (line >= 0) {
         boolean read = geometry.log().echo(ping);
         Predictor.Row row =

@@ -1,5 +1,6 @@
 package simbad.gap.calibrate.level;
 
+import java.util.Arrays;
 import java.util.List;
 import org.hipparchus.linear.ArrayRealVector;
 import org.hipparchus.linear.MatrixUtils;
@@ -67,6 +68,19 @@ final class LevelMove {
     return here - start;
   }
 
+  /**
+   * Returns the logarithm of the share of what the values could be before that they still can be:
+   * at most 0, by Laplace's approximation at where they are.
+   */
+  double logShare() {
+    return (Matrices.logDeterminant(precision) - Matrices.logDeterminant(information())) / 2;
+  }
+
+  /** Returns the values from one on. */
+  double[] valuesFrom(int first) {
+    return Arrays.copyOfRange(values, first, values.length);
+  }
+
   /** Returns by how many decibels each reading has moved. */
   double[] shiftsDb() {
     double[] shifts = new double[echoes.size()];
@@ -85,13 +99,23 @@ final class LevelMove {
   }
 
   private RealVector move() {
-    double[][] information = precision.getData();
     double[] score = precision.operate(new ArrayRealVector(values)).mapMultiply(-1).toArray();
+    for (Row row : rows) {
+      echoes.at(row.ping, row.shift(values), at);
+      for (int i = 0; i < row.index.length; i++) {
+        score[row.index[i]] += at[1] * row.value[i];
+      }
+    }
+    return Matrices.positive(information()).getSolver().solve(new ArrayRealVector(score));
+  }
+
+  /** How surely the values are known, by prior and log together. */
+  private RealMatrix information() {
+    double[][] information = precision.getData();
     for (Row row : rows) {
       echoes.at(row.ping, row.shift(values), at);
       double down = Math.max(0, -at[2]);
       for (int i = 0; i < row.index.length; i++) {
-        score[row.index[i]] += at[1] * row.value[i];
         double[] into = information[row.index[i]];
         double own = down * row.value[i];
         for (int j = 0; j < row.index.length && own != 0; j++) {
@@ -99,7 +123,6 @@ final class LevelMove {
         }
       }
     }
-    RealMatrix matrix = MatrixUtils.createRealMatrix(information);
-    return Matrices.positive(matrix).getSolver().solve(new ArrayRealVector(score));
+    return MatrixUtils.createRealMatrix(information);
   }
 }

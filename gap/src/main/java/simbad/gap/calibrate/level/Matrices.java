@@ -12,6 +12,16 @@ final class Matrices {
 
   private Matrices() {}
 
+  /** Returns the logarithm of the determinant of a positive matrix, natural. */
+  static double logDeterminant(RealMatrix matrix) {
+    RealMatrix lower = positive(matrix).getL();
+    double sum = 0;
+    for (int i = 0; i < lower.getRowDimension(); i++) {
+      sum += 2 * Math.log(lower.getEntry(i, i));
+    }
+    return sum;
+  }
+
   /** Decomposes a matrix; as much is added to its diagonal as that takes. */
   static CholeskyDecomposition positive(RealMatrix raw) {
     RealMatrix matrix = raw.add(raw.transpose()).scalarMultiply(0.5);

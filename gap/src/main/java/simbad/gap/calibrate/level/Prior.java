@@ -121,7 +121,7 @@ final class Prior {
   }
 
   /** Matern's correlation of order 3/2 (Rasmussen and Williams 2006, equation 4.17). */
-  private static double matern(double apart) {
+  static double matern(double apart) {
     double x = Math.sqrt(3) * apart;
     return (1 + x) * Math.exp(-x);
   }
