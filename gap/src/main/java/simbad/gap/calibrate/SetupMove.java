@@ -37,11 +37,12 @@ public final class SetupMove {
     echoes = SetupScores.echoes(hypothesis, changes -> evidence.logLikelihood(changes, geometry));
   }
 
+  /** Returns the geometry of the log under the set of effects. */
   public Geometry geometry() {
     return geometry;
   }
 
-  /** The line of sight that a ping is most about; negative for none. */
+  /** Returns the line of sight that a ping is most about; negative for none. */
   public int line(int ping) {
     return pulls.line(ping);
   }
@@ -51,7 +52,12 @@ public final class SetupMove {
     return open.moved(pulls, echoes);
   }
 
-  /** Returns the same where levels may wander as well. */
+  /**
+   * Returns the same where levels may wander as well.
+   *
+   * @param along what
+   * @param spreadDb how far, standard deviation, decibels
+   */
   public Leeway.Wandered levels(Along along, double spreadDb) {
     return open.wandered(pulls, echoes, along, spreadDb);
   }

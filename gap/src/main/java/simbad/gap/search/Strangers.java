@@ -1,12 +1,12 @@
 package simbad.gap.search;
 
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Collections;
-import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.gap.calibrate.SetupLeave;
@@ -24,8 +24,8 @@ import simbad.sonar.ping.LevelChange;
 import simbad.sonar.ping.PingLog;
 
 /**
- * What has no name among the effects, and happens all the same: echoes whose strength scatters or
- * drifts. Where it does as well in the place of an effect, that effect only stands in for it. Under
+ * What has no name among the effects, and happens all the same: echoes whose strength scatters,
+ * drifts, or changes along something as no effect does. Where it does as well in the place of an effect, that effect only stands in for it. Under
  * the level law alone, which knows how strong an echo is.
  */
 public final class Strangers {
@@ -37,6 +37,7 @@ public final class Strangers {
 
   private final Evidence evidence;
   private final SetupLeave leave;
+  private final double durationS;
   private final List<Form> forms;
 
   /**
@@ -50,7 +51,8 @@ public final class Strangers {
     this.leave = leave;
     PingLog log = evidence.log();
     // Where things are placed one after the other, a drift is what each placement is off by.
-    forms = forms(new Placements(log).areRepeated() ? 0 : log.lastsS());
+    durationS = new Placements(log).areRepeated() ? 0 : log.lastsS();
+    forms = forms(durationS);
   }
 
   private static List<Form> forms(double durationS) {
@@ -100,42 +102,41 @@ public final class Strangers {
    * @param temperature by which nats are divided
    */
   public Found against(Hypothesis named, double worthNats, double temperature) {
-    if (System.getProperty("dev") != null) { dev(named, worthNats, temperature); }
-
-    List<Rival> rivals = new ArrayList<>();
-    for (Form form : forms) {
-      rivals.add(new Rival(named, form, worthNats));
-      for (Effect effect : named.effects()) {
-        double cost = isOfLevels(effect, named) ? worthNats : 0;
-        rivals.add(new Rival(named.without(effect), form, cost));
-      }
-    }
     double own = nats(polished(new Fitter(evidence, Fold.ALL), named));
-    List<Weight> weights =
-        rivals.parallelStream()
-            .map(rival -> rival.fitted(this))
-            .map(fit -> fit.weight(own, temperature))
-            .toList();
-    double sum = weights.stream().mapToDouble(Weight::times).sum();
-    Weight most = Collections.max(weights, Comparator.comparingDouble(Weight::times));
-    return new Found(sum, sum > 1 ? words(most.set) : "");
+    List<Claim> claims = new ArrayList<>();
+    rests(named, worthNats)
+        .forEach(
+            (rest, costNats) -> {
+              forms.parallelStream()
+                  .map(form -> fitted(rest, form))
+                  .map(claim -> claim.less(costNats))
+                  .forEachOrdered(claims::add);
+              wandering(rest).map(claim -> claim.less(costNats)).forEach(claims::add);
+            });
+    double odds = 0;
+    Claim most = new Claim(Double.NEGATIVE_INFINITY, "");
+    for (Claim claim : claims) {
+      odds += Math.exp(Math.min(MOST_NATS, (claim.nats - own) / temperature));
+      most = claim.nats > most.nats ? claim : most;
+    }
+    return new Found(odds, odds > 1 ? most.what : "");
   }
 
-  private void dev(Hypothesis named, double worthNats, double temperature) {
-    double own = nats(polished(new Fitter(evidence, Fold.ALL), named));
-    System.out.printf("DEV named %s own %.1f worth %.1f temperature %.2f%n", named.effects(), own, worthNats, temperature);
-    double duration = new Placements(evidence.log()).areRepeated() ? 0 : evidence.log().lastsS();
-    List<Hypothesis> rests = new ArrayList<>();
-    rests.add(named);
-    for (Effect effect : named.effects()) { rests.add(named.without(effect)); }
-    if (named.effects().size() > 1) { rests.add(Hypothesis.NONE); }
-    for (Hypothesis rest : rests) {
-      double plain = Arrays.stream(evidence.logLikelihood(rest)).sum() + leave.nats(rest) - 0.5 * rest.size();
-      System.out.printf("DEV  rest %s plain %+.1f%n", rest.effects(), plain - own);
-      for (Wandering.Curve curve : new Wandering(leave.leeway().orElseThrow(), evidence, rest, duration).curves()) {
-        System.out.printf("DEV    %+.1f %s%n", curve.nats() - 0.5 * rest.size() - own, curve.what());
-      }
+  /** Something without a name: how likely the log is with it, and what it does. */
+  private record Claim(double nats, String what) {
+    Claim less(double costNats) {
+      return new Claim(nats - costNats, what);
     }
+  }
+
+  /** What may stand beside it of a set of effects, and what it has to gain there. */
+  private static Map<Hypothesis, Double> rests(Hypothesis named, double worthNats) {
+    Map<Hypothesis, Double> rests = new LinkedHashMap<>();
+    rests.put(named, worthNats);
+    for (Effect effect : named.effects()) {
+      rests.put(named.without(effect), isOfLevels(effect, named) ? worthNats : 0);
+    }
+    return rests;
   }
 
   /** Whether an effect is itself a matter of levels: a stranger does all that it does. */
@@ -144,26 +145,22 @@ public final class Strangers {
     return set.forms().get(at).with(set.valuesOf(at)) instanceof LevelChange;
   }
 
-  /** A stranger beside some effects, and what it has to gain. */
-  private record Rival(Hypothesis rest, Form form, double costNats) {
-    Fitted fitted(Strangers log) {
-      double[] start = form.parameters().stream().mapToDouble(p -> p.tries().get(0)).toArray();
-      Hypothesis first = rest.and(form, start);
-      Fitter fitter = new Fitter(log.evidence, Fold.ALL);
-      Fit far = fitter.refine(first, rest.size(), 20 + 20 * start.length);
-      Fit fit = polished(fitter, far.hypothesis());
-      return new Fitted(fit.hypothesis(), log.nats(fit) - costNats);
-    }
+  private Claim fitted(Hypothesis rest, Form form) {
+    double[] start = form.parameters().stream().mapToDouble(p -> p.tries().get(0)).toArray();
+    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    Fit far = fitter.refine(rest.and(form, start), rest.size(), 20 + 20 * start.length);
+    Fit fit = polished(fitter, far.hypothesis());
+    return new Claim(nats(fit), words(fit.hypothesis()));
   }
 
-  private record Fitted(Hypothesis set, double nats) {
-    Weight weight(double own, double temperature) {
-      return new Weight(set, Math.exp(Math.min(MOST_NATS, (nats - own) / temperature)));
-    }
+  private Stream<Claim> wandering(Hypothesis rest) {
+    return leave
+        .leeway()
+        .map(open -> new Wandering(open, evidence, rest, durationS).curves())
+        .orElse(List.of())
+        .stream()
+        .map(curve -> new Claim(curve.nats() - ofValues(rest), curve.what()));
   }
-
-  /** How many times as likely as the named set. */
-  private record Weight(Hypothesis set, double times) {}
 
   /** A table has too many values for it: it stays as it was read off the log. */
   private static Fit polished(Fitter fitter, Hypothesis set) {
@@ -172,7 +169,11 @@ public final class Strangers {
 
   private double nats(Fit fit) {
     Hypothesis set = fit.hypothesis();
-    return fit.logLikelihood() + leave.nats(set) - Probabilities.NATS_PER_VALUE * set.size();
+    return fit.logLikelihood() + leave.nats(set) - ofValues(set);
+  }
+
+  private static double ofValues(Hypothesis set) {
+    return Probabilities.NATS_PER_VALUE * set.size();
   }
 
   private static String words(Hypothesis set) {

@@ -4,11 +4,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.DoubleFunction;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
+import simbad.gap.calibrate.SetupMove;
 import simbad.gap.calibrate.level.Along;
 import simbad.gap.calibrate.level.Leeway;
-import simbad.gap.calibrate.SetupMove;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.ping.Geometry;
@@ -19,14 +20,14 @@ import simbad.sonar.ping.Geometry;
  * approximation (MacKay 1992), so that a curve which could be anything costs what it could be.
  */
 final class Wandering {
-  private static final double[] SPREADS_DB = {2, 6};
+  private static final double[] SPREADS_DB = {2, 5, 12};
 
-  private static final Along.Axis BEARING = Along.Axis.round(7.5, 20);
-  private static final Along.Axis SIDE = Along.Axis.between(-70, 70, 5, 12);
+  private static final Along.Axis BEARING = Along.Axis.round(10, 40);
+  private static final Along.Axis SIDE = Along.Axis.between(-70, 70, 5, 20);
   private static final double DISTANCE_STEP_M = 0.15;
-  private static final double DISTANCE_LENGTH_M = 0.5;
+  private static final double DISTANCE_LENGTH_M = 1;
   private static final int TIMES = 24;
-  private static final double TIME_LENGTH = 0.15;
+  private static final double TIME_LENGTH = 0.3;
 
   private final SetupMove move;
   private final Geometry geometry;
@@ -34,20 +35,18 @@ final class Wandering {
   private final List<Way> ways = new ArrayList<>();
 
   /** Something to wander along, with the words for a place on it. */
-  private record Way(Along along, Along.Axis axis, String words, double unit) {
-    String told(double[] atKnotsDb) {
+  private record Way(Along along, Along.Axis axis, DoubleFunction<String> place) {
+    String words(double[] atKnotsDb) {
       int most = 0;
       for (int i = 0; i < atKnotsDb.length; i++) {
         most = Math.abs(atKnotsDb[i]) > Math.abs(atKnotsDb[most]) ? i : most;
       }
-      double at = axis.at(most % axis.knots()) * unit;
       return String.format(
           Locale.ROOT,
-          "echoes are %s %s, by up to %.0f dB (%s)",
+          "echoes are %s than the set-up says, by up to %.0f dB %s",
           atKnotsDb[most] < 0 ? "weaker" : "stronger",
-          "than the set-up says",
           Math.abs(atKnotsDb[most]),
-          String.format(Locale.ROOT, words, at));
+          place.apply(axis.at(most % axis.knots())));
     }
   }
 
@@ -71,30 +70,38 @@ final class Wandering {
     move = new SetupMove(open, evidence, rest);
     geometry = move.geometry();
     fitted = Arrays.stream(evidence.logLikelihood(rest)).sum();
-    add(BEARING, true, line -> Math.toDegrees(geometry.bearingRad(line)), "most at a bearing of %.0f degrees", 1);
+    add(
+        BEARING,
+        true,
+        line -> Math.toDegrees(geometry.bearingRad(line)),
+        at -> said("at bearings of about %.0f degrees", at));
     add(
         SIDE,
         false,
         line -> Math.toDegrees(geometry.nearestSignedOffAxisRad(line)),
-        "most at %.0f degrees to the left of where the sensor looks",
-        1);
+        at -> said("at about %.0f degrees ", Math.abs(at)) + (at < 0 ? "to the right" : "to the left"));
     double most = evidence.setup().sensor().maxRangeM();
-    Along.Axis distance = Along.Axis.between(0, most, DISTANCE_STEP_M, DISTANCE_LENGTH_M);
-    add(distance, false, geometry::nearestM, "most at a distance of %.1f m", 1);
+    add(
+        Along.Axis.between(0, most, DISTANCE_STEP_M, DISTANCE_LENGTH_M),
+        false,
+        geometry::nearestM,
+        at -> said("at distances of about %.1f m", at));
     if (durationS > 0) {
-      Along.Axis time = Along.Axis.between(0, 1, 1.0 / TIMES, TIME_LENGTH);
       int obstacles = geometry.obstacles();
       add(
-          time,
+          Along.Axis.between(0, 1, 1.0 / TIMES, TIME_LENGTH),
           false,
           line -> geometry.sinceStartS(line / obstacles) / durationS,
-          "most after %.0f s",
-          durationS);
+          at -> said("at about %.0f s after the start", at * durationS));
     }
   }
 
+  private static String said(String words, double value) {
+    return String.format(Locale.ROOT, words, value);
+  }
+
   private void add(
-      Along.Axis axis, boolean byObstacle, IntToDoubleFunction place, String words, double unit) {
+      Along.Axis axis, boolean byObstacle, IntToDoubleFunction place, DoubleFunction<String> words) {
     int pings = geometry.log().size();
     int[] curve = new int[pings];
     double[] at = new double[pings];
@@ -103,10 +110,10 @@ final class Wandering {
       curve[ping] = byObstacle && line >= 0 ? line % geometry.obstacles() : 0;
       at[ping] = line >= 0 ? place.applyAsDouble(line) : Double.NaN;
     }
-    ways.add(new Way(Along.of(axis, curve, at), axis, words, unit));
+    ways.add(new Way(Along.of(axis, curve, at), axis, words));
   }
 
-  /** Returns each way and spread, with what choosing among them costs. */
+  /** Returns what each way and spread comes to; choosing among them costs as well. */
   List<Curve> curves() {
     double choice = Math.log(ways.size() * SPREADS_DB.length);
     return IntStream.range(0, ways.size() * SPREADS_DB.length)
@@ -117,7 +124,7 @@ final class Wandering {
               Leeway.Wandered wandered =
                   move.levels(way.along, SPREADS_DB[i % SPREADS_DB.length]);
               double nats = fitted + move.nats(wandered.moved()) - choice;
-              return new Curve(nats, way.told(wandered.atKnotsDb()));
+              return new Curve(nats, way.words(wandered.atKnotsDb()));
             })
         .toList();
   }

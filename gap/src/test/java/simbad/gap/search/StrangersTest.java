@@ -19,6 +19,9 @@ import simbad.sonar.change.LevelScatter;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.ping.Change;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.ping.LevelChange;
+import simbad.sonar.ping.LevelEars;
 import simbad.sonar.ping.PingLog;
 
 /** Worlds in which something happens that is no effect, and worlds in which nothing of it does. */
@@ -66,6 +69,26 @@ class StrangersTest {
     Strangers.Found none = found(with(new LevelDrift(0, -4, -9, durationS)), Hypothesis.NONE);
     assertTrue(none.share() < 0.1, none::toString);
     assertTrue(none.what().startsWith("the strength of echoes drifts"), none::toString);
+  }
+
+  /** Foam on one side of the post: no effect makes echoes fainter from there alone. */
+  private record SoftSide(double decibels) implements LevelChange {
+    @Override
+    public double addedDb(LevelEars ears, Geometry geometry, int line) {
+      return Math.abs(Math.toDegrees(geometry.bearingRad(line)) - 120) < 35 ? -decibels : 0;
+    }
+  }
+
+  @Test
+  void sideThatAnswersFaintly_isNotNone_norDropout() {
+    Hypothesis truth = with(new SoftSide(12));
+    Strangers.Found none = found(truth, Hypothesis.NONE);
+    assertTrue(none.share() < 0.1, none::toString);
+    assertTrue(
+        none.what().matches("echoes are weaker .* at bearings of about 1[0-4]0 degrees"),
+        none::toString);
+    Strangers.Found dropout = found(truth, Hypothesis.NONE.and(DROPOUT, 0.2));
+    assertTrue(dropout.share() < 0.1, dropout::toString);
   }
 
   /** A drift that stays, and a scatter of nothing about another mean, are gains: no strangers. */
