@@ -17,7 +17,6 @@ import simbad.gap.score.PlacementScatter;
 import simbad.gap.score.Placements;
 import simbad.gap.unexplained.Clumping;
 import simbad.gap.unexplained.Constants;
-import simbad.gap.unexplained.Openness;
 import simbad.gap.unexplained.SetupDoubt;
 import simbad.gap.unexplained.Surprise;
 import simbad.sonar.catalogue.LevelForms;

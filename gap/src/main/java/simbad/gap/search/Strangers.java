@@ -25,8 +25,9 @@ import simbad.sonar.ping.PingLog;
 
 /**
  * What has no name among the effects, and happens all the same: echoes whose strength scatters,
- * drifts, or changes along something as no effect does. Where it does as well in the place of an effect, that effect only stands in for it. Under
- * the level law alone, which knows how strong an echo is.
+ * drifts, or changes along something as no effect does. Where it does as well in the place of an
+ * effect, that effect only stands in for it. Under the level law alone, which knows how strong an
+ * echo is.
  */
 public final class Strangers {
   private static final double MOST_SCATTER_DB = 20;

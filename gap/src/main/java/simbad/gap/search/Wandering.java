@@ -79,7 +79,9 @@ final class Wandering {
         SIDE,
         false,
         line -> Math.toDegrees(geometry.nearestSignedOffAxisRad(line)),
-        at -> said("at about %.0f degrees ", Math.abs(at)) + (at < 0 ? "to the right" : "to the left"));
+        at ->
+            said("at about %.0f degrees ", Math.abs(at))
+                + (at < 0 ? "to the right" : "to the left"));
     double most = evidence.setup().sensor().maxRangeM();
     add(
         Along.Axis.between(0, most, DISTANCE_STEP_M, DISTANCE_LENGTH_M),
@@ -101,7 +103,10 @@ final class Wandering {
   }
 
   private void add(
-      Along.Axis axis, boolean byObstacle, IntToDoubleFunction place, DoubleFunction<String> words) {
+      Along.Axis axis,
+      boolean byObstacle,
+      IntToDoubleFunction place,
+      DoubleFunction<String> words) {
     int pings = geometry.log().size();
     int[] curve = new int[pings];
     double[] at = new double[pings];
@@ -121,8 +126,7 @@ final class Wandering {
         .mapToObj(
             i -> {
               Way way = ways.get(i / SPREADS_DB.length);
-              Leeway.Wandered wandered =
-                  move.levels(way.along, SPREADS_DB[i % SPREADS_DB.length]);
+              Leeway.Wandered wandered = move.levels(way.along, SPREADS_DB[i % SPREADS_DB.length]);
               double nats = fitted + move.nats(wandered.moved()) - choice;
               return new Curve(nats, way.words(wandered.atKnotsDb()));
             })

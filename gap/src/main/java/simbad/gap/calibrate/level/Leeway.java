@@ -169,7 +169,8 @@ public final class Leeway {
    * @param echoes how likely each reading is where its excess is another
    */
   public Moved moved(Pulls pulls, EchoCurves echoes) {
-    LevelMove move = new LevelMove(levelPrecision, rows(pulls, echoes, (ping, pull) -> pull), echoes);
+    LevelMove move =
+        new LevelMove(levelPrecision, rows(pulls, echoes, (ping, pull) -> pull), echoes);
     double nats = move.climb();
     return new Moved(nats, move.shiftsDb());
   }
@@ -200,8 +201,7 @@ public final class Leeway {
    */
   public Wandered wandered(Pulls pulls, EchoCurves echoes, Along along, double spreadDb) {
     int own = levelPrecision.getRowDimension();
-    RealMatrix precision =
-        MatrixUtils.createRealMatrix(own + along.size(), own + along.size());
+    RealMatrix precision = MatrixUtils.createRealMatrix(own + along.size(), own + along.size());
     precision.setSubMatrix(levelPrecision.getData(), 0, 0);
     precision.setSubMatrix(along.precision(spreadDb).getData(), own, own);
     List<LevelMove.Row> rows =
@@ -215,7 +215,8 @@ public final class Leeway {
                     : pull);
     LevelMove both = new LevelMove(precision, rows, echoes);
     double nats = both.climb();
-    LevelMove alone = new LevelMove(levelPrecision, rows(pulls, echoes, (ping, pull) -> pull), echoes);
+    LevelMove alone =
+        new LevelMove(levelPrecision, rows(pulls, echoes, (ping, pull) -> pull), echoes);
     alone.climb();
     // The set-up's own values cost nothing here as they cost nothing where nothing wanders.
     double cost = both.logShare() - alone.logShare();

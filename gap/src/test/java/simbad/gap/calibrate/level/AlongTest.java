@@ -20,8 +20,7 @@ class AlongTest {
   @Test
   void isStraightBetweenKnots_constantBeyond() {
     Along along =
-        Along.of(
-            Along.Axis.between(1, 3, 0.5, 1), new int[5], new double[] {1, 1.75, 0.2, 3, 99});
+        Along.of(Along.Axis.between(1, 3, 0.5, 1), new int[5], new double[] {1, 1.75, 0.2, 3, 99});
     double[] rising = {0, 1, 2, 3, 4, 5};
     double[] told = {0, 1.5, 0, 4, 5};
     for (int ping = 0; ping < told.length; ping++) {
@@ -42,8 +41,7 @@ class AlongTest {
   @Test
   void eachCurveHasKnotsOfItsOwn_andPingsWithoutAPlaceNone() {
     Along along =
-        Along.of(
-            Along.Axis.round(90, 60), new int[] {0, 1, 0}, new double[] {90, 90, Double.NaN});
+        Along.of(Along.Axis.round(90, 60), new int[] {0, 1, 0}, new double[] {90, 90, Double.NaN});
     assertEquals(8, along.size());
     assertEquals(1, along.knot(0));
     assertEquals(5, along.knot(1));
