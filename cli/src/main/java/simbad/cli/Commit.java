@@ -13,6 +13,18 @@ import java.util.List;
  * @param name its hash
  */
 record Commit(Path folder, String name) {
+  /** What the jar is built of, as git takes paths; the launcher looks at the same. */
+  private static final List<String> PROGRAM =
+      List.of(
+          "simbad",
+          "LICENSE",
+          ".mvn",
+          "data",
+          "build-config",
+          "docs/protocol.csv",
+          ":(glob)**/pom.xml",
+          ":(glob)*/src/main/**");
+
   /**
    * The one that is checked out.
    *
@@ -30,6 +42,14 @@ record Commit(Path folder, String name) {
   /** How many files differ from it. */
   long changes() throws IOException, InterruptedException {
     return git(own(folder, "--no-optional-locks", "status", "--porcelain")).lines().count();
+  }
+
+  /** How many of the files that the program is built of differ from it, or are new. */
+  long changesOfProgram() throws IOException, InterruptedException {
+    List<String> words =
+        new ArrayList<>(List.of("--no-optional-locks", "status", "--porcelain", "-uall", "--"));
+    words.addAll(PROGRAM);
+    return git(own(folder, words.toArray(String[]::new))).lines().count();
   }
 
   /** When it was made, as Maven takes a time: UTC. */

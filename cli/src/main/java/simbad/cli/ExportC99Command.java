@@ -112,6 +112,9 @@ final class ExportC99Command extends Subcommand {
     Path folder = Path.of(obstacle);
     SensingSetup setup = SceneFile.read(folder.resolve("scene.json"));
     FittedModel fitted = ModelFile.read(folder.resolve(MODEL), setup);
-    return new SonarHeader(new FoldedDiagnosis(fitted, label), name).text(BuildVersion.text());
+    FoldedDiagnosis folded = new FoldedDiagnosis(fitted, label);
+    return folded.isLevel()
+        ? new LevelHeader(folded, name).text(BuildVersion.text())
+        : new SonarHeader(folded, name).text(BuildVersion.text());
   }
 }

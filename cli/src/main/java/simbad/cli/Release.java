@@ -75,14 +75,14 @@ final class Release {
   }
 
   /**
-   * Writes nothing but simbad.jar into a folder. Where no file differs from the commit it is built
-   * where the project lies, of what is compiled already.
+   * Writes nothing but simbad.jar into a folder. Where no file that it is built of differs from the
+   * commit it is built where the project lies, of what is compiled already.
    *
    * @param folder that is empty
    */
   void writeJar(Path folder) throws IOException, InterruptedException {
     try (TemporaryFolder work = TemporaryFolder.create("simbad-release")) {
-      Path source = changes == 0 ? launcher.project() : clone(work);
+      Path source = commit.changesOfProgram() == 0 ? launcher.project() : clone(work);
       say.accept("building simbad.jar of " + commit.time());
       build(source, work, List.of());
       new ReleaseFiles(source, folder).copy(BUILT_JAR, "simbad.jar");

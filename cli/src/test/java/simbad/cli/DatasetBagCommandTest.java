@@ -176,6 +176,41 @@ class DatasetBagCommandTest {
             : "");
   }
 
+  /** Whoever has both diagnoses either: but for the hashes of the files nothing differs. */
+  @Test
+  void sameLog_asTableAndAsRecording_hasTheSameDiagnosis() throws IOException {
+    Path known = Path.of("../data/gap/angle-against-uniform");
+    Path log = Files.createDirectories(folder.resolve("log"));
+    Path scene = Files.copy(known.resolve("scene.json"), log.resolve("scene.json"));
+    Path table = log.resolve("readings.csv");
+    Files.write(table, Files.readAllLines(known.resolve("readings.csv")).subList(0, 301));
+    Path recording = folder.resolve("recording");
+    assertDone(Shell.simbad("export", "bag", log.toString(), "--out", recording.toString()));
+    String columns =
+        "--run run --time t_s --sensor sensor --x x_m --z z_m --heading heading_deg --range range_m"
+            + " --time-unit s --pose-unit m --angle-unit deg --range-unit m --scene "
+            + scene;
+    String asTable = diagnosis("csv", table, columns.split(" ", -1));
+    assertTrue(asTable.contains("orientation-shadow"), asTable);
+    assertEquals(asTable, diagnosis("bag", recording, "--scene", scene.toString()));
+  }
+
+  private String diagnosis(String kind, Path from, String... options) throws IOException {
+    Path made = Files.createDirectories(folder.resolve(kind)).resolve("log");
+    List<String> words = new ArrayList<>(List.of("dataset", kind, from.toString()));
+    words.addAll(List.of(options));
+    words.addAll(List.of("--out", made.toString()));
+    assertDone(Shell.simbad(words.toArray(String[]::new)));
+    Path out = folder.resolve(kind).resolve("diagnoses");
+    assertDone(Shell.simbad("diagnose", made.toString(), "--out", out.toString()));
+    return Files.readString(out.resolve("log/diagnosis.json"))
+        .replaceAll("\"[0-9a-f]{64}\"", "a hash");
+  }
+
+  private static void assertDone(Shell shell) {
+    assertEquals(0, shell.status(), shell.err());
+  }
+
   @Test
   void contents_areListed() {
     Shell shell = bag(BAGS.resolve("post"), "--list");

@@ -142,6 +142,10 @@ public class Simulator {
 
   /** Does one step. */
   public synchronized void simulateOneStep() {
+    StepListener told = listener;
+    if (told != null) {
+      told.stepping(this);
+    }
     if (!changes.isEmpty()) {
       applyChanges();
     }
@@ -153,7 +157,6 @@ public class Simulator {
       stepping = false;
       unlock();
     }
-    StepListener told = listener;
     if (told != null) {
       told.stepped(this);
     }

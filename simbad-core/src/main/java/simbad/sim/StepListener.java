@@ -11,6 +11,11 @@ public interface StepListener {
    */
   void made(Simulator simulator, World world);
 
+  /** A step is asked for. Called by the thread that is to do it; what it throws prevents it. */
+  default void stepping(Simulator simulator) {
+    // Not of interest to all.
+  }
+
   /** A step was done. Called by the thread that does the steps; what it throws ends them. */
   void stepped(Simulator simulator);
 }

@@ -60,8 +60,18 @@ public final class LevelEars {
 
   /** By how much an obstacle's echo comes from beyond its nearest point, metres. */
   public double addedM(Geometry geometry, int line) {
-    EchoPath known = path[line % path.length];
-    return known == null ? 0 : known.addedM().at(geometry.bearingRad(line));
+    return addedM(line % path.length, geometry.bearingRad(line));
+  }
+
+  /**
+   * Returns the same from any bearing.
+   *
+   * @param obstacle index in the scene
+   * @param bearingRad of the sensor in the obstacle's own frame, in [0, 2 pi]
+   */
+  public double addedM(int obstacle, double bearingRad) {
+    EchoPath known = path[obstacle];
+    return known == null ? 0 : known.addedM().at(bearingRad);
   }
 
   /** How far that may be off, metres. */
@@ -129,7 +139,14 @@ public final class LevelEars {
         - law().lossDb(geometry.centreDistanceM(line));
   }
 
-  private double strengthDb(int obstacle, double bearingRad) {
+  /**
+   * Returns how strongly an obstacle answers, as calibrated or else as believed.
+   *
+   * @param obstacle index in the scene
+   * @param bearingRad of the sensor in the obstacle's own frame, in [0, 2 pi)
+   * @return decibels; negative infinity where nothing ever answers
+   */
+  public double strengthDb(int obstacle, double bearingRad) {
     if (strength[obstacle] != null) {
       return strength[obstacle].strengthDb().strengthDb(bearingRad);
     }

@@ -12,6 +12,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.FixedDecimals;
 
 /**
  * A recording's ranges as a table: when, of which sensor, where it was and looked, what it read.
@@ -169,15 +170,13 @@ public record BagTable(String text, Map<String, List<String>> settings, List<Str
       rows++;
       heights += pose.get().zM();
       String name = names.getOrDefault(key(range), "").replaceAll("[,\"\\s]", "_");
-      text.append(name)
-          .append(
-              String.format(
-                  Locale.ROOT,
-                  ",%.9f,%.6f,%.6f,%.6f,",
-                  (range.stampNs() - startNs) * NS,
-                  pose.get().xM() + 0.0,
-                  pose.get().yM() + 0.0,
-                  Math.toDegrees(pose.get().yawRad())));
+      text.append(name).append(',');
+      FixedDecimals.append(text, (range.stampNs() - startNs) * NS, 9);
+      for (double place :
+          new double[] {pose.get().xM(), pose.get().yM(), Math.toDegrees(pose.get().yawRad())}) {
+        FixedDecimals.append(text.append(','), place, 6);
+      }
+      text.append(',');
       if (range.meaning() == RangeMessage.Meaning.ECHO) {
         text.append(Float.toString(range.rangeM()));
       }

@@ -111,7 +111,9 @@ final class Transforms {
    */
   Optional<Rigid> find(String frame, String in, long timeNs) {
     Rigid pose = Rigid.NONE;
-    for (String at : upwards(frame)) {
+    String at = frame;
+    // A ring of frames, as a broken recording may have, comes to an end, too.
+    for (int depth = 0; at != null && depth < DEEPEST; depth++) {
       if (at.equals(in)) {
         return Optional.of(pose);
       }
@@ -120,6 +122,7 @@ final class Transforms {
         return Optional.empty();
       }
       pose = step.get().times(pose);
+      at = parents.get(at);
     }
     return Optional.empty();
   }

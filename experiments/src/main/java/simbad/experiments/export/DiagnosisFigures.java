@@ -5,9 +5,7 @@ import java.util.Map;
 import simbad.sonar.frame.Placement;
 
 /** The figures of a folded diagnosis in whole numbers; what does not fit is refused by name. */
-@SuppressWarnings("ArrayRecordComponent") // read only
 record DiagnosisFigures(
-    int[] heldMm,
     int atXMm,
     int atZMm,
     int turnedCdeg,
@@ -31,7 +29,6 @@ record DiagnosisFigures(
           "scale of ranges = " + ranges.scale() + ", expected at most 2 in a C99 header");
     }
     return new DiagnosisFigures(
-        HeaderFigures.thresholds(folded.held()),
         millimetres("offset of the obstacle", moved.xM()),
         millimetres("offset of the obstacle", moved.zM()),
         cdeg(moved.turnRad()),

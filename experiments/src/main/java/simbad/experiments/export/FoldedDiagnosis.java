@@ -20,6 +20,7 @@ import simbad.sonar.change.NearClamp;
 import simbad.sonar.change.NoEchoCode;
 import simbad.sonar.change.RangeNoise;
 import simbad.sonar.change.RangeOffset;
+import simbad.sonar.change.SensorScatter;
 import simbad.sonar.change.SoundSpeed;
 import simbad.sonar.change.StaleReading;
 import simbad.sonar.effect.FittedForm;
@@ -60,6 +61,8 @@ public final class FoldedDiagnosis {
   private final FittedModel model;
   private final int index;
   private final Obstacle believed;
+  private final boolean isLevel;
+  private final FoldedLevel levels = new FoldedLevel();
   private final List<Change> geometric = new ArrayList<>();
   private final List<String> leftOut = new ArrayList<>();
   private final List<String> folded = new ArrayList<>();
@@ -87,15 +90,18 @@ public final class FoldedDiagnosis {
           "obstacle '" + label + "' is not one of " + String.join(", ", labels));
     }
     believed = scene.obstacles().get(index);
-    if (model.setup().sensor().law().isLevel()) {
-      throw new IllegalArgumentException("the scene's sensor hears by the level law; " + NO_FORM);
-    }
+    isLevel = model.changes().stream().anyMatch(LevelRule.class::isInstance);
     Stream.concat(model.calibration().stream(), model.effects().stream())
         .sorted(Comparator.comparingInt(FoldedDiagnosis::order))
         .forEach(this::take);
   }
 
   private static final String NO_FORM = "that has no form in C";
+
+  /** Tells whether the sensor hears by the level law: a {@link LevelHeader} holds it. */
+  public boolean isLevel() {
+    return isLevel;
+  }
 
   /** Ranges are scaled before they are shifted. */
   private static int order(FittedForm fitted) {
@@ -104,14 +110,24 @@ public final class FoldedDiagnosis {
 
   private void take(FittedForm fitted) {
     Change change = fitted.change();
-    boolean known = takeGeometric(change) || takeRange(change) || takeMemory(change);
+    boolean known =
+        (isLevel && levels.take(change))
+            || takeGeometric(change)
+            || takeRange(change)
+            || takeMemory(change);
     if (known) {
       folded.add(fitted.form().toString());
     } else if (isScatter(change)) {
       leftOut.add(fitted.form().toString());
     } else {
       throw new IllegalArgumentException(
-          "effect " + fitted.form() + " " + fitted.values() + ": " + NO_FORM);
+          "effect "
+              + fitted.form()
+              + " "
+              + fitted.values()
+              + ": "
+              + NO_FORM
+              + (isLevel ? " where the sensor hears by the level law" : ""));
     }
   }
 
@@ -126,9 +142,7 @@ public final class FoldedDiagnosis {
       return turned.only().isEmpty() || model.sensors().size() == 1;
     }
     boolean geometry =
-        change instanceof SceneChange
-            || (change instanceof SensorChange && !(change instanceof LevelRule))
-            || (change instanceof ThresholdChange && !(change instanceof BeamPattern));
+        change instanceof SceneChange || (isLevel ? isOfScatter(change) : isOfThreshold(change));
     if (geometry) {
       geometric.add(change);
     } else if (change instanceof DeadZone dead) {
@@ -139,6 +153,16 @@ public final class FoldedDiagnosis {
       return false;
     }
     return true;
+  }
+
+  private static boolean isOfThreshold(Change change) {
+    return change instanceof SensorChange
+        || (change instanceof ThresholdChange && !(change instanceof BeamPattern));
+  }
+
+  /** A factor of a threshold is no level; how far it weakens an echo hangs on the distance. */
+  private static boolean isOfScatter(Change change) {
+    return change instanceof SensorScatter;
   }
 
   private boolean takeRange(Change change) {
@@ -161,7 +185,7 @@ public final class FoldedDiagnosis {
   }
 
   private boolean takeMemory(Change change) {
-    if (change instanceof Hysteresis held) {
+    if (change instanceof Hysteresis held && !isLevel) {
       hysteresis = Optional.of(held);
       return true;
     }
@@ -173,6 +197,11 @@ public final class FoldedDiagnosis {
       repeats = (int) Math.floor(((StaleReading) change).pings() + HALF);
     }
     return counted;
+  }
+
+  /** Returns what is heard by the level law. */
+  LevelTarget levelTarget() {
+    return levels.target(model, geometric, index, type(), sensor());
   }
 
   /** Returns the obstacle with the thresholds at which a sensor picks it up. */
@@ -251,7 +280,8 @@ public final class FoldedDiagnosis {
 
   /** Returns the sensor, without scatter. */
   SonarSpec sensor() {
-    SonarSpec changed = Geometry.changedSensor(model.setup().sensor(), geometric);
+    SonarSpec figures = Geometry.changedSensor(model.setup().sensor(), geometric);
+    SonarSpec changed = isLevel ? levels.sensor(figures) : figures;
     return changed.withRange(
         Math.max(changed.minRangeM(), leastM), Math.min(changed.maxRangeM(), mostM));
   }
@@ -261,7 +291,7 @@ public final class FoldedDiagnosis {
   }
 
   double turnRad() {
-    return turnRad;
+    return turnRad + levels.squintRad();
   }
 
   int repeats() {

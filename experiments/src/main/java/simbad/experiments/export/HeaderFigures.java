@@ -34,29 +34,43 @@ record HeaderFigures(
     Outline outline = type.outline();
     atMost("bearings of the table", table.size(), MOST_BEARINGS);
     atMost("greatest threshold in metres", table.greatestM(), MOST_M);
-    atMost("corners of the outline", outline.size(), MOST_CORNERS);
-    atMost("reach of the outline in metres", outline.reachM(0, 0), MOST_REACH_M);
-    atMost("max_range_m", sensor.maxRangeM(), MOST_M);
+    requireFit(outline, sensor);
     if (sensor.coneHalfAngleRad() >= MOST_CONE_RAD) {
       throw new IllegalArgumentException(
           "cone_half_angle_deg = "
               + Math.toDegrees(sensor.coneHalfAngleRad())
               + " is not below 90, which the header's cone needs");
     }
-    // As in the table, the first stands again at the end.
+    return new HeaderFigures(
+        thresholds(table),
+        corners(outline),
+        (int) Math.rint(IntegerSonar.ONE * Math.sin(sensor.coneHalfAngleRad())),
+        (int) Math.rint(IntegerSonar.ONE * Math.cos(sensor.coneHalfAngleRad())),
+        halves(sensor.minRangeM()),
+        halves(sensor.maxRangeM()));
+  }
+
+  /** Refuses what no header can hold of an outline and of a sensor's ranges, by its name. */
+  static void requireFit(Outline outline, SonarSpec sensor) {
+    atMost("corners of the outline", outline.size(), MOST_CORNERS);
+    atMost("reach of the outline in metres", outline.reachM(0, 0), MOST_REACH_M);
+    atMost("max_range_m", sensor.maxRangeM(), MOST_M);
+  }
+
+  /** As in the table, the first stands again at the end; halves of a millimetre. */
+  static int[] corners(Outline outline) {
     int[] corner = new int[2 * outline.size() + 2];
     for (int i = 0; i <= outline.size(); i++) {
       int at = i % outline.size();
-      corner[2 * i] = (int) Math.rint(2000 * outline.xM(at));
-      corner[2 * i + 1] = (int) Math.rint(2000 * outline.zM(at));
+      corner[2 * i] = halves(outline.xM(at));
+      corner[2 * i + 1] = halves(outline.zM(at));
     }
-    return new HeaderFigures(
-        thresholds(table),
-        corner,
-        (int) Math.rint(IntegerSonar.ONE * Math.sin(sensor.coneHalfAngleRad())),
-        (int) Math.rint(IntegerSonar.ONE * Math.cos(sensor.coneHalfAngleRad())),
-        (int) Math.rint(2000 * sensor.minRangeM()),
-        (int) Math.rint(2000 * sensor.maxRangeM()));
+    return corner;
+  }
+
+  /** Halves of a millimetre. */
+  static int halves(double metres) {
+    return (int) Math.rint(2000 * metres);
   }
 
   static int[] thresholds(ThresholdTable table) {

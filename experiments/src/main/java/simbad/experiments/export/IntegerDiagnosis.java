@@ -7,13 +7,13 @@ package simbad.experiments.export;
 public final class IntegerDiagnosis {
   private static final int HALF_TURN_CDEG = 18_000;
 
-  private final IntegerSonar sonar;
+  private final IntegerReader sonar;
   private final DiagnosisFigures figures;
   private int lastMm;
   private int repeats;
   private boolean heard;
 
-  IntegerDiagnosis(IntegerSonar sonar, DiagnosisFigures figures) {
+  IntegerDiagnosis(IntegerReader sonar, DiagnosisFigures figures) {
     this.sonar = sonar;
     this.figures = figures;
   }
@@ -42,10 +42,7 @@ public final class IntegerDiagnosis {
       heading = whole(heading - figures.turnedCdeg());
     }
     heading = whole(heading + figures.turnCdeg());
-    int mm =
-        heard
-            ? sonar.readMm(figures.heldMm(), place[0], place[1], heading)
-            : sonar.readMm(place[0], place[1], heading);
+    int mm = sonar.readMm(heard, place[0], place[1], heading);
     heard = mm != IntegerSonar.NO_ECHO || figures.codeMm() >= 0;
     if (heard) {
       lastMm = mm == IntegerSonar.NO_ECHO ? figures.codeMm() : figures.reportedMm(mm);

@@ -4,7 +4,7 @@ package simbad.experiments.export;
  * The level model before one obstacle in whole numbers, as the exported C99 header computes it, bit
  * for bit: hundredths of a decibel, millimetres, hundredths of a degree. Immutable.
  */
-public final class IntegerLevel {
+public final class IntegerLevel implements IntegerReader {
   private static final int[] TANGENTS = {
     8192, 4836, 2555, 1297, 651, 326, 163, 81, 41, 20, 10, 5, 3, 1
   };
@@ -67,7 +67,24 @@ public final class IntegerLevel {
     }
     int cell = Math.min(excess >> 8, figures.walkHalf().length - 2);
     int rest = Math.min(255, excess - cell * 256);
-    return (halves + between(figures.walkHalf(), cell, rest, 8) + 1) / 2;
+    int range = way(xMm, zMm, halves) + between(figures.walkHalf(), cell, rest, 8);
+    return range > 0 ? (range + 1) / 2 : 0;
+  }
+
+  /** By the level law an answer does not hang on the ping before. */
+  @Override
+  public int readMm(boolean heardBefore, int xMm, int zMm, int headingCdeg) {
+    return readMm(xMm, zMm, headingCdeg);
+  }
+
+  /** What is read of a distance before the walk, halves of a millimetre. */
+  private int way(int xMm, int zMm, int halves) {
+    if (figures.wayHalf().length == 0) {
+      return halves;
+    }
+    int cells = angleOf(2 * zMm, 2 * xMm) * (figures.wayHalf().length - 1);
+    return ((halves * figures.scale() + IntegerSonar.ONE / 2) >> 14)
+        + between(figures.wayHalf(), cells >> 16, (cells >> 8) & 255, 8);
   }
 
   private int excessCdb(int xMm, int zMm, int heading, int[] nearest) {

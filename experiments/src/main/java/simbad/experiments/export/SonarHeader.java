@@ -14,7 +14,6 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import simbad.obstacles.ObstacleType;
-import simbad.sonar.frame.Placement;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.shape.Outline;
 
@@ -25,8 +24,6 @@ import simbad.sonar.shape.Outline;
 public final class SonarHeader {
   private static final String TEMPLATE = "sonar.h.txt";
   static final String BASE = "base.h.txt";
-  private static final String DIAGNOSIS = "diagnosis.h.txt";
-  private static final String DIAGNOSIS_IN_FLOATS = "diagnosis-m.h.txt";
   private static final Pattern NAME = Pattern.compile("[a-z][a-z0-9_]{0,30}");
   private static final Pattern TOKEN = Pattern.compile("@(\\w+)@");
   private static final int PER_LINE = 12;
@@ -76,7 +73,13 @@ public final class SonarHeader {
    * @throws java.util.NoSuchElementException for a header without a diagnosis
    */
   public IntegerDiagnosis diagnosisInIntegers() {
-    return new IntegerDiagnosis(inIntegers(), DiagnosisFigures.of(diagnosis.orElseThrow()));
+    FoldedDiagnosis folded = diagnosis.orElseThrow();
+    IntegerSonar sonar = inIntegers();
+    int[] heldMm = HeaderFigures.thresholds(folded.held());
+    return new IntegerDiagnosis(
+        (heard, x, z, heading) ->
+            heard ? sonar.readMm(heldMm, x, z, heading) : sonar.readMm(x, z, heading),
+        DiagnosisFigures.of(folded));
   }
 
   static void requireName(String name) {
@@ -132,40 +135,17 @@ public final class SonarHeader {
   }
 
   private void diagnosed(FoldedDiagnosis folded, Map<String, String> values) {
-    values.putAll(DiagnosisFigures.of(folded).words(name));
     values.put("held_mm", lines(HeaderFigures.thresholds(folded.held())));
     double[] held = folded.held().valuesM();
     values.put("held_m", lines(held.length, i -> number(held[i])));
-    RangeFigures ranges = folded.ranges();
-    values.put("scale_m", number(ranges.scale()));
-    values.put("offset_m", number(ranges.offsetM()));
-    values.put("clamp_m", number(ranges.clampM()));
-    values.put("step_m", number(ranges.stepM()));
-    values.put("from_share", number(ranges.fromHalves() / 2.0));
-    values.put("report_share", number(ranges.reportHalves() / 2.0));
-    values.put("code_m", number(ranges.codeM()));
-    Placement moved = folded.moved();
-    values.put("at_x_m", number(moved.xM()));
-    values.put("at_z_m", number(moved.zM()));
-    values.put("turned_cos", number(Math.cos(moved.turnRad())));
-    values.put("turned_sin", number(Math.sin(moved.turnRad())));
-    values.put("turned_rad", number(moved.turnRad()));
-    values.put("turn_rad", number(folded.turnRad()));
-    values.put("effects", effects(folded));
-    values.put("diagnosis", filled(DIAGNOSIS, values));
-    values.put("diagnosis_m", filled(DIAGNOSIS_IN_FLOATS, values));
-  }
-
-  /** What a diagnosis found, for the comment. */
-  private String effects(FoldedDiagnosis folded) {
-    String in = folded.folded().isEmpty() ? "none" : String.join(", ", folded.folded());
-    String out = folded.leftOut().isEmpty() ? "none" : String.join(", ", folded.leftOut());
-    return line(" * Of a diagnosis; folded in: " + in + "; only scatter, left out: " + out + ".")
-        + "\n * "
-        + name
-        + "_read_next reads with all of them; what it remembers is in "
-        + name
-        + "_memory.\n *\n";
+    values.put("held", filled("held.h.txt", values));
+    values.put("held_in_floats", filled("held-m.h.txt", values));
+    values.put(
+        "hear",
+        name + "_hear(memory->heard ? " + name + "_held_mm : " + name + "_threshold_mm, own)");
+    values.put(
+        "hear_m", name + "_hear_m(memory->heard ? " + name + "_held_m : " + name + "_threshold_m,");
+    DiagnosisWords.put(folded, name, values);
   }
 
   private void whole(Map<String, String> values) {
@@ -204,7 +184,7 @@ public final class SonarHeader {
   }
 
   /** Nothing may end the comment or begin a line. */
-  private static String line(String text) {
+  static String line(String text) {
     return text.replaceAll("[^\\x20-\\x7e]+", " ").replace("*/", "* /").replace("/*", "/ *");
   }
 

@@ -33,12 +33,16 @@ final class ClassRewriter {
           "java/util/Collections.shuffle(Ljava/util/List;)V", "shuffle",
           "java/lang/System.exit(I)V", "exit");
 
-  /** Those that have one without a window, where time goes with the steps. */
+  /** Those that have one without a window, where time and events go with the steps. */
   private static final Map<String, String> HEADLESS =
       Map.of(
           "java/lang/Thread.sleep(J)V", "sleep",
           "java/lang/System.currentTimeMillis()J", "currentTimeMillis",
-          "java/lang/System.nanoTime()J", "nanoTime");
+          "java/lang/System.nanoTime()J", "nanoTime",
+          "javax/swing/SwingUtilities.invokeLater(Ljava/lang/Runnable;)V", "invokeLater",
+          "java/awt/EventQueue.invokeLater(Ljava/lang/Runnable;)V", "invokeLater",
+          "javax/swing/SwingUtilities.invokeAndWait(Ljava/lang/Runnable;)V", "invokeAndWait",
+          "java/awt/EventQueue.invokeAndWait(Ljava/lang/Runnable;)V", "invokeAndWait");
 
   /** Methods of objects, whose stand-ins are static and get the object first. */
   private static final Map<String, String> OF_OBJECTS =

@@ -77,12 +77,14 @@ public final class PoseTrace {
     return text.toString().replace("\r\n", "\n");
   }
 
-  /** Says at which step two traces part, and by how much they differ at their end. */
+  /** Says at which step two traces part, how far they come apart, and how far they end. */
   public String comparedTo(PoseTrace other) {
     int common = Math.min(rows.size(), other.rows.size());
+    String parting = "";
+    double widest = 0;
+    Row widestAt = null;
     double last = 0;
     long lastStep = -1;
-    String parting = "";
     for (int i = 0; i < common; i++) {
       Row one = rows.get(i);
       Row two = other.rows.get(i);
@@ -95,14 +97,26 @@ public final class PoseTrace {
             String.format(
                 Locale.ROOT, "they part at step %d: %s by %.3g", one.step, one.agent, difference);
       }
+      if (difference > widest) {
+        widest = difference;
+        widestAt = one;
+      }
       last = one.step == lastStep ? Math.max(last, difference) : difference;
       lastStep = one.step;
     }
-    if (parting.isEmpty()) {
+    if (widestAt == null || parting.isEmpty()) {
       boolean even = rows.size() == other.rows.size();
       return even ? "all poses agree to 1e-6" : "one ends after step " + lastStep;
     }
-    return parting
-        + String.format(Locale.ROOT, ", after step %d by %.3g (m or rad)", lastStep, last);
+    String end = last > SAME ? String.format(Locale.ROOT, "by %.3g", last) : "not at all";
+    return String.format(
+        Locale.ROOT,
+        "%s, furthest at step %d: %s by %.3g, after step %d %s (m or rad)",
+        parting,
+        widestAt.step,
+        widestAt.agent,
+        widest,
+        lastStep,
+        end);
   }
 }

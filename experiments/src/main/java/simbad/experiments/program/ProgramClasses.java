@@ -51,6 +51,10 @@ record ProgramClasses(
       if (!Files.exists(library)) {
         throw DataFormatException.inFile(library, "no such jar or folder");
       }
+      if (Files.exists(program) && Files.isSameFile(program, library)) {
+        // The program itself, as in java -cp .; its classes are read below.
+        continue;
+      }
       (isOfSources(library) ? sources : compiled).add(library);
     }
     String mainOfJar = "";

@@ -7,8 +7,10 @@ import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
@@ -30,6 +32,7 @@ import simbad.sim.World;
 public final class ProgramRun implements StepListener {
   private static final long PATIENCE_S = 10;
   private static final int STEPS_PER_S = 20;
+  private static final long LOOK_MS = 10;
 
   private static volatile @Nullable ProgramRun current;
 
@@ -42,6 +45,7 @@ public final class ProgramRun implements StepListener {
   private final Set<Simulator> stopped = ConcurrentHashMap.newKeySet();
   private final Set<Compatibility> touched = EnumSet.noneOf(Compatibility.class);
   private final @Nullable Pictures pictures;
+  private final Queue<Runnable> events = new ConcurrentLinkedQueue<>();
   private volatile @Nullable Thread main;
 
   private ProgramRun(RunPlan plan, @Nullable Pictures pictures) {
@@ -94,6 +98,31 @@ public final class ProgramRun implements StepListener {
     }
   }
 
+  /** The program wants something done by the thread of its windows, which is that of its steps. */
+  static void later(Runnable event) {
+    ProgramRun run = current;
+    if (run != null) {
+      run.events.add(event);
+    }
+  }
+
+  /** Does what the program wanted done later, in the order in which it did. */
+  static void doEvents() {
+    ProgramRun run = current;
+    if (run != null) {
+      run.drain();
+    }
+  }
+
+  /** An event may bring forth others, as a window does that asks for its repainting. */
+  private void drain() {
+    Runnable event = events.poll();
+    while (event != null) {
+      event.run();
+      event = events.poll();
+    }
+  }
+
   /** The program stopped a simulation: it gets no more steps unless it is started again. */
   static void stopped(Simulator simulator) {
     ProgramRun run = current;
@@ -109,8 +138,15 @@ public final class ProgramRun implements StepListener {
    */
   static boolean stepFor(long millis) {
     ProgramRun run = current;
-    if (run == null || Thread.currentThread() != run.main || run.shown.isEmpty()) {
+    if (run == null || Thread.currentThread() != run.main) {
       return false;
+    }
+    run.drain();
+    if (run.shown.isEmpty()) {
+      return false;
+    }
+    if (run.shown.stream().allMatch(simulator -> run.done(simulator) >= run.plan.steps())) {
+      throw new ProgramEnd();
     }
     long due = (millis * STEPS_PER_S + 999) / 1000;
     StandIns.setStepping(true);
@@ -127,7 +163,8 @@ public final class ProgramRun implements StepListener {
   private void runMain() throws ProgramException {
     ProgramLoader loader = new ProgramLoader(plan.classes(), true);
     Throwable[] fault = new Throwable[1];
-    Thread thread = new Thread(() -> fault[0] = faultOfMain(loader), "program");
+    ThreadGroup group = new ThreadGroup("program");
+    Thread thread = new Thread(group, () -> fault[0] = faultOfMain(loader), "program");
     main = thread;
     thread.setDaemon(true);
     thread.setContextClassLoader(loader);
@@ -139,12 +176,21 @@ public final class ProgramRun implements StepListener {
           break;
         }
       }
+      awaitWorld(group);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new ProgramException("interrupted", e);
     }
     if (fault[0] != null) {
       throw ProgramException.of(plan.mainClass(), fault[0]);
+    }
+  }
+
+  /** A main may leave it to a thread of its own to make the world. */
+  private void awaitWorld(ThreadGroup group) throws InterruptedException {
+    long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
+    while (numbers.isEmpty() && group.activeCount() > 0 && System.nanoTime() < end) {
+      Thread.sleep(LOOK_MS);
     }
   }
 
@@ -155,6 +201,7 @@ public final class ProgramRun implements StepListener {
         var main = type.getMethod("main", String[].class);
         main.setAccessible(true);
         main.invoke(null, (Object) plan.arguments().toArray(String[]::new));
+        drain();
       } else {
         var constructor = type.getDeclaredConstructor();
         constructor.setAccessible(true);
@@ -165,7 +212,7 @@ public final class ProgramRun implements StepListener {
       return e.getCause() instanceof ProgramEnd ? null : e.getCause();
     } catch (ProgramEnd e) {
       return null;
-    } catch (ReflectiveOperationException | LinkageError | RuntimeException e) {
+    } catch (ReflectiveOperationException | Error | RuntimeException e) {
       return e;
     }
   }
@@ -193,6 +240,7 @@ public final class ProgramRun implements StepListener {
     }
     while (done(simulator) < until && !stopped.contains(simulator)) {
       simulator.simulateOneStep();
+      drain();
     }
   }
 
@@ -206,6 +254,14 @@ public final class ProgramRun implements StepListener {
     record(simulator, 0);
   }
 
+  /** Ends a program that steps by itself when it asks for one step too many. */
+  @Override
+  public void stepping(Simulator simulator) {
+    if (done(simulator) >= plan.steps()) {
+      throw new ProgramEnd();
+    }
+  }
+
   @Override
   public void stepped(Simulator simulator) {
     long step = done(simulator) + 1;
@@ -213,9 +269,6 @@ public final class ProgramRun implements StepListener {
     StandIns.pass(TimeUnit.SECONDS.toNanos(1) / STEPS_PER_S);
     record(simulator, step);
     note(simulator);
-    if (step >= plan.steps()) {
-      throw new ProgramEnd();
-    }
   }
 
   private void record(Simulator simulator, long step) {

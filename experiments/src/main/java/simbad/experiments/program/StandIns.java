@@ -84,6 +84,20 @@ public final class StandIns {
     }
   }
 
+  /**
+   * Stands in for {@code SwingUtilities.invokeLater} and that of the event queue: it is done when
+   * the program's main ends or sleeps, or after the step.
+   */
+  public static void invokeLater(Runnable event) {
+    ProgramRun.later(event);
+  }
+
+  /** Stands in for {@code invokeAndWait}: what was to come later comes before. */
+  public static void invokeAndWait(Runnable event) {
+    ProgramRun.later(event);
+    ProgramRun.doEvents();
+  }
+
   /** Stands in for {@code Simulator.startSimulation}: steps come when the main ends or sleeps. */
   public static void start(Simulator simulator) {
     ProgramRun.started(simulator);

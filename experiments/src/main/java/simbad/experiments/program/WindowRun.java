@@ -1,12 +1,20 @@
 package simbad.experiments.program;
 
+import java.awt.EventQueue;
 import java.lang.reflect.InvocationTargetException;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 import simbad.gui.Simbad;
 import simbad.sim.Compatibility;
 import simbad.sim.EnvironmentDescription;
 
 /** Runs a program with the window that it opens. */
 public final class WindowRun {
+  /** So long a thread of the program may take until its window is there. */
+  private static final long PATIENCE_S = 10;
+
+  private static final long LOOK_MS = 50;
+
   private WindowRun() {}
 
   /**
@@ -27,7 +35,7 @@ public final class WindowRun {
       } else {
         new Simbad((EnvironmentDescription) type.getDeclaredConstructor().newInstance(), false);
       }
-      Simbad window = Simbad.getSimbadInstance();
+      Simbad window = awaitWindow(loader);
       if (window != null) {
         window.awaitClosed();
       }
@@ -38,5 +46,33 @@ public final class WindowRun {
     } catch (ReflectiveOperationException | LinkageError | InterruptedException e) {
       throw ProgramException.of(plan.mainClass(), e);
     }
+  }
+
+  /** A main may leave its window to the event thread, as Swing wants it, or to one of its own. */
+  private static @Nullable Simbad awaitWindow(ClassLoader loader)
+      throws InterruptedException, InvocationTargetException {
+    long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
+    Simbad window = Simbad.getSimbadInstance();
+    while (window == null) {
+      // What is in the queue now is done when this is.
+      EventQueue.invokeAndWait(() -> {});
+      boolean mayCome = System.nanoTime() < end && isAtWork(loader);
+      window = Simbad.getSimbadInstance();
+      if (!mayCome) {
+        break;
+      }
+      Thread.sleep(LOOK_MS);
+    }
+    return window;
+  }
+
+  /** Whether a thread that the program started is there; they have its loader from its main. */
+  private static boolean isAtWork(ClassLoader loader) {
+    return Thread.getAllStackTraces().keySet().stream()
+        .anyMatch(
+            thread ->
+                thread.getContextClassLoader() == loader
+                    && thread != Thread.currentThread()
+                    && !thread.isDaemon());
   }
 }

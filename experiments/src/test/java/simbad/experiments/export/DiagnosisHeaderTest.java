@@ -38,28 +38,6 @@ class DiagnosisHeaderTest {
   private static final List<String> SENSORS = List.of("front");
   private static final double NO_ECHO_M = 6;
 
-  private static final String READ_ALL =
-      """
-      #include <stdio.h>
-      #include "sonar.h"
-      int main(void) {
-        int x, z;
-        long h;
-        sonar_memory whole = {0, 0, 0};
-        sonar_memory_m metres = {0, 0, 0};
-        while (scanf("%d %d %ld", &x, &z, &h) == 3) {
-          sonar_pose at;
-          at.x_mm = (int16_t)x;
-          at.z_mm = (int16_t)z;
-          at.heading_cdeg = (int16_t)h;
-          printf("%d %.6f\\n", sonar_read_next(&whole, at),
-              (double)sonar_read_next_m(&metres, (float)x / 1000, (float)z / 1000,
-                  (float)((double)h * 1.7453292519943e-4)));
-        }
-        return 0;
-      }
-      """;
-
   @TempDir private Path folder = Path.of("");
 
   private static SensingSetup setup() {
@@ -114,7 +92,7 @@ class DiagnosisHeaderTest {
       throws Exception {
     SonarHeader header = new SonarHeader(new FoldedDiagnosis(model, ""), "sonar");
     Files.writeString(folder.resolve("sonar.h"), header.text("test"));
-    Files.writeString(folder.resolve("main.c"), READ_ALL);
+    Files.writeString(folder.resolve("main.c"), HeaderPoses.READ_NEXT_OF_ALL);
     String trap = compiler.equals("clang") ? "-fsanitize-trap=undefined" : "-fno-sanitize-recover";
     Compilers.run(
         folder,

@@ -179,6 +179,125 @@ class ProgramRunTest {
     assertEquals(143, last.xM(), 1e-9);
   }
 
+  /** As programs do that keep to Swing's rules; what an event asks for later comes after it. */
+  @Test
+  void eventsOfTheWindow_areDone_whenTheMainHasEnded_andAfterSteps()
+      throws IOException, DataFormatException, ProgramException {
+    PoseTrace.Row last =
+        lastRow(
+            "Late",
+            """
+            public class Late {
+              static String order = "";
+              public static void main(String[] args) throws Exception {
+                SwingUtilities.invokeLater(() -> {
+                  order += "b";
+                  EventQueue.invokeLater(() -> order += "d");
+                  Driver driver = new Driver() {
+                    public void performBehavior() {
+                      super.performBehavior();
+                      if (getCounter() == 10) {
+                        SwingUtilities.invokeLater(() -> moveToPosition(order.equals("abcd") ? 50 : 0, 0));
+                        moveToPosition(-50, 0);
+                      }
+                    }
+                  };
+                  new Simbad(Driver.world(driver), false);
+                  order += "c";
+                });
+                order += "a";
+              }
+            }
+            """);
+    assertEquals(100, last.step());
+    // 100 steps of 5 cm, of which the first eleven end at x = 50.
+    assertEquals(50 + 89 * 0.05, last.xM(), 1e-9);
+  }
+
+  @Test
+  void worldThatAThreadMakes_isStepped() throws Exception {
+    PoseTrace.Row last =
+        lastRow(
+            "Threaded",
+            """
+            public class Threaded {
+              public static void main(String[] args) {
+                new Thread(() -> {
+                  try { Thread.sleep(200); } catch (InterruptedException e) { return; }
+                  new Simbad(Driver.world(new Driver()), false);
+                }).start();
+              }
+            }
+            """);
+    assertEquals(100, last.step());
+  }
+
+  /** It says what came out after its last step, in each of its worlds. */
+  @Test
+  void batchProgram_goesOnAfterItsLastStep() throws Exception {
+    Path program =
+        sources(
+            "Batch",
+            """
+            public class Batch {
+              public static void main(String[] args) {
+                for (int world = 0; world < 3; world++) {
+                  Driver driver = new Driver();
+                  Simbatch batch = new Simbatch(Driver.world(driver), false);
+                  batch.reset();
+                  for (int i = 0; i < 100; i++) batch.step();
+                }
+              }
+            }
+            """);
+    ProgramRun run = run(program, List.of(), 1);
+    assertEquals(3, run.worlds());
+    assertEquals(300, run.steps());
+  }
+
+  /** As in {@code java -cp .}. */
+  @Test
+  void programThatIsOnItsOwnClassPath_isReadOnce() throws Exception {
+    Path program =
+        sources(
+            "Own",
+            """
+            public class Own {
+              public static void main(String[] args) {
+                new Simbad(Driver.world(new Driver()), false);
+              }
+            }
+            """);
+    assertEquals(100, run(program, List.of(program), 1).steps());
+  }
+
+  @Test
+  void comparison_saysWhereTheyPart_andHowFar() throws Exception {
+    String text =
+        """
+        public class Away {
+          public static void main(String[] args) {
+            new Simbad(Driver.world(new Driver() {
+              public void performBehavior() {
+                boolean away = args.length > 0 && getCounter() >= 20 && getCounter() < 40;
+                setTranslationalVelocity(away ? (getCounter() < 30 ? 3 : -1) : 1);
+              }
+            }), false);
+          }
+        }
+        """;
+    Path program = sources("Away", text);
+    ProgramFile file = ProgramFile.read(program, List.of(), errors::add);
+    RunPlan.Settings settings = new RunPlan.Settings("", 100, 1, true);
+    PoseTrace plain = ProgramRun.run(file.plan(null, List.of(), settings), null).trace();
+    PoseTrace away = ProgramRun.run(file.plan(null, List.of("x"), settings), null).trace();
+    assertEquals("all poses agree to 1e-6", plain.comparedTo(plain));
+    assertEquals(
+        "they part at step 21: driver by 0.100, furthest at step 30: driver by 1.00,"
+            + " after step 100 not at all (m or rad)",
+        plain.comparedTo(away));
+  }
+
   @Test
   void clockAndChance_followFromTheSeed_inLibrariesToo() throws Exception {
     Path library = Files.createDirectories(folder.resolve("lib"));
