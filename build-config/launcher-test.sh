@@ -93,7 +93,7 @@ done
 # Another account cannot write what the agent measures.
 agent=()
 [[ -z "$agent" || \$EUID != $EUID ]] || agent=("$agent")
-exec "$real_java/bin/java" "\${agent[@]}" -XX:TieredStopAtLevel=1 "\${options[@]}" -cp "$real_classes" simbad.cli.Main "\${@:3}"
+exec "$real_java/bin/java" "\${agent[@]}" -XX:+UseSerialGC -XX:TieredStopAtLevel=1 "\${options[@]}" -cp "$real_classes" simbad.cli.Main "\${@:3}"
 END
 }
 

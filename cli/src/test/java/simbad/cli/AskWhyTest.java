@@ -29,11 +29,7 @@ class AskWhyTest {
     Path source = Files.writeString(folder.resolve("AskWhy.java"), code);
     Process process =
         new ProcessBuilder(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-cp",
-                System.getProperty("java.class.path"),
-                source.toString(),
-                "../data/gap/angle-against-uniform")
+                SimbadProcess.java(source.toString(), "../data/gap/angle-against-uniform"))
             .redirectErrorStream(true)
             .start();
     process.getOutputStream().close();

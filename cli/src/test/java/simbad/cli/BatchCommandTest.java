@@ -83,24 +83,17 @@ class BatchCommandTest {
   }
 
   private Process start(String out, String before) throws IOException {
-    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-    ProcessBuilder process =
-        new ProcessBuilder(
-            "bash",
-            "-c",
-            before + "exec \"$@\"",
-            "bash",
-            java,
+    List<String> command = new ArrayList<>(List.of("bash", "-c", before + "exec \"$@\"", "bash"));
+    command.addAll(
+        SimbadProcess.java(
             "-XX:-UsePerfData",
             "-Djava.awt.headless=true",
-            "-cp",
-            System.getProperty("java.class.path"),
             Main.class.getName(),
             "batch",
             spec.toString(),
             "--out",
-            folder.resolve(out).toString());
-    return process.redirectErrorStream(true).start();
+            folder.resolve(out).toString()));
+    return new ProcessBuilder(command).redirectErrorStream(true).start();
   }
 
   /** Starts a process that stops before its 13th run. */

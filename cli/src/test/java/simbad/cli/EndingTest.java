@@ -7,7 +7,6 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -65,12 +64,7 @@ class EndingTest {
 
   private static List<String> said(String way) throws Exception {
     Process process =
-        new ProcessBuilder(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-cp",
-                System.getProperty("java.class.path"),
-                Released.class.getName(),
-                way)
+        new ProcessBuilder(SimbadProcess.java(Released.class.getName(), way))
             .redirectErrorStream(true)
             .start();
     try (BufferedReader output = process.inputReader()) {

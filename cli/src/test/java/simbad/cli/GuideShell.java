@@ -79,6 +79,7 @@ final class GuideShell implements AutoCloseable {
 
   private Process start() throws IOException {
     List<String> command = new ArrayList<>(List.of(tool("java"), "-Djava.awt.headless=true"));
+    command.addAll(List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1"));
     command.addAll(List.of("-Dsimbad.home=" + PROJECT.toRealPath(), "-cp", classPath()));
     command.add(GuideTypist.class.getName());
     ProcessBuilder builder = builder(command).redirectError(Redirect.INHERIT);

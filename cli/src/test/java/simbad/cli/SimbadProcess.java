@@ -9,16 +9,28 @@ import java.util.stream.Stream;
 
 /** The real program in a process of its own, that can be killed. */
 record SimbadProcess(Process process, Path out, Path err) {
-  /** The words that start it. */
-  static List<String> command(String... arguments) {
+  /**
+   * This Java with the classes of the tests, and what is cheapest for a short life: one collector,
+   * and the first compiler alone. More words follow.
+   */
+  static List<String> java(String... words) {
     return Stream.concat(
             Stream.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:+UseSerialGC",
                 "-XX:TieredStopAtLevel=1",
                 "-cp",
-                System.getProperty("java.class.path"),
-                "-Dsimbad.home=" + Path.of("..").toAbsolutePath().normalize(),
-                Main.class.getName()),
+                System.getProperty("java.class.path")),
+            Stream.of(words))
+        .toList();
+  }
+
+  /** The words that start it. */
+  static List<String> command(String... arguments) {
+    return Stream.concat(
+            java(
+                "-Dsimbad.home=" + Path.of("..").toAbsolutePath().normalize(), Main.class.getName())
+                .stream(),
             Stream.of(arguments))
         .toList();
   }

@@ -109,11 +109,7 @@ class StagedDirectoryTest {
 
   private Process endless() throws IOException {
     return new ProcessBuilder(
-            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-cp",
-            System.getProperty("java.class.path"),
-            Endless.class.getName(),
-            parent.resolve("out").toString())
+            SimbadProcess.java(Endless.class.getName(), parent.resolve("out").toString()))
         .redirectError(ProcessBuilder.Redirect.INHERIT)
         .start();
   }
