@@ -231,8 +231,7 @@ final class DiagnoseCommand extends Subcommand {
     Path target = out.resolve(source.name());
     DataSet data = source.read();
     MotionFolder drive = new MotionFolder(folder);
-    JointFiles.Log log =
-        new JointFiles.Log(data, drive.read(source.name()), MotionAudit.of(drive));
+    JointFiles.Log log = new JointFiles.Log(data, drive.read(source.name()), MotionAudit.of(drive));
     List<AuditFinding> heard = Audit.of(data.setup(), data.readings(), data.reference());
     List<AuditFinding> audit = new ArrayList<>(heard);
     audit.addAll(log.audit());

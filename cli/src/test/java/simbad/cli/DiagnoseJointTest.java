@@ -85,8 +85,7 @@ class DiagnoseJointTest {
     Path rows = folder.resolve("rows.csv");
     Path windows = folder.resolve("windows.csv");
     Shell heard =
-        Shell.simbad(
-            "predict", out().toString(), LOG + "/readings.csv", "--out", rows.toString());
+        Shell.simbad("predict", out().toString(), LOG + "/readings.csv", "--out", rows.toString());
     assertEquals(0, heard.status(), heard.err());
     Shell moved =
         Shell.simbad("predict", out().toString(), LOG.toString(), "--out", windows.toString());

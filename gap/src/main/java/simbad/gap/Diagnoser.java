@@ -164,8 +164,7 @@ public final class Diagnoser {
     }
   }
 
-  private Inquiry inquire(
-      DataSet data, PingLog log, Calibration calibration, Hypothesis offered) {
+  private Inquiry inquire(DataSet data, PingLog log, Calibration calibration, Hypothesis offered) {
     Evidence evidence = calibration.evidence(data.setup(), log);
     double least = Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size());
     double worth = least * calibration.clumping() * (data.reference().isEmpty() ? 1 : OFF);

@@ -9,9 +9,9 @@ import simbad.motion.MotionRun;
 import simbad.motion.forecast.Window;
 
 /**
- * What a robot makes of a window as a constant and a weighted sum of what was commanded in it and in
- * the same window up to a second earlier, speed and turn: the yardstick of how much of motion has a
- * cause in the commands. It has no names, and says nothing of wheels.
+ * What a robot makes of a window as a constant and a weighted sum of what was commanded in it and
+ * in the same window up to a second earlier, speed and turn: the yardstick of how much of motion
+ * has a cause in the commands. It has no names, and says nothing of wheels.
  */
 final class LinearFilter {
   private static final int LAGS = 11;

@@ -73,8 +73,7 @@ public final class MotionReach {
 
   private void report(MotionData data, String what, MotionRun fitted, MotionRun other) {
     MotionDiagnosis diagnosis =
-        new MotionDiagnoser(
-                new MotionData(data.name(), data.robot(), List.of(fitted), List.of()))
+        new MotionDiagnoser(new MotionData(data.name(), data.robot(), List.of(fitted), List.of()))
             .diagnose();
     say("%s, fitted on the %s: %s", data.name(), what, diagnosis.verdict().word());
     for (MotionFinding finding : diagnosis.findings()) {

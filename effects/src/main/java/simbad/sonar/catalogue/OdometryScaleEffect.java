@@ -52,10 +52,7 @@ public final class OdometryScaleEffect implements Definition {
         ? List.of(Form.of(effect(), "path", v -> new OdometryScale(v[0]), factor("factor")), along)
         : List.of(
             Form.of(
-                effect(),
-                SPEED,
-                v -> new Reckoning(v[0], 1, 0, 0, mounts),
-                factor("speed_factor")),
+                effect(), SPEED, v -> new Reckoning(v[0], 1, 0, 0, mounts), factor("speed_factor")),
             Form.of(
                 effect(),
                 WHEELS,

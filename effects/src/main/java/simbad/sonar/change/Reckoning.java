@@ -9,8 +9,8 @@ import simbad.sonar.ping.TruePose;
 
 /**
  * A robot that reckons its poses from its wheels goes another way than it believes: each piece of
- * its way is laid anew from where the one before ends. It changes what rows of a log
- * mean; a sensor on a robot that drives hears from where the robot is.
+ * its way is laid anew from where the one before ends. It changes what rows of a log mean; a sensor
+ * on a robot that drives hears from where the robot is.
  *
  * @param way true over believed length; 1 is neutral
  * @param turn true over believed turn; 1 is neutral
@@ -19,11 +19,7 @@ import simbad.sonar.ping.TruePose;
  * @param robotFromSensor mounts by the sensors' labels; a sensor without one is the robot's centre
  */
 public record Reckoning(
-    double way,
-    double turn,
-    double radPerS,
-    double radPerM,
-    Map<String, Placement> robotFromSensor)
+    double way, double turn, double radPerS, double radPerM, Map<String, Placement> robotFromSensor)
     implements PoseChange {
   /** Checks the figures; NaN is refused. */
   public Reckoning {

@@ -28,8 +28,8 @@ import simbad.sonar.format.WholeFile;
 import simbad.sonar.predict.FittedModel;
 
 /**
- * What a diagnosis of a joint log leaves: one diagnosis.json, and the models of both halves, so that
- * the folder predicts readings and windows, and drives.
+ * What a diagnosis of a joint log leaves: one diagnosis.json, and the models of both halves, so
+ * that the folder predicts readings and windows, and drives.
  */
 public final class JointFiles {
   private static final String EFFECTS = "effects";
@@ -58,8 +58,7 @@ public final class JointFiles {
     WholeFile.write(
         folder.resolve(MotionFolder.ROBOT), Files.readAllBytes(source.resolve(MotionFolder.ROBOT)));
     TextFile.write(
-        folder.resolve(DiagnosisJson.FILE),
-        DiagnosisJson.text(tree(log, diagnosis, provenance)));
+        folder.resolve(DiagnosisJson.FILE), DiagnosisJson.text(tree(log, diagnosis, provenance)));
     return model;
   }
 

@@ -46,10 +46,7 @@ final class JointPage {
     DiagnosisPage.add(page, diagnosis.sensing(), log.data(), rows);
     page.section("The motion");
     page.say(
-        Html.strong(diagnosis.motion().verdict().word()),
-        ": ",
-        diagnosis.motion().headline(),
-        ".");
+        Html.strong(diagnosis.motion().verdict().word()), ": ", diagnosis.motion().headline(), ".");
     MotionPage.add(page, diagnosis.motion());
     page.section("What all of this was made of");
     List<Html> files = new ArrayList<>();
@@ -60,7 +57,6 @@ final class JointPage {
     page.list(files);
     return page.html();
   }
-
 
   private void answer() {
     String names = String.join(", ", diagnosis.explanation());

@@ -25,11 +25,7 @@ public final class JointReport {
    * @throws IOException if something cannot be written
    */
   public static void write(
-      Path folder,
-      Path source,
-      JointFiles.Log log,
-      JointDiagnosis diagnosis,
-      Provenance provenance)
+      Path folder, Path source, JointFiles.Log log, JointDiagnosis diagnosis, Provenance provenance)
       throws IOException {
     FittedModel model = JointFiles.write(folder, source, log, diagnosis, provenance);
     List<RowFinding> rows =

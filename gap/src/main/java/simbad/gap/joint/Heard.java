@@ -21,8 +21,7 @@ final class Heard {
 
   Heard(DataSet data, Diagnosis diagnosis) {
     evidence =
-        new Evidence(
-            data.setup(), diagnosis.calibration().changes(), new PingLog(data.readings()));
+        new Evidence(data.setup(), diagnosis.calibration().changes(), new PingLog(data.readings()));
     found = diagnosis.fitted();
   }
 

@@ -18,8 +18,7 @@ import simbad.gap.motion.MotionFinding;
  * @param motion half
  * @param isHeard whether there are readings enough to say anything
  */
-record Together(
-    List<Shared> shared, Diagnosis sensing, MotionDiagnosis motion, boolean isHeard) {
+record Together(List<Shared> shared, Diagnosis sensing, MotionDiagnosis motion, boolean isHeard) {
 
   JointDiagnosis diagnosis() {
     Set<String> names = new LinkedHashSet<>();

@@ -19,10 +19,10 @@ import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.model.NominalModel;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SensorPoses;
 import simbad.sonar.scene.SetupDetails;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
-import simbad.sonar.scene.SensorPoses;
 
 /**
  * A robot with four sonars that drives among three boxes before a tracker, simulated here in steps
@@ -76,7 +76,8 @@ final class JointWorld {
     Map<String, Placement> mounts = new LinkedHashMap<>();
     for (int i = 0; i < SENSORS.size(); i++) {
       double turn = i * Math.PI / 2;
-      mounts.put(SENSORS.get(i), new Placement(0.08 * Math.cos(turn), -0.08 * Math.sin(turn), turn));
+      mounts.put(
+          SENSORS.get(i), new Placement(0.08 * Math.cos(turn), -0.08 * Math.sin(turn), turn));
     }
     SensingSetup room = Logs.ROOM;
     return new SensingSetup(
