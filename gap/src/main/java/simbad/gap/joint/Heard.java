@@ -3,7 +3,7 @@ package simbad.gap.joint;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Estimate;
-import simbad.gap.explain.Uncertainty;
+import simbad.gap.score.Uncertainty;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;

@@ -8,7 +8,7 @@ import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Estimate;
 import simbad.gap.diagnosis.Verdict;
-import simbad.gap.explain.Blocks;
+import simbad.gap.score.Blocks;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.motion.MotionDiagnoser;
 import simbad.gap.motion.MotionDiagnosis;

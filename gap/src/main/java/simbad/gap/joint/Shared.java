@@ -62,7 +62,7 @@ public record Shared(
     }
     return String.format(
         Locale.ROOT,
-        "%.4g, 95 %% interval %.4g to %.4g",
+        "%.5g, 95 %% interval %.5g to %.5g",
         estimate.value(),
         estimate.ci95().low(),
         estimate.ci95().high());
