@@ -2,9 +2,9 @@ package simbad.figures.diagnosis;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import simbad.experiments.motion.JointFiles;
 import simbad.figures.page.Html;
-import simbad.figures.page.Numbers;
 import simbad.figures.page.Page;
 import simbad.figures.page.Table;
 import simbad.gap.audit.AuditFinding;
@@ -95,13 +95,15 @@ final class JointPage {
   }
 
   private static String value(Estimate estimate) {
-    return estimate.deviation() == Double.POSITIVE_INFINITY
-        ? "open"
-        : Numbers.number(estimate.value())
-            + " ("
-            + Numbers.number(estimate.ci95().low())
-            + " to "
-            + Numbers.number(estimate.ci95().high())
-            + ")";
+    if (estimate.deviation() == Double.POSITIVE_INFINITY) {
+      return "open";
+    }
+    // An interval may be narrow against its value.
+    return String.format(
+        Locale.ROOT,
+        "%.5g (%.5g to %.5g)",
+        estimate.value(),
+        estimate.ci95().low(),
+        estimate.ci95().high());
   }
 }
