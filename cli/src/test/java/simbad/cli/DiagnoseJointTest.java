@@ -110,7 +110,9 @@ class DiagnoseJointTest {
             "--out",
             folder.resolve("driven").toString());
     assertEquals(0, driven.status(), driven.err());
-    assertTrue(driven.out().contains("from moving"), driven.out());
+    assertTrue(
+        driven.out().contains("diagnosed-wheels-too-large-on-wheels-too-large, round:"),
+        driven.out());
   }
 
   @Test
