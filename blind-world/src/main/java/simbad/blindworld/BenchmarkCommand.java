@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import simbad.blindworld.benchmark.Part;
 import simbad.blindworld.file.FormatException;
 import simbad.blindworld.file.Seal;
@@ -49,10 +48,8 @@ final class BenchmarkCommand {
             said,
             new Finished(options, first, err));
     out.println(part + ", " + drawn.what() + ", root " + root);
-    Optional<String> frozen = drawn.isWhole(part) ? part.root() : Optional.empty();
-    if (frozen.isPresent() && !frozen.get().equals(root)) {
-      throw new IOException(
-          "the root of " + part + " is " + frozen.get() + ": these are other bytes");
+    if (drawn.isWhole(part) && !part.root().equals(root)) {
+      throw new IOException("the root of " + part + " is " + part.root() + ": other bytes");
     }
   }
 

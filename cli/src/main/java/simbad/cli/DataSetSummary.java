@@ -5,7 +5,7 @@ import java.util.List;
 import simbad.gap.audit.AuditFinding;
 
 /** What is said on the console of a data set. */
-sealed interface DataSetSummary permits DiagnoseSummary, AuditSummary, MotionSummary {
+sealed interface DataSetSummary permits DiagnoseSummary, AuditSummary, MotionSummary, JointSummary {
   /** Returns where it was written. */
   Path folder();
 

@@ -20,7 +20,9 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.definition.Effect;
+import simbad.experiments.motion.JointFiles;
 import simbad.figures.diagnosis.DiagnosisReport;
+import simbad.figures.diagnosis.JointReport;
 import simbad.figures.diagnosis.MotionReport;
 import simbad.gap.Diagnoser;
 import simbad.gap.audit.Audit;
@@ -30,6 +32,8 @@ import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Provenance;
+import simbad.gap.joint.JointDiagnoser;
+import simbad.gap.joint.JointDiagnosis;
 import simbad.gap.motion.MotionAudit;
 import simbad.gap.motion.MotionDiagnoser;
 import simbad.gap.motion.MotionDiagnosis;
@@ -49,6 +53,7 @@ import simbad.sonar.format.TextFile;
       "A data set is a folder with scene.json and readings.csv, and perhaps reference.csv; each"
           + " gets a folder of its name in --out with diagnosis.json, model.json and report.html.",
       "A motion folder has robot.json, commands.csv and track.csv; its diagnosis says how the robot's motion differs from what it was told.",
+      "A folder with both is a joint log: what shows in the readings and in the motion is one cause with one value.",
       "Before anything is fitted the data are audited: units, axes, codes for no echo, clocks. Data"
           + " of which no reading can be believed are not diagnosed."
     },
@@ -179,8 +184,10 @@ final class DiagnoseCommand extends Subcommand {
       throws IOException, DataFormatException {
     DataSetFolder source = new DataSetFolder(folder);
     Path target = out.resolve(source.name());
-    if (MotionFolder.isOne(folder) && !Files.exists(folder.resolve(DataSetFolder.SCENE))) {
-      return diagnoseMotion(folder, source, target, version);
+    if (MotionFolder.isOne(folder)) {
+      return Files.exists(folder.resolve(DataSetFolder.SCENE))
+          ? diagnoseJoint(folder, source, diagnoser, version)
+          : diagnoseMotion(folder, source, target, version);
     }
     DataSet data = source.read();
     try (StagedDirectory staged = StagedDirectory.beside(target)) {
@@ -215,6 +222,34 @@ final class DiagnoseCommand extends Subcommand {
 
   private static String words(List<Effect> effects) {
     return effects.stream().map(Effect::word).collect(Collectors.joining(", "));
+  }
+
+  /** Both halves are read and audited before anything is fitted. */
+  private DataSetSummary diagnoseJoint(
+      Path folder, DataSetFolder source, Diagnoser diagnoser, String version)
+      throws IOException, DataFormatException {
+    Path target = out.resolve(source.name());
+    DataSet data = source.read();
+    MotionFolder drive = new MotionFolder(folder);
+    JointFiles.Log log = new JointFiles.Log(data, drive.read(source.name()), MotionAudit.of(drive));
+    List<AuditFinding> heard = Audit.of(data.setup(), data.readings(), data.reference());
+    List<AuditFinding> audit = new ArrayList<>(heard);
+    audit.addAll(log.audit());
+    Provenance provenance = new Provenance(source.sha256(), version, seed);
+    try (StagedDirectory staged = StagedDirectory.beside(target)) {
+      if (auditOnly || Audit.refuses(audit)) {
+        DiagnosisReport.write(staged.path(), data, audit, provenance);
+        staged.publish();
+        return new AuditSummary(data.name(), audit, target);
+      }
+      JointDiagnosis diagnosis = new JointDiagnoser(data, log.drive()).diagnose(diagnoser, heard);
+      JointReport.write(staged.path(), folder, log, diagnosis, provenance);
+      staged.publish();
+      if (corrected != null) {
+        correct(corrected, CorrectedScene.of(data.setup(), diagnosis.sensing()));
+      }
+      return new JointSummary(log, diagnosis, target);
+    }
   }
 
   private DataSetSummary diagnoseMotion(

@@ -89,12 +89,23 @@ public final class Diagnoser {
    * @param audit what was found of it, which the diagnosis keeps
    */
   public Diagnosis diagnose(DataSet data, List<AuditFinding> audit) {
+    return diagnose(data, audit, Hypothesis.NONE);
+  }
+
+  /**
+   * Diagnoses a data set of which something else has told already.
+   *
+   * @param data the data set
+   * @param audit what was found of it, which the diagnosis keeps
+   * @param offered effects to start from as well, with values near those that fit
+   */
+  public Diagnosis diagnose(DataSet data, List<AuditFinding> audit, Hypothesis offered) {
     PingLog log = new PingLog(data.readings());
     Calibration calibration =
         data.reference().isEmpty()
             ? Calibration.none(data.setup(), log)
             : Calibration.of(data.setup(), new PingLog(data.reference()));
-    Inquiry inquiry = inquire(data, log, calibration);
+    Inquiry inquiry = inquire(data, log, calibration, offered);
     for (int round = 0; round < ROUNDS; round++) {
       Calibration more = inquiry.settled();
       if (more == inquiry.calibration) {
@@ -105,7 +116,7 @@ public final class Diagnoser {
         more = inquiry.settled();
       }
       if (more != inquiry.calibration) {
-        inquiry = inquire(data, log, more);
+        inquiry = inquire(data, log, more, offered);
       }
     }
     inquiry = inquiry.isFull() ? inquiry : inquiry.further();
@@ -153,7 +164,7 @@ public final class Diagnoser {
     }
   }
 
-  private Inquiry inquire(DataSet data, PingLog log, Calibration calibration) {
+  private Inquiry inquire(DataSet data, PingLog log, Calibration calibration, Hypothesis offered) {
     Evidence evidence = calibration.evidence(data.setup(), log);
     double least = Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size());
     double worth = least * calibration.clumping() * (data.reference().isEmpty() ? 1 : OFF);
@@ -162,6 +173,7 @@ public final class Diagnoser {
         new Blocks(log).canBeHeldOut() ? withheld : Set.copyOf(Definitions.effects());
     Search search =
         new Search(evidence, excluded, worth, Optional.of(new SetupLeave(evidence, calibration)));
+    search.offer(offered);
     return Inquiry.of(evidence, calibration, worth, search);
   }
 

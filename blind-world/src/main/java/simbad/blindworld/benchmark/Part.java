@@ -31,11 +31,13 @@ public enum Part {
       "98d40ab47c603b1aa99bd7942e96a75ba5d1b74bc2c3b1f748c2e3e14238f298"),
   /** Waves, with a user's calibration and a reference. */
   L2W(2, 300, 0, Worlds.WAVE, "72565c3fbc3c017726fbcac031804ab708a808fa780cfa271b64d81bb8d7acf8"),
-  /**
-   * Robots that drive before a tracker, three in ten of them a little off, with a reference. Its
-   * seeds and orders are frozen; its root is not, until all of it is drawn.
-   */
-  MOTION(3, 300, 0.3, Worlds.MOTION, "");
+  /** Robots that drive before a tracker, three in ten of them a little off, with a reference. */
+  MOTION(
+      3,
+      300,
+      0.3,
+      Worlds.MOTION,
+      "df7dc430043e833852e6e26cb431a148d133b86633da5826e026aef2327605dc");
 
   /** Name and version: of what is drawn, not of the program. */
   public static final String VERSION = "SRB-1.0";
@@ -102,11 +104,9 @@ public enum Part {
     return cases;
   }
 
-  /**
-   * The root over the commitments of all its cases of the first half; nothing until it is drawn.
-   */
-  public Optional<String> root() {
-    return Optional.of(root).filter(hash -> !hash.isEmpty());
+  /** The root over the commitments of all its cases of the first half. */
+  public String root() {
+    return root;
   }
 
   /**

@@ -3,22 +3,30 @@ package simbad.sonar.catalogue;
 import static java.lang.Math.toRadians;
 
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.definition.Trait;
 import simbad.sonar.change.HeadingDrift;
 import simbad.sonar.change.HeadingDriftByWay;
+import simbad.sonar.change.Reckoning;
 import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.effect.Probe;
+import simbad.sonar.frame.Placement;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 
 /** The believed heading drifts. */
 public final class HeadingDriftEffect implements Definition {
+  private static final String BIAS = "turn-bias";
+  private static final String TURNS = "turn-scale";
+  private static final String ASYMMETRY = "wheel-asymmetry";
+
   private static final Parameter DRIFT =
       Parameter.of("rate_deg_s", 0, -5, 5, -1, -0.3, -0.1, 0.1, 0.3, 1);
 
@@ -42,22 +50,60 @@ public final class HeadingDriftEffect implements Definition {
     return "a gyro that drifts, wheels of unequal size";
   }
 
+  /** Where readings carry a robot's pose, that was reckoned, and the sensors are on the robot. */
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
-    return List.of(
-        Form.of(effect(), "heading", v -> new HeadingDrift(toRadians(v[0]), false), DRIFT),
-        Form.of(effect(), "reckoned", v -> new HeadingDrift(toRadians(v[0]), true), DRIFT),
+    Map<String, Placement> mounts = setup.details().robotFromSensor();
+    Form heading =
+        Form.of(effect(), "heading", v -> new HeadingDrift(toRadians(v[0]), false), DRIFT);
+    Form settling =
         Form.of(
             effect(),
             "settling",
             v -> new HeadingDrift(toRadians(v[0] / v[1]), v[1], false),
             Parameter.of("turn_deg", 0, -60, 60, -15, -5, 5, 15),
-            Parameter.of("settling_s", 10, 0.1, 1000, 1, 10, 40).asClosed()),
+            Parameter.of("settling_s", 10, 0.1, 1000, 1, 10, 40).asClosed());
+    Form way =
         Form.of(
             effect(),
             "way",
             v -> new HeadingDriftByWay(toRadians(v[0])),
-            Parameter.of("rate_deg_m", 0, -60, 60, -8, -3, -1, 1, 3, 8)));
+            Parameter.of("rate_deg_m", 0, -60, 60, -8, -3, -1, 1, 3, 8));
+    if (mounts.isEmpty()) {
+      Form reckoned =
+          Form.of(effect(), "reckoned", v -> new HeadingDrift(toRadians(v[0]), true), DRIFT);
+      return List.of(heading, reckoned, settling, way);
+    }
+    return List.of(heading, bias(mounts), settling, way, turns(mounts), wheels(mounts));
+  }
+
+  private Form bias(Map<String, Placement> mounts) {
+    return Form.of(
+        effect(),
+        BIAS,
+        v -> new Reckoning(1, 1, v[0], 0, mounts),
+        Parameter.of("bias_rad_s", 0, -0.1, 0.1, -0.02, -0.005, -0.002, 0.002, 0.005, 0.02));
+  }
+
+  private Form turns(Map<String, Placement> mounts) {
+    return Form.of(
+        effect(),
+        TURNS,
+        v -> new Reckoning(1, v[0], 0, 0, mounts),
+        Parameter.of("turn_factor", 1, 0.5, 1.6, 0.9, 0.96, 1.04, 1.1));
+  }
+
+  private Form wheels(Map<String, Placement> mounts) {
+    return Form.of(
+        effect(),
+        ASYMMETRY,
+        v -> new Reckoning(1, 1, 0, v[0], mounts),
+        Parameter.of("turn_rad_per_m", 0, -1, 1, -0.15, -0.05, -0.02, 0.02, 0.05, 0.15));
+  }
+
+  @Override
+  public Optional<String> seenInMotion(Form form) {
+    return Optional.of(form.name()).filter(List.of(BIAS, TURNS, ASYMMETRY)::contains);
   }
 
   /** A degree in ten seconds. */

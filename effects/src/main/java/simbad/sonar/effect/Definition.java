@@ -95,6 +95,18 @@ public interface Definition {
         : Optional.empty();
   }
 
+  /**
+   * Returns the form of motion that is the same cause: what makes poses wrong that a robot has
+   * reckoned from its wheels also makes it move otherwise than it was told. Both have the same
+   * parameter, so that one value stands for both.
+   *
+   * @param form one of its forms
+   * @return own name of the form of motion; empty where a tracker sees nothing of it
+   */
+  default Optional<String> seenInMotion(Form form) {
+    return Optional.empty();
+  }
+
   /** Returns what the search has to know of it. */
   default Set<Trait> traits() {
     return Set.of();

@@ -7,6 +7,7 @@ import java.util.random.RandomGenerator;
 import java.util.stream.Stream;
 import simbad.definition.Effect;
 import simbad.sonar.catalogue.SetupForms;
+import simbad.sonar.change.Reckoning;
 import simbad.sonar.effect.FittedForm;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
@@ -105,6 +106,9 @@ public record FittedModel(
   @Override
   public Sensor bind(SonarSpec sensor, Scene scene, RandomGenerator random) {
     SensingSetup there = new SensingSetup(setup.sensor(), scene, setup.noEchoM(), setup.details());
-    return new DiagnosedSensor(new DiagnosedModel(there, changes()), sensors, random);
+    // A robot that reckons its way wrongly hears from where it is all the same.
+    List<Change> heard =
+        changes().stream().filter(change -> !(change instanceof Reckoning)).toList();
+    return new DiagnosedSensor(new DiagnosedModel(there, heard), sensors, random);
   }
 }

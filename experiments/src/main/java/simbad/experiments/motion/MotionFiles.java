@@ -58,11 +58,16 @@ public final class MotionFiles {
     conclude(json, diagnosis);
     provenance(json.putObject("provenance"), data, provenance, diagnosis.gap().windows());
     write(folder, json);
+    writeModel(folder, data.robot(), diagnosis);
+  }
+
+  /** Writes what a robot can be driven with, and the next drive where there is one. */
+  static void writeModel(Path folder, Robot robot, MotionDiagnosis diagnosis) throws IOException {
     TextFile.write(
         folder.resolve(DiagnosedMotion.MODEL),
         DiagnosedMotion.text(diagnosis.fitted(), diagnosis.forecast().spreads()));
     if (diagnosis.next().isPresent()) {
-      TextFile.write(folder.resolve(NEXT), next(data.robot(), diagnosis.next().get()));
+      TextFile.write(folder.resolve(NEXT), next(robot, diagnosis.next().get()));
     }
   }
 
@@ -108,7 +113,8 @@ public final class MotionFiles {
     rows.put("held_out", windows);
   }
 
-  private static void conclude(ObjectNode json, MotionDiagnosis diagnosis) {
+  /** Says all that a diagnosis concludes. */
+  static void conclude(ObjectNode json, MotionDiagnosis diagnosis) {
     json.put("verdict", diagnosis.verdict().word());
     json.put("reason", diagnosis.headline());
     ArrayNode names = json.putArray("explanation");

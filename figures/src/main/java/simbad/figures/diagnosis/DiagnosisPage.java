@@ -31,14 +31,11 @@ final class DiagnosisPage {
   private final List<RowFinding> rows;
   private final Page page;
 
-  private DiagnosisPage(Diagnosis diagnosis, DataSet data, List<RowFinding> rows) {
+  private DiagnosisPage(Page page, Diagnosis diagnosis, DataSet data, List<RowFinding> rows) {
+    this.page = page;
     this.diagnosis = diagnosis;
     this.data = data;
     this.rows = rows;
-    page =
-        new Page(
-            data.name() + ": " + diagnosis.verdict().word(),
-            "Simulation and reality: " + data.name() + " (" + diagnosis.verdict().word() + ")");
   }
 
   /**
@@ -51,16 +48,25 @@ final class DiagnosisPage {
    */
   static String of(
       Diagnosis diagnosis, DataSet data, List<RowFinding> rows, Provenance provenance) {
-    DiagnosisPage own = new DiagnosisPage(diagnosis, data, rows);
-    AuditSection.add(own.page, diagnosis.audit(), data.name());
-    FirstScreen.add(own.page, diagnosis, data);
+    Page page =
+        new Page(
+            data.name() + ": " + diagnosis.verdict().word(),
+            "Simulation and reality: " + data.name() + " (" + diagnosis.verdict().word() + ")");
+    AuditSection.add(page, diagnosis.audit(), data.name());
+    add(page, diagnosis, data, rows);
+    new DiagnosisPage(page, diagnosis, data, rows).origin(provenance);
+    return page.html();
+  }
+
+  /** Adds all but the audit and what it was made of. */
+  static void add(Page page, Diagnosis diagnosis, DataSet data, List<RowFinding> rows) {
+    DiagnosisPage own = new DiagnosisPage(page, diagnosis, data, rows);
+    FirstScreen.add(page, diagnosis, data);
     own.where();
     own.residuals();
     own.effects();
     own.next();
     own.tried();
-    own.origin(provenance);
-    return own.page.html();
   }
 
   private void where() {

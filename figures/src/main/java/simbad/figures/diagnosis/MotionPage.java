@@ -47,17 +47,22 @@ public final class MotionPage {
   public static String of(
       String dataset, List<AuditFinding> audit, MotionDiagnosis diagnosis, Provenance provenance) {
     String verdict = diagnosis.verdict().word();
-    MotionPage own =
-        new MotionPage(new Page(dataset + ": " + verdict, "How the robot moves: " + dataset));
-    own.page.verdict(Html.strong(verdict), ": ", diagnosis.headline(), ".").note(LIMITS);
-    AuditSection.add(own.page, audit, dataset);
+    Page page = new Page(dataset + ": " + verdict, "How the robot moves: " + dataset);
+    page.verdict(Html.strong(verdict), ": ", diagnosis.headline(), ".").note(LIMITS);
+    AuditSection.add(page, audit, dataset);
+    add(page, diagnosis);
+    new MotionPage(page).origin(diagnosis, provenance);
+    return page.html();
+  }
+
+  /** Adds all but the verdict, the audit and what it was made of. */
+  static void add(Page page, MotionDiagnosis diagnosis) {
+    MotionPage own = new MotionPage(page);
     own.effects(diagnosis);
     own.gap(diagnosis.gap());
     own.budget(diagnosis.budget());
     own.places(diagnosis.places());
     own.hidden(diagnosis.undetectable());
-    own.origin(diagnosis, provenance);
-    return own.page.html();
   }
 
   private void origin(MotionDiagnosis diagnosis, Provenance provenance) {

@@ -71,6 +71,29 @@ public record Diagnosis(
     audit = List.copyOf(audit);
   }
 
+  /** Returns the same with another model of what was concluded. */
+  public Diagnosis with(Hypothesis model) {
+    return new Diagnosis(
+        verdict,
+        reason,
+        explanation,
+        effects,
+        unknownProbability,
+        namedProbability,
+        atBound,
+        gap,
+        budget,
+        where,
+        undetectable,
+        nextExperiment,
+        model,
+        calibration,
+        tried,
+        signs,
+        setupError,
+        audit);
+  }
+
   /** Returns by which law the set-up was taken to hear. */
   public SensorLaw.Model model() {
     return calibration.forms().stream().anyMatch(LevelForms::isLaw)

@@ -66,7 +66,8 @@ public final class DiagnosisJson {
     return text(root);
   }
 
-  private static String text(ObjectNode root) {
+  /** Returns a tree as the text of a file. */
+  public static String text(ObjectNode root) {
     DefaultIndenter lines = new DefaultIndenter("  ", "\n");
     try {
       return MAPPER
@@ -85,7 +86,7 @@ public final class DiagnosisJson {
    * @param data what it was found in
    * @param provenance what it was made by
    */
-  static ObjectNode tree(Diagnosis diagnosis, DataSet data, Provenance provenance) {
+  public static ObjectNode tree(Diagnosis diagnosis, DataSet data, Provenance provenance) {
     ObjectNode root = MAPPER.createObjectNode();
     root.put("format", FORMAT);
     root.put("dataset", data.name());

@@ -5,12 +5,14 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import simbad.gap.diagnosis.Estimate;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Verdict;
 import simbad.motion.CommandUse;
 import simbad.motion.MotionChain;
 import simbad.motion.MotionRun;
 import simbad.motion.effect.FittedMotion;
+import simbad.motion.effect.MotionForm;
 import simbad.motion.effect.MotionForms;
 import simbad.motion.format.MotionData;
 
@@ -68,6 +70,61 @@ public final class MotionDiagnoser {
       told = told(base, calm);
     }
     return concluded(base, told, slip);
+  }
+
+  /**
+   * Returns what this log says of a value beside what was found, whether it was found or not.
+   *
+   * @param diagnosis of this log
+   * @param form with one parameter on which motion depends smoothly
+   */
+  public Estimate estimate(MotionDiagnosis diagnosis, MotionForm form) {
+    Hypothesis found = hypothesis(beside(form, diagnosis));
+    boolean isNew = !found.forms().contains(form);
+    Hypothesis with = isNew ? found.with(form, form.neutralValues()) : found;
+    Fitter fitter = new Fitter(evidence, use);
+    Fit fit = fitter.asItIs(with);
+    fit = isNew ? fitter.fit(fit) : fit;
+    double[] errors = new Slopes(evidence, fit).standardErrors();
+    int at = 0;
+    for (MotionForm one : with.forms().subList(0, with.forms().indexOf(form))) {
+      at += one.parameters().size();
+    }
+    // A track in which nothing of it can show has a slope of 0, and says nothing.
+    double deviation = errors[at] > 0 ? errors[at] : Double.POSITIVE_INFINITY;
+    return new Estimate(fit.hypothesis().values()[at], deviation);
+  }
+
+  /** All that was found but what says the same in other words. */
+  private static List<FittedMotion> beside(MotionForm form, MotionDiagnosis diagnosis) {
+    return diagnosis.fitted().stream()
+        .filter(
+            one ->
+                one.form().equals(form)
+                    || !(one.form().doublesWith(form) || one.form().effect().equals(form.effect())))
+        .toList();
+  }
+
+  private Hypothesis hypothesis(List<FittedMotion> fitted) {
+    Hypothesis found = new Hypothesis(data.robot().motion(), List.of(), new double[0]);
+    for (FittedMotion one : fitted) {
+      found = found.with(one.form(), one.values());
+    }
+    return found;
+  }
+
+  /**
+   * Returns a diagnosis whose model has a value that more than this log says.
+   *
+   * @param diagnosis of this log
+   * @param form with one parameter
+   * @param value of it
+   */
+  public MotionDiagnosis with(MotionDiagnosis diagnosis, MotionForm form, double value) {
+    List<FittedMotion> fitted = new ArrayList<>(beside(form, diagnosis));
+    fitted.removeIf(one -> one.form().equals(form));
+    fitted.add(new FittedMotion(form, new double[] {value}));
+    return diagnosis.with(fitted, MotionGap.forecast(runs, hypothesis(fitted).chain()));
   }
 
   private Told told(Believed base, Evidence of) {

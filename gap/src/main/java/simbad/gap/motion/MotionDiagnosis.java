@@ -48,6 +48,28 @@ public record MotionDiagnosis(
     fitted = List.copyOf(fitted);
   }
 
+  /** Tells whether the log was too short to say anything. */
+  public boolean isSilent() {
+    return gap.windows() == 0;
+  }
+
+  /** Returns the same with another model. */
+  MotionDiagnosis with(List<FittedMotion> model, MotionForecast foretelling) {
+    return new MotionDiagnosis(
+        verdict,
+        headline,
+        findings,
+        others,
+        unknownProbability,
+        gap,
+        budget,
+        places,
+        undetectable,
+        next,
+        model,
+        foretelling);
+  }
+
   /**
    * How far forecasts are off, on blocks that were not fitted.
    *

@@ -63,6 +63,7 @@ public final class Search {
   private final Map<Set<Effect>, Fit> fits = new LinkedHashMap<>();
   private final Map<Hypothesis, Double> leaves = new ConcurrentHashMap<>();
   private final Map<Hypothesis, Double> farLeaves = new ConcurrentHashMap<>();
+  private final List<Hypothesis> offered = new ArrayList<>();
   private List<Fit> singles = List.of();
   private Fit best = new Fit(Hypothesis.NONE, Double.NEGATIVE_INFINITY);
 
@@ -86,11 +87,24 @@ public final class Search {
             .toList();
   }
 
+  /**
+   * Starts from a set as well that something else than this log has told of.
+   *
+   * @param set of one effect or more; with values near those that fit
+   */
+  public void offer(Hypothesis set) {
+    if (!set.forms().isEmpty() && forms.containsAll(set.forms())) {
+      offered.add(set);
+    }
+  }
+
   /** Returns all sets that were fitted, the most probable held-out first. */
   public List<Scored> run() {
     Fit nominal = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
     keep(nominal);
-    singles = best(new Screen(evidence, nominal).all(forms).values());
+    List<Fit> starts = new ArrayList<>(new Screen(evidence, nominal).all(forms).values());
+    offered.forEach(set -> starts.add(joint(new Fit(set, nominal.logLikelihood()))));
+    singles = best(starts);
     singles.forEach(this::keep);
     plain();
     best = built(nominal, singles);
