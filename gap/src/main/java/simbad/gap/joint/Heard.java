@@ -3,12 +3,12 @@ package simbad.gap.joint;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Estimate;
-import simbad.gap.score.Uncertainty;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.score.Uncertainty;
 import simbad.sonar.effect.Form;
 import simbad.sonar.ping.PingLog;
 
