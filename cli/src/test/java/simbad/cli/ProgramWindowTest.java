@@ -50,8 +50,7 @@ class ProgramWindowTest {
             .replace("TITLE", title)
             .replace("MAIN", main));
     CompletableFuture<Shell> shell =
-        CompletableFuture.supplyAsync(
-            () -> Shell.simbad("program", folder.toString(), "--window"));
+        CompletableFuture.supplyAsync(() -> Shell.simbad("program", folder.toString(), "--window"));
     Simbad window = opened(shell, title);
     assertFalse(shell.isDone());
     // Closing it would end the tests: an old program's window ends its process.
@@ -63,9 +62,7 @@ class ProgramWindowTest {
       throws InterruptedException {
     while (!shell.isDone()) {
       Simbad window = Simbad.getSimbadInstance();
-      if (window != null
-          && window.getTitle().contains(title)
-          && window.isShowing()) {
+      if (window != null && window.getTitle().contains(title) && window.isShowing()) {
         return window;
       }
       Thread.sleep(50);
