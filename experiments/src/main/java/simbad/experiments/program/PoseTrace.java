@@ -93,9 +93,7 @@ public final class PoseTrace {
       }
       double difference = one.differenceTo(two);
       if (parting.isEmpty() && difference > SAME) {
-        parting =
-            String.format(
-                Locale.ROOT, "they part at step %d: %s by %.3g", one.step, one.agent, difference);
+        parting = parting(one, difference);
       }
       if (difference > widest) {
         widest = difference;
@@ -118,5 +116,10 @@ public final class PoseTrace {
         widest,
         lastStep,
         end);
+  }
+
+  private static String parting(Row row, double difference) {
+    return String.format(
+        Locale.ROOT, "they part at step %d: %s by %.3g", row.step, row.agent, difference);
   }
 }
