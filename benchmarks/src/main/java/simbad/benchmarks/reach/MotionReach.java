@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import simbad.gap.motion.MotionDiagnoser;
 import simbad.gap.motion.MotionDiagnosis;
 import simbad.gap.motion.MotionFinding;
@@ -151,7 +152,7 @@ public final class MotionReach {
         int component = c;
         long inside =
             windows.stream()
-                .filter(one -> isInside(one, foretold.get(one.startS())[component], component))
+                .filter(one -> isInside(one, at(foretold, one)[component], component))
                 .count();
         text.append(
             String.format(Locale.ROOT, " %.0f", 100.0 * inside / Math.max(1, windows.size())));
@@ -159,6 +160,10 @@ public final class MotionReach {
       text.append(';');
     }
     return text.toString();
+  }
+
+  private static double[][] at(Map<Double, double[][]> foretold, Window window) {
+    return Objects.requireNonNull(foretold.get(window.startS()), "no forecast of a window");
   }
 
   private static boolean isInside(Window window, double[] quantiles, int component) {

@@ -43,7 +43,6 @@ public final class JointFiles {
    * @param folder exists and is empty
    * @param source the data set's own folder, whose scene and robot are copied
    * @param log what was diagnosed
-   * @param audit what was found of commands and track
    * @param diagnosis of it
    * @param provenance what it was made by
    * @return the fitted model of the sensors
