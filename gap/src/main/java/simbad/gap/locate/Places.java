@@ -1,5 +1,6 @@
 package simbad.gap.locate;
 
+import simbad.gap.slice.Slice;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;

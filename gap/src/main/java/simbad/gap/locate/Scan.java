@@ -1,5 +1,7 @@
 package simbad.gap.locate;
 
+import simbad.gap.slice.Axis;
+import simbad.gap.slice.Slice;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;

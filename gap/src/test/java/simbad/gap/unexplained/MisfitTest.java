@@ -55,18 +55,18 @@ class MisfitTest {
   void sizeOfAMisfit_isTheShareThatIsOff() {
     List<ReadingRow> silent =
         Worlds.poses(500, 0.3, 2.2, 9).stream().map(MisfitTest::silent).toList();
-    List<Misfit.Slice> echoes =
+    List<Misfit.Off> echoes =
         Misfit.of(Worlds.evidence(silent), Hypothesis.NONE).slices().stream()
-            .filter(slice -> slice.kind().equals("echo"))
+            .filter(slice -> slice.kind() == Misfit.Kind.ECHO)
             .toList();
     assertTrue(echoes.stream().allMatch(slice -> slice.z() < 0 && slice.size() < 0));
     // Up to the threshold of 1.5 m all but what an edge of 5 cm lets go, and 2 % that are lost.
-    double all = echoes.stream().mapToDouble(Misfit.Slice::size).min().orElseThrow();
+    double all = echoes.stream().mapToDouble(Misfit.Off::size).min().orElseThrow();
     assertEquals(-0.98, all, 0.02);
     double some =
         echoes.stream()
-            .filter(slice -> slice.name().startsWith("sensor#"))
-            .mapToDouble(Misfit.Slice::size)
+            .filter(slice -> slice.slice().axis().variable().equals("sensor"))
+            .mapToDouble(Misfit.Off::size)
             .findFirst()
             .orElseThrow();
     assertEquals(-0.98 * 1.2 / 1.9, some, 0.06);
@@ -82,16 +82,16 @@ class MisfitTest {
     Evidence evidence = Worlds.evidence(rows);
     Hypothesis bursts = Worlds.effect(Effect.DROPOUT, "bursts", 0.3, 10);
     Misfit misfit = Misfit.of(evidence, bursts);
-    Misfit.Slice worst =
+    Misfit.Off worst =
         misfit.slices().stream()
-            .filter(slice -> slice.kind().equals("forecast"))
+            .filter(slice -> slice.kind() == Misfit.Kind.FORECAST)
             .findFirst()
             .orElseThrow();
     assertTrue(Math.abs(worst.z()) > 5, worst::toString);
     assertTrue(misfit.slices().size() > 100);
     assertTrue(
         misfit.slices().stream()
-            .anyMatch(slice -> slice.kind().equals("forecast") && slice.name().endsWith("#0")),
+            .anyMatch(slice -> slice.kind() == Misfit.Kind.FORECAST && slice.slice().from() == 0),
         "the first slice of a cut is one of them");
   }
 

@@ -1,4 +1,4 @@
-package simbad.gap.locate;
+package simbad.gap.slice;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -9,9 +9,9 @@ import simbad.gap.diagnosis.Place;
  *
  * @param ranges all of which hold; none holds every ping
  */
-record Slice(List<Range> ranges) {
+public record Slice(List<Range> ranges) {
   /** Copies the list. */
-  Slice {
+  public Slice {
     ranges = List.copyOf(ranges);
   }
 
@@ -22,14 +22,16 @@ record Slice(List<Range> ranges) {
    * @param from the first
    * @param to the first beyond
    */
-  record Range(Axis axis, int from, int to) {
-    boolean holds(int ping) {
+  public record Range(Axis axis, int from, int to) {
+    /** Returns whether a ping lies in these bins. */
+    public boolean holds(int ping) {
       int bin = axis.bin(ping);
       return bin >= from && bin < to;
     }
   }
 
-  boolean holds(int ping) {
+  /** Returns whether a ping is one of them. */
+  public boolean holds(int ping) {
     for (Range range : ranges) {
       if (!range.holds(ping)) {
         return false;
@@ -38,13 +40,15 @@ record Slice(List<Range> ranges) {
     return true;
   }
 
-  Slice and(Range range) {
+  /** Returns the pings of these that lie in a range as well. */
+  public Slice and(Range range) {
     List<Range> more = new ArrayList<>(ranges);
     more.add(range);
     return new Slice(more);
   }
 
-  List<Place.Condition> conditions() {
+  /** Says what the pings have in common. */
+  public List<Place.Condition> conditions() {
     return ranges.stream().map(range -> range.axis().condition(range.from(), range.to())).toList();
   }
 }
