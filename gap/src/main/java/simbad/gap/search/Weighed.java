@@ -15,6 +15,7 @@ import simbad.gap.score.PracticalSize;
 import simbad.gap.score.Probabilities;
 import simbad.gap.score.Scored;
 import simbad.gap.unexplained.Unknown;
+import simbad.sonar.check.Checks;
 import simbad.sonar.effect.Definitions;
 
 /**
@@ -52,6 +53,8 @@ public record Weighed(
    */
   public static Weighed of(
       Evidence evidence, List<Scored> sets, double worthNats, double temperature) {
+    Checks.number("worthNats", worthNats);
+    Checks.positive("temperature", temperature);
     PracticalSize size = new PracticalSize(evidence, sets);
     Blocks blocks = new Blocks(evidence.log());
     double most = (1 + Probabilities.UNSEEN) * worthNats;

@@ -8,6 +8,7 @@ import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Place;
+import simbad.sonar.check.Checks;
 
 /**
  * A variable by which pings are told apart, cut into bins: of a number, bins of a round width of
@@ -124,6 +125,7 @@ public final class Axis {
    * @param of the number of a ping
    */
   public static Axis numbered(String variable, int pings, double width, IntToDoubleFunction of) {
+    Checks.positive("width", width);
     return cut(variable, IntStream.range(0, pings).mapToDouble(of).toArray(), 0, width);
   }
 

@@ -1,7 +1,5 @@
 package simbad.gap.unexplained;
 
-import simbad.gap.slice.Axis;
-import simbad.gap.slice.Slice;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -11,6 +9,9 @@ import java.util.Optional;
 import simbad.gap.calibrate.level.Leeway;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.slice.Axis;
+import simbad.gap.slice.Slice;
+import simbad.sonar.check.Checks;
 import simbad.sonar.ping.PingLog;
 
 /** How far a hypothesis is off in any slice of a log. */
@@ -45,6 +46,12 @@ public final class Misfit {
    * @param rows in the slice
    */
   public record Off(Slice.Range slice, Kind kind, double z, double size, int rows) {
+    /** Refuses what is no number. */
+    public Off {
+      Checks.number("z", z);
+      Checks.number("size", size);
+    }
+
     boolean isOfRanges() {
       return kind == Kind.RANGE || kind == Kind.SCATTER;
     }
