@@ -17,8 +17,7 @@ import simbad.sonar.effect.Form;
 /** NaN comes in by no public constructor and by no factory: what is made is made of numbers. */
 class GapDoorsTest {
   private static Evidence evidence() {
-    return Worlds.evidence(
-        Worlds.read(Worlds.poses(50, 0.3, 2.2, 9), Hypothesis.NONE, 10));
+    return Worlds.evidence(Worlds.read(Worlds.poses(50, 0.3, 2.2, 9), Hypothesis.NONE, 10));
   }
 
   @Test

@@ -23,7 +23,6 @@ public final class DiagnosedFolder {
 
   /** Returns the name that the last part of a path has; empty where it has none. */
   static Optional<String> name(Path path) {
-    return Optional.ofNullable(path.toAbsolutePath().normalize().getFileName())
-        .map(Path::toString);
+    return Optional.ofNullable(path.toAbsolutePath().normalize().getFileName()).map(Path::toString);
   }
 }

@@ -28,7 +28,6 @@ public final class SensorKind {
   /** Number of sonars on the belt; with half angles over 15 degrees their cones look all round. */
   public static final int SONARS = 12;
 
-
   /** Simbad's sensor as the thesis describes it: every obstacle is heard up to 2.5 m. */
   public static final SensorKind ORIGINAL =
       new SensorKind(

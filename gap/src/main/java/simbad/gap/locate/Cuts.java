@@ -1,11 +1,11 @@
 package simbad.gap.locate;
 
-import simbad.gap.slice.Axis;
-import simbad.gap.slice.Slice;
-import simbad.gap.slice.Nearest;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import simbad.gap.slice.Axis;
+import simbad.gap.slice.Nearest;
+import simbad.gap.slice.Slice;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;

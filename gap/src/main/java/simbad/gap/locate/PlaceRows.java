@@ -1,10 +1,10 @@
 package simbad.gap.locate;
 
-import simbad.gap.slice.Nearest;
 import java.util.List;
 import java.util.stream.IntStream;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Place;
+import simbad.gap.slice.Nearest;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.Obstacle;

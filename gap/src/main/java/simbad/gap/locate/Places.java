@@ -1,6 +1,5 @@
 package simbad.gap.locate;
 
-import simbad.gap.slice.Slice;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -13,6 +12,7 @@ import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.score.Blocks;
 import simbad.gap.score.GapMeter;
+import simbad.gap.slice.Slice;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.predict.DiagnosedModel;

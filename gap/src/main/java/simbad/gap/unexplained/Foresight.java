@@ -1,11 +1,11 @@
 package simbad.gap.unexplained;
 
-import simbad.gap.slice.Axis;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.slice.Axis;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.predict.DiagnosedModel;

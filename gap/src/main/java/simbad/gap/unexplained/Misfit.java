@@ -195,9 +195,7 @@ public final class Misfit {
       double deviation = off[1][at];
       if (rows[at] >= LEAST_ROWS && deviation * deviation >= LEAST_SUPPORT) {
         double share = off[0][at] / rows[at];
-        slices.add(
-            new Off(
-                range(cut, at), Kind.FORECAST, off[0][at] / deviation, share, rows[at]));
+        slices.add(new Off(range(cut, at), Kind.FORECAST, off[0][at] / deviation, share, rows[at]));
       }
     }
   }

@@ -1,11 +1,11 @@
 package simbad.gap.unexplained;
 
-import simbad.gap.slice.Axis;
-import simbad.gap.slice.Nearest;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.function.IntUnaryOperator;
+import simbad.gap.slice.Axis;
+import simbad.gap.slice.Nearest;
 import simbad.sonar.frame.Angles;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
@@ -50,8 +50,7 @@ final class Slicing {
     cuts.add(quantiles("reading before", 6, this::before));
     cuts.add(quantiles("step since reading before", 6, this::change));
     cuts.add(
-        binned(
-            "echo before", 2, i -> i == log.sequenceStart(i) ? -1 : log.echo(i - 1) ? 1 : 0));
+        binned("echo before", 2, i -> i == log.sequenceStart(i) ? -1 : log.echo(i - 1) ? 1 : 0));
     cuts.add(binned("parity", 2, i -> (i - log.sequenceStart(i)) % 2));
     cuts.addAll(named(time, distance, relative, offAxis));
     return cuts;

@@ -21,7 +21,6 @@ import simbad.gap.fixture.Worlds;
 import simbad.gap.score.Blocks;
 import simbad.gap.score.GapMeter;
 import simbad.gap.slice.Axis;
-import simbad.gap.slice.Nearest;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.ping.PingLog;

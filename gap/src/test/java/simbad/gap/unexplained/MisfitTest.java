@@ -12,7 +12,7 @@ import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.gap.score.Blocks;
-import simbad.gap.score.Gain;
+import simbad.gap.score.GapGain;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -114,7 +114,7 @@ class MisfitTest {
     Hypothesis offset = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.05);
     Evidence evidence = drawn(offset, 13);
     Blocks blocks = new Blocks(evidence.log());
-    Gain gain = Gain.of(evidence, blocks, offset);
+    GapGain gain = GapGain.of(evidence, blocks, offset);
     assertTrue(gain.afterM() < gain.beforeM() - 0.005, () -> "after " + gain.afterM());
     assertEquals(gain.afterM(), gain.floorM(), 0.1 * gain.afterM());
     assertEquals(1 - gain.afterM() / gain.beforeM(), gain.shrinkage(), 1e-12);
@@ -126,12 +126,12 @@ class MisfitTest {
   @Test
   void shrinkage_ofAnotherLogLiesInTheInterval() {
     Hypothesis offset = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.03);
-    List<Gain> gains = new ArrayList<>();
+    List<GapGain> gains = new ArrayList<>();
     List<Interval> intervals = new ArrayList<>();
     for (int seed = 0; seed < 20; seed++) {
       Evidence evidence = drawn(offset, 40 + seed);
       Blocks blocks = new Blocks(evidence.log());
-      gains.add(Gain.of(evidence, blocks, offset));
+      gains.add(GapGain.of(evidence, blocks, offset));
       intervals.add(gains.get(seed).shrinkage95(blocks, 1));
     }
     int held = 0;
@@ -148,7 +148,7 @@ class MisfitTest {
   void shrinkage_withoutAnExplanationIsNone() {
     Evidence evidence = drawn(Hypothesis.NONE, 14);
     Blocks blocks = new Blocks(evidence.log());
-    Gain gain = Gain.of(evidence, blocks, Hypothesis.NONE);
+    GapGain gain = GapGain.of(evidence, blocks, Hypothesis.NONE);
     assertEquals(new Interval(0, 0), gain.shrinkage95(blocks, 1));
   }
 }
