@@ -1,8 +1,8 @@
 package oldprograms;
 
 import javax.vecmath.*;
-import simbad.gui.Simbad;
 import simbad.demo.*;
+import simbad.gui.Simbad;
 import simbad.sim.*;
 
 /** Picks up what is near; extends the class of the demos. */

@@ -6,7 +6,7 @@ import simbad.kernel.belt.BeltLayout;
 import simbad.kernel.belt.RaySensor;
 import simbad.kernel.geometry.BoxShape;
 import simbad.kernel.geometry.Placement;
-import simbad.kernel.scene.Scene;
+import simbad.kernel.scene.BodyScene;
 import simbad.kernel.scene.Solid;
 import simbad.sonar.frame.Point;
 
@@ -25,7 +25,7 @@ public class RayBeltBenchmark extends BeltBenchmark {
   @Setup
   public void build() {
     Grid grid = new Grid(boxes, 1);
-    Scene scene = new Scene();
+    BodyScene scene = new BodyScene();
     for (int i = 0; i < boxes; i++) {
       scene.addFixed(box(grid.post(i)));
     }

@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import simbad.experiments.batch.Tuning;
+import simbad.experiments.batch.TuningSurvey;
 import simbad.figures.plot.Caption;
 import simbad.figures.plot.SeriesRole;
 import simbad.figures.plot.TuningPlot;
@@ -66,7 +66,7 @@ final class BatchPlotCommand extends Subcommand {
     if (along.equals(curves)) {
       throw wrongUsage("--curves: " + curves + " is on the axis already (--along)");
     }
-    Tuning tuning = read();
+    TuningSurvey tuning = read();
     OutputFile.refuseExisting(target);
     OutputFile.draw(plot(tuning).figure(), target);
     tuning.sensors().forEach(sensor -> out().println(said(tuning, sensor)));
@@ -79,16 +79,16 @@ final class BatchPlotCommand extends Subcommand {
   }
 
   /** Reads the rows, and refuses what cannot be told apart in a picture. */
-  private Tuning read() throws Exception {
+  private TuningSurvey read() throws Exception {
     Path results = folder.resolve("results.csv");
-    Tuning all = Tuning.read(results, along, Optional.ofNullable(curves));
+    TuningSurvey all = TuningSurvey.read(results, along, Optional.ofNullable(curves));
     for (String sensor : chosen) {
       if (!all.sensors().contains(sensor)) {
         throw wrongUsage(
             "--sensor: '" + sensor + "' is not one of " + String.join(", ", all.sensors()));
       }
     }
-    Tuning tuning = chosen.isEmpty() ? all : all.only(chosen);
+    TuningSurvey tuning = chosen.isEmpty() ? all : all.only(chosen);
     int sensors = tuning.sensors().size();
     if (sensors > TuningLooks.MOST_SENSORS) {
       throw wrongUsage(
@@ -105,12 +105,12 @@ final class BatchPlotCommand extends Subcommand {
   }
 
   /** How many curves a sensor has: one where its error is the same everywhere. */
-  private static int count(Tuning tuning, String sensor) {
+  private static int count(TuningSurvey tuning, String sensor) {
     return tuning.isIndifferent(sensor) ? 1 : tuning.curves(sensor).size();
   }
 
-  private TuningPlot plot(Tuning tuning) {
-    int runs = tuning.settings().stream().mapToInt(Tuning.Setting::runs).sum();
+  private TuningPlot plot(TuningSurvey tuning) {
+    int runs = tuning.settings().stream().mapToInt(TuningSurvey.Setting::runs).sum();
     return new TuningPlot(
         new Caption("Error against the table, by the controller's parameters", runs + " runs"),
         words(along),
@@ -126,13 +126,13 @@ final class BatchPlotCommand extends Subcommand {
         .replace('_', ' ');
   }
 
-  private static TuningLooks looks(Tuning tuning) {
+  private static TuningLooks looks(TuningSurvey tuning) {
     Map<String, Integer> counts = new LinkedHashMap<>();
     tuning.sensors().forEach(sensor -> counts.put(sensor, count(tuning, sensor)));
     return new TuningLooks(counts);
   }
 
-  private List<TuningPlot.Line> lines(Tuning tuning) {
+  private List<TuningPlot.Line> lines(TuningSurvey tuning) {
     TuningLooks looks = looks(tuning);
     List<TuningPlot.Line> lines = new ArrayList<>();
     for (String sensor : tuning.sensors()) {
@@ -149,7 +149,7 @@ final class BatchPlotCommand extends Subcommand {
     return lines;
   }
 
-  private String name(Tuning tuning, String sensor, double curve) {
+  private String name(TuningSurvey tuning, String sensor, double curve) {
     if (curves == null) {
       return sensor;
     }
@@ -157,14 +157,14 @@ final class BatchPlotCommand extends Subcommand {
     return sensor + ", " + words(curves) + ": " + (one ? "the same for all" : number(curve));
   }
 
-  private static TuningPlot.Point point(Tuning.Setting setting) {
+  private static TuningPlot.Point point(TuningSurvey.Setting setting) {
     return new TuningPlot.Point(setting.along(), setting.errorCm());
   }
 
   /** A dot for each setting, whichever sensors lead to it: one would hide the others. */
-  private static List<TuningPlot.Line> marks(Tuning tuning) {
+  private static List<TuningPlot.Line> marks(TuningSurvey tuning) {
     String judge = tuning.sensors().get(tuning.sensors().size() - 1);
-    Map<Tuning.Setting, List<String>> choosers = new LinkedHashMap<>();
+    Map<TuningSurvey.Setting, List<String>> choosers = new LinkedHashMap<>();
     for (String sensor : tuning.sensors()) {
       tuning
           .judgedBy(judge, tuning.chosenWith(sensor))
@@ -182,8 +182,8 @@ final class BatchPlotCommand extends Subcommand {
     return marks;
   }
 
-  private String said(Tuning tuning, String sensor) {
-    Tuning.Setting best = tuning.chosenWith(sensor);
+  private String said(TuningSurvey tuning, String sensor) {
+    TuningSurvey.Setting best = tuning.chosenWith(sensor);
     String why =
         tuning.isIndifferent(sensor)
             ? "the same error everywhere, the least time"

@@ -61,7 +61,7 @@ final class DemoCommand extends Subcommand {
               : "--steps needs --headless");
     }
     if (!headless) {
-      Windows.ask();
+      WindowsAllowed.ask();
     }
     Demo demo = DemoArgument.find(name).orElseThrow(() -> wrongUsage(DemoArgument.unknown(name)));
     if (headless) {

@@ -31,7 +31,7 @@ import simbad.gap.diagnosis.CorrectedScene;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.gap.diagnosis.Diagnosis;
-import simbad.gap.diagnosis.Provenance;
+import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.gap.joint.JointDiagnoser;
 import simbad.gap.joint.JointDiagnosis;
 import simbad.gap.motion.MotionAudit;
@@ -191,7 +191,7 @@ final class DiagnoseCommand extends Subcommand {
     }
     DataSet data = source.read();
     try (StagedDirectory staged = StagedDirectory.beside(target)) {
-      Provenance provenance = new Provenance(source.sha256(), version, seed);
+      DiagnosisProvenance provenance = new DiagnosisProvenance(source.sha256(), version, seed);
       List<AuditFinding> audit = Audit.of(data.setup(), data.readings(), data.reference());
       if (auditOnly || Audit.refuses(audit)) {
         DiagnosisReport.write(staged.path(), data, audit, provenance);
@@ -235,7 +235,7 @@ final class DiagnoseCommand extends Subcommand {
     List<AuditFinding> heard = Audit.of(data.setup(), data.readings(), data.reference());
     List<AuditFinding> audit = new ArrayList<>(heard);
     audit.addAll(log.audit());
-    Provenance provenance = new Provenance(source.sha256(), version, seed);
+    DiagnosisProvenance provenance = new DiagnosisProvenance(source.sha256(), version, seed);
     try (StagedDirectory staged = StagedDirectory.beside(target)) {
       if (auditOnly || Audit.refuses(audit)) {
         DiagnosisReport.write(staged.path(), data, audit, provenance);
@@ -260,7 +260,7 @@ final class DiagnoseCommand extends Subcommand {
     }
     MotionData data = new MotionFolder(folder).read(source.name());
     List<AuditFinding> audit = MotionAudit.of(new MotionFolder(folder));
-    Provenance provenance = new Provenance(source.sha256(), version, seed);
+    DiagnosisProvenance provenance = new DiagnosisProvenance(source.sha256(), version, seed);
     try (StagedDirectory staged = StagedDirectory.beside(target)) {
       if (auditOnly || Audit.refuses(audit)) {
         MotionReport.write(staged.path(), data, audit, provenance);

@@ -22,7 +22,7 @@ public final class Main {
   public static void main(String... arguments) {
     // Numbers and results look the same wherever the user lives.
     Locale.setDefault(Locale.ROOT);
-    Windows.noneUnlessAsked();
+    WindowsAllowed.noneUnlessAsked();
     PrintWriter out = utf8(FileDescriptor.out);
     PrintWriter err = utf8(FileDescriptor.err);
     Interruption interruption = Interruption.announcedOn(err);

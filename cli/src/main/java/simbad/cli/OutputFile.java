@@ -7,7 +7,7 @@ import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Locale;
-import simbad.figures.plot.Figure;
+import simbad.figures.plot.PlotFigure;
 import simbad.sonar.format.WholeFile;
 
 /** A single file that a command writes. */
@@ -33,7 +33,7 @@ final class OutputFile {
   }
 
   /** As PNG or SVG by the file's ending; the file appears when all of it is there. */
-  static void draw(Figure figure, Path file) throws IOException {
-    WholeFile.create(file, isPng(file) ? figure.png(Figure.PRINT_DPI) : figure.svg());
+  static void draw(PlotFigure figure, Path file) throws IOException {
+    WholeFile.create(file, isPng(file) ? figure.png(PlotFigure.PRINT_DPI) : figure.svg());
   }
 }

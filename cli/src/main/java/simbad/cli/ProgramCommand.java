@@ -122,7 +122,7 @@ final class ProgramCommand extends Subcommand {
       throw wrongUsage("--steps: " + steps + " is not in [1, infinity)");
     }
     if (window) {
-      Windows.ask();
+      WindowsAllowed.ask();
     }
     ProgramFile file = ProgramFile.read(program, libraries(), err()::println);
     file.notes().forEach(out()::println);

@@ -32,7 +32,7 @@ final class StandingMain {
    */
   public static void main(String... none) throws InterruptedException {
     Locale.setDefault(Locale.ROOT);
-    Windows.noneUnlessAsked();
+    WindowsAllowed.noneUnlessAsked();
     PrintWriter nowhere = new PrintWriter(Writer.nullWriter());
     PrintWriter heard = Main.utf8(FileDescriptor.out);
     BlockingQueue<String> commands = new LinkedBlockingQueue<>();

@@ -5,7 +5,7 @@ import java.util.Locale;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import simbad.experiments.table.ThesisCalibration;
-import simbad.scattering.Calibration;
+import simbad.scattering.FittedReceiver;
 import simbad.scattering.Receiver;
 
 /** {@code simbad table calibrate}. */
@@ -26,8 +26,8 @@ final class TableCalibrateCommand extends Subcommand {
 
   @Override
   protected void run() throws Exception {
-    Calibration shipped = withoutAngle ? Calibration.WITHOUT_ANGLE : Calibration.SRF04;
-    Calibration fitted = ThesisCalibration.fit(!withoutAngle);
+    FittedReceiver shipped = withoutAngle ? FittedReceiver.WITHOUT_ANGLE : FittedReceiver.SRF04;
+    FittedReceiver fitted = ThesisCalibration.fit(!withoutAngle);
     out()
         .println(
             withoutAngle
@@ -48,7 +48,7 @@ final class TableCalibrateCommand extends Subcommand {
   }
 
   /** A few words say nothing of scatter: without the angle the band is not fitted. */
-  private boolean agrees(Calibration shipped, Calibration fitted) {
+  private boolean agrees(FittedReceiver shipped, FittedReceiver fitted) {
     Receiver inUse = shipped.receiver();
     return withoutAngle ? inUse.equals(fitted.receiver()) : shipped.equals(fitted);
   }

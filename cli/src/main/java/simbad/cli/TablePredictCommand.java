@@ -9,7 +9,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.table.PredictedTable;
 import simbad.obstacles.Catalogue;
-import simbad.scattering.Calibration;
+import simbad.scattering.FittedReceiver;
 import simbad.scattering.KnownThresholds;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.OutlineDocument;
@@ -86,7 +86,7 @@ final class TablePredictCommand extends Subcommand {
     checkSize(section);
     SonarSpec sonar = sensorFile == null ? Catalogue.srf04() : SensorFile.read(sensorFile);
     result.check();
-    Calibration calibration = withoutAngle ? Calibration.WITHOUT_ANGLE : Calibration.SRF04;
+    FittedReceiver calibration = withoutAngle ? FittedReceiver.WITHOUT_ANGLE : FittedReceiver.SRF04;
     result.give(PredictedTable.of(section, air, sonar, calibration, bearings), out());
   }
 

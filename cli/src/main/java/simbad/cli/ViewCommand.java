@@ -21,7 +21,7 @@ final class ViewCommand extends Subcommand {
 
   @Override
   protected void run() throws Exception {
-    Windows.ask();
+    WindowsAllowed.ask();
     DemoWindow.showRunning(
         DemoArgument.find(name).orElseThrow(() -> wrongUsage(DemoArgument.unknown(name))));
   }

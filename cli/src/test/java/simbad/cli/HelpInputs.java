@@ -16,8 +16,8 @@ import simbad.bench.capture.Approach;
 import simbad.bench.capture.CaptureSettings;
 import simbad.bench.capture.Entry;
 import simbad.bench.capture.Journal;
-import simbad.bench.capture.Probe;
 import simbad.bench.capture.SweepPlan;
+import simbad.bench.capture.TriedDistance;
 import simbad.bench.protocol.PingStatus;
 import simbad.experiments.bench.CaptureFolder;
 
@@ -158,7 +158,7 @@ final class HelpInputs {
           new Entry.Taken(
               1.8e9 + entries.size(),
               bearing,
-              new Probe(distanceM, Approach.OUT),
+              new TriedDistance(distanceM, Approach.OUT),
               entries.size(),
               status,
               OptionalInt.of(5800),

@@ -21,8 +21,8 @@ import simbad.bench.capture.Approach;
 import simbad.bench.capture.CaptureSettings;
 import simbad.bench.capture.Entry;
 import simbad.bench.capture.Journal;
-import simbad.bench.capture.Probe;
 import simbad.bench.capture.SweepPlan;
+import simbad.bench.capture.TriedDistance;
 import simbad.bench.protocol.PingStatus;
 import simbad.experiments.bench.CaptureFolder;
 import simbad.obstacles.Catalogue;
@@ -69,7 +69,7 @@ class LongJournalTest {
           new Entry.Taken(
               1.8e9 + number * 0.068,
               bearing,
-              new Probe(distanceM, approach),
+              new TriedDistance(distanceM, approach),
               number % 65536,
               heard ? PingStatus.ECHO : PingStatus.NO_ECHO,
               OptionalInt.of(heard ? (int) (5800 * distanceM) : 36_000),

@@ -12,7 +12,7 @@ import org.apache.spark.api.java.JavaFutureAction;
 import org.apache.spark.api.java.JavaSparkContext;
 import org.apache.spark.broadcast.Broadcast;
 import simbad.experiments.workers.Job;
-import simbad.experiments.workers.Receiver;
+import simbad.experiments.workers.PieceReceiver;
 import simbad.experiments.workers.Workers;
 
 /**
@@ -32,7 +32,7 @@ final class SparkWorkers implements Workers {
 
   @Override
   public <R extends Serializable> void run(
-      Job<R> job, long from, long to, Receiver<? super R> receiver)
+      Job<R> job, long from, long to, PieceReceiver<? super R> receiver)
       throws IOException, InterruptedException {
     Broadcast<Job<R>> sent = spark.broadcast(job);
     Deque<JavaFutureAction<List<R>>> waves = new ArrayDeque<>();

@@ -16,7 +16,7 @@ import simbad.gap.diagnosis.Place;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.score.Blocks;
-import simbad.gap.score.Gain;
+import simbad.gap.score.GapGain;
 import simbad.gap.search.Weighed;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
@@ -86,7 +86,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
     return !weighed.taken().hypothesis().hasTable() && weighed.gain().leavesMuch();
   }
 
-  private static String left(Gain gain) {
+  private static String left(GapGain gain) {
     return String.format(
         Locale.ROOT,
         "a gap of %.2f cm is left where the diagnosed model expects %.2f cm from scatter",
@@ -181,7 +181,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
     return new Conclusion(Verdict.UNDECIDED, reason, List.of());
   }
 
-  private static String noHalves(Gain gain) {
+  private static String noHalves(GapGain gain) {
     int rows = gain.before().observedM().length;
     if (rows >= 2 * Blocks.LEAST_ROWS) {
       return "all readings are of one moment; an effect is tested on another stretch of time than"
@@ -197,7 +197,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
 
   /** Why "none" cannot be said of what no effect explains; empty where it can. */
   private static String doubt(Weighed weighed, double unknown, List<Place> where) {
-    Gain gain = weighed.gain();
+    GapGain gain = weighed.gain();
     if (gain.leavesMuch() || (unknown > SURELY_NOTHING && gain.isManyFloors())) {
       return String.format(
           Locale.ROOT,

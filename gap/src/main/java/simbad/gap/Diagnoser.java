@@ -32,7 +32,7 @@ import simbad.gap.fit.Hypothesis;
 import simbad.gap.locate.Places;
 import simbad.gap.score.Blocks;
 import simbad.gap.score.Budget;
-import simbad.gap.score.Gain;
+import simbad.gap.score.GapGain;
 import simbad.gap.score.GapMeter;
 import simbad.gap.score.Probabilities;
 import simbad.gap.score.Scored;
@@ -317,7 +317,7 @@ public final class Diagnoser {
   }
 
   /** One block alone says nothing of another log. */
-  private GapFigures figures(Gain gain, Blocks blocks) {
+  private GapFigures figures(GapGain gain, Blocks blocks) {
     Interval shrink =
         blocks.canBeHeldOut()
             ? gain.shrinkage95(blocks, seed)

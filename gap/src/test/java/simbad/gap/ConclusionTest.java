@@ -15,7 +15,7 @@ import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.gap.score.Blocks;
-import simbad.gap.score.Gain;
+import simbad.gap.score.GapGain;
 import simbad.gap.score.GapMeter;
 import simbad.gap.score.Probabilities;
 import simbad.gap.score.Scored;
@@ -38,7 +38,7 @@ class ConclusionTest {
     return new Weighed(
         new Probabilities(List.of(only), 10, 2, Set.of()),
         only,
-        new Gain(gaps, gaps),
+        new GapGain(gaps, gaps),
         List.of(enlarging));
   }
 
@@ -128,7 +128,7 @@ class ConclusionTest {
     return new Weighed(
         new Probabilities(List.of(first, new Scored(other, 0, 0)), 10, 2, Set.of()),
         first,
-        new Gain(gaps, gaps),
+        new GapGain(gaps, gaps),
         List.of());
   }
 

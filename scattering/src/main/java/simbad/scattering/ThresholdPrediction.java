@@ -23,7 +23,7 @@ public record ThresholdPrediction(ThresholdTable table, ThresholdBand band) {
    * @param calibration of the sensor
    */
   public static ThresholdPrediction of(
-      Backscatter backscatter, Air air, RangeLimits limits, Calibration calibration) {
+      Backscatter backscatter, Air air, RangeLimits limits, FittedReceiver calibration) {
     SonarEquation equation = SonarEquation.of(calibration.receiver(), air, limits);
     return new ThresholdPrediction(
         table(equation, backscatter, 0),

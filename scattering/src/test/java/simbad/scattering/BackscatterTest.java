@@ -37,7 +37,7 @@ class BackscatterTest {
     double elementM = Backscatter.elementM(section, Air.ROOM);
     Backscatter here = Backscatter.of(section, Air.ROOM, 72, elementM);
     Backscatter finer = Backscatter.of(section, Air.ROOM, 72, elementM / 2);
-    Receiver shipped = Calibration.SRF04.receiver();
+    Receiver shipped = FittedReceiver.SRF04.receiver();
     checkConverged(here, finer, shipped, 0.01);
     checkConverged(here, finer, new Receiver(shipped.levelDb(), 0, shipped.recoveryS()), 0.002);
   }
@@ -102,7 +102,7 @@ class BackscatterTest {
   /** 72 bearings of a larger post stay within the table's limits. */
   @Test
   void prediction_ofALargerPost_isATable() {
-    ThresholdPrediction prediction = Cases.predicted(Cases.circle(0.05, 48), Calibration.SRF04);
+    ThresholdPrediction prediction = Cases.predicted(Cases.circle(0.05, 48), FittedReceiver.SRF04);
     ThresholdTable table = prediction.table();
     for (int i = 0; i < table.size(); i++) {
       assertTrue(prediction.band().low().valueM(i) <= table.valueM(i));

@@ -78,7 +78,7 @@ final class Cases {
     return Backscatter.of(List.of(outline), Air.ROOM, KnownThresholds.BEARINGS);
   }
 
-  static ThresholdPrediction predicted(Outline outline, Calibration calibration) {
+  static ThresholdPrediction predicted(Outline outline, FittedReceiver calibration) {
     return ThresholdPrediction.of(echo(outline), Air.ROOM, SRF04, calibration);
   }
 }

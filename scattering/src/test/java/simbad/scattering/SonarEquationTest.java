@@ -60,6 +60,6 @@ class SonarEquationTest {
     assertThrows(IllegalArgumentException.class, () -> new Receiver(Double.NaN, 1, 1));
     assertThrows(IllegalArgumentException.class, () -> new Receiver(0, -1, 1));
     assertThrows(IllegalArgumentException.class, () -> new Receiver(0, 1, 0));
-    assertThrows(IllegalArgumentException.class, () -> new Calibration(PLAIN, Double.NaN));
+    assertThrows(IllegalArgumentException.class, () -> new FittedReceiver(PLAIN, Double.NaN));
   }
 }

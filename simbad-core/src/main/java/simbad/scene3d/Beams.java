@@ -23,7 +23,7 @@ public final class Beams implements Animated {
   public record Style(Color3f color, OptionalDouble halfAngleRad) {}
 
   private final BranchGroup group = new BranchGroup();
-  private final Beam[] beams;
+  private final SceneBeam[] beams;
   private final Readings readings;
   private final boolean[] echo;
   private final double[] rangeM;
@@ -40,9 +40,9 @@ public final class Beams implements Animated {
     this.readings = readings;
     BeamLook idle = BeamLook.idle(style);
     BeamLook hit = BeamLook.hit(style);
-    beams = new Beam[inSensor.size()];
+    beams = new SceneBeam[inSensor.size()];
     for (int i = 0; i < beams.length; i++) {
-      beams[i] = new Beam(inSensor, i, idleM[i], idle, hit);
+      beams[i] = new SceneBeam(inSensor, i, idleM[i], idle, hit);
       group.addChild(beams[i].node());
     }
     echo = new boolean[beams.length];

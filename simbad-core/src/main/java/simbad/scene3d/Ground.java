@@ -30,7 +30,7 @@ final class Ground implements Animated {
     floor = new Figure(floorVisual);
     group.addChild(background);
     group.addChild(floor.node());
-    group.addChild(new Shape3D(Grid.lines(sideM), grid.appearance()));
+    group.addChild(new Shape3D(FloorGrid.lines(sideM), grid.appearance()));
   }
 
   /** One face, so that the light falls on its corners alone, as in the original. */

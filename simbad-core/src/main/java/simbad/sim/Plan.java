@@ -1,7 +1,7 @@
 package simbad.sim;
 
-import simbad.kernel.motion.Command;
 import simbad.kernel.motion.MotionPlan;
+import simbad.kernel.motion.WheelCommand;
 
 /** A list of motions that an agent goes through, a step at each {@link #doStep()}. */
 public class Plan {
@@ -44,7 +44,7 @@ public class Plan {
     ended = wasRunning && !motions.isRunning();
   }
 
-  private void apply(Command command) {
+  private void apply(WheelCommand command) {
     agent.setTranslationalVelocity(command.speedMPerS());
     agent.setRotationalVelocity(command.turnRadPerS());
   }

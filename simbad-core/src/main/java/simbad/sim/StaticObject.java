@@ -9,7 +9,7 @@ import javax.vecmath.Point3d;
 import org.jspecify.annotations.Nullable;
 import simbad.kernel.geometry.Extent;
 import simbad.kernel.geometry.Placement;
-import simbad.kernel.scene.Part;
+import simbad.kernel.scene.BodyPart;
 import simbad.kernel.scene.Solid;
 
 /** An object that does not move by itself. */
@@ -61,7 +61,7 @@ public class StaticObject extends BaseObject {
   /** Computes {@link #transformedBounds} for where the object is now. */
   protected void createTransformedBounds() {
     Extent extent = new Extent();
-    for (Part part : getSolid().parts()) {
+    for (BodyPart part : getSolid().parts()) {
       extent.include(part.extent());
     }
     transformedBounds =

@@ -6,7 +6,7 @@ import javax.media.j3d.BoundingSphere;
 import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
 import simbad.kernel.geometry.Extent;
-import simbad.kernel.scene.Part;
+import simbad.kernel.scene.BodyPart;
 
 /** Lets agents without motors bounce off static objects, as an elastic sphere does. */
 final class WallImpact {
@@ -71,7 +71,7 @@ final class WallImpact {
     }
   }
 
-  private void bounce(SimpleAgent agent, Part part) {
+  private void bounce(SimpleAgent agent, BodyPart part) {
     Extent extent = part.extent();
     if (extent.touchesBall(centre.x, centre.y, centre.z, agent.getRadius())) {
       BoundingBox box =

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
 import simbad.kernel.drawing.Stage;
 import simbad.kernel.geometry.Placement;
 import simbad.kernel.render.Picture;
-import simbad.kernel.scene.Scene;
+import simbad.kernel.scene.BodyScene;
 import simbad.scene3d.Backdrop;
 import simbad.scene3d.DisplayException;
 import simbad.scene3d.Look;
@@ -50,7 +50,7 @@ public class World {
 
   private final Set<Compatibility> habits = EnumSet.noneOf(Compatibility.class);
   private final Set<Compatibility> touched;
-  private final Scene scene = new Scene();
+  private final BodyScene scene = new BodyScene();
   private final Stage stage;
   private final Backdrop backdrop;
   private final WorldCameras cameras;
@@ -171,7 +171,7 @@ public class World {
   }
 
   /** Returns the bodies that rays and collisions meet; for sensors of one's own. */
-  public Scene getScene() {
+  public BodyScene getScene() {
     return scene;
   }
 

@@ -18,7 +18,7 @@ import javax.vecmath.Vector3f;
 import org.junit.jupiter.api.Test;
 import simbad.gui.Simbatch;
 import simbad.kernel.geometry.BoxShape;
-import simbad.kernel.scene.Part;
+import simbad.kernel.scene.BodyPart;
 import simbad.sim.Agent;
 import simbad.sim.Arch;
 import simbad.sim.BallAgent;
@@ -248,7 +248,7 @@ class FacadeTest {
   @Test
   void solid_tellsShapesAndTheirPlaces() {
     Box box = box(1, 2, 3);
-    Part part = box.getSolid().parts().get(0);
+    BodyPart part = box.getSolid().parts().get(0);
     assertEquals(BoxShape.ofSides(3, 1, 3), part.shape());
     box.translateTo(new Vector3d(1, 0, 0));
     box.rotateY(0.5);

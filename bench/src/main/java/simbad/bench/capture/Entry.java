@@ -36,7 +36,7 @@ public sealed interface Entry {
   record Taken(
       double timeS,
       int bearing,
-      Probe probe,
+      TriedDistance probe,
       int sequence,
       PingStatus status,
       OptionalInt echoUs,

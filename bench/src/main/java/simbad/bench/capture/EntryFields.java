@@ -74,8 +74,8 @@ final class EntryFields {
   private static Entry taken(JournalFields read, int bearings) throws JournalFieldException {
     double timeS = time(read);
     int bearing = bearing(read, 1, bearings);
-    Probe probe =
-        new Probe(
+    TriedDistance probe =
+        new TriedDistance(
             read.number(2, "distance_m", Double.MIN_VALUE, SweepPlan.FURTHEST_M),
             read.word(3, "approach", Approach::find));
     int sequence = read.whole(4, "sequence", 0, GREATEST_SEQUENCE);

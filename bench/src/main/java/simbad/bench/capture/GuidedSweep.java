@@ -167,7 +167,7 @@ public final class GuidedSweep {
     if (isDoubtful(distanceM)) {
       return;
     }
-    Probe probe = new Probe(distanceM, approach(bearing, distanceM));
+    TriedDistance probe = new TriedDistance(distanceM, approach(bearing, distanceM));
     for (int ping = 0; ping < plan.pings(); ping++) {
       Entry.Taken taken = recorder.record(bearing, probe, pings.ping());
       recorder.sync();

@@ -36,11 +36,11 @@ public final class LadderSearch {
    *     pings yet
    * @return empty when the bearing is done
    */
-  public Optional<Probe> next(List<Level> levels) {
+  public Optional<TriedDistance> next(List<Level> levels) {
     if (!levels.isEmpty()) {
       Level last = levels.get(levels.size() - 1);
       if (!plan.isWhole(last)) {
-        return Optional.of(new Probe(last.distanceM(), last.approach()));
+        return Optional.of(new TriedDistance(last.distanceM(), last.approach()));
       }
     }
     int[] bracket = bracket(levels);
@@ -66,7 +66,7 @@ public final class LadderSearch {
     return new int[] {heard, lost};
   }
 
-  private Optional<Probe> ladder(List<Level> levels, int[] bracket) {
+  private Optional<TriedDistance> ladder(List<Level> levels, int[] bracket) {
     List<Level> out = of(levels, Approach.OUT);
     if (!endsWith(out, true)) {
       int next = out.isEmpty() ? bracket[0] - MARGIN : step(out.get(out.size() - 1)) + 1;
@@ -103,8 +103,8 @@ public final class LadderSearch {
     return (int) Math.round(level.distanceM() / plan.stepM());
   }
 
-  private Optional<Probe> probe(int step, Approach approach) {
+  private Optional<TriedDistance> probe(int step, Approach approach) {
     // Rounded to a tenth of a millimetre: a journal gives back the same number.
-    return Optional.of(new Probe(Math.rint(step * plan.stepM() * 1e4) / 1e4, approach));
+    return Optional.of(new TriedDistance(Math.rint(step * plan.stepM() * 1e4) / 1e4, approach));
   }
 }

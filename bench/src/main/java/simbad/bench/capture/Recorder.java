@@ -110,7 +110,8 @@ public final class Recorder implements Closeable {
    * @param probe where the obstacle stands
    * @param ping what was read
    */
-  public Entry.Taken record(int bearing, Probe probe, FrameLine.Ping ping) throws IOException {
+  public Entry.Taken record(int bearing, TriedDistance probe, FrameLine.Ping ping)
+      throws IOException {
     Entry.Taken taken =
         new Entry.Taken(
             now(), bearing, probe, ping.sequence(), ping.status(), ping.echoUs(), temperatureC);

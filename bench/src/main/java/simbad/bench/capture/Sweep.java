@@ -13,7 +13,7 @@ public final class Sweep {
   private final SweepPlan plan;
   private final Recorder recorder;
   private final PingSource pings;
-  private final Stage stage;
+  private final ObstacleStage stage;
   private final LadderSearch search;
 
   /**
@@ -24,7 +24,7 @@ public final class Sweep {
    * @param pings gives the readings
    * @param stage moves the obstacle
    */
-  public Sweep(SweepPlan plan, Recorder recorder, PingSource pings, Stage stage) {
+  public Sweep(SweepPlan plan, Recorder recorder, PingSource pings, ObstacleStage stage) {
     this.plan = plan;
     this.recorder = recorder;
     this.pings = pings;
@@ -43,7 +43,7 @@ public final class Sweep {
     SweepState state = recorder.state();
     for (OptionalInt next = state.nextBearing(plan); next.isPresent(); ) {
       int bearing = next.getAsInt();
-      Optional<Probe> probe = search.next(state.levels(bearing));
+      Optional<TriedDistance> probe = search.next(state.levels(bearing));
       if (probe.isPresent()) {
         take(bearing, probe.get());
       } else {
@@ -55,7 +55,7 @@ public final class Sweep {
     }
   }
 
-  private void take(int bearing, Probe probe) throws IOException, InterruptedException {
+  private void take(int bearing, TriedDistance probe) throws IOException, InterruptedException {
     stage.place(plan.bearingDeg(bearing), probe.distanceM());
     // One for the air to become still, and in case that the move was seen by it.
     pings.ping();

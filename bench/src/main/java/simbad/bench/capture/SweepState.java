@@ -42,7 +42,7 @@ public final class SweepState {
   private void add(Entry.Taken taken) {
     List<Level> known = mutable(taken.bearing());
     int last = known.size() - 1;
-    Probe probe = taken.probe();
+    TriedDistance probe = taken.probe();
     if (last >= 0 && known.get(last).isAt(probe.distanceM(), probe.approach())) {
       known.set(last, known.get(last).with(taken.isHeard()));
     } else {

@@ -84,7 +84,7 @@ class JournalFuzzTest {
             new Entry.Taken(
                 1e9 + i,
                 bearing,
-                new Probe(1 + 0.02 * level, Approach.OUT),
+                new TriedDistance(1 + 0.02 * level, Approach.OUT),
                 i,
                 status,
                 OptionalInt.of(5800),

@@ -36,7 +36,7 @@ class JournalTest {
     return new Entry.Taken(
         1e9 + number / 8.0,
         number % 72,
-        new Probe(0.02 * (1 + number), Approach.OUT),
+        new TriedDistance(0.02 * (1 + number), Approach.OUT),
         number,
         number % 3 == 0 ? PingStatus.NO_ECHO : PingStatus.ECHO,
         number % 5 == 0 ? OptionalInt.empty() : OptionalInt.of(100 + number),

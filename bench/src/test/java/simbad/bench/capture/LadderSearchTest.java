@@ -21,9 +21,9 @@ class LadderSearchTest {
   private static List<Level> levels(SweepPlan plan, DoublePredicate echo) {
     LadderSearch search = new LadderSearch(plan);
     List<Level> levels = new ArrayList<>();
-    Optional<Probe> probe = search.next(levels);
+    Optional<TriedDistance> probe = search.next(levels);
     while (probe.isPresent()) {
-      Probe at = probe.get();
+      TriedDistance at = probe.get();
       Level level = new Level(at.distanceM(), at.approach(), 0, 0);
       for (int i = 0; i < plan.pings(); i++) {
         level = level.with(echo.test(at.distanceM()));
@@ -94,7 +94,7 @@ class LadderSearchTest {
   void levelThatWantsPings_isGoneOnWith() {
     LadderSearch search = new LadderSearch(PLAN);
     Level begun = new Level(1.5, Approach.OUT, 2, 3);
-    assertEquals(Optional.of(new Probe(1.5, Approach.OUT)), search.next(List.of(begun)));
+    assertEquals(Optional.of(new TriedDistance(1.5, Approach.OUT)), search.next(List.of(begun)));
   }
 
   @Test

@@ -293,7 +293,7 @@ class SweepTest {
     try (Recorder recorder = begun()) {
       edge = 1;
       standsAtM = 0.5;
-      recorder.record(1, new Probe(0.5, Approach.OUT), ping());
+      recorder.record(1, new TriedDistance(0.5, Approach.OUT), ping());
     }
     ReadingRow row = rows().get(0);
     assertEquals(0.5, row.pose().position().xM(), 1e-12);

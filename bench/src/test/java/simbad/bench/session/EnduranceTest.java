@@ -20,9 +20,9 @@ import simbad.bench.capture.Approach;
 import simbad.bench.capture.Entry;
 import simbad.bench.capture.Journal;
 import simbad.bench.capture.JournalEntries;
-import simbad.bench.capture.Probe;
 import simbad.bench.capture.Recorder;
 import simbad.bench.capture.SweepState;
+import simbad.bench.capture.TriedDistance;
 import simbad.bench.link.MemoryLink;
 import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.FrameLine;
@@ -51,8 +51,8 @@ class EnduranceTest {
     return new Recorder(journal, new SweepState(), Clock.systemUTC(), OptionalDouble.of(20));
   }
 
-  private static Probe probe(int ping) {
-    return new Probe(0.02 * (1 + ping / 10 % 150), Approach.OUT);
+  private static TriedDistance probe(int ping) {
+    return new TriedDistance(0.02 * (1 + ping / 10 % 150), Approach.OUT);
   }
 
   /** As fast as link and disk go, each on the disk before the next is asked for. */

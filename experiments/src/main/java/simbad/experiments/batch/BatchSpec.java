@@ -35,9 +35,9 @@ record BatchSpec(
     List<JsonInput> sensorFiles,
     List<JsonInput> effects,
     List<ControllerMaker> makers,
-    Choices<ControllerSetting> controllers,
-    Choices<Double> speedsMPerS,
-    Choices<Long> seeds,
+    BatchChoices<ControllerSetting> controllers,
+    BatchChoices<Double> speedsMPerS,
+    BatchChoices<Long> seeds,
     Optional<Sample> sample,
     boolean traces) {
   private static final String FORMAT = "simbad-batch/1";
@@ -83,7 +83,7 @@ record BatchSpec(
             makers(root),
             controllers(root),
             speeds(root),
-            root.has("seeds") ? seeds(root.field("seeds")) : Choices.of(List.of(1L)),
+            root.has("seeds") ? seeds(root.field("seeds")) : BatchChoices.of(List.of(1L)),
             root.has("sample") ? Optional.of(sample(root.field("sample"))) : Optional.empty(),
             root.has("traces") && root.field("traces").truth());
     if (spec.obstacles.isEmpty() && spec.scenes.isEmpty()) {
@@ -100,12 +100,14 @@ record BatchSpec(
     return makers.isEmpty() ? List.of(new EdgeFollowerMaker()) : makers;
   }
 
-  private static Choices<ControllerSetting> controllers(JsonInput root) throws DataFormatException {
+  private static BatchChoices<ControllerSetting> controllers(JsonInput root)
+      throws DataFormatException {
     if (!root.has("controllers")) {
       ControllerMaker follower = new EdgeFollowerMaker();
-      return Choices.of(List.of(new ControllerSetting(follower, Controllers.standard(follower))));
+      return BatchChoices.of(
+          List.of(new ControllerSetting(follower, Controllers.standard(follower))));
     }
-    Choices<ControllerSetting> all = Choices.of(List.of());
+    BatchChoices<ControllerSetting> all = BatchChoices.of(List.of());
     for (JsonInput item : SpecFields.items(root, "controllers")) {
       try {
         all = all.then(ControllerGrid.read(item));
@@ -116,20 +118,20 @@ record BatchSpec(
     return all;
   }
 
-  private static Choices<Double> speeds(JsonInput root) throws DataFormatException {
+  private static BatchChoices<Double> speeds(JsonInput root) throws DataFormatException {
     if (!root.has("speeds_m_per_s")) {
-      return Choices.of(List.of(RunSettings.THESIS_SPEED_M_PER_S));
+      return BatchChoices.of(List.of(RunSettings.THESIS_SPEED_M_PER_S));
     }
-    return Choices.of(
+    return BatchChoices.of(
         SpecFields.numbers(
             root.field("speeds_m_per_s"),
             speed -> speed > 0 && speed <= RunSettings.GREATEST_SPEED_M_PER_S,
             "a speed in (0, " + RunSettings.GREATEST_SPEED_M_PER_S + "] m/s"));
   }
 
-  private static Choices<Long> seeds(JsonInput value) throws DataFormatException {
+  private static BatchChoices<Long> seeds(JsonInput value) throws DataFormatException {
     if (value.isList()) {
-      return Choices.of(SpecFields.wholes(value));
+      return BatchChoices.of(SpecFields.wholes(value));
     }
     SpecFields.allowOnly(value, "from", "count");
     long from = value.field("from").whole();
@@ -137,7 +139,7 @@ record BatchSpec(
     if (from > 0 && count - 1 > Long.MAX_VALUE - from) {
       throw value.field("count").fault("the last seed is beyond 64 bits");
     }
-    return new Choices<>(count, number -> from + number);
+    return new BatchChoices<>(count, number -> from + number);
   }
 
   private static Sample sample(JsonInput value) throws DataFormatException {

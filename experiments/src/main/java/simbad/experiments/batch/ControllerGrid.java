@@ -19,7 +19,7 @@ final class ControllerGrid {
   private ControllerGrid() {}
 
   /** All combinations of one item's values. */
-  static Choices<ControllerSetting> read(JsonInput item) throws DataFormatException {
+  static BatchChoices<ControllerSetting> read(JsonInput item) throws DataFormatException {
     SpecFields.allowOnly(item, NAME, PARAMETERS);
     ControllerMaker maker = maker(item);
     List<List<Double>> values = new ArrayList<>();
@@ -60,10 +60,10 @@ final class ControllerGrid {
         "a number in [" + parameter.low() + ", " + parameter.high() + "]");
   }
 
-  private static Choices<ControllerSetting> combinations(
+  private static BatchChoices<ControllerSetting> combinations(
       ControllerMaker maker, List<List<Double>> values) {
     MixedRadix radix = new MixedRadix(values.stream().map(list -> (long) list.size()).toList());
-    return new Choices<>(
+    return new BatchChoices<>(
         radix.product().longValueExact(),
         number -> {
           long[] digits = radix.digits(number);

@@ -2,12 +2,10 @@ package simbad.experiments.batch;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import simbad.experiments.run.DiagnosedFolder;
 import simbad.experiments.run.SensorKind;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.JsonInput;
-import simbad.sonar.format.SceneFile;
-import simbad.sonar.predict.FittedModel;
-import simbad.sonar.predict.ModelFile;
 import simbad.sonar.scene.SonarSpec;
 
 /**
@@ -17,15 +15,13 @@ import simbad.sonar.scene.SonarSpec;
  * @param kind without further effects
  */
 record SensorChoice(JsonInput where, SensorKind kind) {
-  static final String DIAGNOSED = "diagnosed:";
-
   static final String DIMENSION = "sensors";
 
   /** What comes before the folder is cut off; empty for a sensor that is known by name. */
   static Optional<Path> folder(JsonInput where) throws DataFormatException {
-    String word = where.text();
-    return word.startsWith(DIAGNOSED)
-        ? Optional.of(InputPlace.name(where, word.substring(DIAGNOSED.length())))
+    Optional<String> folder = DiagnosedFolder.in(where.text());
+    return folder.isPresent()
+        ? Optional.of(InputPlace.name(where, folder.get()))
         : Optional.empty();
   }
 
@@ -34,10 +30,8 @@ record SensorChoice(JsonInput where, SensorKind kind) {
     Optional<Path> folder = folder(where);
     if (folder.isPresent()) {
       Path path = place.of(DIMENSION, position, folder.get());
-      FittedModel model =
-          ModelFile.read(path.resolve("model.json"), SceneFile.read(path.resolve("scene.json")));
       String name = String.valueOf(folder.get().normalize().getFileName());
-      return new SensorChoice(where, SensorKind.diagnosed(name, model));
+      return new SensorChoice(where, SensorKind.diagnosed(name, path));
     }
     return new SensorChoice(
         where,

@@ -10,7 +10,7 @@ import simbad.bench.board.Board;
 import simbad.bench.board.BoardKit;
 import simbad.bench.board.BoardSetup;
 import simbad.bench.board.TurntableBench;
-import simbad.bench.capture.Stage;
+import simbad.bench.capture.ObstacleStage;
 import simbad.bench.link.PortLink;
 import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.session.SteadyRanger;
@@ -85,7 +85,7 @@ public final class SimulatedBench implements AutoCloseable {
   }
 
   /** Returns what turns and moves the obstacle. */
-  public Stage stage() {
+  public ObstacleStage stage() {
     return (bearingDeg, distanceM) ->
         turntable.place(
             new BenchScene(Optional.of(target), distanceM, 0, Math.toRadians(bearingDeg)));

@@ -93,7 +93,8 @@ public final class CheckFiles {
               "part", "answers", "claim", "stated", "share", "low95", "high95", "hits", "of");
           for (Figures figures : scores.figures()) {
             for (String claim : List.of("verdict", "first_named")) {
-              for (Calibration.Bin bin : figures.calibration(claim + "_calibration").bins()) {
+              for (StatedProbabilities.Bin bin :
+                  figures.calibration(claim + "_calibration").bins()) {
                 Stream<Number> numbers =
                     Stream.of(
                         bin.stated(), bin.share(), bin.low(), bin.high(), bin.hits(), bin.of());

@@ -68,8 +68,8 @@ public record CheckScores(ObjectNode document) {
     }
 
     /** Returns stated probabilities against what was so; no bins where there are no claims. */
-    public Calibration calibration(String name) {
-      return Calibration.of(figures.path(name));
+    public StatedProbabilities calibration(String name) {
+      return StatedProbabilities.of(figures.path(name));
     }
 
     /** A median with its interval; nothing where nothing was counted. */
@@ -102,17 +102,17 @@ public record CheckScores(ObjectNode document) {
 
     /** The share of right answers of each kind of case, averaged; nothing in older scores. */
     public Optional<Estimate> classMean() {
-      return Calibration.estimate(figures, "class_mean", cases());
+      return StatedProbabilities.estimate(figures, "class_mean", cases());
     }
 
     /** The mean probability on what is so; nothing in older scores. */
     public Optional<Estimate> probabilityOfTruth() {
-      return Calibration.estimate(figures, "probability_of_truth", cases());
+      return StatedProbabilities.estimate(figures, "probability_of_truth", cases());
     }
 
     /** Of the probabilities of the three verdicts; nothing without an interval. */
     public Optional<Estimate> verdictLogScore() {
-      return Calibration.estimate(figures, "verdict_log_score_better_by", cases());
+      return StatedProbabilities.estimate(figures, "verdict_log_score_better_by", cases());
     }
   }
 

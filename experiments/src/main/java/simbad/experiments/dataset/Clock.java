@@ -37,7 +37,7 @@ interface Clock {
   /** A column of numbers, or of dates and times of day; such count from the first row on. */
   static Clock of(LogTable first, int column, Unit unit) throws DataFormatException {
     if (first.findNumber(0, column).isPresent()) {
-      Figure time = Figure.column(column, unit, -Double.MAX_VALUE);
+      LoggedFigure time = LoggedFigure.column(column, unit, -Double.MAX_VALUE);
       return (log, row, taken) -> {
         OptionalDouble at = time.of(log, row);
         if (at.isEmpty()) {

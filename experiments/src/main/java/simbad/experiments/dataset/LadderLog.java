@@ -65,7 +65,7 @@ public final class LadderLog {
   public static MadeDataSet read(Path file, Rows which, double soundSpeedMPerS)
       throws DataFormatException {
     LogTable log = LogTable.read(file, LogFormat.PLAIN);
-    Figure distance = Figure.column(LogColumns.require(log, TRUE), Unit.CM, 0);
+    LoggedFigure distance = LoggedFigure.column(LogColumns.require(log, TRUE), Unit.CM, 0);
     int reading = LogColumns.require(log, "reading_cm");
     OptionalInt note = LogColumns.find(log, NOTE);
     LogRows rows = new LogRows();
@@ -76,7 +76,7 @@ public final class LadderLog {
             which.rules(log),
             List.of(new LogRows.Range(reading, "HC-SR04")),
             new RangeRule(Unit.CM, soundSpeedMPerS, NoEchoCodes.NONE),
-            PoseRule.ladder(distance, Figure.constant(0, Unit.M), 0),
+            PoseRule.ladder(distance, LoggedFigure.constant(0, Unit.M), 0),
             Clock.ofTaken(PERIOD_S),
             note.isPresent() ? labels.withRun(note.getAsInt()) : labels,
             Map.of()),

@@ -25,7 +25,7 @@ final class LogFigures {
    * @param unitOption that says its unit, where the column's name does not
    * @param least smallest number that is no slip
    */
-  Optional<Figure> length(String option, String unitOption, double least)
+  Optional<LoggedFigure> length(String option, String unitOption, double least)
       throws DataFormatException {
     if (!settings.has(option)) {
       return Optional.empty();
@@ -35,7 +35,7 @@ final class LogFigures {
       return Optional.of(constant(option, Unit.M));
     }
     return Optional.of(
-        Figure.column(column.getAsInt(), lengthUnit(column.getAsInt(), unitOption), least));
+        LoggedFigure.column(column.getAsInt(), lengthUnit(column.getAsInt(), unitOption), least));
   }
 
   private Unit lengthUnit(int column, String option) throws DataFormatException {
@@ -71,7 +71,7 @@ final class LogFigures {
   }
 
   /** Finds an angle in degrees, counter-clockwise positive. */
-  Optional<Figure> angle(String option) throws DataFormatException {
+  Optional<LoggedFigure> angle(String option) throws DataFormatException {
     if (!settings.has(option)) {
       return Optional.empty();
     }
@@ -94,20 +94,21 @@ final class LogFigures {
       assumptions.add(
           "Column '" + log.names().get(column.getAsInt()) + "' is in degrees (--angle-unit).");
     }
-    return Optional.of(Figure.column(column.getAsInt(), unit, -Figure.GREATEST).turned(way, 0));
+    return Optional.of(
+        LoggedFigure.column(column.getAsInt(), unit, -LoggedFigure.GREATEST).turned(way, 0));
   }
 
   /** Finds a duration; numbers are milliseconds. */
-  Optional<Figure> duration(String option) throws DataFormatException {
+  Optional<LoggedFigure> duration(String option) throws DataFormatException {
     return plain(option, Unit.MS, 0);
   }
 
   /** Finds a temperature in degrees Celsius. */
-  Optional<Figure> temperature(String option) throws DataFormatException {
+  Optional<LoggedFigure> temperature(String option) throws DataFormatException {
     return plain(option, Unit.CELSIUS, COLDEST);
   }
 
-  private Optional<Figure> plain(String option, Unit unit, double least)
+  private Optional<LoggedFigure> plain(String option, Unit unit, double least)
       throws DataFormatException {
     if (!settings.has(option)) {
       return Optional.empty();
@@ -115,16 +116,16 @@ final class LogFigures {
     OptionalInt column = column(option);
     return Optional.of(
         column.isPresent()
-            ? Figure.column(column.getAsInt(), unit, least)
+            ? LoggedFigure.column(column.getAsInt(), unit, least)
             : atLeast(option, constant(option, unit), least));
   }
 
-  private static Figure atLeast(String option, Figure figure, double least)
+  private static LoggedFigure atLeast(String option, LoggedFigure figure, double least)
       throws DataFormatException {
     boolean hot = figure.unit().kind() == Unit.Kind.TEMPERATURE;
-    if (!(figure.constant() >= least && (!hot || figure.constant() <= Figure.HOTTEST_C))) {
+    if (!(figure.constant() >= least && (!hot || figure.constant() <= LoggedFigure.HOTTEST_C))) {
       throw LogSettings.fault(
-          option, figure.constant() + " is not in [" + least + ", " + Figure.HOTTEST_C + "]");
+          option, figure.constant() + " is not in [" + least + ", " + LoggedFigure.HOTTEST_C + "]");
     }
     return figure;
   }
@@ -162,12 +163,12 @@ final class LogFigures {
     return column;
   }
 
-  private Figure constant(String option, Unit si) throws DataFormatException {
+  private LoggedFigure constant(String option, Unit si) throws DataFormatException {
     String text = settings.find(option).orElse("");
     double value = LogSettings.measure(option, text, si.kind());
-    if (!(Math.abs(value) <= Figure.GREATEST)) {
+    if (!(Math.abs(value) <= LoggedFigure.GREATEST)) {
       throw LogSettings.fault(option, "'" + text + "' is too large");
     }
-    return Figure.constant(value, si);
+    return LoggedFigure.constant(value, si);
   }
 }

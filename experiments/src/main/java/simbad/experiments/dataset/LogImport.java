@@ -183,7 +183,7 @@ public final class LogImport {
           Assumptions.counted(taken.poseless(), "row")
               + " left out: nothing is said of where something was.");
     }
-    Optional<ReadingRow> repeated = Placements.findRepeatedTime(rows);
+    Optional<ReadingRow> repeated = LoggedPlacements.findRepeatedTime(rows);
     boolean far = rows.stream().anyMatch(row -> Math.abs(row.timeS()) > GREATEST_S);
     if (far) {
       throw LogSettings.fault("time-unit", "gives times beyond " + GREATEST_S + " s");
@@ -193,11 +193,11 @@ public final class LogImport {
           "Times are left out: "
               + repeated.get().timeS()
               + " s stands twice for one run and sensor, so they do not order the readings.");
-      rows = Placements.untimed(rows);
+      rows = LoggedPlacements.untimed(rows);
     } else if (!rows.get(0).isTimed()) {
       assumptions.add("The readings have no times; nothing that remembers can be diagnosed.");
     }
-    List<ReadingRow> named = Placements.named(rows);
+    List<ReadingRow> named = LoggedPlacements.named(rows);
     if (!named.equals(rows)) {
       assumptions.add(
           "Neighbouring rows at equal poses were taken without anything being moved"

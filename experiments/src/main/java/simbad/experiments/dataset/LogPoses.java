@@ -11,7 +11,7 @@ final class LogPoses {
   static final String HEADER = "header";
 
   private static final String DISTANCE = "distance";
-  private static final double LEAST = -Figure.GREATEST;
+  private static final double LEAST = -LoggedFigure.GREATEST;
   private static final Map<String, Double> ZEROS =
       Map.of("right", 0.0, "up", 90.0, "left", 180.0, "down", 270.0);
 
@@ -36,7 +36,7 @@ final class LogPoses {
    * @param mounted whether poses are a robot's
    */
   PoseRule rule(int range, boolean mounted) throws DataFormatException {
-    Optional<Figure> heading = heading();
+    Optional<LoggedFigure> heading = heading();
     PoseRule.Place place = place(range);
     if (place instanceof PoseRule.OnPlane && heading.isEmpty()) {
       if (mounted) {
@@ -56,8 +56,9 @@ final class LogPoses {
   }
 
   private PoseRule.Place place(int range) throws DataFormatException {
-    Optional<Figure> distance = distance(range);
-    Optional<Figure> x = figures.length("x", "pose-unit", LEAST).map(is -> is.from(origin(0)));
+    Optional<LoggedFigure> distance = distance(range);
+    Optional<LoggedFigure> x =
+        figures.length("x", "pose-unit", LEAST).map(is -> is.from(origin(0)));
     if (settings.has("bearing")) {
       if (distance.isEmpty()) {
         throw LogSettings.fault(DISTANCE, "is missing: --bearing wants the distance as well");
@@ -70,20 +71,21 @@ final class LogPoses {
       boolean targetMoves = settings.word("moves", "sensor", "target").equals("target");
       return new PoseRule.Ladder(
           distance.get(),
-          x.orElse(Figure.constant(0, Unit.M)),
+          x.orElse(LoggedFigure.constant(0, Unit.M)),
           frontM(turned ? "centre" : "surface"),
           targetMoves);
     }
     return onPlane(x);
   }
 
-  private PoseRule.Place onPlane(Optional<Figure> x) throws DataFormatException {
-    Optional<Figure> z = down("z", "y");
+  private PoseRule.Place onPlane(Optional<LoggedFigure> x) throws DataFormatException {
+    Optional<LoggedFigure> z = down("z", "y");
     boolean movedTarget =
         settings.has("target-x") || settings.has("target-z") || settings.has("target-y");
     if (x.isEmpty() && z.isEmpty() && movedTarget) {
       assumptions.add("The sensor stands at the origin of the target's places (--x, --z).");
-      return new PoseRule.OnPlane(Figure.constant(0, Unit.M), Figure.constant(0, Unit.M));
+      return new PoseRule.OnPlane(
+          LoggedFigure.constant(0, Unit.M), LoggedFigure.constant(0, Unit.M));
     }
     if (x.isEmpty() || z.isEmpty()) {
       throw LogSettings.fault(
@@ -93,7 +95,7 @@ final class LogPoses {
     return new PoseRule.OnPlane(x.get(), z.get());
   }
 
-  private Optional<Figure> distance(int range) throws DataFormatException {
+  private Optional<LoggedFigure> distance(int range) throws DataFormatException {
     if (!settings.find(DISTANCE).filter(HEADER::equals).isPresent()
         || LogColumns.find(log, HEADER).isPresent()) {
       return figures.length(DISTANCE, "distance-unit", 0);
@@ -106,7 +108,7 @@ final class LogPoses {
     }
     Optional<Unit> own = number.get().unit();
     Unit unit = own.isPresent() ? own.get() : figures.unit("distance-unit", Unit.Kind.LENGTH);
-    return Optional.of(Figure.constant(unit.si(number.get().value()), Unit.M));
+    return Optional.of(LoggedFigure.constant(unit.si(number.get().value()), Unit.M));
   }
 
   private double frontM(String usual) throws DataFormatException {
@@ -122,21 +124,21 @@ final class LogPoses {
   }
 
   /** What is down the page under one name, or up under another. */
-  private Optional<Figure> down(String down, String up) throws DataFormatException {
+  private Optional<LoggedFigure> down(String down, String up) throws DataFormatException {
     if (settings.has(down) && settings.has(up)) {
       throw LogSettings.fault(up, "stands beside --" + down + ", expected one of them");
     }
-    Optional<Figure> below = figures.length(down, "pose-unit", LEAST);
+    Optional<LoggedFigure> below = figures.length(down, "pose-unit", LEAST);
     return below.isPresent()
         ? below.map(figure -> figure.from(origin(1)))
         : figures.length(up, "pose-unit", LEAST).map(is -> is.from(origin(1)).turned(-1, 0));
   }
 
-  private Optional<Figure> targetX() throws DataFormatException {
+  private Optional<LoggedFigure> targetX() throws DataFormatException {
     return figures.length("target-x", "pose-unit", LEAST).map(is -> is.from(origin(0)));
   }
 
-  private Optional<Figure> targetZ() throws DataFormatException {
+  private Optional<LoggedFigure> targetZ() throws DataFormatException {
     return down("target-z", "target-y");
   }
 
@@ -158,11 +160,11 @@ final class LogPoses {
     }
   }
 
-  private Optional<Figure> heading() throws DataFormatException {
+  private Optional<LoggedFigure> heading() throws DataFormatException {
     if (settings.find("heading").filter("target"::equals).isPresent()) {
       return Optional.empty();
     }
-    Optional<Figure> heading = figures.angle("heading");
+    Optional<LoggedFigure> heading = figures.angle("heading");
     if (heading.isEmpty() || heading.get().column().isEmpty()) {
       return heading;
     }

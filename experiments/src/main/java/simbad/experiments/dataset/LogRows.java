@@ -63,9 +63,9 @@ final class LogRows {
       List<Integer> run,
       OptionalInt sensor,
       OptionalInt placement,
-      Optional<Figure> temperature,
-      Optional<Figure> gap,
-      Optional<Figure> pause) {
+      Optional<LoggedFigure> temperature,
+      Optional<LoggedFigure> gap,
+      Optional<LoggedFigure> pause) {
     static Labels of(String run) {
       return new Labels(
           run,
@@ -109,7 +109,7 @@ final class LogRows {
           of(pause, log, row));
     }
 
-    private static OptionalDouble of(Optional<Figure> figure, LogTable log, int row)
+    private static OptionalDouble of(Optional<LoggedFigure> figure, LogTable log, int row)
         throws DataFormatException {
       return figure.isEmpty() ? OptionalDouble.empty() : figure.get().of(log, row);
     }
@@ -160,7 +160,7 @@ final class LogRows {
               time.orElse(0),
               poses.get().sensor(),
               plan.rule().read(log, row, range.column()),
-              time.isPresent() ? now : Placements.untimed(now)));
+              time.isPresent() ? now : LoggedPlacements.untimed(now)));
     }
     rows.addAll(made);
     for (Map.Entry<String, Integer> column : plan.further().entrySet()) {

@@ -69,8 +69,8 @@ public final class PlotterLog {
             List.of(new LogRows.Range(ultra, "MB1213")),
             new RangeRule(Unit.CM, SOUND_M_PER_S, NoEchoCodes.of(Optional.of(">=" + NO_TARGET_CM))),
             PoseRule.ladder(
-                Figure.constant(awayM, Unit.M),
-                Figure.column(x, Unit.MM, 0).from(setup.ballXMm()),
+                LoggedFigure.constant(awayM, Unit.M),
+                LoggedFigure.column(x, Unit.MM, 0).from(setup.ballXMm()),
                 BALL_RADIUS_M),
             Clock.ofRows(PERIOD_S),
             LogRows.Labels.of("scan"),

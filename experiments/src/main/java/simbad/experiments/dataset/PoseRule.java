@@ -22,11 +22,11 @@ import simbad.sonar.sensing.MovedObstacle;
  */
 record PoseRule(
     Place place,
-    Optional<Figure> heading,
-    Optional<Figure> panned,
-    Optional<Figure> targetX,
-    Optional<Figure> targetZ,
-    Optional<Figure> targetTurn,
+    Optional<LoggedFigure> heading,
+    Optional<LoggedFigure> panned,
+    Optional<LoggedFigure> targetX,
+    Optional<LoggedFigure> targetZ,
+    Optional<LoggedFigure> targetTurn,
     Placement believed) {
   private static final double QUARTER_DEG = 90;
 
@@ -41,7 +41,7 @@ record PoseRule(
    * @param frontM from the target's centre to where the distance counts from
    * @param targetMoves the sensor stays, the target is moved away from it
    */
-  record Ladder(Figure distance, Figure aside, double frontM, boolean targetMoves)
+  record Ladder(LoggedFigure distance, LoggedFigure aside, double frontM, boolean targetMoves)
       implements Place {}
 
   /**
@@ -51,16 +51,16 @@ record PoseRule(
    * @param bearing degrees from +z towards +x
    * @param frontM from the target's centre to there
    */
-  record Round(Figure distance, Figure bearing, double frontM) implements Place {}
+  record Round(LoggedFigure distance, LoggedFigure bearing, double frontM) implements Place {}
 
   /** On the plane: x to the right, z down the page. */
-  record OnPlane(Figure x, Figure z) implements Place {}
+  record OnPlane(LoggedFigure x, LoggedFigure z) implements Place {}
 
   /** A row's poses. */
   record Poses(Pose sensor, MovedObstacle obstacle) {}
 
   /** A sensor that faces a target at a distance. */
-  static PoseRule ladder(Figure distance, Figure aside, double frontM) {
+  static PoseRule ladder(LoggedFigure distance, LoggedFigure aside, double frontM) {
     return new PoseRule(
         new Ladder(distance, aside, frontM, false),
         Optional.empty(),
@@ -115,7 +115,7 @@ record PoseRule(
   }
 
   /** Empty where the cell is; an empty number where there is no figure. */
-  private static Optional<OptionalDouble> find(Optional<Figure> figure, LogTable log, int row)
+  private static Optional<OptionalDouble> find(Optional<LoggedFigure> figure, LogTable log, int row)
       throws DataFormatException {
     if (figure.isEmpty()) {
       return Optional.of(OptionalDouble.empty());

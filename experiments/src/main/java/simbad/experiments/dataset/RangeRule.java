@@ -18,7 +18,7 @@ record RangeRule(Unit unit, double soundSpeedMPerS, NoEchoCodes codes) {
   Reading read(LogTable log, int row, int column) throws DataFormatException {
     String cell = log.text(row, column);
     if (codes.isCode(cell)) {
-      Figure.requireWhole(log, row, column);
+      LoggedFigure.requireWhole(log, row, column);
       return NoEcho.NO_ECHO;
     }
     Optional<LogNumber> number = log.findNumber(row, column);
@@ -26,7 +26,11 @@ record RangeRule(Unit unit, double soundSpeedMPerS, NoEchoCodes codes) {
       throw log.fault(
           row,
           column,
-          "'" + cell + "' is not a number of at least 0, at most " + Figure.GREATEST + hint());
+          "'"
+              + cell
+              + "' is not a number of at least 0, at most "
+              + LoggedFigure.GREATEST
+              + hint());
     }
     if (codes.isCode(number.get().value())) {
       return NoEcho.NO_ECHO;
@@ -39,8 +43,8 @@ record RangeRule(Unit unit, double soundSpeedMPerS, NoEchoCodes codes) {
     return codes.isCode(number.value())
         || (kind != Unit.Kind.ANGLE
             && number.value() >= 0
-            && number.value() <= Figure.GREATEST
-            && rangeM(number) <= Figure.GREATEST);
+            && number.value() <= LoggedFigure.GREATEST
+            && rangeM(number) <= LoggedFigure.GREATEST);
   }
 
   private String hint() {

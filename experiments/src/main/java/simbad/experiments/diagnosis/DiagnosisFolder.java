@@ -11,7 +11,7 @@ import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.DiagnosisJson;
-import simbad.gap.diagnosis.Provenance;
+import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.FittedForm;
 import simbad.sonar.format.ReadingsWriter;
@@ -41,7 +41,7 @@ public final class DiagnosisFolder {
    * @throws IOException if something cannot be written
    */
   public static FittedModel write(
-      Path folder, Path source, DataSet data, Diagnosis diagnosis, Provenance provenance)
+      Path folder, Path source, DataSet data, Diagnosis diagnosis, DiagnosisProvenance provenance)
       throws IOException {
     WholeFile.write(
         folder.resolve(DataSetFolder.SCENE),
@@ -74,7 +74,7 @@ public final class DiagnosisFolder {
    * @throws IOException if something cannot be written
    */
   public static void write(
-      Path folder, DataSet data, List<AuditFinding> audit, Provenance provenance)
+      Path folder, DataSet data, List<AuditFinding> audit, DiagnosisProvenance provenance)
       throws IOException {
     save(folder, DiagnosisJson.FILE, DiagnosisJson.text(audit, data, provenance));
   }

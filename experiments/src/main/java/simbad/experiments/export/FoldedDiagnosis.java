@@ -200,7 +200,7 @@ public final class FoldedDiagnosis {
   }
 
   /** Returns what is heard by the level law. */
-  LevelTarget levelTarget() {
+  HeaderTarget levelTarget() {
     return levels.target(model, geometric, index, type(), sensor());
   }
 

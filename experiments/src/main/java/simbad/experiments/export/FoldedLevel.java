@@ -80,7 +80,7 @@ final class FoldedLevel {
    * @param type its outline and words
    * @param sensor as it is
    */
-  LevelTarget target(
+  HeaderTarget target(
       FittedModel model, List<Change> geometric, int index, ObstacleType type, SonarSpec sensor) {
     List<Change> all = new ArrayList<>(geometric);
     all.addAll(heard);
@@ -93,15 +93,15 @@ final class FoldedLevel {
     int bearings =
         isCalibrated
             ? LevelForms.BEARINGS
-            : LevelTarget.PER_BEARING * type.thresholds().table().size();
-    return new LevelTarget(
+            : HeaderTarget.PER_BEARING * type.thresholds().table().size();
+    return new HeaderTarget(
         type,
         sensor,
         law,
         bearing -> believed.levelDb() + gainDb + ears.strengthDb(index, bearing),
         bearings,
         offAxis -> beamDb(believed.beam(), offAxis),
-        Optional.of(new LevelTarget.Way(rule().rangeScale(), path(ears, index))));
+        Optional.of(new HeaderTarget.Way(rule().rangeScale(), path(ears, index))));
   }
 
   /** Behind the baffle nothing is heard. */

@@ -24,7 +24,7 @@ public final class LevelHeader {
    */
   private static final int ROUND_PER_BEARING = 4;
 
-  private final LevelTarget target;
+  private final HeaderTarget target;
   private final String name;
   private final LevelHeaderFigures figures;
   private final Optional<FoldedDiagnosis> diagnosis;
@@ -38,7 +38,7 @@ public final class LevelHeader {
    * @throws IllegalArgumentException for a figure that a header cannot hold, or no such name
    */
   public LevelHeader(ObstacleType type, SonarSpec sensor, String name) {
-    this(LevelTarget.of(type, sensor), name, Optional.empty());
+    this(HeaderTarget.of(type, sensor), name, Optional.empty());
   }
 
   /**
@@ -52,7 +52,7 @@ public final class LevelHeader {
     this(diagnosis.levelTarget(), name, Optional.of(diagnosis));
   }
 
-  private LevelHeader(LevelTarget target, String name, Optional<FoldedDiagnosis> diagnosis) {
+  private LevelHeader(HeaderTarget target, String name, Optional<FoldedDiagnosis> diagnosis) {
     SonarHeader.requireName(name);
     this.target = target;
     this.name = name;
@@ -103,7 +103,7 @@ public final class LevelHeader {
     values.put("range_m", "best");
   }
 
-  private void calibrated(LevelTarget.Way way, Map<String, String> values) {
+  private void calibrated(HeaderTarget.Way way, Map<String, String> values) {
     int round = ROUND_PER_BEARING * target.bearings();
     values.put("round", Integer.toString(round));
     values.put("level_db", byBearing(round, target.echoDb(), LevelHeaderFigures::least));

@@ -27,7 +27,7 @@ record LevelHeaderFigures(
   private static final int WALKS = 18;
   private static final double WALK_STEP_DB = 2.56;
 
-  static LevelHeaderFigures of(LevelTarget target) {
+  static LevelHeaderFigures of(HeaderTarget target) {
     HeaderFigures.requireFit(target.type().outline(), target.sensor());
     LevelLaw law = target.law();
     int[] strength = new int[target.bearings() + 1];
@@ -42,12 +42,12 @@ record LevelHeaderFigures(
     int[] way = new int[target.calibrated().isPresent() ? strength.length : 0];
     target
         .calibrated()
-        .map(LevelTarget.Way::addedM)
+        .map(HeaderTarget.Way::addedM)
         .ifPresent(
             added ->
                 Arrays.setAll(
                     way, i -> HeaderFigures.halves(added.applyAsDouble(bearingRad(i, way)))));
-    double scale = target.calibrated().map(LevelTarget.Way::scale).orElse(1.0);
+    double scale = target.calibrated().map(HeaderTarget.Way::scale).orElse(1.0);
     return new LevelHeaderFigures(
         strength,
         beam,

@@ -17,8 +17,8 @@ import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.AuditJson;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.DiagnosisJson;
+import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.gap.diagnosis.Estimate;
-import simbad.gap.diagnosis.Provenance;
 import simbad.gap.joint.JointDiagnosis;
 import simbad.gap.joint.Shared;
 import simbad.motion.format.MotionData;
@@ -49,7 +49,7 @@ public final class JointFiles {
    * @throws IOException if something cannot be written
    */
   public static FittedModel write(
-      Path folder, Path source, Log log, JointDiagnosis diagnosis, Provenance provenance)
+      Path folder, Path source, Log log, JointDiagnosis diagnosis, DiagnosisProvenance provenance)
       throws IOException {
     FittedModel model =
         DiagnosisFolder.write(folder, source, log.data(), diagnosis.sensing(), provenance);
@@ -82,7 +82,8 @@ public final class JointFiles {
   }
 
   /** The tree of the readings' half, with the whole's conclusions, and the motion's half in it. */
-  private static ObjectNode tree(Log log, JointDiagnosis diagnosis, Provenance provenance) {
+  private static ObjectNode tree(
+      Log log, JointDiagnosis diagnosis, DiagnosisProvenance provenance) {
     ObjectNode root = DiagnosisJson.tree(diagnosis.sensing(), log.data(), provenance);
     root.put("about", "joint");
     List<AuditFinding> audit = new ArrayList<>(diagnosis.sensing().audit());

@@ -14,8 +14,8 @@ import java.util.List;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.AuditJson;
 import simbad.gap.diagnosis.DiagnosisJson;
+import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.gap.diagnosis.Interval;
-import simbad.gap.diagnosis.Provenance;
 import simbad.gap.motion.MotionDiagnosis;
 import simbad.gap.motion.MotionFinding;
 import simbad.gap.motion.MotionPlace;
@@ -52,7 +52,7 @@ public final class MotionFiles {
       MotionData data,
       List<AuditFinding> audit,
       MotionDiagnosis diagnosis,
-      Provenance provenance)
+      DiagnosisProvenance provenance)
       throws IOException {
     ObjectNode json = head(data, audit);
     conclude(json, diagnosis);
@@ -81,7 +81,7 @@ public final class MotionFiles {
    * @throws IOException if a file cannot be written
    */
   public static void write(
-      Path folder, MotionData data, List<AuditFinding> audit, Provenance provenance)
+      Path folder, MotionData data, List<AuditFinding> audit, DiagnosisProvenance provenance)
       throws IOException {
     ObjectNode json = head(data, audit);
     provenance(json.putObject("provenance"), data, provenance, 0);
@@ -102,7 +102,7 @@ public final class MotionFiles {
   }
 
   private static void provenance(
-      ObjectNode node, MotionData data, Provenance provenance, int windows) {
+      ObjectNode node, MotionData data, DiagnosisProvenance provenance, int windows) {
     provenance.sha256().forEach(node.putObject("sha256")::put);
     node.put("version", provenance.version());
     node.put("seed", provenance.seed());

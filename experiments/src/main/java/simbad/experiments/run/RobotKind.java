@@ -1,6 +1,7 @@
 package simbad.experiments.run;
 
 import java.nio.file.Path;
+import java.util.Optional;
 import simbad.motion.MotionChain;
 import simbad.motion.format.DiagnosedMotion;
 import simbad.sonar.format.DataFormatException;
@@ -12,8 +13,6 @@ import simbad.sonar.format.DataFormatException;
  * @param motion how it moves
  */
 public record RobotKind(String name, MotionChain motion) {
-  private static final String DIAGNOSED = "diagnosed:";
-
   /** Makes the name one of a file. */
   public RobotKind {
     name = name.replaceAll("[^A-Za-z0-9_.-]", "-");
@@ -29,8 +28,9 @@ public record RobotKind(String name, MotionChain motion) {
    * @throws DataFormatException if a file is missing or wrong
    */
   public static RobotKind read(String word) throws DataFormatException {
-    if (word.startsWith(DIAGNOSED)) {
-      Path folder = Path.of(word.substring(DIAGNOSED.length()));
+    Optional<String> diagnosed = DiagnosedFolder.in(word);
+    if (diagnosed.isPresent()) {
+      Path folder = Path.of(diagnosed.get());
       return new RobotKind(name(folder), DiagnosedMotion.read(folder));
     }
     Path file = Path.of(word);
@@ -38,7 +38,6 @@ public record RobotKind(String name, MotionChain motion) {
   }
 
   private static String name(Path path) {
-    Path last = path.toAbsolutePath().normalize().getFileName();
-    return last == null ? "robot" : last.toString();
+    return DiagnosedFolder.name(path).orElse("robot");
   }
 }

@@ -28,8 +28,6 @@ public final class SensorKind {
   /** Number of sonars on the belt; with half angles over 15 degrees their cones look all round. */
   public static final int SONARS = 12;
 
-  private static final String DIAGNOSED = "diagnosed:";
-
   /** Simbad's sensor as the thesis describes it: every obstacle is heard up to 2.5 m. */
   public static final SensorKind ORIGINAL =
       new SensorKind(
@@ -219,23 +217,31 @@ public final class SensorKind {
    * @throws DataFormatException if a diagnosis' files are missing or wrong
    */
   public static Optional<SensorKind> read(String word) throws DataFormatException {
-    if (!word.startsWith(DIAGNOSED)) {
+    Optional<String> folder = DiagnosedFolder.in(word);
+    if (folder.isEmpty()) {
       return find(word);
     }
-    Path folder = Path.of(word.substring(DIAGNOSED.length()));
+    Path path = Path.of(folder.get());
+    return Optional.of(diagnosed(DiagnosedFolder.name(path).orElse(""), path));
+  }
+
+  /**
+   * Reads the sensor that a diagnosis left.
+   *
+   * @param name that it goes by
+   * @param folder of the diagnosis
+   * @throws DataFormatException if one of its files is missing or wrong
+   */
+  public static SensorKind diagnosed(String name, Path folder) throws DataFormatException {
     SensingSetup setup = SceneFile.read(folder.resolve("scene.json"));
-    Path name = folder.toAbsolutePath().normalize().getFileName();
-    return Optional.of(
-        diagnosed(
-            name == null ? "" : name.toString(),
-            ModelFile.read(folder.resolve("model.json"), setup)));
+    return diagnosed(name, ModelFile.read(folder.resolve("model.json"), setup));
   }
 
   /** Returns all names of the command line, separated by commas. */
   public static String words() {
     return all().stream().map(SensorKind::word).collect(Collectors.joining(", "))
         + ", "
-        + DIAGNOSED
+        + DiagnosedFolder.PREFIX
         + "DIR";
   }
 

@@ -39,7 +39,7 @@ public record TraceErrors(
   static TraceErrors of(Trace trace, ThresholdTable table) {
     double[] sum = new double[table.size()];
     int[] crossings = new int[table.size()];
-    Crossings.visit(
+    TraceCrossings.visit(
         trace,
         table,
         (bearing, radiusM) -> {
@@ -48,7 +48,7 @@ public record TraceErrors(
         });
     double[] lateral = lateral(trace, table);
     return new TraceErrors(
-        Arrays.asList(Crossings.means(sum, crossings)),
+        Arrays.asList(TraceCrossings.means(sum, crossings)),
         Arrays.stream(lateral).average().orElse(0),
         lateral.length == 0 ? 0 : lateral[(int) (SHARE_OF_P95 * (lateral.length - 1))],
         lateral.length == 0 ? 0 : lateral[lateral.length - 1],

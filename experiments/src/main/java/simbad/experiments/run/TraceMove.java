@@ -81,7 +81,7 @@ public record TraceMove(RunResult result, String against, Radii radii) {
                 between(
                     result,
                     "the " + other.sensor().word() + " sensor's trace",
-                    Crossings.meanRadiusM(other.trace(), table)))
+                    TraceCrossings.meanRadiusM(other.trace(), table)))
         .orElseGet(
             () ->
                 between(
@@ -95,7 +95,7 @@ public record TraceMove(RunResult result, String against, Radii radii) {
   private static Optional<TraceMove> between(
       RunResult result, String against, OptionalDouble[] before) {
     return Radii.of(
-            Crossings.meanRadiusM(result.trace(), result.type().thresholds().table()), before)
+            TraceCrossings.meanRadiusM(result.trace(), result.type().thresholds().table()), before)
         .map(radii -> new TraceMove(result, against, radii));
   }
 

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import simbad.scattering.Backscatter;
-import simbad.scattering.Calibration;
+import simbad.scattering.FittedReceiver;
 import simbad.scattering.RangeLimits;
 import simbad.scattering.ThresholdPrediction;
 import simbad.sonar.format.OutlineDocument;
@@ -34,7 +34,7 @@ public final class PredictedTable {
    * @param bearings how many, evenly spaced from 0
    */
   public static TableDocument of(
-      OutlineDocument section, Air air, SonarSpec sonar, Calibration calibration, int bearings) {
+      OutlineDocument section, Air air, SonarSpec sonar, FittedReceiver calibration, int bearings) {
     ThresholdPrediction prediction =
         ThresholdPrediction.of(
             Backscatter.of(section.parts(), air, bearings),
@@ -65,7 +65,7 @@ public final class PredictedTable {
             Map.entry(
                 "band",
                 "threshold_low_m to threshold_high_m, "
-                    + Calibration.COVERAGE_PERCENT
+                    + FittedReceiver.COVERAGE_PERCENT
                     + " % of what was calibrated on"))
         .forEach(entry -> header.put(entry.getKey(), entry.getValue()));
     return header;

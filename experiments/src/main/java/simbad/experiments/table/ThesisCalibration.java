@@ -3,7 +3,7 @@ package simbad.experiments.table;
 import java.util.List;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.CrossSections;
-import simbad.scattering.Calibration;
+import simbad.scattering.FittedReceiver;
 import simbad.scattering.KnownThresholds;
 import simbad.scattering.RangeLimits;
 import simbad.scattering.ThesisThresholds;
@@ -19,7 +19,7 @@ public final class ThesisCalibration {
    *
    * @param withAngle whether to the angle's measured table as well, or to the words alone
    */
-  public static Calibration fit(boolean withAngle) {
+  public static FittedReceiver fit(boolean withAngle) {
     ThesisThresholds thesis =
         new ThesisThresholds(CrossSections.square(), CrossSections.round(), Air.ROOM);
     List<KnownThresholds> known =
@@ -27,6 +27,7 @@ public final class ThesisCalibration {
             ? thesis.with(CrossSections.angle(), Catalogue.angleTable().table())
             : thesis.inWords();
     SonarSpec srf04 = Catalogue.srf04();
-    return Calibration.fit(known, Air.ROOM, new RangeLimits(srf04.minRangeM(), srf04.maxRangeM()));
+    return FittedReceiver.fit(
+        known, Air.ROOM, new RangeLimits(srf04.minRangeM(), srf04.maxRangeM()));
   }
 }

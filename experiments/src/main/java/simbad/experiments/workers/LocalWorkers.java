@@ -40,7 +40,7 @@ public final class LocalWorkers implements Workers {
 
   @Override
   public <R extends Serializable> void run(
-      Job<R> job, long from, long to, Receiver<? super R> receiver)
+      Job<R> job, long from, long to, PieceReceiver<? super R> receiver)
       throws IOException, InterruptedException {
     Deque<Future<R>> begun = new ArrayDeque<>();
     try {

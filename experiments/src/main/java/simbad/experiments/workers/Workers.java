@@ -16,7 +16,8 @@ public interface Workers extends AutoCloseable {
    * @throws IOException if the receiver threw it, or the workers are gone
    * @throws InterruptedException if the calling thread was interrupted
    */
-  <R extends Serializable> void run(Job<R> job, long from, long to, Receiver<? super R> receiver)
+  <R extends Serializable> void run(
+      Job<R> job, long from, long to, PieceReceiver<? super R> receiver)
       throws IOException, InterruptedException;
 
   @Override

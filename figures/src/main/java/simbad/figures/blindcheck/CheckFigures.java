@@ -3,10 +3,10 @@ package simbad.figures.blindcheck;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
 import java.util.function.Predicate;
-import simbad.experiments.blindcheck.Calibration;
 import simbad.experiments.blindcheck.CheckScores.Figures;
+import simbad.experiments.blindcheck.StatedProbabilities;
 import simbad.figures.page.Numbers;
-import simbad.figures.page.Picture;
+import simbad.figures.page.PagePicture;
 import simbad.figures.page.Svg.Spot;
 import simbad.figures.page.Table;
 
@@ -18,24 +18,25 @@ final class CheckFigures {
   private CheckFigures() {}
 
   /** The reliability diagram of the verdict's probability. */
-  static Picture verdict(Figures figures) {
+  static PagePicture verdict(Figures figures) {
     return reliability(
         "Probability of the verdict", figures, figures.calibration("verdict_calibration"));
   }
 
   /** The reliability diagram of the first effect's probability. */
-  static Picture firstEffect(Figures figures) {
+  static PagePicture firstEffect(Figures figures) {
     return reliability(
         "Probability of the effect listed first",
         figures,
         figures.calibration("first_named_calibration"));
   }
 
-  private static Picture reliability(String title, Figures figures, Calibration calibration) {
+  private static PagePicture reliability(
+      String title, Figures figures, StatedProbabilities calibration) {
     String words = title + "; " + figures.part() + "; n = " + calibration.claims();
     AgreementGraph graph = new AgreementGraph(words, "probability stated", "share that was so", 0);
     Table table = Table.of("#stated", "#cases", "#so", "#share", "#95\u00a0% interval");
-    for (Calibration.Bin bin : calibration.bins()) {
+    for (StatedProbabilities.Bin bin : calibration.bins()) {
       String interval = Numbers.percent(bin.low()) + " to " + Numbers.percent(bin.high());
       String stated = Numbers.percent(bin.stated(), 1);
       graph.group(
@@ -46,7 +47,7 @@ final class CheckFigures {
           "stated " + stated + ": " + bin.hits() + " of " + bin.of() + " were so, " + interval);
       table.row(stated, bin.of(), bin.hits(), Numbers.percent(bin.share()), interval);
     }
-    return new Picture(
+    return new PagePicture(
             title,
             graph.html(),
             figures.part()
@@ -62,7 +63,7 @@ final class CheckFigures {
    * @param part of the cases, for the caption
    * @param cases those that the plot shall show
    */
-  static Picture shrinkage(String part, List<JsonNode> cases) {
+  static PagePicture shrinkage(String part, List<JsonNode> cases) {
     List<Spot> claims =
         cases.stream()
             .filter(has("shrink_claimed").and(has("shrink_sealed")))
@@ -80,7 +81,7 @@ final class CheckFigures {
             "shrinkage on the sealed rows",
             least(claims));
     graph.cloud(claims, claims.size() + " cases");
-    return new Picture(
+    return new PagePicture(
         "Shrinkage of the gap",
         graph.html(),
         words + ". Cases with something named or left unexplained.");

@@ -11,7 +11,7 @@ import simbad.experiments.blindcheck.CheckScores.Figures;
 import simbad.experiments.blindcheck.Measure;
 import simbad.figures.page.Html;
 import simbad.figures.page.Page;
-import simbad.figures.page.Picture;
+import simbad.figures.page.PagePicture;
 import simbad.figures.page.Table;
 
 /** The page of a check: one file, its first screen is the scoring table. */
@@ -156,7 +156,7 @@ final class CheckPage {
         "Of what it says with 80\u00a0%, four fifths should be so: points belong on the diagonal."
             + " Ten groups of as many cases each; calibration.csv has them all.");
     for (String part : scores.parts()) {
-      List<Picture> pictures = new ArrayList<>();
+      List<PagePicture> pictures = new ArrayList<>();
       diagnosis(part)
           .ifPresent(
               figures -> {

@@ -8,12 +8,12 @@ import simbad.figures.page.AxisScale;
 import simbad.figures.page.Html;
 import simbad.figures.page.Numbers;
 import simbad.figures.page.Page;
-import simbad.figures.page.Picture;
+import simbad.figures.page.PagePicture;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.DiagnosisJson;
+import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.gap.diagnosis.NextExperiment;
-import simbad.gap.diagnosis.Provenance;
 import simbad.gap.diagnosis.SetupError;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.scene.Obstacle;
@@ -78,7 +78,7 @@ final class DiagnosisPage {
         Html.key("after"),
         " diagnosed model. The figures show all rows, the fitted ones too; the sizes above are of"
             + " held-out rows only.");
-    List<Picture> pictures = new ArrayList<>();
+    List<PagePicture> pictures = new ArrayList<>();
     List<Obstacle> obstacles = data.setup().scene().obstacles();
     for (int i = 0; i < Math.min(MOST_MAPS, obstacles.size()); i++) {
       addMaps(pictures, i, obstacles.get(i));
@@ -90,7 +90,7 @@ final class DiagnosisPage {
     }
   }
 
-  private void addMaps(List<Picture> pictures, int index, Obstacle obstacle) {
+  private void addMaps(List<PagePicture> pictures, int index, Obstacle obstacle) {
     List<RowFinding> near = rows.stream().filter(row -> row.obstacle() == index).toList();
     if (near.isEmpty()) {
       return;
@@ -103,20 +103,20 @@ final class DiagnosisPage {
     AxisScale scale = AxisScale.over(0, Math.max(most, LEAST_SCALE_CM), 4);
     String round = ": round the obstacle " + obstacle.name();
     pictures.add(
-        new Picture(
+        new PagePicture(
             "Before" + round,
             map.draw("Gap before" + round, row -> row.before().gapCm(), scale),
             "Mean gap by bearing and distance, in the obstacle's own frame. Dashed: the threshold"
                 + " that the simulator believes."));
     pictures.add(
-        new Picture(
+        new PagePicture(
                 "After" + round,
                 map.draw("Gap after" + round, row -> row.after().gapCm(), scale),
                 "The same under the diagnosed model, in the same colours.")
             .with("Both by bearing, as a table", map.table()));
   }
 
-  private void addGraphs(List<Picture> pictures) {
+  private void addGraphs(List<PagePicture> pictures) {
     addGraph(
         pictures,
         "By distance",
@@ -140,18 +140,18 @@ final class DiagnosisPage {
     }
   }
 
-  private static void addGraph(List<Picture> pictures, String heading, Optional<Html> graph) {
+  private static void addGraph(List<PagePicture> pictures, String heading, Optional<Html> graph) {
     graph.ifPresent(
         drawing ->
             pictures.add(
-                new Picture(heading, drawing, "Bins of fewer than three rows are left out.")));
+                new PagePicture(heading, drawing, "Bins of fewer than three rows are left out.")));
   }
 
   private void residuals() {
     page.section("How well the models forecast");
-    List<Picture> pictures = new ArrayList<>();
+    List<PagePicture> pictures = new ArrayList<>();
     pictures.add(
-        new Picture(
+        new PagePicture(
             "Ranks",
             ResidualGraph.ranks(rows),
             "Where each reading lies in its forecast, a no-echo behind all ranges. Forecasts that"
@@ -161,7 +161,7 @@ final class DiagnosisPage {
         .ifPresent(
             drawing ->
                 pictures.add(
-                    new Picture(
+                    new PagePicture(
                         "Ranges",
                         drawing,
                         "Echoes that were read, less the median of those expected. A shift is a"
@@ -216,7 +216,7 @@ final class DiagnosisPage {
         " nats of evidence, whichever of them is true.");
     page.pictures(
         List.of(
-            new Picture(
+            new PagePicture(
                 "Poses to measure at",
                 PosePlan.of(next.poses(), data.setup().scene()),
                 "Seen from above; each dot is a ping, its line points where the sensor looks.")));
@@ -239,7 +239,7 @@ final class DiagnosisPage {
         ". Sets that are not there were ruled out before, by fits that were worse.");
   }
 
-  private void origin(Provenance provenance) {
+  private void origin(DiagnosisProvenance provenance) {
     page.section("What this was made of");
     List<Html> items = new ArrayList<>();
     items.add(Html.of("program ", provenance.version(), ", seed ", provenance.seed()));

@@ -8,7 +8,7 @@ import simbad.experiments.diagnosis.DiagnosisFolder;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
-import simbad.gap.diagnosis.Provenance;
+import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.sonar.format.TextFile;
 import simbad.sonar.predict.FittedModel;
 
@@ -30,7 +30,7 @@ public final class DiagnosisReport {
    * @throws IOException if something cannot be written
    */
   public static void write(
-      Path folder, Path source, DataSet data, Diagnosis diagnosis, Provenance provenance)
+      Path folder, Path source, DataSet data, Diagnosis diagnosis, DiagnosisProvenance provenance)
       throws IOException {
     FittedModel model = DiagnosisFolder.write(folder, source, data, diagnosis, provenance);
     List<RowFinding> rows =
@@ -48,7 +48,7 @@ public final class DiagnosisReport {
    * @throws IOException if something cannot be written
    */
   public static void write(
-      Path folder, DataSet data, List<AuditFinding> audit, Provenance provenance)
+      Path folder, DataSet data, List<AuditFinding> audit, DiagnosisProvenance provenance)
       throws IOException {
     DiagnosisFolder.write(folder, data, audit, provenance);
     TextFile.write(folder.resolve(PAGE), AuditSection.page(data.name(), audit));

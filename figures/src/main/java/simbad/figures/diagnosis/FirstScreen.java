@@ -169,7 +169,7 @@ final class FirstScreen {
     page.say(
         Html.strong("Where most of it lies:"),
         " ",
-        Places.words(place),
+        PlaceWords.words(place),
         ": ",
         place.kind().words(),
         ", ",

@@ -1,8 +1,8 @@
 package simbad.figures.diagnosis;
 
 import java.util.List;
-import simbad.figures.page.Axis;
 import simbad.figures.page.AxisScale;
+import simbad.figures.page.ChartAxis;
 import simbad.figures.page.Graph;
 import simbad.figures.page.Html;
 import simbad.gap.motion.MotionDiagnosis;
@@ -44,7 +44,7 @@ final class HorizonGraph {
   }
 
   /** A place for each, its label in the middle. */
-  private record Horizons() implements Axis {
+  private record Horizons() implements ChartAxis {
     @Override
     public double share(double value) {
       return value / MotionPage.HORIZONS.length;

@@ -8,8 +8,8 @@ import simbad.figures.page.Html;
 import simbad.figures.page.Page;
 import simbad.figures.page.Table;
 import simbad.gap.audit.AuditFinding;
+import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.gap.diagnosis.Estimate;
-import simbad.gap.diagnosis.Provenance;
 import simbad.gap.joint.JointDiagnosis;
 import simbad.gap.joint.Shared;
 
@@ -32,7 +32,10 @@ final class JointPage {
    * @param provenance what it was made by
    */
   static String of(
-      JointFiles.Log log, JointDiagnosis diagnosis, List<RowFinding> rows, Provenance provenance) {
+      JointFiles.Log log,
+      JointDiagnosis diagnosis,
+      List<RowFinding> rows,
+      DiagnosisProvenance provenance) {
     String name = log.data().name();
     String verdict = diagnosis.verdict().word();
     Page page = new Page(name + ": " + verdict, "What is heard and how it moves: " + name);

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.SplittableRandom;
 import simbad.experiments.motion.JointFiles;
-import simbad.gap.diagnosis.Provenance;
+import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.gap.joint.JointDiagnosis;
 import simbad.sonar.format.TextFile;
 import simbad.sonar.predict.FittedModel;
@@ -25,7 +25,11 @@ public final class JointReport {
    * @throws IOException if something cannot be written
    */
   public static void write(
-      Path folder, Path source, JointFiles.Log log, JointDiagnosis diagnosis, Provenance provenance)
+      Path folder,
+      Path source,
+      JointFiles.Log log,
+      JointDiagnosis diagnosis,
+      DiagnosisProvenance provenance)
       throws IOException {
     FittedModel model = JointFiles.write(folder, source, log, diagnosis, provenance);
     List<RowFinding> rows =

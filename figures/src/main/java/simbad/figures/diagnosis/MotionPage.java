@@ -7,10 +7,10 @@ import simbad.figures.page.Bars;
 import simbad.figures.page.Html;
 import simbad.figures.page.Numbers;
 import simbad.figures.page.Page;
-import simbad.figures.page.Picture;
+import simbad.figures.page.PagePicture;
 import simbad.figures.page.Table;
 import simbad.gap.audit.AuditFinding;
-import simbad.gap.diagnosis.Provenance;
+import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.gap.motion.MotionDiagnosis;
 import simbad.gap.motion.MotionFinding;
 import simbad.gap.motion.MotionPlace;
@@ -45,7 +45,10 @@ public final class MotionPage {
    * @param provenance what it was made by
    */
   public static String of(
-      String dataset, List<AuditFinding> audit, MotionDiagnosis diagnosis, Provenance provenance) {
+      String dataset,
+      List<AuditFinding> audit,
+      MotionDiagnosis diagnosis,
+      DiagnosisProvenance provenance) {
     String verdict = diagnosis.verdict().word();
     Page page = new Page(dataset + ": " + verdict, "How the robot moves: " + dataset);
     page.verdict(Html.strong(verdict), ": ", diagnosis.headline(), ".").note(LIMITS);
@@ -65,7 +68,7 @@ public final class MotionPage {
     own.hidden(diagnosis.undetectable());
   }
 
-  private void origin(MotionDiagnosis diagnosis, Provenance provenance) {
+  private void origin(MotionDiagnosis diagnosis, DiagnosisProvenance provenance) {
     page.section("What this was made of");
     page.soft(
         "Program ",
@@ -124,7 +127,7 @@ public final class MotionPage {
     page.part(finding.form() + " (" + Numbers.probability(finding.probability()) + ")");
     Table table = Table.of("parameter", "#fitted", "#95\u00a0% interval");
     for (MotionFinding.Parameter parameter : finding.parameters()) {
-      String unit = Places.unit(parameter.name());
+      String unit = PlaceWords.unit(parameter.name());
       table.row(
           Html.code(parameter.name()),
           Numbers.number(parameter.value()) + unit + (parameter.atBound() ? " (bound)" : ""),
@@ -168,12 +171,12 @@ public final class MotionPage {
     page.pictures(pictures(gap));
   }
 
-  private static List<Picture> pictures(MotionDiagnosis.Gap gap) {
-    List<Picture> pictures = new ArrayList<>();
+  private static List<PagePicture> pictures(MotionDiagnosis.Gap gap) {
+    List<PagePicture> pictures = new ArrayList<>();
     for (int c = 0; c < COMPONENTS.length; c++) {
       Shown shown = c == TURN ? DEGREES : MILLIMETRES;
       pictures.add(
-          new Picture(
+          new PagePicture(
               COMPONENTS[c],
               HorizonGraph.of(COMPONENTS[c], shown, gap, c),
               Html.of(Html.key("before"), " before, ", Html.key("after"), " after"),

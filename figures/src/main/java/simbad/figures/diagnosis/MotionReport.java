@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import simbad.experiments.motion.MotionFiles;
 import simbad.gap.audit.AuditFinding;
-import simbad.gap.diagnosis.Provenance;
+import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.gap.motion.MotionDiagnosis;
 import simbad.motion.format.MotionData;
 import simbad.sonar.format.TextFile;
@@ -29,7 +29,7 @@ public final class MotionReport {
       MotionData data,
       List<AuditFinding> audit,
       MotionDiagnosis diagnosis,
-      Provenance provenance)
+      DiagnosisProvenance provenance)
       throws IOException {
     MotionFiles.write(folder, data, audit, diagnosis, provenance);
     TextFile.write(
@@ -47,7 +47,7 @@ public final class MotionReport {
    * @throws IOException if a file cannot be written
    */
   public static void write(
-      Path folder, MotionData data, List<AuditFinding> audit, Provenance provenance)
+      Path folder, MotionData data, List<AuditFinding> audit, DiagnosisProvenance provenance)
       throws IOException {
     MotionFiles.write(folder, data, audit, provenance);
     TextFile.write(folder.resolve(DiagnosisReport.PAGE), AuditSection.page(data.name(), audit));

@@ -36,7 +36,7 @@ final class Tables {
         Table.of("place", "kind", "#rows", "#share of the gap", "#before, cm", "#after, cm", "#q");
     for (Place place : places.subList(0, Math.min(MOST_PLACES, places.size()))) {
       table.row(
-          Places.words(place),
+          PlaceWords.words(place),
           place.kind().words(),
           place.rows(),
           Numbers.percent(place.shareOfGap()),
@@ -86,7 +86,7 @@ final class Tables {
   }
 
   private static void add(Table table, FittedParameter parameter) {
-    String unit = Places.unit(parameter.name());
+    String unit = PlaceWords.unit(parameter.name());
     table.row(
         Html.code(parameter.name()),
         Numbers.number(parameter.value()) + unit,
@@ -110,7 +110,7 @@ final class Tables {
           one.effect().word(),
           Html.code(one.parameter()),
           one.leastSize().isPresent()
-              ? Numbers.number(one.leastSize().getAsDouble()) + Places.unit(one.parameter())
+              ? Numbers.number(one.leastSize().getAsDouble()) + PlaceWords.unit(one.parameter())
               : "at no size");
     }
     page.table(table);

@@ -11,7 +11,7 @@ import java.util.List;
  * @param high at its end, above low
  * @param step between its ticks: 1, 2 or 5 times a power of ten
  */
-public record AxisScale(double low, double high, double step) implements Axis {
+public record AxisScale(double low, double high, double step) implements ChartAxis {
   private static final double[] ROUND = {1, 2, 5, 10};
 
   /**

@@ -14,8 +14,8 @@ public final class Graph {
 
   private final Svg svg;
   private final Frame frame;
-  private final Axis x;
-  private final Axis y;
+  private final ChartAxis x;
+  private final ChartAxis y;
 
   /**
    * Where the graph lies in its drawing.
@@ -45,7 +45,7 @@ public final class Graph {
    * @param x to the right
    * @param y upward
    */
-  public Graph(Svg svg, Frame frame, Axis x, Axis y) {
+  public Graph(Svg svg, Frame frame, ChartAxis x, ChartAxis y) {
     this.svg = svg;
     this.frame = frame;
     this.x = x;
@@ -59,7 +59,7 @@ public final class Graph {
    * @param x to the right
    * @param y upward
    */
-  public Graph(String title, Axis x, Axis y) {
+  public Graph(String title, ChartAxis x, ChartAxis y) {
     this(new Svg(WIDTH, HEIGHT, title), USUAL, x, y);
   }
 

@@ -88,8 +88,8 @@ public final class Page {
   }
 
   /** Adds pictures side by side, as many as there is room for. */
-  public Page pictures(List<Picture> pictures) {
-    Html all = Html.all(pictures.stream().map(Picture::html).toList());
+  public Page pictures(List<PagePicture> pictures) {
+    Html all = Html.all(pictures.stream().map(PagePicture::html).toList());
     return add(Html.styled("div", "figures", Html.raw("\n"), all).line());
   }
 

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.knowm.xchart.XYChart;
+import simbad.sonar.check.Checks;
 
 /**
  * How a sensor's sensitivity falls off its axis, beside the cone that stands for it. Nothing is
@@ -47,11 +48,11 @@ public record BeamPlot(
   }
 
   /** Lays the picture out. */
-  public Figure figure() {
+  public PlotFigure figure() {
     XYChart chart =
         Frame.chart(caption, WIDTH, "angle off the axis (degrees)", "sensitivity, one way (dB)");
     Frame.range(chart, -EDGE_DEG, EDGE_DEG, FLOOR_DB, 0);
-    List<Curve> curves = curves();
+    List<PlotCurve> curves = curves();
     Frame.add(chart, curves);
     Ticks ticks =
         new Ticks(
@@ -62,13 +63,13 @@ public record BeamPlot(
                 .map(db -> Ticks.Tick.of(db, db))
                 .toList());
     Dimension size = Frame.fit(chart, ticks, ASPECT);
-    chart.addAnnotation(new Layer(BeamPlot::paintGrid));
-    chart.addAnnotation(new Layer(new CurveLayer(curves)));
-    chart.addAnnotation(new Layer(ticks));
-    return new Figure(caption, chart, size);
+    chart.addAnnotation(new PlotLayer(BeamPlot::paintGrid));
+    chart.addAnnotation(new PlotLayer(new CurveLayer(curves)));
+    chart.addAnnotation(new PlotLayer(ticks));
+    return new PlotFigure(caption, chart, size);
   }
 
-  private List<Curve> curves() {
+  private List<PlotCurve> curves() {
     return isFine() ? List.of(beam(), cone()) : List.of(beam(), dots(), cone());
   }
 
@@ -77,18 +78,18 @@ public record BeamPlot(
         .allMatch(i -> offAxisDeg.get(i) - offAxisDeg.get(i - 1) <= FINE_DEG);
   }
 
-  private Curve beam() {
+  private PlotCurve beam() {
     List<double[]> points = new ArrayList<>();
     double[] before = null;
     for (double[] point : bothSides()) {
       add(points, before, point);
       before = point;
     }
-    return new Curve(
+    return new PlotCurve(
         "sensitivity",
         points.stream().mapToDouble(p -> p[0]).toArray(),
         points.stream().mapToDouble(p -> p[1]).toArray(),
-        Look.of(SeriesRole.SHADOW).slim(),
+        PlotLook.of(SeriesRole.SHADOW).slim(),
         SeriesStyle.LINE);
   }
 
@@ -106,14 +107,14 @@ public record BeamPlot(
     }
   }
 
-  private Curve dots() {
+  private PlotCurve dots() {
     List<double[]> points = bothSides().stream().filter(p -> p[1] >= FLOOR_DB).toList();
-    Look line = Look.of(SeriesRole.SHADOW);
-    return new Curve(
+    PlotLook line = PlotLook.of(SeriesRole.SHADOW);
+    return new PlotCurve(
         "points of the sensor's file",
         points.stream().mapToDouble(p -> p[0]).toArray(),
         points.stream().mapToDouble(p -> p[1]).toArray(),
-        new Look(line.colour(), Ink.round(DOT), line.depth()),
+        new PlotLook(line.colour(), PlotInk.round(DOT), line.depth()),
         SeriesStyle.POINTS);
   }
 
@@ -129,19 +130,19 @@ public record BeamPlot(
     return points;
   }
 
-  private Curve cone() {
+  private PlotCurve cone() {
     double a = coneHalfAngleDeg;
-    return new Curve(
+    return new PlotCurve(
         "cone that stands for it",
         new double[] {-a, -a, a, a},
         new double[] {FLOOR_DB, 0, 0, FLOOR_DB},
-        Look.of(SeriesRole.ORIGINAL).slim(),
+        PlotLook.of(SeriesRole.ORIGINAL).slim(),
         SeriesStyle.LINE);
   }
 
-  private static void paintGrid(Graphics2D g, Screen screen) {
-    g.setStroke(Ink.HAIRLINE);
-    g.setColor(Ink.GRID);
+  private static void paintGrid(Graphics2D g, PlotScreen screen) {
+    g.setStroke(PlotInk.HAIRLINE);
+    g.setColor(PlotInk.GRID);
     Rectangle2D plot = screen.plot();
     for (double db : Steps.multiples(FLOOR_DB, 0, TICK_DB)) {
       double y = Paths.rounded(screen.y(db));

@@ -1,5 +1,7 @@
 package simbad.figures.plot;
 
+import simbad.sonar.check.Checks;
+
 /**
  * The error of a trace at one bearing of the table.
  *

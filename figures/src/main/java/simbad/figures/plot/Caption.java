@@ -10,7 +10,7 @@ package simbad.figures.plot;
 public record Caption(String title, String provenance) {
   /** Checks that both lines say something. */
   public Caption {
-    Checks.notBlank("title", title);
-    Checks.notBlank("provenance", provenance);
+    Labels.notBlank("title", title);
+    Labels.notBlank("provenance", provenance);
   }
 }

@@ -24,11 +24,12 @@ record ColourBar(String quantity) {
   void paint(Graphics2D g, double left, Rectangle2D plot) {
     Rectangle2D bar = new Rectangle2D.Double(left, plot.getY(), BAR, plot.getHeight());
     Tiles.draw(g, Tiles.image(1, SHADES, (column, row) -> shade(row)), bar);
-    g.setColor(Ink.FRAME);
-    g.setStroke(Ink.HAIRLINE);
+    g.setColor(PlotInk.FRAME);
+    g.setStroke(PlotInk.HAIRLINE);
     g.draw(bar);
     Steps.multiples(0, 1, 0.2).forEach(share -> tick(g, bar, share));
-    new Text(quantity, Ink.AXIS_TITLE, Ink.TEXT).drawUpwards(g, left + TITLE_AT, bar.getCenterY());
+    new Text(quantity, PlotInk.AXIS_TITLE, PlotInk.TEXT)
+        .drawUpwards(g, left + TITLE_AT, bar.getCenterY());
   }
 
   private static int shade(int row) {
@@ -37,8 +38,9 @@ record ColourBar(String quantity) {
 
   private static void tick(Graphics2D g, Rectangle2D bar, double share) {
     double y = bar.getMaxY() - share * bar.getHeight();
-    g.setColor(Ink.FRAME);
+    g.setColor(PlotInk.FRAME);
     g.draw(new Line2D.Double(bar.getMaxX(), y, bar.getMaxX() + TICK, y));
-    new Text(Steps.label(share), Ink.TICK, Ink.TEXT).draw(g, bar.getMaxX() + TICK + 3, y, 0, 0.5);
+    new Text(Steps.label(share), PlotInk.TICK, PlotInk.TEXT)
+        .draw(g, bar.getMaxX() + TICK + 3, y, 0, 0.5);
   }
 }

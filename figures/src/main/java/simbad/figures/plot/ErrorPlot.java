@@ -40,7 +40,7 @@ public record ErrorPlot(Caption caption, List<ErrorSeries> series, List<PolarPoi
   public ErrorPlot {
     series = List.copyOf(series);
     table = List.copyOf(table);
-    Checks.distinctNames(series, ErrorSeries::name);
+    Labels.distinctNames(series, ErrorSeries::name);
   }
 
   /** A plot without lobes. */
@@ -54,22 +54,22 @@ public record ErrorPlot(Caption caption, List<ErrorSeries> series, List<PolarPoi
   }
 
   /** Lays the picture out. */
-  public Figure figure() {
+  public PlotFigure figure() {
     ErrorScale scale = scale();
     XYChart chart = Frame.chart(caption, WIDTH, "bearing in the table (degrees)", Y_TITLE);
     chart.getStyler().setYAxisLogarithmic(scale.isLog());
     Frame.range(chart, 0, TURN_DEG, scale.bottomCm(), scale.topCm());
-    List<Curve> curves = series.stream().map(s -> curve(s, scale)).toList();
-    List<Curve> lobes = lobes(scale);
+    List<PlotCurve> curves = series.stream().map(s -> curve(s, scale)).toList();
+    List<PlotCurve> lobes = lobes(scale);
     Frame.add(chart, curves);
     Frame.add(chart, lobes);
     Ticks ticks = ticks(scale);
     Dimension size = Frame.fit(chart, ticks, ASPECT);
-    chart.addAnnotation(new Layer(new CurveLayer(lobes)));
-    chart.addAnnotation(new Layer((g, screen) -> paintGrid(g, screen, scale)));
-    chart.addAnnotation(new Layer(new CurveLayer(curves)));
-    chart.addAnnotation(new Layer(ticks));
-    return new Figure(caption, chart, size);
+    chart.addAnnotation(new PlotLayer(new CurveLayer(lobes)));
+    chart.addAnnotation(new PlotLayer((g, screen) -> paintGrid(g, screen, scale)));
+    chart.addAnnotation(new PlotLayer(new CurveLayer(curves)));
+    chart.addAnnotation(new PlotLayer(ticks));
+    return new PlotFigure(caption, chart, size);
   }
 
   /** Returns the scale of the error's axis. */
@@ -82,7 +82,7 @@ public record ErrorPlot(Caption caption, List<ErrorSeries> series, List<PolarPoi
   }
 
   /** Thresholds have no axis of their own: the legend says how far the largest reaches. */
-  private List<Curve> lobes(ErrorScale scale) {
+  private List<PlotCurve> lobes(ErrorScale scale) {
     double mostM = table.stream().mapToDouble(PolarPoint::radiusM).max().orElse(0);
     if (!(mostM > 0)) {
       return List.of();
@@ -99,10 +99,10 @@ public record ErrorPlot(Caption caption, List<ErrorSeries> series, List<PolarPoi
     cm[last + 1] = scale.bottomCm();
     cm[last + 2] = scale.bottomCm();
     String name = "the table's lobes, the largest " + Steps.label(mostM) + " m";
-    return List.of(new Curve(name, deg, cm, Look.of(SeriesRole.BAND), SeriesStyle.AREA));
+    return List.of(new PlotCurve(name, deg, cm, PlotLook.of(SeriesRole.BAND), SeriesStyle.AREA));
   }
 
-  private static Curve curve(ErrorSeries series, ErrorScale scale) {
+  private static PlotCurve curve(ErrorSeries series, ErrorScale scale) {
     List<double[]> points = new ArrayList<>();
     double widestDeg = 1.5 * leastStepDeg(series.errors());
     for (BearingError error : series.errors()) {
@@ -112,11 +112,11 @@ public record ErrorPlot(Caption caption, List<ErrorSeries> series, List<PolarPoi
       // A full turn later is the same bearing: the graph ends where it began.
       add(points, TURN_DEG, points.get(0)[1], widestDeg);
     }
-    return new Curve(
+    return new PlotCurve(
         series.name(),
         column(points, 0),
         column(points, 1),
-        Look.of(series.role()).slim(),
+        PlotLook.of(series.role()).slim(),
         SeriesStyle.LINE);
   }
 
@@ -141,10 +141,10 @@ public record ErrorPlot(Caption caption, List<ErrorSeries> series, List<PolarPoi
     return least;
   }
 
-  private static void paintGrid(Graphics2D g, Screen screen, ErrorScale scale) {
-    g.setStroke(Ink.HAIRLINE);
-    scale.fineLines().forEach(cm -> across(g, screen, cm, Ink.FINE_GRID));
-    scale.ticks().forEach(cm -> across(g, screen, cm, Ink.GRID));
+  private static void paintGrid(Graphics2D g, PlotScreen screen, ErrorScale scale) {
+    g.setStroke(PlotInk.HAIRLINE);
+    scale.fineLines().forEach(cm -> across(g, screen, cm, PlotInk.FINE_GRID));
+    scale.ticks().forEach(cm -> across(g, screen, cm, PlotInk.GRID));
     Rectangle2D plot = screen.plot();
     for (double deg : Steps.multiples(0, TURN_DEG, TICK_DEG)) {
       double x = Paths.rounded(screen.x(deg));
@@ -152,7 +152,7 @@ public record ErrorPlot(Caption caption, List<ErrorSeries> series, List<PolarPoi
     }
   }
 
-  private static void across(Graphics2D g, Screen screen, double cm, Color colour) {
+  private static void across(Graphics2D g, PlotScreen screen, double cm, Color colour) {
     Rectangle2D plot = screen.plot();
     double y = Paths.rounded(screen.y(cm));
     g.setColor(colour);

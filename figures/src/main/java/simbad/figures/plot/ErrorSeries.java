@@ -14,7 +14,7 @@ import java.util.List;
 public record ErrorSeries(String name, SeriesRole role, List<BearingError> errors) {
   /** Copies the list, in the order of the bearings. */
   public ErrorSeries {
-    Checks.notBlank("name", name);
+    Labels.notBlank("name", name);
     errors = errors.stream().sorted(Comparator.comparingDouble(BearingError::bearingDeg)).toList();
   }
 }

@@ -48,9 +48,9 @@ final class Frame {
 
   private static void axes(XYStyler styler) {
     styler.setChartTitleVisible(false);
-    styler.setChartBackgroundColor(Ink.PAPER);
-    styler.setPlotBackgroundColor(Ink.PAPER);
-    styler.setChartFontColor(Ink.TEXT);
+    styler.setChartBackgroundColor(PlotInk.PAPER);
+    styler.setPlotBackgroundColor(PlotInk.PAPER);
+    styler.setChartFontColor(PlotInk.TEXT);
     styler.setPlotBorderVisible(false);
     styler.setPlotContentSize(1);
     styler.setChartPadding(10);
@@ -58,14 +58,14 @@ final class Frame {
     styler.setPlotGridLinesVisible(false);
     styler.setPlotTicksMarksVisible(false);
     styler.setAxisTicksVisible(false);
-    styler.setAxisTitleFont(Ink.AXIS_TITLE);
+    styler.setAxisTitleFont(PlotInk.AXIS_TITLE);
   }
 
   private static void legend(XYStyler styler) {
-    styler.setLegendFont(Ink.LEGEND);
+    styler.setLegendFont(PlotInk.LEGEND);
     styler.setLegendPosition(LegendPosition.OutsideS);
     styler.setLegendLayout(LegendLayout.Vertical);
-    styler.setLegendBackgroundColor(Ink.PAPER);
+    styler.setLegendBackgroundColor(PlotInk.PAPER);
     styler.setLegendBorderColor(NONE);
     styler.setLegendSeriesLineLength(38);
     styler.setLegendPadding(7);
@@ -77,22 +77,22 @@ final class Frame {
   }
 
   /** Adds curves as series, their names broken into lines that fit under the plot. */
-  static void add(XYChart chart, List<Curve> curves) {
+  static void add(XYChart chart, List<PlotCurve> curves) {
     curves.forEach(curve -> add(chart, curve));
   }
 
-  private static void add(XYChart chart, Curve curve) {
+  private static void add(XYChart chart, PlotCurve curve) {
     String label =
         curve.getXData().length == 0 ? curve.getName() + " (no points)" : curve.getName();
     double width = chart.getWidth() * LEGEND_TEXT_SHARE;
-    curve.setLabel(String.join("\n", Text.wrap(label, Ink.LEGEND, width)));
+    curve.setLabel(String.join("\n", Text.wrap(label, PlotInk.LEGEND, width)));
     if (chart.getSeriesMap().put(curve.getName(), curve) != null) {
       throw new IllegalArgumentException("series name taken: " + curve.getName());
     }
   }
 
   /** Adds the legend's key to a filled mark, a square, with the mark's corners as data. */
-  static void addMark(XYChart chart, Curve mark) {
+  static void addMark(XYChart chart, PlotCurve mark) {
     mark.setLineStyle(SQUARE);
     add(chart, mark);
   }
@@ -107,7 +107,7 @@ final class Frame {
     int height = chart.getHeight();
     for (int pass = 0; pass < 2; pass++) {
       rehearse(chart, new Dimension(width, height));
-      Screen screen = new Screen(chart);
+      PlotScreen screen = new PlotScreen(chart);
       height += (int) Math.round(aspect * screen.plot().getWidth() - screen.plot().getHeight());
     }
     rehearse(chart, new Dimension(width, height));

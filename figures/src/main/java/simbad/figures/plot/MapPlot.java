@@ -30,15 +30,15 @@ public record MapPlot(
 
   /** Copies the lists. */
   public MapPlot {
-    Checks.notBlank("quantity", quantity);
+    Labels.notBlank("quantity", quantity);
     series = List.copyOf(series);
     outline = List.copyOf(outline);
-    Checks.distinctNames(series, PolarSeries::name);
+    Labels.distinctNames(series, PolarSeries::name);
   }
 
   /** Lays the picture out. */
-  public Figure figure() {
-    List<Curve> curves = PlanView.curves(series, grid.halfWidthM());
+  public PlotFigure figure() {
+    List<PlotCurve> curves = PlanView.curves(series, grid.halfWidthM());
     PlanView view =
         PlanView.of(new PlanView.Ground(caption, curves, outline), WIDTH, grid.halfWidthM());
     BufferedImage image =
@@ -50,11 +50,11 @@ public record MapPlot(
     view.add((g, screen) -> paintCurves(g, screen, curves));
     view.addOutline(outline);
     view.addTicks();
-    return new Figure(caption, view.chart(), view.size(), Optional.of(new ColourBar(quantity)));
+    return new PlotFigure(caption, view.chart(), view.size(), Optional.of(new ColourBar(quantity)));
   }
 
   /** A pale seam keeps a dark curve visible on dark cells. */
-  private static void paintCurves(Graphics2D g, Screen screen, List<Curve> curves) {
+  private static void paintCurves(Graphics2D g, PlotScreen screen, List<PlotCurve> curves) {
     Shape before = g.getClip();
     g.setClip(screen.plot());
     CurveLayer layer = new CurveLayer(curves);

@@ -51,11 +51,11 @@ final class PlanView {
   }
 
   /** What a plan view shows. */
-  record Ground(Caption caption, List<Curve> curves, List<PolarPoint> outline) {}
+  record Ground(Caption caption, List<PlotCurve> curves, List<PolarPoint> outline) {}
 
   /** The size in whole points leaves half a point over, which goes to z's range. */
   private static void squareUp(XYChart chart, double halfWidthM) {
-    Screen screen = new Screen(chart);
+    PlotScreen screen = new PlotScreen(chart);
     double halfHeightM = halfWidthM * screen.plot().getHeight() / screen.plot().getWidth();
     XYStyler styler = chart.getStyler();
     styler.setYAxisMin(-halfHeightM).setYAxisMax(halfHeightM);
@@ -69,8 +69,8 @@ final class PlanView {
     return size;
   }
 
-  void add(Layer.Painter painter) {
-    chart.addAnnotation(new Layer(painter));
+  void add(PlotLayer.Painter painter) {
+    chart.addAnnotation(new PlotLayer(painter));
   }
 
   /** Adds frame, ticks and labels; last, so that they lie over everything. */
@@ -85,40 +85,40 @@ final class PlanView {
     }
   }
 
-  private static void paintOutline(Graphics2D g, Screen screen, List<PolarPoint> outline) {
+  private static void paintOutline(Graphics2D g, PlotScreen screen, List<PolarPoint> outline) {
     double[] x = outline.stream().mapToDouble(PolarPoint::xM).toArray();
     double[] y = outline.stream().mapToDouble(p -> -p.zM()).toArray();
     Path2D path = screen.path(x, y, 0, x.length);
     path.closePath();
-    g.setColor(Ink.OBSTACLE);
-    g.setStroke(Ink.round(1.2f));
+    g.setColor(PlotInk.OBSTACLE);
+    g.setStroke(PlotInk.round(1.2f));
     g.fill(path);
     g.draw(path);
   }
 
   /** The curves of a picture that reaches so far from its centre; long ones are thinned. */
-  static List<Curve> curves(List<PolarSeries> series, double reachM) {
+  static List<PlotCurve> curves(List<PolarSeries> series, double reachM) {
     int longOnes =
         (int) series.stream().filter(s -> s.points().size() > Thinning.UNTOUCHED).count();
     return series.stream().map(s -> curve(s, Thinning.thin(s, reachM, longOnes))).toList();
   }
 
-  private static Curve mark(List<PolarPoint> outline) {
+  private static PlotCurve mark(List<PolarPoint> outline) {
     PolarSeries corners =
         new PolarSeries(OBSTACLE, SeriesRole.OTHER, SeriesStyle.CLOSED_LINE, outline);
-    Curve mark = curve(corners, outline);
-    mark.setLineColor(Ink.OBSTACLE);
+    PlotCurve mark = curve(corners, outline);
+    mark.setLineColor(PlotInk.OBSTACLE);
     return mark;
   }
 
-  private static Curve curve(PolarSeries series, List<PolarPoint> points) {
+  private static PlotCurve curve(PolarSeries series, List<PolarPoint> points) {
     double[] x = points.stream().mapToDouble(PolarPoint::xM).toArray();
     double[] y = points.stream().mapToDouble(p -> 0 - p.zM()).toArray();
-    return new Curve(
+    return new PlotCurve(
         series.name(),
-        Curve.joined(x, series.style()),
-        Curve.joined(y, series.style()),
-        Look.of(series.role()),
+        PlotCurve.joined(x, series.style()),
+        PlotCurve.joined(y, series.style()),
+        PlotLook.of(series.role()),
         series.style());
   }
 }

@@ -32,7 +32,7 @@ record PngWriter(int dpi) {
     }
   }
 
-  byte[] write(Figure figure) {
+  byte[] write(PlotFigure figure) {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
     // In memory: by itself ImageIO makes a temporary file, which stays when the process is killed.
@@ -47,7 +47,7 @@ record PngWriter(int dpi) {
     return bytes.toByteArray();
   }
 
-  private BufferedImage image(Figure figure) {
+  private BufferedImage image(PlotFigure figure) {
     double scale = dpi / POINTS_PER_INCH;
     BufferedImage image =
         new BufferedImage(

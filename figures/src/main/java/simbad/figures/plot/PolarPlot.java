@@ -25,14 +25,14 @@ public record PolarPlot(Caption caption, List<PolarSeries> series, List<PolarPoi
   public PolarPlot {
     series = List.copyOf(series);
     outline = List.copyOf(outline);
-    Checks.distinctNames(series, PolarSeries::name);
+    Labels.distinctNames(series, PolarSeries::name);
   }
 
   /** Lays the picture out. */
-  public Figure figure() {
+  public PlotFigure figure() {
     double reachM = series.stream().mapToDouble(PolarSeries::largestRadiusM).max().orElse(0);
     Rings rings = Rings.around(reachM);
-    List<Curve> curves = PlanView.curves(series, rings.outermostM());
+    List<PlotCurve> curves = PlanView.curves(series, rings.outermostM());
     PlanView view =
         PlanView.of(new PlanView.Ground(caption, curves, outline), WIDTH, rings.halfWidthM());
     double labelsAtRad = RingLabelPlace.bearingRad(rings, curves);
@@ -42,6 +42,6 @@ public record PolarPlot(Caption caption, List<PolarSeries> series, List<PolarPoi
     view.add((g, screen) -> rings.paintRingLabels(g, screen, labelsAtRad));
     view.add(rings::paintSpokeLabels);
     view.addTicks();
-    return new Figure(caption, view.chart(), view.size());
+    return new PlotFigure(caption, view.chart(), view.size());
   }
 }

@@ -1,5 +1,7 @@
 package simbad.figures.plot;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A point seen from the obstacle's centre, in the obstacle's own frame.
  *

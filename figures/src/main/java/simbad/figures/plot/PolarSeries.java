@@ -14,7 +14,7 @@ public record PolarSeries(
     String name, SeriesRole role, SeriesStyle style, List<PolarPoint> points) {
   /** Copies the list. */
   public PolarSeries {
-    Checks.notBlank("name", name);
+    Labels.notBlank("name", name);
     points = List.copyOf(points);
   }
 

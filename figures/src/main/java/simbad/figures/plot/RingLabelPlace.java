@@ -21,7 +21,7 @@ final class RingLabelPlace {
   private RingLabelPlace() {}
 
   /** The bearing in radians, of twelve candidates. */
-  static double bearingRad(Rings rings, List<Curve> curves) {
+  static double bearingRad(Rings rings, List<PlotCurve> curves) {
     double best = 0;
     double bestClearance = -1;
     for (int deg : CANDIDATES_DEG) {
@@ -38,7 +38,7 @@ final class RingLabelPlace {
   /**
    * The sum over the labels of the distance to the nearest curve, each at most the room it needs.
    */
-  private static double clearance(Rings rings, List<Curve> curves, double bearingRad) {
+  private static double clearance(Rings rings, List<PlotCurve> curves, double bearingRad) {
     double reachM = rings.outermostM();
     return rings.radiiM().stream()
         .map(radiusM -> new PolarPoint(bearingRad, radiusM + LABEL_OFF * reachM))
@@ -46,14 +46,14 @@ final class RingLabelPlace {
         .sum();
   }
 
-  private static double nearest(List<Curve> curves, PolarPoint label) {
+  private static double nearest(List<PlotCurve> curves, PolarPoint label) {
     return curves.stream()
         .mapToDouble(curve -> nearest(curve, label.xM(), -label.zM()))
         .min()
         .orElse(Double.MAX_VALUE);
   }
 
-  private static double nearest(Curve curve, double x, double y) {
+  private static double nearest(PlotCurve curve, double x, double y) {
     double[] xs = curve.getXData();
     double[] ys = curve.getYData();
     return IntStream.range(0, xs.length)

@@ -45,9 +45,9 @@ record Rings(double stepM, int count) {
     return IntStream.rangeClosed(1, count).mapToObj(i -> i * stepM).toList();
   }
 
-  void paintGrid(Graphics2D g, Screen screen) {
-    g.setColor(Ink.GRID);
-    g.setStroke(Ink.HAIRLINE);
+  void paintGrid(Graphics2D g, PlotScreen screen) {
+    g.setColor(PlotInk.GRID);
+    g.setStroke(PlotInk.HAIRLINE);
     radiiM().forEach(radiusM -> g.draw(ring(screen, radiusM)));
     for (int deg = 0; deg < 360; deg += SPOKE_STEP_DEG) {
       PolarPoint tip = new PolarPoint(Math.toRadians(deg), outermostM());
@@ -55,24 +55,25 @@ record Rings(double stepM, int count) {
     }
   }
 
-  private static Ellipse2D ring(Screen screen, double radiusM) {
+  private static Ellipse2D ring(PlotScreen screen, double radiusM) {
     double left = x(screen, -radiusM);
     double top = y(screen, radiusM);
     return new Ellipse2D.Double(left, top, x(screen, radiusM) - left, y(screen, -radiusM) - top);
   }
 
-  void paintSpokeLabels(Graphics2D g, Screen screen) {
+  void paintSpokeLabels(Graphics2D g, PlotScreen screen) {
     for (int deg = 0; deg < 360; deg += SPOKE_STEP_DEG) {
       PolarPoint at = new PolarPoint(Math.toRadians(deg), outermostM() * LABEL_SHARE);
-      new Text(deg + "°", Ink.TICK, Ink.SOFT_TEXT).drawWithHalo(g, px(screen, at), py(screen, at));
+      new Text(deg + "°", PlotInk.TICK, PlotInk.SOFT_TEXT)
+          .drawWithHalo(g, px(screen, at), py(screen, at));
     }
   }
 
   /** Labels the rings along a bearing, just outside them: a trace may well run along a ring. */
-  void paintRingLabels(Graphics2D g, Screen screen, double bearingRad) {
+  void paintRingLabels(Graphics2D g, PlotScreen screen, double bearingRad) {
     for (double radiusM : radiiM()) {
       PolarPoint at = new PolarPoint(bearingRad, radiusM);
-      Text label = new Text(Steps.label(radiusM) + " m", Ink.RING, Ink.SOFT_TEXT);
+      Text label = new Text(Steps.label(radiusM) + " m", PlotInk.RING, PlotInk.SOFT_TEXT);
       double off = label.reach(bearingRad) + LABEL_GAP;
       double dx = off * Math.sin(bearingRad);
       double dy = off * Math.cos(bearingRad);
@@ -80,19 +81,19 @@ record Rings(double stepM, int count) {
     }
   }
 
-  private static double px(Screen screen, PolarPoint point) {
+  private static double px(PlotScreen screen, PolarPoint point) {
     return screen.x(point.xM());
   }
 
-  private static double py(Screen screen, PolarPoint point) {
+  private static double py(PlotScreen screen, PolarPoint point) {
     return screen.y(-point.zM());
   }
 
-  private static double x(Screen screen, double value) {
+  private static double x(PlotScreen screen, double value) {
     return Paths.rounded(screen.x(value));
   }
 
-  private static double y(Screen screen, double value) {
+  private static double y(PlotScreen screen, double value) {
     return Paths.rounded(screen.y(value));
   }
 }

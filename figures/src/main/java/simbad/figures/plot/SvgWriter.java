@@ -21,7 +21,7 @@ final class SvgWriter {
 
   private SvgWriter() {}
 
-  static byte[] write(Figure figure) {
+  static byte[] write(PlotFigure figure) {
     VectorGraphics2D graphics = new VectorGraphics2D();
     figure.paint(graphics);
     PageSize page = new PageSize(0, 0, figure.widthPt(), figure.heightPt());

@@ -27,8 +27,8 @@ record Text(String words, Font font, Color colour) {
   /** Draws centred on a point, over a white seam that keeps curves off the letters. */
   void drawWithHalo(Graphics2D g, double x, double y) {
     Shape shape = placed(x, y, 0.5, 0.5);
-    g.setColor(Ink.PAPER);
-    g.setStroke(Ink.HALO);
+    g.setColor(PlotInk.PAPER);
+    g.setStroke(PlotInk.HALO);
     g.draw(shape);
     fill(g, shape);
   }

@@ -11,7 +11,7 @@ import java.util.List;
  * <p>XChart's own ticks cannot stand every 30 degrees, label a downward axis or a log axis at 1, 2
  * and 5; they are switched off, and the space of its axis titles' padding is used.
  */
-record Ticks(List<Tick> below, List<Tick> left) implements Layer.Painter {
+record Ticks(List<Tick> below, List<Tick> left) implements PlotLayer.Painter {
   private static final double LENGTH = 4;
   private static final double GAP = 3;
 
@@ -35,17 +35,17 @@ record Ticks(List<Tick> below, List<Tick> left) implements Layer.Painter {
   int room() {
     double widest =
         left.stream()
-            .mapToDouble(tick -> new Text(tick.label(), Ink.TICK, Ink.TEXT).width())
+            .mapToDouble(tick -> new Text(tick.label(), PlotInk.TICK, PlotInk.TEXT).width())
             .max()
             .orElse(0);
     return (int) Math.ceil(Math.max(LEAST_ROOM, widest + LENGTH + 3 * GAP));
   }
 
   @Override
-  public void paint(Graphics2D g, Screen screen) {
+  public void paint(Graphics2D g, PlotScreen screen) {
     Rectangle2D plot = screen.plot();
-    g.setColor(Ink.FRAME);
-    g.setStroke(Ink.HAIRLINE);
+    g.setColor(PlotInk.FRAME);
+    g.setStroke(PlotInk.HAIRLINE);
     g.draw(plot);
     below.forEach(tick -> below(g, screen.x(tick.place()), plot.getMaxY(), tick.label()));
     left.forEach(tick -> left(g, plot.getX(), screen.y(tick.place()), tick.label()));
@@ -53,17 +53,17 @@ record Ticks(List<Tick> below, List<Tick> left) implements Layer.Painter {
 
   private static void below(Graphics2D g, double x, double y, String label) {
     mark(g, new Line2D.Double(x, y, x, y + LENGTH));
-    new Text(label, Ink.TICK, Ink.TEXT).draw(g, x, y + LENGTH + GAP, 0.5, 0);
+    new Text(label, PlotInk.TICK, PlotInk.TEXT).draw(g, x, y + LENGTH + GAP, 0.5, 0);
   }
 
   private static void left(Graphics2D g, double x, double y, String label) {
     mark(g, new Line2D.Double(x - LENGTH, y, x, y));
-    new Text(label, Ink.TICK, Ink.TEXT).draw(g, x - LENGTH - GAP, y, 1, 0.5);
+    new Text(label, PlotInk.TICK, PlotInk.TEXT).draw(g, x - LENGTH - GAP, y, 1, 0.5);
   }
 
   private static void mark(Graphics2D g, Line2D line) {
-    g.setColor(Ink.FRAME);
-    g.setStroke(Ink.HAIRLINE);
+    g.setColor(PlotInk.FRAME);
+    g.setStroke(PlotInk.HAIRLINE);
     g.draw(line);
   }
 }

@@ -8,6 +8,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.stream.Stream;
 import org.knowm.xchart.XYChart;
+import simbad.sonar.check.Checks;
 
 /**
  * An error in centimetres over a parameter: curves, and marks at single settings. The axis of the
@@ -43,11 +44,11 @@ public record TuningPlot(Caption caption, String parameter, List<Line> curves, L
    */
   public record Line(String name, SeriesRole role, int pattern, List<Point> points) {
     /** How many patterns there are. */
-    public static final int PATTERNS = Look.PATTERNS;
+    public static final int PATTERNS = PlotLook.PATTERNS;
 
     /** Copies the list. */
     public Line {
-      Checks.notBlank("name", name);
+      Labels.notBlank("name", name);
       if (pattern < 0 || pattern > PATTERNS) {
         throw new IllegalArgumentException(
             "pattern = " + pattern + " is not in [0, " + PATTERNS + "]");
@@ -79,27 +80,27 @@ public record TuningPlot(Caption caption, String parameter, List<Line> curves, L
   public TuningPlot {
     curves = List.copyOf(curves);
     marks = List.copyOf(marks);
-    Checks.distinctNames(Stream.concat(curves.stream(), marks.stream()).toList(), Line::name);
+    Labels.distinctNames(Stream.concat(curves.stream(), marks.stream()).toList(), Line::name);
   }
 
   /** Lays the picture out. */
-  public Figure figure() {
+  public PlotFigure figure() {
     ErrorScale scale = ErrorScale.of(all().mapToDouble(Point::errorCm).toArray());
     XYChart chart = Frame.chart(caption, WIDTH, parameter, "mean error |r − T| (cm)");
     chart.getStyler().setYAxisLogarithmic(scale.isLog());
     Frame.range(chart, left(), right(), scale.bottomCm(), scale.topCm());
-    List<Curve> lines = curves.stream().map(line -> curve(line, scale, false)).toList();
-    List<Curve> dots = marks.stream().map(line -> curve(line, scale, true)).toList();
+    List<PlotCurve> lines = curves.stream().map(line -> curve(line, scale, false)).toList();
+    List<PlotCurve> dots = marks.stream().map(line -> curve(line, scale, true)).toList();
     Frame.add(chart, lines);
     dots.forEach(dot -> dot.setLineStyle(oneDot(dot.look().dotSize())));
     Frame.add(chart, dots);
     Ticks ticks = ticks(scale);
     Dimension size = Frame.fit(chart, ticks, ASPECT);
-    chart.addAnnotation(new Layer((g, screen) -> paintGrid(g, screen, scale)));
-    chart.addAnnotation(new Layer(new CurveLayer(lines)));
-    chart.addAnnotation(new Layer(new CurveLayer(dots)));
-    chart.addAnnotation(new Layer(ticks));
-    return new Figure(caption, chart, size);
+    chart.addAnnotation(new PlotLayer((g, screen) -> paintGrid(g, screen, scale)));
+    chart.addAnnotation(new PlotLayer(new CurveLayer(lines)));
+    chart.addAnnotation(new PlotLayer(new CurveLayer(dots)));
+    chart.addAnnotation(new PlotLayer(ticks));
+    return new PlotFigure(caption, chart, size);
   }
 
   /**
@@ -140,13 +141,13 @@ public record TuningPlot(Caption caption, String parameter, List<Line> curves, L
     return most() <= 0 && least() < 0 ? Math.min(0, right) : right;
   }
 
-  private static Curve curve(Line line, ErrorScale scale, boolean isMark) {
-    Look look = Look.of(line.role()).slim().withPattern(line.pattern());
-    return new Curve(
+  private static PlotCurve curve(Line line, ErrorScale scale, boolean isMark) {
+    PlotLook look = PlotLook.of(line.role()).slim().withPattern(line.pattern());
+    return new PlotCurve(
         line.name(),
         line.points().stream().mapToDouble(Point::parameter).toArray(),
         line.points().stream().mapToDouble(point -> scale.clamped(point.errorCm())).toArray(),
-        isMark ? new Look(look.colour(), Ink.round(MARK), look.depth()) : look,
+        isMark ? new PlotLook(look.colour(), PlotInk.round(MARK), look.depth()) : look,
         isMark ? SeriesStyle.POINTS : SeriesStyle.LINE);
   }
 
@@ -160,10 +161,10 @@ public record TuningPlot(Caption caption, String parameter, List<Line> curves, L
     return Steps.multiples(left(), right(), Steps.step(right() - left(), PARTS));
   }
 
-  private void paintGrid(Graphics2D g, Screen screen, ErrorScale scale) {
+  private void paintGrid(Graphics2D g, PlotScreen screen, ErrorScale scale) {
     Rectangle2D plot = screen.plot();
-    g.setStroke(Ink.HAIRLINE);
-    g.setColor(Ink.GRID);
+    g.setStroke(PlotInk.HAIRLINE);
+    g.setColor(PlotInk.GRID);
     for (double cm : scale.ticks()) {
       double y = Paths.rounded(screen.y(cm));
       g.draw(new Line2D.Double(plot.getX(), y, plot.getMaxX(), y));

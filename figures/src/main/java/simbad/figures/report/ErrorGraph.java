@@ -7,8 +7,8 @@ import simbad.experiments.run.Arc;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.SensorKind;
 import simbad.experiments.run.Trace;
-import simbad.figures.page.Axis;
 import simbad.figures.page.AxisScale;
+import simbad.figures.page.ChartAxis;
 import simbad.figures.page.Graph;
 import simbad.figures.page.Html;
 import simbad.figures.page.Svg;
@@ -172,7 +172,7 @@ final class ErrorGraph {
   }
 
   /** The error's axis, straight or logarithmic. */
-  private record ErrorAxis(ErrorScale scale) implements Axis {
+  private record ErrorAxis(ErrorScale scale) implements ChartAxis {
     @Override
     public double share(double cm) {
       double low = scale.bottomCm();

@@ -3,7 +3,7 @@ package simbad.figures.report;
 import java.util.ArrayList;
 import java.util.List;
 import simbad.figures.plot.Caption;
-import simbad.figures.plot.Figure;
+import simbad.figures.plot.PlotFigure;
 import simbad.figures.plot.PolarPlot;
 import simbad.figures.plot.PolarPoint;
 import simbad.figures.plot.PolarSeries;
@@ -30,7 +30,7 @@ public final class LogPicture {
    * @param data that was made of a log
    * @param source what is said of where it is from
    */
-  public static Figure of(DataSet data, String source) {
+  public static PlotFigure of(DataSet data, String source) {
     List<PolarPoint> places = new ArrayList<>();
     List<PolarPoint> echoes = new ArrayList<>();
     for (ReadingRow row : data.readings()) {

@@ -13,7 +13,7 @@ import simbad.figures.page.Html;
 import simbad.figures.page.Keys;
 import simbad.figures.page.Numbers;
 import simbad.figures.page.Page;
-import simbad.figures.page.Picture;
+import simbad.figures.page.PagePicture;
 import simbad.figures.page.Table;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.effect.FittedForm;
@@ -56,7 +56,7 @@ final class ObstacleSection {
    */
   void add(boolean withMaps, boolean withTraces) {
     say();
-    List<Picture> pictures = new ArrayList<>();
+    List<PagePicture> pictures = new ArrayList<>();
     if (withTraces) {
       pictures.add(traces());
       pictures.add(errors());
@@ -121,12 +121,13 @@ final class ObstacleSection {
     }
   }
 
-  private Picture traces() {
+  private PagePicture traces() {
     Html words =
         Html.of(
             "Seen from above. A sensor that hears what the table says drives along the table's edge.",
             keys().html());
-    return new Picture("Where the robot drove", TraceView.of(results, id, most), words, Html.NONE);
+    return new PagePicture(
+        "Where the robot drove", TraceView.of(results, id, most), words, Html.NONE);
   }
 
   private Keys keys() {
@@ -136,7 +137,7 @@ final class ObstacleSection {
     return keys;
   }
 
-  private Picture errors() {
+  private PagePicture errors() {
     Keys keys = keys().area("lobe", "what the table hears");
     if (results.stream().anyMatch(ErrorGraph::isCut)) {
       keys.area("cut", "a part of the edge that was not kept");
@@ -147,7 +148,7 @@ final class ObstacleSection {
                 + " it was cut off. ",
             errorCaption(),
             keys.html());
-    return new Picture(
+    return new PagePicture(
             "Lobes and errors by bearing", ErrorGraph.of(results, id, most), words, Html.NONE)
         .with("Both by bearing, as a table", table());
   }
@@ -178,8 +179,8 @@ final class ObstacleSection {
     return table;
   }
 
-  private static Picture map(RunResult result) {
-    return new Picture(
+  private static PagePicture map(RunResult result) {
+    return new PagePicture(
         "Where the " + result.sensor().word() + " belt disagrees",
         DisagreementView.of(result),
         "At how many of "

@@ -14,8 +14,8 @@ import simbad.figures.plot.BearingError;
 import simbad.figures.plot.Caption;
 import simbad.figures.plot.ErrorPlot;
 import simbad.figures.plot.ErrorSeries;
-import simbad.figures.plot.Figure;
 import simbad.figures.plot.MapPlot;
+import simbad.figures.plot.PlotFigure;
 import simbad.figures.plot.PolarPlot;
 import simbad.figures.plot.PolarPoint;
 import simbad.figures.plot.PolarSeries;
@@ -46,13 +46,13 @@ final class RunPictures {
   }
 
   /** The table alone. */
-  static Figure table(ObstacleType type) {
+  static PlotFigure table(ObstacleType type) {
     Caption caption = new Caption("Detection thresholds: " + type.name(), provenance(type));
     return new PolarPlot(caption, tableAndBand(type), outline(type)).figure();
   }
 
   /** One table over another, and how far the other is uncertain. */
-  static Figure tables(ObstacleType first, ObstacleType second) {
+  static PlotFigure tables(ObstacleType first, ObstacleType second) {
     Caption caption =
         new Caption(
             "Detection thresholds: " + first.name() + " and " + second.name(),
@@ -70,7 +70,7 @@ final class RunPictures {
   }
 
   /** The table and one trace. */
-  static Figure table(ObstacleType type, String name, Trace trace) {
+  static PlotFigure table(ObstacleType type, String name, Trace trace) {
     Caption caption = new Caption("Trace round the obstacle: " + type.name(), provenance(type));
     PolarSeries way = new PolarSeries(name, SeriesRole.OTHER, SeriesStyle.LINE, places(trace));
     List<PolarSeries> series = tableAndBand(type);
@@ -78,12 +78,12 @@ final class RunPictures {
     return new PolarPlot(caption, series, outline(type)).figure();
   }
 
-  private static void save(Figure figure, Path folder, String name) throws IOException {
+  private static void save(PlotFigure figure, Path folder, String name) throws IOException {
     WholeFile.write(folder.resolve(name + ".png"), figure.png(SCREEN_DPI));
     WholeFile.write(folder.resolve(name + ".svg"), figure.svg());
   }
 
-  private static Figure polar(ObstacleType type, List<RunResult> results) {
+  private static PlotFigure polar(ObstacleType type, List<RunResult> results) {
     List<PolarSeries> series = new ArrayList<>();
     series.add(tableSeries(type));
     for (RunResult result : results) {
@@ -130,7 +130,7 @@ final class RunPictures {
     return errors;
   }
 
-  private static Figure map(RunResult result) {
+  private static PlotFigure map(RunResult result) {
     ObstacleType type = result.type();
     return new MapPlot(
             new Caption(

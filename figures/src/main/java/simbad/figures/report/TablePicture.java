@@ -1,7 +1,7 @@
 package simbad.figures.report;
 
 import simbad.experiments.run.Trace;
-import simbad.figures.plot.Figure;
+import simbad.figures.plot.PlotFigure;
 import simbad.obstacles.ObstacleType;
 
 /** The polar plot of a threshold table. */
@@ -13,7 +13,7 @@ public final class TablePicture {
    *
    * @param type obstacle with its table
    */
-  public static Figure of(ObstacleType type) {
+  public static PlotFigure of(ObstacleType type) {
     return RunPictures.table(type);
   }
 
@@ -23,7 +23,7 @@ public final class TablePicture {
    * @param first obstacle with its table, whose outline is drawn
    * @param second another, drawn as a broad line beneath
    */
-  public static Figure of(ObstacleType first, ObstacleType second) {
+  public static PlotFigure of(ObstacleType first, ObstacleType second) {
     return RunPictures.tables(first, second);
   }
 
@@ -34,7 +34,7 @@ public final class TablePicture {
    * @param name of the trace in the legend
    * @param trace in the obstacle's frame
    */
-  public static Figure of(ObstacleType type, String name, Trace trace) {
+  public static PlotFigure of(ObstacleType type, String name, Trace trace) {
     return RunPictures.table(type, name, trace);
   }
 }

@@ -48,9 +48,9 @@ public final class Site {
           "Data");
 
   private final Path project;
-  private final List<Page> pages;
+  private final List<SitePage> pages;
 
-  private Site(Path project, List<Page> pages) {
+  private Site(Path project, List<SitePage> pages) {
     this.project = project;
     this.pages = pages;
   }
@@ -65,7 +65,7 @@ public final class Site {
    */
   public static int write(Path project, Path out) throws IOException {
     Site site = new Site(project, read(project));
-    for (Page page : site.pages) {
+    for (SitePage page : site.pages) {
       site.write(page, out);
     }
     site.writeIndex(out);
@@ -75,7 +75,7 @@ public final class Site {
     return site.pages.size();
   }
 
-  private static List<Page> read(Path project) throws IOException {
+  private static List<SitePage> read(Path project) throws IOException {
     List<Path> sources = new ArrayList<>();
     for (String name : FRONT) {
       if (Files.exists(project.resolve(name))) {
@@ -87,29 +87,29 @@ public final class Site {
         found.filter(file -> file.toString().endsWith(".md")).forEach(sources::add);
       }
     }
-    List<Page> pages = new ArrayList<>();
+    List<SitePage> pages = new ArrayList<>();
     for (Path source : sources) {
-      pages.add(Page.of(project.relativize(source), Files.readString(source)));
+      pages.add(SitePage.of(project.relativize(source), Files.readString(source)));
     }
     pages.sort(
-        Comparator.comparingInt((Page page) -> FOLDERS.indexOf(folder(page)))
+        Comparator.comparingInt((SitePage page) -> FOLDERS.indexOf(folder(page)))
             .thenComparingInt(Site::rank)
             .thenComparing(page -> page.source().toString()));
     return pages;
   }
 
-  private static int rank(Page page) {
+  private static int rank(SitePage page) {
     int first = FIRST.indexOf(page.source().toString().replace('\\', '/'));
     return first < 0 ? FIRST.size() : first;
   }
 
-  private static String folder(Page page) {
+  private static String folder(SitePage page) {
     Path parent = page.source().getParent();
     String folder = parent == null ? "" : parent.toString().replace('\\', '/');
     return folder.startsWith("data") ? "data" : folder;
   }
 
-  private void write(Page page, Path out) throws IOException {
+  private void write(SitePage page, Path out) throws IOException {
     Path target = out.resolve(page.file());
     Files.createDirectories(Objects.requireNonNull(target.getParent()));
     TextFile.write(target, whole(page));
@@ -122,7 +122,7 @@ public final class Site {
     }
   }
 
-  private void copy(Page page, Path linked, Path out) throws IOException {
+  private void copy(SitePage page, Path linked, Path out) throws IOException {
     Path source = project.resolve(linked);
     if (!Files.isRegularFile(source)) {
       throw new NoSuchFileException(page.source() + " links to " + linked);
@@ -134,7 +134,7 @@ public final class Site {
     }
   }
 
-  private String whole(Page page) {
+  private String whole(SitePage page) {
     String root = "../".repeat(page.source().getNameCount() - 1);
     return """
     <!DOCTYPE html>
@@ -174,15 +174,15 @@ public final class Site {
             root);
   }
 
-  private static String windowTitle(Page page) {
+  private static String windowTitle(SitePage page) {
     return page.title().equals(NAME) ? NAME : page.title() + " - " + NAME;
   }
 
-  private String list(Page current, String root) {
+  private String list(SitePage current, String root) {
     StringBuilder list = new StringBuilder();
     for (String folder : FOLDERS) {
       list.append("<h2>").append(NAMES.get(folder)).append("</h2>\n<ul>\n");
-      for (Page page : pages) {
+      for (SitePage page : pages) {
         if (folder(page).equals(folder)) {
           list.append(
               "<li><a href=\"%s%s\"%s>%s</a></li>\n"

@@ -10,8 +10,8 @@ import org.junit.jupiter.api.Test;
 import simbad.gap.audit.AuditCheck;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.audit.Severity;
+import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.gap.diagnosis.Interval;
-import simbad.gap.diagnosis.Provenance;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.motion.MotionDiagnosis;
 import simbad.gap.motion.MotionFinding;
@@ -21,7 +21,8 @@ import simbad.motion.Robot;
 import simbad.motion.forecast.MotionForecast;
 
 class MotionPageTest {
-  private static final Provenance ORIGIN = new Provenance(Map.of(), "1.2 <dirty>", 1);
+  private static final DiagnosisProvenance ORIGIN =
+      new DiagnosisProvenance(Map.of(), "1.2 <dirty>", 1);
 
   private static final AuditFinding AUDITED =
       new AuditFinding(

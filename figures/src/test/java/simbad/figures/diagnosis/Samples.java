@@ -12,6 +12,7 @@ import simbad.experiments.dataset.TableGrid;
 import simbad.gap.diagnosis.BudgetEntry;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.FittedParameter;
 import simbad.gap.diagnosis.GapFigures;
@@ -19,7 +20,6 @@ import simbad.gap.diagnosis.GapKind;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.NextExperiment;
 import simbad.gap.diagnosis.Place;
-import simbad.gap.diagnosis.Provenance;
 import simbad.gap.diagnosis.Undetectable;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fit.Hypothesis;
@@ -30,8 +30,8 @@ import simbad.sonar.effect.Forms;
 
 /** Diagnoses by hand, of the square's readings against the original sensor. */
 final class Samples {
-  static final Provenance PROVENANCE =
-      new Provenance(
+  static final DiagnosisProvenance PROVENANCE =
+      new DiagnosisProvenance(
           Map.of("scene.json", "0".repeat(64), "readings.csv", "a".repeat(64)), "1 <b>", 7);
 
   private static final double INFINITE = Double.POSITIVE_INFINITY;

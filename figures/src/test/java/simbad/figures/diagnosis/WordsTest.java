@@ -43,6 +43,6 @@ class WordsTest {
     "turn_factor_per_rad_s, \u00a0per\u00a0rad/s"
   })
   void units_comeOfNames(String name, String unit) {
-    assertEquals(unit, Places.unit(name));
+    assertEquals(unit, PlaceWords.unit(name));
   }
 }

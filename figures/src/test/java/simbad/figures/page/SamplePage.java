@@ -14,9 +14,9 @@ final class SamplePage {
     page.section(NAME).list(List.of(Html.of(NAME), Html.code(NAME)));
     page.pictures(
         List.of(
-            new Picture("Bars", bars(), NAME),
-            new Picture("Rows", rows(), NAME).with("As a table", table()),
-            new Picture("Cells", cells(), NAME)));
+            new PagePicture("Bars", bars(), NAME),
+            new PagePicture("Rows", rows(), NAME).with("As a table", table()),
+            new PagePicture("Cells", cells(), NAME)));
     return page.html();
   }
 

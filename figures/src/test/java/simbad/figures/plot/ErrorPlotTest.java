@@ -76,7 +76,7 @@ class ErrorPlotTest {
     checkDrawn(figure(errors));
   }
 
-  private static void checkDrawn(Figure figure) {
+  private static void checkDrawn(PlotFigure figure) {
     assertTrue(figure.png(72).length > 1000);
     assertTrue(figure.svg().length > 1000);
   }
@@ -126,7 +126,7 @@ class ErrorPlotTest {
     return Samples.seriesOf(figure(errors), "sensor");
   }
 
-  private static Figure figure(List<BearingError> errors) {
+  private static PlotFigure figure(List<BearingError> errors) {
     ErrorSeries series = new ErrorSeries("sensor", SeriesRole.SHADOW, errors);
     return new ErrorPlot(Samples.CAPTION, List.of(series)).figure();
   }

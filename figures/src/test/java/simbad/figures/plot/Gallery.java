@@ -19,14 +19,14 @@ final class Gallery {
 
   public static void main(String[] args) throws IOException {
     Path folder = Files.createDirectories(Path.of(args[0]));
-    for (Map.Entry<String, Figure> entry : figures().entrySet()) {
+    for (Map.Entry<String, PlotFigure> entry : figures().entrySet()) {
       Files.write(folder.resolve(entry.getKey() + ".png"), entry.getValue().png(SCREEN_DPI));
       Files.write(folder.resolve(entry.getKey() + ".svg"), entry.getValue().svg());
     }
   }
 
-  static Map<String, Figure> figures() {
-    Map<String, Figure> figures = new LinkedHashMap<>();
+  static Map<String, PlotFigure> figures() {
+    Map<String, PlotFigure> figures = new LinkedHashMap<>();
     figures.put("main", polar(Samples.tableSeries(), Samples.originalSeries(), shadow()));
     figures.put("table", polar(Samples.tableSeries()));
     figures.put("roles", polar(roles()));
@@ -43,7 +43,7 @@ final class Gallery {
     return Samples.shadowSeries();
   }
 
-  private static Figure polar(PolarSeries... series) {
+  private static PlotFigure polar(PolarSeries... series) {
     return new PolarPlot(Samples.CAPTION, List.of(series), Samples.OUTLINE).figure();
   }
 

@@ -18,7 +18,7 @@ import simbad.experiments.run.ShareGrid;
 class MapPlotTest {
   @Test
   void chart_spansTheGridAndHoldsTheTable() {
-    Figure figure = Gallery.map().figure();
+    PlotFigure figure = Gallery.map().figure();
     XYChart chart = figure.chart();
     assertEquals(3.5, chart.getStyler().getXAxisMax());
     assertEquals(73, Samples.seriesOf(figure, "threshold table").getXData().length);
@@ -36,13 +36,13 @@ class MapPlotTest {
   @Test
   void cells_lieWhereTheFrameSays() throws IOException {
     // Dark only where x > 0 and z > 0: to the right and down the page.
-    Figure figure = figure(ShareGrid.of(2, 1, (xM, zM) -> xM > 0 && zM > 0 ? 1 : 0));
+    PlotFigure figure = figure(ShareGrid.of(2, 1, (xM, zM) -> xM > 0 && zM > 0 ? 1 : 0));
     assertEquals(Ramp.colour(1), colourAt(figure, 0.6, 0.3));
     assertEquals(Ramp.colour(0), colourAt(figure, 0.6, -0.3));
     assertEquals(Ramp.colour(0), colourAt(figure, -0.6, 0.3));
   }
 
-  private static Color colourAt(Figure figure, double xM, double zM) throws IOException {
+  private static Color colourAt(PlotFigure figure, double xM, double zM) throws IOException {
     var image = ImageIO.read(new ByteArrayInputStream(figure.png(72)));
     XYChart chart = figure.chart();
     int headingPt = figure.heightPt() - chart.getHeight();
@@ -73,7 +73,7 @@ class MapPlotTest {
 
   @Test
   void bar_standsBesideTheChart() {
-    Figure figure = Gallery.map().figure();
+    PlotFigure figure = Gallery.map().figure();
     assertTrue(figure.widthPt() > figure.chart().getWidth());
   }
 
@@ -111,7 +111,7 @@ class MapPlotTest {
     assertThrows(IllegalArgumentException.class, () -> new ShareGrid(cells, halfWidthM, shares));
   }
 
-  private static Figure figure(ShareGrid grid) {
+  private static PlotFigure figure(ShareGrid grid) {
     return new MapPlot(Samples.CAPTION, "share", grid, List.of(), List.of()).figure();
   }
 }

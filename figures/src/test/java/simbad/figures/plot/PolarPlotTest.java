@@ -63,7 +63,7 @@ class PolarPlotTest {
   @ParameterizedTest
   @ValueSource(doubles = {0.07, 1, 3.16, 20})
   void aspect_isSquareInTheLayout(double radiusM) {
-    Figure figure = figure(circle("c", radiusM));
+    PlotFigure figure = figure(circle("c", radiusM));
     assertEquals(1, aspect(figure.chart(), radiusM), 1e-6);
     figure.svg();
     assertEquals(1, aspect(figure.chart(), radiusM), 1e-3);
@@ -112,7 +112,7 @@ class PolarPlotTest {
   @ParameterizedTest
   @EnumSource(SeriesStyle.class)
   void emptySeries_isDrawnAndSaid(SeriesStyle style) {
-    Figure figure = figure(new PolarSeries("nothing", SeriesRole.RAY, style, List.of()));
+    PlotFigure figure = figure(new PolarSeries("nothing", SeriesRole.RAY, style, List.of()));
     assertEquals("nothing (no points)", series(figure, "nothing").getLabel());
     checkDrawn(figure);
   }
@@ -134,7 +134,7 @@ class PolarPlotTest {
     checkDrawn(new PolarPlot(Samples.CAPTION, List.of(), List.of()).figure());
   }
 
-  private static void checkDrawn(Figure figure) {
+  private static void checkDrawn(PlotFigure figure) {
     assertTrue(figure.png(72).length > 1000);
     assertTrue(figure.svg().length > 1000);
   }
@@ -142,7 +142,7 @@ class PolarPlotTest {
   @Test
   void longNames_areBrokenAndTheFigureGrows() {
     String name = "a name that goes on ".repeat(20).strip();
-    Figure figure = figure(circle(name, 1));
+    PlotFigure figure = figure(circle(name, 1));
     assertTrue(series(figure, name).getLabel().contains("\n"));
     assertEquals(name, series(figure, name).getLabel().replace('\n', ' '));
     assertTrue(figure.heightPt() > figure(circle("short", 1)).heightPt());
@@ -150,7 +150,7 @@ class PolarPlotTest {
 
   @Test
   void longTraces_areThinnedAndTheSvgStaysSmall() {
-    Figure figure = mainFigure();
+    PlotFigure figure = mainFigure();
     assertTrue(series(figure, "trace, shadow sensor").getXData().length < 20_000);
     assertTrue(figure.svg().length < SVG_LIMIT, () -> figure.svg().length + " bytes");
   }
@@ -212,7 +212,7 @@ class PolarPlotTest {
         name, SeriesRole.TABLE, SeriesStyle.CLOSED_LINE, Samples.circle(radiusM, 720));
   }
 
-  private static Figure mainFigure() {
+  private static PlotFigure mainFigure() {
     return new PolarPlot(
             Samples.CAPTION,
             List.of(Samples.tableSeries(), Samples.originalSeries(), Samples.shadowSeries()),
@@ -220,11 +220,11 @@ class PolarPlotTest {
         .figure();
   }
 
-  private static Figure figure(PolarSeries... series) {
+  private static PlotFigure figure(PolarSeries... series) {
     return new PolarPlot(Samples.CAPTION, List.of(series), List.of()).figure();
   }
 
-  private static XYSeries series(Figure figure, String name) {
+  private static XYSeries series(PlotFigure figure, String name) {
     return Samples.seriesOf(figure, name);
   }
 }

@@ -26,7 +26,7 @@ class RingsTest {
         Samples.circle(1, 360).stream()
             .map(p -> isFree(p) ? new PolarPoint(p.bearingRad(), 0) : p)
             .toList();
-    List<Curve> curves = new ArrayList<>();
+    List<PlotCurve> curves = new ArrayList<>();
     for (int i = 1; i <= 20; i++) {
       curves.addAll(PlanView.curves(List.of(scaled(points, i)), 1));
     }

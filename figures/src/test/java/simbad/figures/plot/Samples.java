@@ -43,7 +43,7 @@ final class Samples {
         Objects.requireNonNull(Samples.class.getResourceAsStream(name)), StandardCharsets.UTF_8);
   }
 
-  static XYSeries seriesOf(Figure figure, String name) {
+  static XYSeries seriesOf(PlotFigure figure, String name) {
     return Objects.requireNonNull(figure.chart().getSeriesMap().get(name), name);
   }
 

@@ -65,7 +65,7 @@ class TuningPlotTest {
   void patterns_differ() {
     Set<BasicStroke> strokes = new HashSet<>();
     for (int pattern = 1; pattern <= TuningPlot.Line.PATTERNS; pattern++) {
-      strokes.add(Look.of(SeriesRole.SHADOW).withPattern(pattern).stroke());
+      strokes.add(PlotLook.of(SeriesRole.SHADOW).withPattern(pattern).stroke());
     }
     assertEquals(TuningPlot.Line.PATTERNS, strokes.size());
     int tooMany = TuningPlot.Line.PATTERNS + 1;

@@ -41,7 +41,7 @@ class SiteTest {
       LINK.matcher(Files.readString(page))
           .results()
           .map(link -> link.group(1))
-          .filter(link -> !Page.isOutside(link))
+          .filter(link -> !SitePage.isOutside(link))
           .forEach(
               link ->
                   assertTrue(
@@ -86,7 +86,8 @@ class SiteTest {
 
   @Test
   void page_withAnchorsAndMarks_isHtml() {
-    Page page = Page.of(Path.of("docs/x.md"), "# A < B\n\n[c](../README.md#d) ![e](f.png)\n");
+    SitePage page =
+        SitePage.of(Path.of("docs/x.md"), "# A < B\n\n[c](../README.md#d) ![e](f.png)\n");
     assertEquals("A < B", page.title());
     assertEquals("docs/x.html", page.file());
     assertTrue(page.html().contains("<a href=\"../index.html#d\">c</a>"), page.html());

@@ -74,7 +74,7 @@ public final class Audit {
     line.ifPresent(one -> found.add(units.finding(one)));
     AuditView mended = line.map(view::along).orElse(view);
     if (!Audit.refuses(found)) {
-      new LimitCheck(view).find().ifPresent(found::add);
+      new SensorLimitCheck(view).find().ifPresent(found::add);
     }
     found.addAll(new PileCheck(mended).find());
     if (line.isEmpty()) {

@@ -19,7 +19,7 @@ final class WrapCheck {
   }
 
   Optional<AuditFinding> find() {
-    double limit = LimitCheck.limitM(view);
+    double limit = SensorLimitCheck.limitM(view);
     double greatest =
         view.echoes().mapToDouble(view::rangeM).filter(range -> range <= limit).max().orElse(0);
     int[] beyond =

@@ -12,7 +12,7 @@ import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.JointFitter;
 import simbad.gap.score.Blocks;
-import simbad.gap.score.Gain;
+import simbad.gap.score.GapGain;
 import simbad.gap.score.PlacementScatter;
 import simbad.gap.score.Placements;
 import simbad.gap.unexplained.Clumping;
@@ -264,7 +264,7 @@ public final class Calibration implements SetupDoubt {
    * so far would take up anything, and the gap would be gone from sight.
    */
   private static boolean isFarOff(Evidence log) {
-    return Gain.of(log, new Blocks(log.log()), Hypothesis.NONE).leavesMuch();
+    return GapGain.of(log, new Blocks(log.log()), Hypothesis.NONE).leavesMuch();
   }
 
   /** Whether a set-up that fits reference and log together makes an effect superfluous. */

@@ -13,6 +13,7 @@ import simbad.gap.unexplained.Clumping;
 import simbad.gap.unexplained.Misfit;
 import simbad.gap.unexplained.SetupScores;
 import simbad.gap.unexplained.Surprise;
+import simbad.sonar.check.Checks;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 
@@ -39,6 +40,17 @@ public record ModelError(
     double misfit,
     double excessDb,
     double rangeM) {
+  /** Refuses what is no number. */
+  public ModelError {
+    Checks.number("gapM", gapM);
+    Checks.number("expectedM", expectedM);
+    Checks.number("echoes", echoes);
+    Checks.number("ranges", ranges);
+    Checks.number("misfit", misfit);
+    Checks.number("excessDb", excessDb);
+    Checks.number("rangeM", rangeM);
+  }
+
   /** So many parts, each held out once. */
   static final int PARTS = 5;
 

@@ -1,6 +1,7 @@
 package simbad.gap.diagnosis;
 
 import simbad.definition.Effect;
+import simbad.sonar.check.Checks;
 
 /**
  * A fitted parameter that stands at an end of what was searched: a better value may lie beyond it,
@@ -11,4 +12,9 @@ import simbad.definition.Effect;
  * @param value fitted
  * @param allowed the values that were searched
  */
-public record AtBound(Effect effect, String parameter, double value, Interval allowed) {}
+public record AtBound(Effect effect, String parameter, double value, Interval allowed) {
+  /** Refuses what is no number. */
+  public AtBound {
+    Checks.number("value", value);
+  }
+}

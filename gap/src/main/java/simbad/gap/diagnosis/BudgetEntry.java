@@ -1,5 +1,7 @@
 package simbad.gap.diagnosis;
 
+import simbad.sonar.check.Checks;
+
 /**
  * One part of how the gap before is made up; all parts of a budget add up to it.
  *
@@ -10,6 +12,11 @@ package simbad.gap.diagnosis;
  * @param ci95 where it lies 19 times of 20 in logs like this one, by blocks drawn anew
  */
 public record BudgetEntry(String what, double cm, Interval ci95) {
+  /** Refuses what is no number. */
+  public BudgetEntry {
+    Checks.number("cm", cm);
+  }
+
   /** What no named effect explains. */
   public static final String REST = "rest";
 

@@ -9,6 +9,7 @@ import simbad.definition.Effect;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.catalogue.LevelForms;
+import simbad.sonar.check.Checks;
 import simbad.sonar.scene.SensorLaw;
 
 /**
@@ -59,6 +60,8 @@ public record Diagnosis(
     List<AuditFinding> audit) {
   /** Copies the lists. */
   public Diagnosis {
+    Checks.number("unknownProbability", unknownProbability);
+    Checks.number("namedProbability", namedProbability);
     explanation = List.copyOf(explanation);
     effects = List.copyOf(effects);
     atBound = List.copyOf(atBound);
@@ -126,6 +129,8 @@ public record Diagnosis(
   public record Attempt(List<Effect> effects, double heldOutNats, double behindNats) {
     /** Copies the list. */
     public Attempt {
+      Checks.number("heldOutNats", heldOutNats);
+      Checks.number("behindNats", behindNats);
       effects = List.copyOf(effects);
     }
   }

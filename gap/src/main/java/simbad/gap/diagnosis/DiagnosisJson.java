@@ -46,7 +46,7 @@ public final class DiagnosisJson {
    * @param data what it was found in
    * @param provenance what it was made by
    */
-  public static String text(Diagnosis diagnosis, DataSet data, Provenance provenance) {
+  public static String text(Diagnosis diagnosis, DataSet data, DiagnosisProvenance provenance) {
     return text(tree(diagnosis, data, provenance));
   }
 
@@ -57,7 +57,8 @@ public final class DiagnosisJson {
    * @param data what it was found in
    * @param provenance what it was made by
    */
-  public static String text(List<AuditFinding> audit, DataSet data, Provenance provenance) {
+  public static String text(
+      List<AuditFinding> audit, DataSet data, DiagnosisProvenance provenance) {
     ObjectNode root = MAPPER.createObjectNode();
     root.put("format", FORMAT);
     root.put("dataset", data.name());
@@ -86,7 +87,7 @@ public final class DiagnosisJson {
    * @param data what it was found in
    * @param provenance what it was made by
    */
-  public static ObjectNode tree(Diagnosis diagnosis, DataSet data, Provenance provenance) {
+  public static ObjectNode tree(Diagnosis diagnosis, DataSet data, DiagnosisProvenance provenance) {
     ObjectNode root = MAPPER.createObjectNode();
     root.put("format", FORMAT);
     root.put("dataset", data.name());
@@ -226,7 +227,7 @@ public final class DiagnosisJson {
   }
 
   private static void provenance(
-      ObjectNode node, int heldOut, DataSet data, Provenance provenance) {
+      ObjectNode node, int heldOut, DataSet data, DiagnosisProvenance provenance) {
     ObjectNode hashes = node.putObject("sha256");
     provenance.sha256().forEach(hashes::put);
     node.put("version", provenance.version());

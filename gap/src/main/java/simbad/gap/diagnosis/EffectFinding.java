@@ -3,6 +3,7 @@ package simbad.gap.diagnosis;
 import java.util.List;
 import java.util.Optional;
 import simbad.definition.Effect;
+import simbad.sonar.check.Checks;
 
 /**
  * What a diagnosis found of one effect of the vocabulary.
@@ -21,6 +22,7 @@ public record EffectFinding(
     List<Effect> indistinguishableFrom) {
   /** Copies the lists. */
   public EffectFinding {
+    Checks.number("probability", probability);
     parameters = List.copyOf(parameters);
     indistinguishableFrom = List.copyOf(indistinguishableFrom);
   }

@@ -1,5 +1,7 @@
 package simbad.gap.diagnosis;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A fitted parameter.
  *
@@ -7,4 +9,9 @@ package simbad.gap.diagnosis;
  * @param value fitted
  * @param ci95 95 % confidence interval; infinite ends where the data do not bound it
  */
-public record FittedParameter(String name, double value, Interval ci95) {}
+public record FittedParameter(String name, double value, Interval ci95) {
+  /** Refuses what is no number. */
+  public FittedParameter {
+    Checks.number("value", value);
+  }
+}

@@ -1,5 +1,7 @@
 package simbad.gap.diagnosis;
 
+import simbad.sonar.check.Checks;
+
 /**
  * How large the gap is on rows that the fit never saw, and how far it shrinks.
  *
@@ -16,4 +18,12 @@ public record GapFigures(
     double afterCm,
     double floorCm,
     double shrink,
-    Interval shrinkCi95) {}
+    Interval shrinkCi95) {
+  /** Refuses what is no number. */
+  public GapFigures {
+    Checks.number("beforeCm", beforeCm);
+    Checks.number("afterCm", afterCm);
+    Checks.number("floorCm", floorCm);
+    Checks.number("shrink", shrink);
+  }
+}

@@ -1,9 +1,17 @@
 package simbad.gap.diagnosis;
 
+import simbad.sonar.check.Checks;
+
 /**
  * An interval of numbers, both ends included.
  *
  * @param low not above high; may be negative infinity where the data do not bound it
  * @param high may be positive infinity
  */
-public record Interval(double low, double high) {}
+public record Interval(double low, double high) {
+  /** Refuses what is no number. */
+  public Interval {
+    Checks.number("low", low);
+    Checks.number("high", high);
+  }
+}

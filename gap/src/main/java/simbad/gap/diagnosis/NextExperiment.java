@@ -2,6 +2,7 @@ package simbad.gap.diagnosis;
 
 import java.util.List;
 import simbad.definition.Effect;
+import simbad.sonar.check.Checks;
 import simbad.sonar.sensing.ReadingRow;
 
 /**
@@ -16,6 +17,7 @@ public record NextExperiment(
     List<Effect> separates, List<ReadingRow> poses, double expectedLogOdds) {
   /** Copies the lists. */
   public NextExperiment {
+    Checks.number("expectedLogOdds", expectedLogOdds);
     separates = List.copyOf(separates);
     poses = List.copyOf(poses);
   }

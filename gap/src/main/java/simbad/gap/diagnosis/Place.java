@@ -2,6 +2,7 @@ package simbad.gap.diagnosis;
 
 import java.util.List;
 import java.util.Optional;
+import simbad.sonar.check.Checks;
 
 /**
  * A place of the gap: a slice of the rows in which it is larger than elsewhere, found on one half
@@ -25,6 +26,10 @@ public record Place(
     double qValue) {
   /** Copies the conditions. */
   public Place {
+    Checks.number("shareOfGap", shareOfGap);
+    Checks.number("beforeCm", beforeCm);
+    Checks.number("afterCm", afterCm);
+    Checks.number("qValue", qValue);
     conditions = List.copyOf(conditions);
   }
 

@@ -1,5 +1,7 @@
 package simbad.gap.diagnosis;
 
+import simbad.sonar.check.Checks;
+
 /**
  * How far a calibrated set-up is off on rows of its reference that it was not fitted on.
  *
@@ -11,4 +13,13 @@ package simbad.gap.diagnosis;
  * @param misfit mean of its greatest misfits; some 3 by chance
  */
 public record SetupError(
-    int rows, double gapCm, double expectedCm, double echoes, double ranges, double misfit) {}
+    int rows, double gapCm, double expectedCm, double echoes, double ranges, double misfit) {
+  /** Refuses what is no number. */
+  public SetupError {
+    Checks.number("gapCm", gapCm);
+    Checks.number("expectedCm", expectedCm);
+    Checks.number("echoes", echoes);
+    Checks.number("ranges", ranges);
+    Checks.number("misfit", misfit);
+  }
+}

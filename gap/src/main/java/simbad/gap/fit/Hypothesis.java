@@ -7,6 +7,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
+import simbad.sonar.check.Checks;
 import simbad.sonar.effect.Form;
 import simbad.sonar.ping.Change;
 
@@ -21,10 +22,10 @@ public record Hypothesis(List<Form> forms, double[] values) {
   /** Nothing is unmodelled. */
   public static final Hypothesis NONE = new Hypothesis(List.of(), new double[0]);
 
-  /** Copies both and checks their sizes. */
+  /** Copies both, checks their sizes and refuses NaN. */
   public Hypothesis {
     forms = List.copyOf(forms);
-    values = values.clone();
+    values = Checks.numbers("values", values.clone());
     int size = forms.stream().mapToInt(form -> form.parameters().size()).sum();
     if (values.length != size) {
       throw new IllegalArgumentException(forms + " take " + size + " values, not " + values.length);

@@ -3,6 +3,9 @@ package simbad.gap.locate;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import simbad.gap.slice.Axis;
+import simbad.gap.slice.Nearest;
+import simbad.gap.slice.Slice;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
@@ -23,30 +26,12 @@ final class Cuts {
   private Cuts(Geometry geometry) {
     this.geometry = geometry;
     log = geometry.log();
-    obstacle = IntStream.range(0, log.size()).map(ping -> nearest(geometry, ping)).toArray();
+    obstacle = IntStream.range(0, log.size()).map(ping -> Nearest.of(geometry, ping)).toArray();
   }
 
   /** Returns all cuts: by one variable first, the names before the numbers, then by two. */
   static List<Scan.Cut> of(Geometry geometry) {
     return new Cuts(geometry).all();
-  }
-
-  /** The obstacle that a ping belongs to. */
-  static int nearest(Geometry geometry, int ping) {
-    int best = 0;
-    for (int other = 1; other < geometry.obstacles(); other++) {
-      int here = ping * geometry.obstacles() + best;
-      int there = ping * geometry.obstacles() + other;
-      boolean nearer = geometry.nearestM(there) < geometry.nearestM(here);
-      boolean unseen =
-          geometry.nearestM(here) == Double.POSITIVE_INFINITY
-              && geometry.nearestM(there) == Double.POSITIVE_INFINITY;
-      boolean closer = geometry.centreDistanceM(there) < geometry.centreDistanceM(here);
-      if (nearer || (unseen && closer)) {
-        best = other;
-      }
-    }
-    return best;
   }
 
   private int line(int ping) {

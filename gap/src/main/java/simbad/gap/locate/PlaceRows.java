@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Place;
+import simbad.gap.slice.Nearest;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.Obstacle;
@@ -51,7 +52,7 @@ public final class PlaceRows {
       case "sensor" -> log.sensors().get(log.sensor(ping));
       case "run" -> log.runs().get(log.run(ping));
       case "obstacle" ->
-          geometry.obstacles() == 0 ? "" : obstacles().get(Cuts.nearest(geometry, ping)).name();
+          geometry.obstacles() == 0 ? "" : obstacles().get(Nearest.of(geometry, ping)).name();
       default -> "";
     };
   }
@@ -66,7 +67,7 @@ public final class PlaceRows {
     if (geometry.obstacles() == 0) {
       return Double.NaN;
     }
-    int line = ping * geometry.obstacles() + Cuts.nearest(geometry, ping);
+    int line = ping * geometry.obstacles() + Nearest.of(geometry, ping);
     return switch (variable) {
       case "distance_m" -> geometry.centreDistanceM(line);
       case "off_axis_deg" -> Math.toDegrees(geometry.offAxisRad(line));

@@ -12,6 +12,7 @@ import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.score.Blocks;
 import simbad.gap.score.GapMeter;
+import simbad.gap.slice.Slice;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.predict.DiagnosedModel;

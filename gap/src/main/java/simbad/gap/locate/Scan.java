@@ -3,6 +3,8 @@ package simbad.gap.locate;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
+import simbad.gap.slice.Axis;
+import simbad.gap.slice.Slice;
 
 /**
  * Looks for the slice that holds the most of an excess in the fewest pings: of all slices of a cut

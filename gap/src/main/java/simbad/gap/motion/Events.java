@@ -14,7 +14,7 @@ import java.util.List;
  * @param other times that more was made, or that it turned without being told
  * @param slips the stretches of those that are shorter
  */
-record Events(int shorter, int late, int other, List<Evidence.Stretch> slips) {
+record Events(int shorter, int late, int other, List<MotionEvidence.Stretch> slips) {
   /** Of Gaussian steps one in 400,000 is farther off. */
   private static final double FAR = 4.7;
 
@@ -27,9 +27,9 @@ record Events(int shorter, int late, int other, List<Evidence.Stretch> slips) {
   private static final int ALONG = 0;
   private static final int TURN = 2;
 
-  static Events of(Evidence evidence, Fit fit) {
+  static Events of(MotionEvidence evidence, MotionFit fit) {
     double[][] expected = evidence.expected(fit.hypothesis().chain());
-    double[][] white = new double[Evidence.COMPONENTS][];
+    double[][] white = new double[MotionEvidence.COMPONENTS][];
     for (int c = 0; c < white.length; c++) {
       white[c] = scaled(new Whitening(evidence, fit.noises()[c], fit.residuals()[c]).white);
     }
@@ -38,7 +38,7 @@ record Events(int shorter, int late, int other, List<Evidence.Stretch> slips) {
       if (Math.abs(white[ALONG][i]) <= FAR && Math.abs(white[TURN][i]) <= FAR) {
         continue;
       }
-      Evidence.Step step = evidence.step(i);
+      MotionEvidence.Step step = evidence.step(i);
       int last = events.size() - 1;
       if (last >= 0 && events.get(last).goesOnIn(step)) {
         events.set(last, events.get(last).until(step));
@@ -46,7 +46,7 @@ record Events(int shorter, int late, int other, List<Evidence.Stretch> slips) {
         events.add(
             new Event(
                 kind(evidence, i, white, expected),
-                new Evidence.Stretch(
+                new MotionEvidence.Stretch(
                     step.run(), step.from().timeS(), step.to().timeS() + ONE_EVENT_S)));
       }
     }
@@ -61,16 +61,17 @@ record Events(int shorter, int late, int other, List<Evidence.Stretch> slips) {
     return (int) events.stream().filter(one -> one.kind == kind).count();
   }
 
-  private record Event(Kind kind, Evidence.Stretch stretch) {
-    boolean goesOnIn(Evidence.Step step) {
+  private record Event(Kind kind, MotionEvidence.Stretch stretch) {
+    boolean goesOnIn(MotionEvidence.Step step) {
       return stretch.meets(step.run(), step.from().timeS(), step.to().timeS());
     }
 
-    Event until(Evidence.Step step) {
+    Event until(MotionEvidence.Step step) {
       boolean lasts = step.to().timeS() - stretch.fromS() > CHANGED_S;
       return new Event(
           kind == Kind.LATE && lasts ? Kind.OTHER : kind,
-          new Evidence.Stretch(stretch.run(), stretch.fromS(), step.to().timeS() + ONE_EVENT_S));
+          new MotionEvidence.Stretch(
+              stretch.run(), stretch.fromS(), step.to().timeS() + ONE_EVENT_S));
     }
   }
 
@@ -80,7 +81,7 @@ record Events(int shorter, int late, int other, List<Evidence.Stretch> slips) {
     OTHER
   }
 
-  private static Kind kind(Evidence evidence, int i, double[][] white, double[][] expected) {
+  private static Kind kind(MotionEvidence evidence, int i, double[][] white, double[][] expected) {
     boolean turns = Math.abs(white[ALONG][i]) <= FAR;
     int component = turns ? TURN : ALONG;
     if (white[component][i] * Math.signum(expected[component][i]) < -FAR) {
@@ -90,8 +91,9 @@ record Events(int shorter, int late, int other, List<Evidence.Stretch> slips) {
   }
 
   /** Tells whether the command of the turn, or of the speed, changed shortly before or within. */
-  private static boolean hasChanged(Evidence evidence, Evidence.Step step, boolean turns) {
-    return Commands.changed(
+  private static boolean hasChanged(
+      MotionEvidence evidence, MotionEvidence.Step step, boolean turns) {
+    return CommandTrail.changed(
             evidence.runs().get(step.run()).commands(),
             turns,
             step.from().timeS() - CHANGED_S,
@@ -102,7 +104,7 @@ record Events(int shorter, int late, int other, List<Evidence.Stretch> slips) {
   /** In units in which most of them are standard normal. */
   private static double[] scaled(double[] white) {
     double[] sizes = Arrays.stream(white).map(Math::abs).sorted().toArray();
-    double scale = sizes.length == 0 ? 1 : sizes[sizes.length / 2] / Chance.MEDIAN;
+    double scale = sizes.length == 0 ? 1 : sizes[sizes.length / 2] / NormalChance.MEDIAN;
     return Arrays.stream(white).map(z -> z / scale).toArray();
   }
 }

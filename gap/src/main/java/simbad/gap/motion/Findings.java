@@ -23,7 +23,7 @@ final class Findings {
 
   /** Returns the effects of the most probable set, with their remedies. */
   List<MotionFinding> named() {
-    Scored best = odds.best();
+    ScoredMotion best = odds.best();
     return best.hypothesis().effects().stream()
         .map(effect -> finding(effect, best, odds.inPlaceOf(effect), true))
         .sorted(Comparator.comparingDouble(one -> -one.probability()))
@@ -36,7 +36,7 @@ final class Findings {
     List<MotionFinding> others = new ArrayList<>();
     for (String effect : MotionForms.vocabulary()) {
       if (!taken.contains(effect)) {
-        Scored set = odds.bestWith(effect);
+        ScoredMotion set = odds.bestWith(effect);
         others.add(
             set.hypothesis().names(effect)
                 ? finding(effect, set, tiesOf(effect, named), false)
@@ -54,8 +54,9 @@ final class Findings {
         .toList();
   }
 
-  private MotionFinding finding(String effect, Scored set, List<String> ties, boolean concluded) {
-    Hypothesis hypothesis = set.hypothesis();
+  private MotionFinding finding(
+      String effect, ScoredMotion set, List<String> ties, boolean concluded) {
+    MotionHypothesis hypothesis = set.hypothesis();
     double[] errors = set.slopes().standardErrors();
     List<MotionFinding.Parameter> parameters = new ArrayList<>();
     List<String> names = new ArrayList<>();
@@ -105,8 +106,8 @@ final class Findings {
         parameter.name(),
         value,
         new Interval(
-            parameter.within(value - Chance.NORMAL_95 * error),
-            parameter.within(value + Chance.NORMAL_95 * error)),
+            parameter.within(value - NormalChance.NORMAL_95 * error),
+            parameter.within(value + NormalChance.NORMAL_95 * error)),
         new Interval(parameter.low(), parameter.high()),
         parameter.isAtBound(value));
   }

@@ -12,7 +12,7 @@ import org.hipparchus.linear.SingularValueDecomposition;
  * each block of the log, so that blocks can be left out at no cost.
  */
 final class Linear {
-  private final Evidence evidence;
+  private final MotionEvidence evidence;
   private final Whitening[] white;
 
   /** By value, component and step: by how much the white residual falls per unit. */
@@ -21,7 +21,7 @@ final class Linear {
   private final double[][][] matrices;
   private final double[][] vectors;
 
-  Linear(Evidence evidence, Whitening[] white, double[][][] columns) {
+  Linear(MotionEvidence evidence, Whitening[] white, double[][][] columns) {
     this.evidence = evidence;
     this.white = white;
     this.columns = columns;
@@ -86,7 +86,7 @@ final class Linear {
   /** Returns the log density of each block, foretold by values that its fold had no part in. */
   double[] heldOut() {
     double[] scores = new double[evidence.blockCount()];
-    double[][] moves = new double[Evidence.FOLDS][];
+    double[][] moves = new double[MotionEvidence.FOLDS][];
     for (int fold = 0; fold < moves.length; fold++) {
       int left = fold;
       moves[fold] = withoutFold(left);

@@ -28,7 +28,7 @@ public final class MotionDiagnoser {
 
   private final MotionData data;
   private final List<MotionRun> runs;
-  private final Evidence evidence;
+  private final MotionEvidence evidence;
   private final CommandUse use;
 
   /**
@@ -39,19 +39,19 @@ public final class MotionDiagnoser {
   public MotionDiagnoser(MotionData data) {
     this.data = data;
     runs = data.runs().stream().map(MotionRun::withoutRepeats).toList();
-    evidence = new Evidence(runs);
+    evidence = new MotionEvidence(runs);
     use = CommandUse.of(runs, data.robot().wheelBaseM());
   }
 
   /** Returns the diagnosis. */
   public MotionDiagnosis diagnose() {
-    Believed base = Believed.of(data);
+    BelievedMotion base = BelievedMotion.of(data);
     if (evidence.blockCount() < LEAST_BLOCKS) {
       return undecided(base);
     }
     Told told = told(base, evidence);
     for (int round = 0; round < MOST_ROUNDS; round++) {
-      Optional<Believed> learnt = base.learning(told.odds().best());
+      Optional<BelievedMotion> learnt = base.learning(told.odds().best());
       if (learnt.isEmpty()) {
         break;
       }
@@ -59,11 +59,11 @@ public final class MotionDiagnoser {
       told = told(base, evidence);
     }
     Optional<MotionFinding> slip = told.scatter().slip();
-    List<Evidence.Stretch> slips = new ArrayList<>();
+    List<MotionEvidence.Stretch> slips = new ArrayList<>();
     // What slipped would be taken for wheels that are too small; and without it more is seen.
     for (int round = 0; round < MOST_ROUNDS && told.scatter().slip().isPresent(); round++) {
       slips.addAll(told.scatter().slips());
-      Evidence calm = evidence.without(slips);
+      MotionEvidence calm = evidence.without(slips);
       if (calm.blockCount() < LEAST_BLOCKS) {
         break;
       }
@@ -79,11 +79,11 @@ public final class MotionDiagnoser {
    * @param form with one parameter on which motion depends smoothly
    */
   public Estimate estimate(MotionDiagnosis diagnosis, MotionForm form) {
-    Hypothesis found = hypothesis(beside(form, diagnosis));
+    MotionHypothesis found = hypothesis(beside(form, diagnosis));
     boolean isNew = !found.forms().contains(form);
-    Hypothesis with = isNew ? found.with(form, form.neutralValues()) : found;
-    Fitter fitter = new Fitter(evidence, use);
-    Fit fit = fitter.asItIs(with);
+    MotionHypothesis with = isNew ? found.with(form, form.neutralValues()) : found;
+    MotionFitter fitter = new MotionFitter(evidence, use);
+    MotionFit fit = fitter.asItIs(with);
     fit = isNew ? fitter.fit(fit) : fit;
     double[] errors = new Slopes(evidence, fit).standardErrors();
     int at = 0;
@@ -105,8 +105,8 @@ public final class MotionDiagnoser {
         .toList();
   }
 
-  private Hypothesis hypothesis(List<FittedMotion> fitted) {
-    Hypothesis found = new Hypothesis(data.robot().motion(), List.of(), new double[0]);
+  private MotionHypothesis hypothesis(List<FittedMotion> fitted) {
+    MotionHypothesis found = new MotionHypothesis(data.robot().motion(), List.of(), new double[0]);
     for (FittedMotion one : fitted) {
       found = found.with(one.form(), one.values());
     }
@@ -127,8 +127,8 @@ public final class MotionDiagnoser {
     return diagnosis.with(fitted, MotionGap.forecast(runs, hypothesis(fitted).chain()));
   }
 
-  private Told told(Believed base, Evidence of) {
-    Odds odds = new Odds(new Search(of, data.robot()).run(base.nominal().chain()));
+  private Told told(BelievedMotion base, MotionEvidence of) {
+    Odds odds = new Odds(new MotionSearch(of, data.robot()).run(base.nominal().chain()));
     MotionGap gap = gap(base, odds.best());
     for (Optional<String> idle = idle(odds, gap); idle.isPresent(); idle = idle(odds, gap)) {
       odds = odds.without(idle.get());
@@ -139,7 +139,7 @@ public final class MotionDiagnoser {
 
   /** Finds an effect without which the explanation is as good. */
   private static Optional<String> idle(Odds odds, MotionGap gap) {
-    Hypothesis best = odds.best().hypothesis();
+    MotionHypothesis best = odds.best().hypothesis();
     List<String> effects = List.copyOf(best.effects());
     if (effects.isEmpty()) {
       return Optional.empty();
@@ -153,17 +153,17 @@ public final class MotionDiagnoser {
         .findFirst();
   }
 
-  private MotionGap gap(Believed base, Scored set) {
+  private MotionGap gap(BelievedMotion base, ScoredMotion set) {
     List<MotionChain> folds =
-        IntStream.range(0, Evidence.FOLDS)
+        IntStream.range(0, MotionEvidence.FOLDS)
             .mapToObj(fold -> set.slopes().withoutFold(fold).chain())
             .toList();
     return MotionGap.of(runs, base.nominal(), folds);
   }
 
-  private MotionDiagnosis concluded(Believed base, Told told, Optional<MotionFinding> slip) {
+  private MotionDiagnosis concluded(BelievedMotion base, Told told, Optional<MotionFinding> slip) {
     Odds odds = told.odds();
-    Conclusion conclusion = Conclusion.of(told, slip);
+    MotionConclusion conclusion = MotionConclusion.of(told, slip);
     Verdict verdict = conclusion.verdict();
     List<MotionFinding> explanation = conclusion.explanation();
     MotionDiagnosis.Gap figures = figures(told.gap(), odds.best(), verdict);
@@ -174,9 +174,9 @@ public final class MotionDiagnoser {
         conclusion.others(new Findings(odds).others(explanation)),
         conclusion.unknown().probability(),
         figures,
-        new Budget(told.gap(), figures, odds.best(), base.noises()).of(explanation),
+        new MotionBudget(told.gap(), figures, odds.best(), base.noises()).of(explanation),
         MotionPlaces.of(runs, told.gap()),
-        new Undetectables(told.evidence(), odds).among(Search.forms(data.robot()), use),
+        new MotionUndetectables(told.evidence(), odds).among(MotionSearch.forms(data.robot()), use),
         next(odds, explanation),
         fitted(base, odds.best()),
         verdict == Verdict.NONE
@@ -184,14 +184,14 @@ public final class MotionDiagnoser {
             : MotionGap.forecast(runs, odds.best().hypothesis().chain()));
   }
 
-  private static List<FittedMotion> fitted(Believed base, Scored best) {
+  private static List<FittedMotion> fitted(BelievedMotion base, ScoredMotion best) {
     List<FittedMotion> fitted = new ArrayList<>(base.shown());
     fitted.addAll(best.hypothesis().fitted());
     return fitted;
   }
 
   /** Without an effect the forecast stays what was believed. */
-  private static MotionDiagnosis.Gap figures(MotionGap gap, Scored best, Verdict verdict) {
+  private static MotionDiagnosis.Gap figures(MotionGap gap, ScoredMotion best, Verdict verdict) {
     boolean none = verdict == Verdict.NONE;
     double ratio = none ? 1 : gap.ratio();
     return new MotionDiagnosis.Gap(
@@ -218,7 +218,7 @@ public final class MotionDiagnoser {
     return Optional.empty();
   }
 
-  private MotionDiagnosis undecided(Believed base) {
+  private MotionDiagnosis undecided(BelievedMotion base) {
     double[][] none = new double[3][3];
     return new MotionDiagnosis(
         Verdict.UNDECIDED,

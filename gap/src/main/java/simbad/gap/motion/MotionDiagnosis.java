@@ -7,6 +7,7 @@ import simbad.gap.diagnosis.Verdict;
 import simbad.motion.Command;
 import simbad.motion.effect.FittedMotion;
 import simbad.motion.forecast.MotionForecast;
+import simbad.sonar.check.Checks;
 
 /**
  * What a diagnosis of motion concludes.
@@ -40,6 +41,7 @@ public record MotionDiagnosis(
     MotionForecast forecast) {
   /** Copies the lists. */
   public MotionDiagnosis {
+    Checks.number("unknownProbability", unknownProbability);
     findings = List.copyOf(findings);
     others = List.copyOf(others);
     budget = List.copyOf(budget);
@@ -91,6 +93,12 @@ public record MotionDiagnosis(
       double ratio,
       Interval ratioCi95,
       double floor) {
+    /** Refuses what is no number. */
+    public Gap {
+      Checks.number("ratio", ratio);
+      Checks.number("floor", floor);
+    }
+
     /** Returns by how much the gap shrinks, a fraction. */
     public double shrink() {
       return 1 - ratio;
@@ -109,7 +117,12 @@ public record MotionDiagnosis(
    * @param share of the gap before
    * @param ci95 interval of it
    */
-  public record Part(String what, double share, Interval ci95) {}
+  public record Part(String what, double share, Interval ci95) {
+    /** Refuses what is no number. */
+    public Part {
+      Checks.number("share", share);
+    }
+  }
 
   /**
    * An effect that these data could not have shown.
@@ -118,7 +131,12 @@ public record MotionDiagnosis(
    * @param parameter whose size is meant
    * @param leastSize that would have shown; infinite where none would
    */
-  public record Hidden(String effect, String parameter, double leastSize) {}
+  public record Hidden(String effect, String parameter, double leastSize) {
+    /** Refuses what is no number. */
+    public Hidden {
+      Checks.number("leastSize", leastSize);
+    }
+  }
 
   /**
    * A drive that would tell effects apart.
@@ -130,6 +148,7 @@ public record MotionDiagnosis(
   public record NextDrive(List<String> separates, List<Command> commands, double expectedLogOdds) {
     /** Copies the lists. */
     public NextDrive {
+      Checks.number("expectedLogOdds", expectedLogOdds);
       separates = List.copyOf(separates);
       commands = List.copyOf(commands);
     }

@@ -2,6 +2,7 @@ package simbad.gap.motion;
 
 import java.util.List;
 import simbad.gap.diagnosis.Interval;
+import simbad.sonar.check.Checks;
 
 /**
  * An effect that is at work, or might be.
@@ -23,6 +24,7 @@ public record MotionFinding(
     String remedy) {
   /** Copies the lists. */
   public MotionFinding {
+    Checks.number("probability", probability);
     parameters = List.copyOf(parameters);
     ties = List.copyOf(ties);
   }
@@ -42,5 +44,10 @@ public record MotionFinding(
    * @param atBound whether it stands at the end of what was allowed
    */
   public record Parameter(
-      String name, double value, Interval ci95, Interval allowed, boolean atBound) {}
+      String name, double value, Interval ci95, Interval allowed, boolean atBound) {
+    /** Refuses what is no number. */
+    public Parameter {
+      Checks.number("value", value);
+    }
+  }
 }

@@ -106,7 +106,7 @@ final class MotionGap {
   }
 
   private static int fold(Window window) {
-    return Evidence.fold(window.run(), window.startS());
+    return MotionEvidence.fold(window.run(), window.startS());
   }
 
   private double[] asked(List<Window> cut) {
@@ -117,14 +117,14 @@ final class MotionGap {
   }
 
   private double[][] residuals(List<Window> cut, MotionChain chain) {
-    List<Way> ways = Evidence.ways(runs, chain);
+    List<Way> ways = MotionEvidence.ways(runs, chain);
     double[][] residuals = new double[cut.size()][3];
     for (int i = 0; i < residuals.length; i++) {
       Window window = cut.get(i);
       Displacement expected = ways.get(window.run()).between(window.startS(), window.endS());
       for (int c = 0; c < 3; c++) {
         double off = window.way().component(c) - expected.component(c);
-        residuals[i][c] = c == 2 ? Evidence.wrapped(off) : off;
+        residuals[i][c] = c == 2 ? MotionEvidence.wrapped(off) : off;
       }
     }
     return residuals;
@@ -210,7 +210,7 @@ final class MotionGap {
       double off = ratio(group) - ratio;
       square += off * off * (GROUPS - 1) / GROUPS;
     }
-    double half = Chance.NORMAL_95 * Math.sqrt(square);
+    double half = NormalChance.NORMAL_95 * Math.sqrt(square);
     return new Interval(ratio - half, ratio + half);
   }
 
@@ -249,7 +249,7 @@ final class MotionGap {
   private static double gaussian() {
     double sum = 0;
     for (int q = 0; q < Spread.QUANTILES; q++) {
-      double deviate = Chance.deviate(Spread.level(q));
+      double deviate = NormalChance.deviate(Spread.level(q));
       sum += 2 * Math.exp(-deviate * deviate / 2) / Math.sqrt(2 * Math.PI) / Spread.QUANTILES;
     }
     return sum;

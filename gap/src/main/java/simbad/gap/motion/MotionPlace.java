@@ -1,5 +1,7 @@
 package simbad.gap.motion;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A slice of the windows of half a second.
  *
@@ -25,4 +27,14 @@ public record MotionPlace(
     double before,
     double after,
     String component,
-    double qValue) {}
+    double qValue) {
+  /** Refuses what is no number. */
+  public MotionPlace {
+    Checks.number("low", low);
+    Checks.number("high", high);
+    Checks.number("share", share);
+    Checks.number("before", before);
+    Checks.number("after", after);
+    Checks.number("qValue", qValue);
+  }
+}

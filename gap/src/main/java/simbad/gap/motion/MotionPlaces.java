@@ -168,7 +168,7 @@ final class MotionPlaces {
       return 1;
     }
     double error = Math.sqrt(square / (excess.length - 1) / excess.length);
-    return 1 - Chance.below(mean / error);
+    return 1 - NormalChance.below(mean / error);
   }
 
   /** The false discovery rate by Benjamini and Hochberg (1995). */

@@ -38,7 +38,8 @@ final class NextDrives {
    * @param other the one with the rival in its place
    * @param separates names of the two
    */
-  Optional<MotionDiagnosis.NextDrive> between(Scored one, Scored other, List<String> separates) {
+  Optional<MotionDiagnosis.NextDrive> between(
+      ScoredMotion one, ScoredMotion other, List<String> separates) {
     Optional<MotionDiagnosis.NextDrive> best = Optional.empty();
     for (List<Command> drive : drives()) {
       double nats = nats(drive, one, other);
@@ -50,13 +51,13 @@ final class NextDrives {
     return best;
   }
 
-  private static double nats(List<Command> drive, Scored one, Scored other) {
+  private static double nats(List<Command> drive, ScoredMotion one, ScoredMotion other) {
     List<TrackPose> poses = new ArrayList<>();
     double end = drive.get(drive.size() - 1).timeS() + HELD_S;
     for (int i = 0; i * POSES_S < end; i++) {
       poses.add(new TrackPose(i * POSES_S, 0, 0, 0));
     }
-    Evidence evidence = new Evidence(List.of(new MotionRun("next", drive, poses)));
+    MotionEvidence evidence = new MotionEvidence(List.of(new MotionRun("next", drive, poses)));
     double[][] first = evidence.expected(one.hypothesis().chain());
     double[][] second = evidence.expected(other.hypothesis().chain());
     double sum = 0;

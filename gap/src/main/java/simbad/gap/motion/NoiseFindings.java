@@ -30,13 +30,13 @@ final class NoiseFindings {
 
   private static final double PER_OTHER_NATS = Math.log(0.05 / 0.5);
 
-  private final Evidence evidence;
-  private final Believed base;
+  private final MotionEvidence evidence;
+  private final BelievedMotion base;
   private final Noise[] believed;
-  private final Fit fit;
+  private final MotionFit fit;
   private final Events events;
 
-  NoiseFindings(Evidence evidence, Believed base, Fit fit) {
+  NoiseFindings(MotionEvidence evidence, BelievedMotion base, MotionFit fit) {
     this.evidence = evidence;
     this.base = base;
     believed = base.noises();
@@ -47,11 +47,11 @@ final class NoiseFindings {
   /** Tells how probable it is that something happens now and then that is no slip. */
   double otherEvents() {
     double often = OTHER_SHARE * events.shorter();
-    return events.other() < LEAST_SLIPS ? 0 : Chance.ofLogOdds(events.other() - often - 2);
+    return events.other() < LEAST_SLIPS ? 0 : NormalChance.ofLogOdds(events.other() - often - 2);
   }
 
   /** Returns when wheels slipped. */
-  List<Evidence.Stretch> slips() {
+  List<MotionEvidence.Stretch> slips() {
     return events.slips();
   }
 
@@ -69,11 +69,11 @@ final class NoiseFindings {
       seconds += evidence.step(i).durationS();
     }
     double rate = 60 * events.shorter() / seconds;
-    double half = Chance.NORMAL_95 * rate / Math.sqrt(events.shorter());
+    double half = NormalChance.NORMAL_95 * rate / Math.sqrt(events.shorter());
     return Optional.of(
         finding(
             MotionForms.SLIP,
-            Chance.ofLogOdds(nats),
+            NormalChance.ofLogOdds(nats),
             parameter("slips_per_minute", rate, half),
             "let wheels slip %.2g times a minute"));
   }
@@ -94,11 +94,11 @@ final class NoiseFindings {
       return Optional.empty();
     }
     double sigma = Math.sqrt(fit.noises()[0].variance(OVER_S, 1));
-    double half = Chance.NORMAL_95 * sigma / Math.sqrt(2.0 * evidence.blockCount());
+    double half = NormalChance.NORMAL_95 * sigma / Math.sqrt(2.0 * evidence.blockCount());
     return Optional.of(
         finding(
             MotionForms.MOTION_NOISE,
-            Chance.ofLogOdds(nats),
+            NormalChance.ofLogOdds(nats),
             parameter("along_sigma_m", sigma, half),
             "let the way of half a second scatter by %.2g m"));
   }
@@ -120,19 +120,19 @@ final class NoiseFindings {
     return own / Math.max(1, base.reference().map(one -> usual(one, component)).orElse(1.0));
   }
 
-  private double usual(Believed.Reference reference, int component) {
-    Evidence trusted = reference.evidence();
+  private double usual(BelievedMotion.Reference reference, int component) {
+    MotionEvidence trusted = reference.evidence();
     double[] residuals = trusted.residuals(base.nominal().chain())[component];
     return times(trusted, residuals, believed[component]);
   }
 
-  private static double times(Evidence evidence, double[] residuals, Noise believed) {
+  private static double times(MotionEvidence evidence, double[] residuals, Noise believed) {
     List<Double> sizes = new ArrayList<>();
     double sum = 0;
     double seconds = 0;
     double load = 0;
     for (int i = 0; i < evidence.size(); i++) {
-      Evidence.Step step = evidence.step(i);
+      MotionEvidence.Step step = evidence.step(i);
       if (!step.chained()) {
         sum = 0;
         seconds = 0;
@@ -152,7 +152,7 @@ final class NoiseFindings {
       }
     }
     double[] sorted = sizes.stream().mapToDouble(size -> size).sorted().toArray();
-    return sorted.length < FEWEST ? 0 : sorted[sorted.length / 2] / Chance.MEDIAN;
+    return sorted.length < FEWEST ? 0 : sorted[sorted.length / 2] / NormalChance.MEDIAN;
   }
 
   private static MotionFinding.Parameter parameter(String name, double value, double half) {

@@ -11,14 +11,14 @@ final class NoiseFit {
   /** An end of what the logarithms may come to: parts that small have no effect. */
   private static final double LEAST_LOG = Math.log(1e-9);
 
-  private final Evidence evidence;
+  private final MotionEvidence evidence;
   private final double[] loads;
   private final double[] residuals;
   private Noise best;
   private double score;
   private int tried;
 
-  private NoiseFit(Evidence evidence, double[] loads, double[] residuals, Noise start) {
+  private NoiseFit(MotionEvidence evidence, double[] loads, double[] residuals, Noise start) {
     this.evidence = evidence;
     this.loads = loads;
     this.residuals = residuals;
@@ -27,13 +27,13 @@ final class NoiseFit {
   }
 
   /** Returns the noises of all components, searched afresh. */
-  static Noise[] afresh(Evidence evidence, double[][] residuals) {
+  static Noise[] afresh(MotionEvidence evidence, double[][] residuals) {
     Noise[] noises = new Noise[residuals.length];
     Arrays.setAll(noises, c -> afresh(evidence, evidence.loads(), residuals[c]).best);
     return noises;
   }
 
-  private static NoiseFit afresh(Evidence evidence, double[] loads, double[] residuals) {
+  private static NoiseFit afresh(MotionEvidence evidence, double[] loads, double[] residuals) {
     NoiseFit fit = new NoiseFit(evidence, loads, residuals, Noise.start(typical(residuals)));
     fit.walk(1.5);
     fit.shapes();
@@ -48,12 +48,12 @@ final class NoiseFit {
    * @param loads what the robot's own variance is in proportion to
    * @param residuals by step
    */
-  static double likeliest(Evidence evidence, double[] loads, double[] residuals) {
+  static double likeliest(MotionEvidence evidence, double[] loads, double[] residuals) {
     return afresh(evidence, loads, residuals).score;
   }
 
   /** Returns the noises of all components, from ones that were nearly right. */
-  static Noise[] near(Evidence evidence, double[][] residuals, Noise[] before) {
+  static Noise[] near(MotionEvidence evidence, double[][] residuals, Noise[] before) {
     Noise[] noises = new Noise[residuals.length];
     Arrays.setAll(
         noises,

@@ -24,20 +24,20 @@ final class Odds {
   /** By so many standard errors, from block to block, a clear winner foretells better. */
   private static final double CLEAR = 2;
 
-  private final List<Scored> sets;
+  private final List<ScoredMotion> sets;
   private final double[] logs;
   private final double[] weights;
   private final double clumping;
 
   /** Weighs sets; blocks of the likeliest tell how far steps hang together. */
-  Odds(List<Scored> sets) {
+  Odds(List<ScoredMotion> sets) {
     this.sets = List.copyOf(sets);
     clumping = sets.get(0).slopes().linear().clumping();
     logs = new double[sets.size()];
     weights = new double[sets.size()];
     double most = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < logs.length; i++) {
-      Scored set = sets.get(i);
+      ScoredMotion set = sets.get(i);
       double cost = COST_NATS * set.hypothesis().effects().size() + NATS_PER_JUMP * set.jumping();
       logs[i] = (set.heldOut() / clumping - cost) / TEMPERATURE;
       most = Math.max(most, logs[i]);
@@ -58,24 +58,24 @@ final class Odds {
   }
 
   /** Returns the likeliest set that has no effects but those of the most probable one, less one. */
-  Scored lacking(String effect) {
+  ScoredMotion lacking(String effect) {
     Set<String> rest = best().hypothesis().without(effect).effects();
     return sets.stream()
         .filter(set -> rest.containsAll(set.hypothesis().effects()))
-        .max(Comparator.comparingDouble(Scored::heldOut))
+        .max(Comparator.comparingDouble(ScoredMotion::heldOut))
         .orElseThrow();
   }
 
   /** Returns how probable it is that an effect is needed, by what blocks gain that are left out. */
   double ofGain(double nats) {
-    return Chance.ofLogOdds((nats / clumping - COST_NATS) / TEMPERATURE);
+    return NormalChance.ofLogOdds((nats / clumping - COST_NATS) / TEMPERATURE);
   }
 
   double clumping() {
     return clumping;
   }
 
-  Scored best() {
+  ScoredMotion best() {
     return sets.get(bestIndex());
   }
 
@@ -88,7 +88,7 @@ final class Odds {
   }
 
   /** Returns the set without any effect. */
-  Scored nominal() {
+  ScoredMotion nominal() {
     return sets.stream()
         .filter(set -> set.hypothesis().forms().isEmpty())
         .findFirst()
@@ -107,7 +107,7 @@ final class Odds {
   }
 
   /** Returns the most probable set that has an effect. */
-  Scored bestWith(String effect) {
+  ScoredMotion bestWith(String effect) {
     int best = -1;
     for (int i = 0; i < weights.length; i++) {
       boolean has = sets.get(i).hypothesis().names(effect);
@@ -140,7 +140,7 @@ final class Odds {
   }
 
   /** Tells whether blocks agree that one set foretells better than another. */
-  private static boolean isClear(Scored one, Scored other) {
+  private static boolean isClear(ScoredMotion one, ScoredMotion other) {
     int n = one.blocks().length;
     double mean = (one.heldOut() - other.heldOut()) / n;
     double square = 0;
@@ -157,7 +157,7 @@ final class Odds {
   double ofAny(String effect, List<String> tied) {
     double sum = 0;
     for (int i = 0; i < weights.length; i++) {
-      Hypothesis set = sets.get(i).hypothesis();
+      MotionHypothesis set = sets.get(i).hypothesis();
       sum += set.names(effect) || tied.stream().anyMatch(set::names) ? weights[i] : 0;
     }
     return Math.min(1, sum);

@@ -12,8 +12,8 @@ import simbad.motion.effect.MotionParameter;
 final class Slopes {
   private static final int MOST_HALVED = 6;
 
-  private final Evidence evidence;
-  private final Fit fit;
+  private final MotionEvidence evidence;
+  private final MotionFit fit;
   private final Whitening[] white;
 
   /** Indices of the values that may move: motion depends smoothly on them. */
@@ -27,7 +27,7 @@ final class Slopes {
 
   private final Linear linear;
 
-  Slopes(Evidence evidence, Fit fit) {
+  Slopes(MotionEvidence evidence, MotionFit fit) {
     this.evidence = evidence;
     this.fit = fit;
     white = fit.white(evidence);
@@ -37,7 +37,7 @@ final class Slopes {
     linear = new Linear(evidence, white, columns);
   }
 
-  private static List<Integer> free(Hypothesis at) {
+  private static List<Integer> free(MotionHypothesis at) {
     List<MotionParameter> parameters = at.parameters();
     List<Integer> free = new ArrayList<>();
     for (int i = 0; i < parameters.size(); i++) {
@@ -49,7 +49,7 @@ final class Slopes {
   }
 
   private double[][] column(int index) {
-    Hypothesis at = fit.hypothesis();
+    MotionHypothesis at = fit.hypothesis();
     MotionParameter parameter = at.parameters().get(index);
     double value = at.values()[index];
     double step = parameter.probe();
@@ -60,7 +60,7 @@ final class Slopes {
       double[] own = new double[moved[c].length];
       for (int i = 0; i < own.length; i++) {
         double by = fit.residuals()[c][i] - moved[c][i];
-        own[i] = (c == 2 ? Evidence.wrapped(by) : by) / (other - value);
+        own[i] = (c == 2 ? MotionEvidence.wrapped(by) : by) / (other - value);
       }
       slopes[c] = own;
     }
@@ -96,7 +96,7 @@ final class Slopes {
   }
 
   /** Returns the fit's hypothesis after a damped step of Gauss and Newton on all blocks. */
-  Hypothesis stepped(double damping) {
+  MotionHypothesis stepped(double damping) {
     return moved(linear.move(block -> true, damping));
   }
 
@@ -104,11 +104,11 @@ final class Slopes {
    * Returns the hypothesis with the values that all blocks but those of a fold say. A step that
    * makes these blocks no likelier is halved: where a value hardly shows, first order goes far.
    */
-  Hypothesis withoutFold(int fold) {
+  MotionHypothesis withoutFold(int fold) {
     double[] step = linear.withoutFold(fold);
     double before = withoutFold(fold, fit.hypothesis());
     for (int halved = 0; halved < MOST_HALVED; halved++) {
-      Hypothesis moved = moved(step);
+      MotionHypothesis moved = moved(step);
       if (withoutFold(fold, moved) >= before) {
         return moved;
       }
@@ -118,7 +118,7 @@ final class Slopes {
   }
 
   /** Returns the log density of all blocks but those of a fold. */
-  private double withoutFold(int fold, Hypothesis hypothesis) {
+  private double withoutFold(int fold, MotionHypothesis hypothesis) {
     double[][] residuals = evidence.residuals(hypothesis.chain());
     double sum = 0;
     for (int c = 0; c < residuals.length; c++) {
@@ -130,8 +130,8 @@ final class Slopes {
     return sum;
   }
 
-  private Hypothesis moved(double[] by) {
-    Hypothesis moved = fit.hypothesis();
+  private MotionHypothesis moved(double[] by) {
+    MotionHypothesis moved = fit.hypothesis();
     List<MotionParameter> parameters = moved.parameters();
     for (int p = 0; p < by.length; p++) {
       int index = free.get(p);

@@ -8,4 +8,4 @@ package simbad.gap.motion;
  * @param gap before and after the most probable set
  * @param scatter beside it
  */
-record Told(Evidence evidence, Odds odds, MotionGap gap, NoiseFindings scatter) {}
+record Told(MotionEvidence evidence, Odds odds, MotionGap gap, NoiseFindings scatter) {}

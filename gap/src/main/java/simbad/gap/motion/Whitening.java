@@ -18,14 +18,14 @@ final class Whitening {
   /** Weights of least squares that fit Student's t. */
   final double[] weights;
 
-  private final Evidence evidence;
+  private final MotionEvidence evidence;
   private final Noise noise;
   private final double[] scales;
   private final double[] gains;
   private final double constant;
   private double logDensity;
 
-  Whitening(Evidence evidence, Noise noise, double[] residuals) {
+  Whitening(MotionEvidence evidence, Noise noise, double[] residuals) {
     this(evidence, evidence.loads(), noise, residuals);
   }
 
@@ -37,7 +37,7 @@ final class Whitening {
    * @param noise by which the residuals scatter
    * @param residuals by step
    */
-  Whitening(Evidence evidence, double[] loads, Noise noise, double[] residuals) {
+  Whitening(MotionEvidence evidence, double[] loads, Noise noise, double[] residuals) {
     this.evidence = evidence;
     this.noise = noise;
     int n = residuals.length;
@@ -57,7 +57,7 @@ final class Whitening {
     double error = 0;
     double errorVar = tracker;
     for (int i = 0; i < residuals.length; i++) {
-      Evidence.Step step = evidence.step(i);
+      MotionEvidence.Step step = evidence.step(i);
       if (!step.chained()) {
         error = 0;
         errorVar = tracker;
@@ -83,7 +83,7 @@ final class Whitening {
   }
 
   /** Returns the log density of the residuals of all components, each under its noise. */
-  static double logDensity(Evidence evidence, Noise[] noises, double[][] residuals) {
+  static double logDensity(MotionEvidence evidence, Noise[] noises, double[][] residuals) {
     double sum = 0;
     for (int c = 0; c < residuals.length; c++) {
       sum += new Whitening(evidence, noises[c], residuals[c]).logDensity();

@@ -33,7 +33,7 @@ public final class Budget {
   private final double[] floorSums;
   private final int[] rows;
 
-  private Budget(Evidence evidence, Blocks blocks, Hypothesis explanation, Gain gain) {
+  private Budget(Evidence evidence, Blocks blocks, Hypothesis explanation, GapGain gain) {
     this.evidence = evidence;
     this.blocks = blocks;
     this.explanation = explanation;
@@ -64,7 +64,7 @@ public final class Budget {
    * @return an entry for each effect in the explanation's order, the rest, the floor
    */
   public static List<BudgetEntry> of(
-      Evidence evidence, Blocks blocks, Hypothesis explanation, Gain gain, long seed) {
+      Evidence evidence, Blocks blocks, Hypothesis explanation, GapGain gain, long seed) {
     return new Budget(evidence, blocks, explanation, gain).entries(new Random(seed));
   }
 

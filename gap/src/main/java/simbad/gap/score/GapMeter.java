@@ -6,6 +6,7 @@ import java.util.stream.IntStream;
 import simbad.gap.diagnosis.ForecastGap;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
+import simbad.sonar.check.Checks;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.predict.DiagnosedModel;
@@ -36,7 +37,13 @@ public final class GapMeter {
    * @param expectedM expectation of the same under the model itself, metres
    */
   @SuppressWarnings("ArrayRecordComponent") // one value for each ping; read only
-  public record Gaps(double[] observedM, double[] expectedM) {}
+  public record Gaps(double[] observedM, double[] expectedM) {
+    /** Refuses what is no number. */
+    public Gaps {
+      Checks.numbers("observedM", observedM);
+      Checks.numbers("expectedM", expectedM);
+    }
+  }
 
   /** Measures a hypothesis. */
   public Gaps measure(Evidence evidence, Hypothesis hypothesis) {

@@ -61,8 +61,8 @@ public final class PracticalSize {
 
   /** How much the gap shrinks from one hypothesis to another, in standard errors over blocks. */
   private double shrinkage(Hypothesis from, Hypothesis to) {
-    double[] before = Gain.of(evidence, blocks, from).after().observedM();
-    double[] after = Gain.of(evidence, blocks, to).after().observedM();
+    double[] before = GapGain.of(evidence, blocks, from).after().observedM();
+    double[] after = GapGain.of(evidence, blocks, to).after().observedM();
     double[] sums = new double[blocks.count()];
     double all = 0;
     for (int i = 0; i < before.length; i++) {

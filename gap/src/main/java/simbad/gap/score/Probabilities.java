@@ -7,6 +7,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import simbad.definition.Effect;
 import simbad.gap.fit.Hypothesis;
+import simbad.sonar.check.Checks;
 
 /** How probable each set of effects is among those that were fitted, and each effect. */
 public final class Probabilities {
@@ -36,6 +37,8 @@ public final class Probabilities {
    * @param unseen effects that do not show in the gap
    */
   public Probabilities(List<Scored> sets, double costNats, double temperature, Set<Effect> unseen) {
+    Checks.number("costNats", costNats);
+    Checks.positive("temperature", temperature);
     this.sets = List.copyOf(sets);
     this.unseen = Set.copyOf(unseen);
     weight = new double[sets.size()];

@@ -1,6 +1,7 @@
 package simbad.gap.score;
 
 import simbad.gap.fit.Hypothesis;
+import simbad.sonar.check.Checks;
 
 /**
  * A hypothesis with its evidence.
@@ -9,4 +10,10 @@ import simbad.gap.fit.Hypothesis;
  * @param inSample log likelihood of the whole log, natural
  * @param heldOut log likelihood of each half of the blocks under values fitted on the other half
  */
-public record Scored(Hypothesis hypothesis, double inSample, double heldOut) {}
+public record Scored(Hypothesis hypothesis, double inSample, double heldOut) {
+  /** Refuses what is no number. */
+  public Scored {
+    Checks.number("inSample", inSample);
+    Checks.number("heldOut", heldOut);
+  }
+}

@@ -11,6 +11,7 @@ import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
+import simbad.sonar.check.Checks;
 import simbad.sonar.effect.Form;
 
 /** How well a log bounds fitted values: from the curvature of the likelihood at the fit. */
@@ -29,7 +30,7 @@ public final class Uncertainty {
   /** Creates for a log whose readings hang together by a factor, 1 for independent ones. */
   public Uncertainty(Evidence evidence, double clumping) {
     fitter = new Fitter(evidence, Fold.ALL);
-    this.clumping = clumping;
+    this.clumping = Checks.positive("clumping", clumping);
   }
 
   /**

@@ -27,6 +27,7 @@ import simbad.gap.score.Blocks;
 import simbad.gap.score.HeldOut;
 import simbad.gap.score.Scored;
 import simbad.gap.unexplained.Misfit;
+import simbad.sonar.check.Checks;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 
@@ -79,7 +80,7 @@ public final class Search {
       Evidence evidence, Set<Effect> excluded, double worthNats, Optional<SetupLeave> leave) {
     this.evidence = evidence;
     this.leave = leave;
-    this.worthNats = worthNats;
+    this.worthNats = Checks.number("worthNats", worthNats);
     blocks = new Blocks(evidence.log());
     forms =
         Gates.open(evidence, Forms.all(evidence.setup(), evidence.log().sensors())).stream()

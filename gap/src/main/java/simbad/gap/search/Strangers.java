@@ -19,6 +19,7 @@ import simbad.gap.score.Placements;
 import simbad.gap.score.Probabilities;
 import simbad.sonar.change.LevelDrift;
 import simbad.sonar.change.LevelScatter;
+import simbad.sonar.check.Checks;
 import simbad.sonar.effect.Form;
 import simbad.sonar.ping.LevelChange;
 import simbad.sonar.ping.PingLog;
@@ -87,6 +88,11 @@ public final class Strangers {
    *     all
    */
   public record Found(double odds, String what) {
+    /** Refuses what is no number. */
+    public Found {
+      Checks.number("odds", odds);
+    }
+
     /** Returns the probability of the named set against all of them, in (0, 1]. */
     public double share() {
       return 1 / (1 + odds);

@@ -9,12 +9,13 @@ import simbad.definition.Effect;
 import simbad.definition.Trait;
 import simbad.gap.fit.Evidence;
 import simbad.gap.score.Blocks;
-import simbad.gap.score.Gain;
+import simbad.gap.score.GapGain;
 import simbad.gap.score.Placements;
 import simbad.gap.score.PracticalSize;
 import simbad.gap.score.Probabilities;
 import simbad.gap.score.Scored;
 import simbad.gap.unexplained.Unknown;
+import simbad.sonar.check.Checks;
 import simbad.sonar.effect.Definitions;
 
 /**
@@ -28,7 +29,7 @@ import simbad.sonar.effect.Definitions;
  * @param enlarging sets that would have been taken, but for the gap that they enlarge
  */
 public record Weighed(
-    Probabilities probabilities, Scored taken, Gain gain, List<Scored> enlarging) {
+    Probabilities probabilities, Scored taken, GapGain gain, List<Scored> enlarging) {
   /** What takes up a little of anything, beside those that soak up where things were placed. */
   private static final Set<Effect> SOAK_UP = new TreeSet<>(PlainFamily.SOAK_UP_PLACEMENTS);
 
@@ -52,6 +53,8 @@ public record Weighed(
    */
   public static Weighed of(
       Evidence evidence, List<Scored> sets, double worthNats, double temperature) {
+    Checks.number("worthNats", worthNats);
+    Checks.positive("temperature", temperature);
     PracticalSize size = new PracticalSize(evidence, sets);
     Blocks blocks = new Blocks(evidence.log());
     double most = (1 + Probabilities.UNSEEN) * worthNats;
@@ -68,7 +71,7 @@ public record Weighed(
       if (unseen.addAll(size.unseen(best, most))) {
         continue;
       }
-      Gain gain = Gain.of(evidence, blocks, best.hypothesis());
+      GapGain gain = GapGain.of(evidence, blocks, best.hypothesis());
       if (best.hypothesis().forms().isEmpty() || gain.isWorthNaming()) {
         return new Weighed(probabilities, best, gain, enlarging);
       }
@@ -121,7 +124,7 @@ public record Weighed(
         .filter(sure -> sure.gain.isWorthNaming());
   }
 
-  private static Gain gainOf(Evidence evidence, Scored set) {
-    return Gain.of(evidence, new Blocks(evidence.log()), set.hypothesis());
+  private static GapGain gainOf(Evidence evidence, Scored set) {
+    return GapGain.of(evidence, new Blocks(evidence.log()), set.hypothesis());
   }
 }

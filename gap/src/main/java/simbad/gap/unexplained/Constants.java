@@ -9,6 +9,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
+import simbad.sonar.check.Checks;
 import simbad.sonar.scene.SensorLaw;
 
 /**
@@ -38,6 +39,12 @@ public record Constants(
 
   /** Copies the weights, in their order. */
   public Constants {
+    Checks.share("least", least);
+    Checks.share("most", most);
+    Checks.finite("base", base);
+    Checks.positive("thresholdTemperature", thresholdTemperature);
+    Checks.positive("levelTemperature", levelTemperature);
+    Checks.share("namedRightly", namedRightly);
     weights = Collections.unmodifiableMap(new LinkedHashMap<>(weights));
   }
 

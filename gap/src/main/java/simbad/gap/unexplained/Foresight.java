@@ -5,6 +5,7 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.slice.Axis;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.predict.DiagnosedModel;
@@ -51,11 +52,11 @@ final class Foresight {
   /**
    * Returns for each slice of a cut by how many echoes the log is off, and by how many logs are.
    */
-  double[][] off(Slicing.Cut cut, boolean[] echo) {
+  double[][] off(Axis cut, boolean[] echo) {
     double[] off = new double[cut.count()];
     double[][] other = new double[drawn.length][cut.count()];
     for (int i = 0; i < echo.length; i++) {
-      int at = cut.slice()[i];
+      int at = cut.bin(i);
       if (at >= 0) {
         off[at] += (echo[i] ? 1 : 0) - expected[i];
         for (int draw = 0; draw < drawn.length; draw++) {

@@ -9,6 +9,9 @@ import java.util.Optional;
 import simbad.gap.calibrate.level.Leeway;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.slice.Axis;
+import simbad.gap.slice.Slice;
+import simbad.sonar.check.Checks;
 import simbad.sonar.ping.PingLog;
 
 /** How far a hypothesis is off in any slice of a log. */
@@ -19,25 +22,46 @@ public final class Misfit {
   private static final double LEAST_SUPPORT = 2;
   private static final int LEAST_ROWS = 12;
 
-  private final List<Slice> slices = new ArrayList<>();
+  private final List<Off> slices = new ArrayList<>();
+
+  /** In what a slice is off. */
+  public enum Kind {
+    /** The number of echoes. */
+    ECHO,
+    /** Where ranges lie. */
+    RANGE,
+    /** How much ranges scatter. */
+    SCATTER,
+    /** The number of echoes where no reading is known. */
+    FORECAST
+  }
 
   /**
-   * A slice with one way of being off.
+   * A slice that is off in one way.
    *
-   * @param name of the slice
-   * @param kind echo, range, scatter; or forecast, echoes where no reading is known
+   * @param slice one bin of an axis
+   * @param kind in what
    * @param z standard normal where the hypothesis is right
    * @param size share of echoes off, or normal scores off on average
    * @param rows in the slice
    */
-  public record Slice(String name, String kind, double z, double size, int rows) {
+  public record Off(Slice.Range slice, Kind kind, double z, double size, int rows) {
+    /** Refuses what is no number. */
+    public Off {
+      Checks.number("z", z);
+      Checks.number("size", size);
+    }
+
     boolean isOfRanges() {
-      return kind.equals("range") || kind.equals("scatter");
+      return kind == Kind.RANGE || kind == Kind.SCATTER;
     }
   }
 
+  /** What is counted once: the worst slice of an axis, in one way. */
+  private record Way(Axis axis, Kind kind) {}
+
   private Misfit(Evidence evidence, Hypothesis hypothesis, boolean ahead, Optional<Openness> open) {
-    List<Slicing.Cut> cuts = look(new Surprise(evidence, hypothesis), open);
+    List<Axis> cuts = look(new Surprise(evidence, hypothesis), open);
     if (ahead && evidence.model(hypothesis).hasMemory()) {
       Foresight foresight = Foresight.of(evidence, hypothesis);
       cuts.forEach(cut -> lookAhead(evidence.log(), foresight, cut));
@@ -59,10 +83,10 @@ public final class Misfit {
     slices.sort(Comparator.comparingDouble(slice -> -Math.abs(slice.z)));
   }
 
-  private List<Slicing.Cut> look(Surprise surprise, Optional<Openness> open) {
+  private List<Axis> look(Surprise surprise, Optional<Openness> open) {
     double[] spread = spread(surprise);
-    List<Slicing.Cut> cuts = new Slicing(surprise.log, surprise.geometry).all();
-    for (Slicing.Cut cut : cuts) {
+    List<Axis> cuts = new Slicing(surprise.log, surprise.geometry).all();
+    for (Axis cut : cuts) {
       look(surprise, cut, spread, open);
     }
     return cuts;
@@ -90,7 +114,7 @@ public final class Misfit {
   }
 
   /** Returns all slices, the most off first. */
-  public List<Slice> slices() {
+  public List<Off> slices() {
     return List.copyOf(slices);
   }
 
@@ -107,11 +131,11 @@ public final class Misfit {
    * @param ranges by how much more sums of ranges do, at least 1
    */
   public double top(int count, double echoes, double ranges) {
-    Map<String, Double> greatest = new HashMap<>();
-    for (Slice slice : slices) {
+    Map<Way, Double> greatest = new HashMap<>();
+    for (Off slice : slices) {
       double more = slice.isOfRanges() ? ranges : echoes;
-      String key = slice.name.replaceAll("#.*", "") + slice.kind;
-      greatest.merge(key, Math.abs(slice.z) / Math.sqrt(more), Math::max);
+      Way way = new Way(slice.slice.axis(), slice.kind);
+      greatest.merge(way, Math.abs(slice.z) / Math.sqrt(more), Math::max);
     }
     return greatest.values().stream()
         .sorted(Comparator.reverseOrder())
@@ -139,11 +163,11 @@ public final class Misfit {
     return new double[] {Math.max(1e-6, mean), Math.sqrt(Math.max(1e-6, variance))};
   }
 
-  private void look(Surprise s, Slicing.Cut cut, double[] spread, Optional<Openness> open) {
+  private void look(Surprise s, Axis cut, double[] spread, Optional<Openness> open) {
     Tally[] tallies = new Tally[cut.count()];
-    for (int i = 0; i < cut.slice().length; i++) {
-      if (cut.slice()[i] >= 0) {
-        int at = cut.slice()[i];
+    for (int i = 0; i < s.log.size(); i++) {
+      int at = cut.bin(i);
+      if (at >= 0) {
         if (tallies[at] == null) {
           tallies[at] = new Tally(open);
         }
@@ -152,18 +176,18 @@ public final class Misfit {
     }
     for (int at = 0; at < tallies.length; at++) {
       if (tallies[at] != null) {
-        tallies[at].tell(cut.name() + "#" + at, spread, slices);
+        tallies[at].tell(range(cut, at), spread, slices);
       }
     }
   }
 
-  private void lookAhead(PingLog log, Foresight foresight, Slicing.Cut cut) {
+  private void lookAhead(PingLog log, Foresight foresight, Axis cut) {
     boolean[] echo = new boolean[log.size()];
     int[] rows = new int[cut.count()];
     for (int i = 0; i < echo.length; i++) {
       echo[i] = log.echo(i);
-      if (cut.slice()[i] >= 0) {
-        rows[cut.slice()[i]]++;
+      if (cut.bin(i) >= 0) {
+        rows[cut.bin(i)]++;
       }
     }
     double[][] off = foresight.off(cut, echo);
@@ -171,10 +195,13 @@ public final class Misfit {
       double deviation = off[1][at];
       if (rows[at] >= LEAST_ROWS && deviation * deviation >= LEAST_SUPPORT) {
         double share = off[0][at] / rows[at];
-        slices.add(
-            new Slice(cut.name() + "#" + at, "forecast", off[0][at] / deviation, share, rows[at]));
+        slices.add(new Off(range(cut, at), Kind.FORECAST, off[0][at] / deviation, share, rows[at]));
       }
     }
+  }
+
+  private static Slice.Range range(Axis cut, int at) {
+    return new Slice.Range(cut, at, at + 1);
   }
 
   private static final class Tally {
@@ -207,17 +234,17 @@ public final class Misfit {
       }
     }
 
-    void tell(String name, double[] spread, List<Slice> into) {
+    void tell(Slice.Range at, double[] spread, List<Off> into) {
       if (rows >= LEAST_ROWS && variance >= LEAST_SUPPORT) {
         into.add(
-            new Slice(name, "echo", echoZ() / echoesTogether(), (echoes - expected) / rows, rows));
+            new Off(at, Kind.ECHO, echoZ() / echoesTogether(), (echoes - expected) / rows, rows));
       }
       if (echoes >= LEAST_ROWS) {
         double own = echoes * Math.max(spread[0], 0.5);
         double shift = scores / Math.sqrt(own + together.map(t -> t.rangeVariance()).orElse(0.0));
-        into.add(new Slice(name, "range", shift, scores / echoes, rows));
+        into.add(new Off(at, Kind.RANGE, shift, scores / echoes, rows));
         double scatter = (squares - echoes * spread[0]) / (spread[1] * Math.sqrt(echoes));
-        into.add(new Slice(name, "scatter", scatter, squares / echoes, rows));
+        into.add(new Off(at, Kind.SCATTER, scatter, squares / echoes, rows));
       }
     }
 

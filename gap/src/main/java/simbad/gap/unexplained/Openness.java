@@ -5,6 +5,7 @@ import java.util.List;
 import simbad.gap.calibrate.level.Leeway;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
+import simbad.sonar.check.Checks;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 
@@ -15,6 +16,12 @@ import simbad.sonar.ping.Geometry;
 @SuppressWarnings("ArrayRecordComponent") // one value for each ping; read only
 public record Openness(
     Leeway leeway, Leeway.Pulls pulls, double[] chancePerDb, double[] scorePerMetre) {
+  /** Refuses what is no number. */
+  public Openness {
+    Checks.numbers("chancePerDb", chancePerDb);
+    Checks.numbers("scorePerMetre", scorePerMetre);
+  }
+
   /**
    * Asks how echoes and ranges hang on the set-up.
    *

@@ -10,6 +10,7 @@ import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.change.LevelGain;
 import simbad.sonar.change.RangeOffset;
+import simbad.sonar.check.Checks;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.predict.DiagnosedModel;
@@ -20,6 +21,12 @@ import simbad.sonar.predict.DiagnosedModel;
  */
 @SuppressWarnings("ArrayRecordComponent") // one value for each ping; read only
 public record SetupScores(Geometry geometry, double[] perDecibel, double[] perMetre) {
+  /** Refuses what is no number. */
+  public SetupScores {
+    Checks.numbers("perDecibel", perDecibel);
+    Checks.numbers("perMetre", perMetre);
+  }
+
   private static final double STEP_DB = 0.25;
   private static final double STEP_M = 0.001;
 

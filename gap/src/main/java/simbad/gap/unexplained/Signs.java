@@ -2,6 +2,7 @@ package simbad.gap.unexplained;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import simbad.sonar.check.Checks;
 
 /**
  * What speaks for something that has no name in a log, beside its best set of effects: the numbers
@@ -28,6 +29,13 @@ public record Signs(
     boolean twoForLittle,
     boolean standIn,
     boolean level) {
+  /** Refuses what is no number. */
+  public Signs {
+    Checks.number("misfit", misfit);
+    Checks.number("left", left);
+    Checks.number("shareLeft", shareLeft);
+  }
+
   /** Nothing speaks for it. */
   static final Signs NONE = new Signs(0, 0, false, 0, false, false, false, false, false);
 

@@ -1,11 +1,11 @@
 package simbad.gap.unexplained;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.function.IntUnaryOperator;
-import java.util.stream.IntStream;
+import simbad.gap.slice.Axis;
+import simbad.gap.slice.Nearest;
 import simbad.sonar.frame.Angles;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
@@ -21,50 +21,19 @@ final class Slicing {
     this.geometry = geometry;
     nearest = new int[log.size()];
     for (int ping = 0; ping < nearest.length; ping++) {
-      nearest[ping] = nearestObstacle(ping);
+      nearest[ping] = ping * geometry.obstacles() + Nearest.of(geometry, ping);
     }
   }
 
-  /**
-   * A way to cut.
-   *
-   * @param name of what it cuts by
-   * @param slice of each ping, from 0; negative for none
-   * @param count of slices
-   */
-  @SuppressWarnings("ArrayRecordComponent") // one value for each ping; read only
-  record Cut(String name, int[] slice, int count) {
-    Cut times(Cut other) {
-      int[] both = new int[slice.length];
-      for (int i = 0; i < both.length; i++) {
-        both[i] =
-            slice[i] < 0 || other.slice[i] < 0 ? -1 : (slice[i] * other.count) + other.slice[i];
-      }
-      return new Cut(name + " x " + other.name, both, count * other.count);
-    }
-  }
-
-  private int nearestObstacle(int ping) {
-    int first = ping * geometry.obstacles();
-    int best = first;
-    for (int line = first; line < first + geometry.obstacles(); line++) {
-      boolean nearer = geometry.nearestM(line) < geometry.nearestM(best);
-      boolean unseen = geometry.nearestM(best) == Double.POSITIVE_INFINITY;
-      if (nearer || (unseen && geometry.centreDistanceM(line) < geometry.centreDistanceM(best))) {
-        best = line;
-      }
-    }
-    return best;
-  }
-
-  List<Cut> all() {
+  /** Returns all of them. */
+  List<Axis> all() {
     IntToDoubleFunction distance = this::nearestM;
     IntToDoubleFunction relative = this::relative;
     IntToDoubleFunction time = log::timeS;
     IntToDoubleFunction since = i -> log.timeS(i) - log.runStartS(i);
     IntToDoubleFunction offAxis =
         i -> isSeen(i) ? geometry.offAxisRad(nearest[i]) : Double.POSITIVE_INFINITY;
-    List<Cut> cuts = new ArrayList<>();
+    List<Axis> cuts = new ArrayList<>();
     cuts.add(quantiles("time", 10, time));
     cuts.add(quantiles("time in run", 8, since));
     cuts.add(quantiles("distance", 10, distance));
@@ -81,30 +50,27 @@ final class Slicing {
     cuts.add(quantiles("reading before", 6, this::before));
     cuts.add(quantiles("step since reading before", 6, this::change));
     cuts.add(
-        new Cut(
-            "echo before",
-            slices(i -> i == log.sequenceStart(i) ? -1 : log.echo(i - 1) ? 1 : 0),
-            2));
-    cuts.add(new Cut("parity", slices(i -> (i - log.sequenceStart(i)) % 2), 2));
+        binned("echo before", 2, i -> i == log.sequenceStart(i) ? -1 : log.echo(i - 1) ? 1 : 0));
+    cuts.add(binned("parity", 2, i -> (i - log.sequenceStart(i)) % 2));
     cuts.addAll(named(time, distance, relative, offAxis));
     return cuts;
   }
 
   /** By what has a name, and by two things at once. */
-  private List<Cut> named(
+  private List<Axis> named(
       IntToDoubleFunction time,
       IntToDoubleFunction distance,
       IntToDoubleFunction relative,
       IntToDoubleFunction offAxis) {
-    List<Cut> cuts = new ArrayList<>();
-    Cut sensor = new Cut("sensor", slices(log::sensor), log.sensors().size());
-    Cut run = new Cut("run", slices(log::run), log.runs().size());
+    List<Axis> cuts = new ArrayList<>();
+    Axis sensor = Axis.named("sensor", log.size(), log.sensors(), log::sensor);
+    Axis run = Axis.named("run", log.size(), log.runs(), log::run);
     int obstacles = Math.max(1, geometry.obstacles());
-    Cut obstacle = new Cut("obstacle", slices(i -> nearest[i] % obstacles), obstacles);
+    Axis obstacle = binned("obstacle", obstacles, i -> nearest[i] % obstacles);
     cuts.add(sensor);
     cuts.add(run);
     cuts.add(obstacle);
-    Cut bearing = new Cut("bearing", slices(i -> bearing(i, 16)), 16);
+    Axis bearing = binned("bearing", 16, i -> bearing(i, 16));
     cuts.add(bearing.times(obstacle));
     cuts.add(quantiles("time", 5, time).times(quantiles("relative distance", 4, relative)));
     cuts.add(quantiles("time", 5, time).times(quantiles("distance", 4, distance)));
@@ -113,15 +79,11 @@ final class Slicing {
     cuts.add(sensor.times(quantiles("relative distance", 4, relative)));
     cuts.add(sensor.times(quantiles("distance", 4, distance)));
     cuts.add(
-        new Cut("bearing", slices(i -> bearing(i, 8)), 8)
+        binned("bearing", 8, i -> bearing(i, 8))
             .times(quantiles("relative distance", 4, relative)));
     cuts.add(quantiles("distance", 4, distance).times(quantiles("off axis", 4, offAxis)));
     cuts.add(quantiles("speed", 3, log::speedMPerS).times(quantiles("distance", 3, distance)));
     return cuts;
-  }
-
-  private int[] slices(IntUnaryOperator of) {
-    return IntStream.range(0, log.size()).map(of).toArray();
   }
 
   private double relative(int ping) {
@@ -169,25 +131,11 @@ final class Slicing {
     return before(ping) - nearestM(ping);
   }
 
-  /** Slices of equal size; what is not finite belongs to none. */
-  private Cut quantiles(String name, int count, IntToDoubleFunction of) {
-    double[] values = IntStream.range(0, log.size()).mapToDouble(of).toArray();
-    double[] sorted = Arrays.stream(values).filter(Double::isFinite).sorted().toArray();
-    double[] border = new double[count - 1];
-    for (int i = 0; i < border.length && sorted.length > 0; i++) {
-      border[i] = sorted[(int) ((long) (i + 1) * sorted.length / count)];
-    }
-    int[] slice = new int[values.length];
-    for (int i = 0; i < slice.length; i++) {
-      slice[i] = -1;
-      if (Double.isFinite(values[i])) {
-        int at = 0;
-        while (at < border.length && values[i] >= border[at]) {
-          at++;
-        }
-        slice[i] = at;
-      }
-    }
-    return new Cut(name, slice, count);
+  private Axis quantiles(String name, int count, IntToDoubleFunction of) {
+    return Axis.quantiles(name, log.size(), count, of);
+  }
+
+  private Axis binned(String name, int count, IntUnaryOperator of) {
+    return Axis.binned(name, log.size(), count, of);
   }
 }

@@ -6,7 +6,7 @@ import simbad.definition.Effect;
 import simbad.definition.Trait;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
-import simbad.gap.score.Gain;
+import simbad.gap.score.GapGain;
 import simbad.sonar.change.Burst;
 import simbad.sonar.change.UnmodelledPost;
 import simbad.sonar.effect.Definitions;
@@ -74,7 +74,7 @@ public final class Unknown {
    * @param best the best set of effects
    */
   public static Signs signs(
-      Evidence evidence, Evidence open, SetupDoubt doubt, Gain gain, Hypothesis best) {
+      Evidence evidence, Evidence open, SetupDoubt doubt, GapGain gain, Hypothesis best) {
     Misfit misfit =
         doubt
             .leeway()
@@ -90,7 +90,8 @@ public final class Unknown {
   }
 
   /** Three effects at once are rarer than one thing that has no name. */
-  static Signs signs(double misfit, Gain gain, double times, Hypothesis best, SensingSetup setup) {
+  static Signs signs(
+      double misfit, GapGain gain, double times, Hypothesis best, SensingSetup setup) {
     double shrinkage = gain.shrinkage();
     boolean isNamed = best.size() > 0;
     // A value that would go on beyond what there is fits something else.
@@ -109,7 +110,7 @@ public final class Unknown {
   }
 
   /** Whether the gap before is hardly more than the set-up expects of itself. */
-  private static boolean isWithinItself(Gain gain) {
+  private static boolean isWithinItself(GapGain gain) {
     return gain.beforeM() < WITHIN_ITSELF * mean(gain.before().expectedM());
   }
 
@@ -125,14 +126,14 @@ public final class Unknown {
    * What is left of the gap over what is expected, as a logarithm, where the set-up itself is off
    * by some times what it expects.
    */
-  static double left(Gain gain, double times) {
+  static double left(GapGain gain, double times) {
     double expected = times * mean(gain.after().expectedM());
     double ratio = (gain.afterM() + MILLIMETRE) / (expected + MILLIMETRE);
     return Math.log(Math.max(LEAST_LEFT, Math.min(MOST_LEFT, ratio)));
   }
 
   /** Whether what is left does not matter, however sure it is. */
-  static boolean isLittle(Gain gain, double times) {
+  static boolean isLittle(GapGain gain, double times) {
     double expected = times * mean(gain.after().expectedM());
     double little = Math.max(PRACTICAL_M, SMALL_SHARE * (gain.beforeM() - gain.floorM()));
     return gain.afterM() - expected < little;

@@ -47,8 +47,9 @@ final class Samples {
               new ReadingRow("a", "s", 1, Pose.of(3, 0, Math.PI), NoEcho.NO_ECHO)),
           List.of());
 
-  static final Provenance PROVENANCE =
-      new Provenance(Map.of("scene.json", "0".repeat(64), "readings.csv", "a".repeat(64)), "1", 7);
+  static final DiagnosisProvenance PROVENANCE =
+      new DiagnosisProvenance(
+          Map.of("scene.json", "0".repeat(64), "readings.csv", "a".repeat(64)), "1", 7);
 
   private Samples() {}
 

@@ -20,6 +20,7 @@ import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.gap.score.Blocks;
 import simbad.gap.score.GapMeter;
+import simbad.gap.slice.Axis;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.ping.PingLog;

@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import simbad.gap.slice.Axis;
+import simbad.gap.slice.Slice;
 
 /** Four hundred pings, twenty steps of one variable by twenty of another. */
 class ScanTest {

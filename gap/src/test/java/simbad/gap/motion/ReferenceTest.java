@@ -90,9 +90,9 @@ class ReferenceTest {
   @Test
   void learning_takesWhatTheReferenceDoesNotSpeakAgainst() {
     MotionData reference = drive(230, drives -> drives.seconds = 70);
-    Believed believed = Believed.of(beside(reference, reference));
+    BelievedMotion believed = BelievedMotion.of(beside(reference, reference));
 
-    Believed learnt = believed.learning(found(believed, 0.001)).orElseThrow();
+    BelievedMotion learnt = believed.learning(found(believed, 0.001)).orElseThrow();
 
     FittedMotion last = learnt.shown().get(learnt.shown().size() - 1);
     assertEquals("wheel-asymmetry", last.form().effect());
@@ -101,22 +101,22 @@ class ReferenceTest {
     assertTrue(believed.learning(found(believed, 0.2)).isEmpty());
   }
 
-  private static Scored found(Believed believed, double perMetre) {
+  private static ScoredMotion found(BelievedMotion believed, double perMetre) {
     MotionForm form = MotionForms.find("wheel-asymmetry").orElseThrow();
-    Evidence evidence = believed.reference().orElseThrow().evidence();
-    Hypothesis set =
-        new Hypothesis(believed.nominal().chain(), List.of(), new double[0])
+    MotionEvidence evidence = believed.reference().orElseThrow().evidence();
+    MotionHypothesis set =
+        new MotionHypothesis(believed.nominal().chain(), List.of(), new double[0])
             .with(form, new double[] {perMetre});
-    Fit fit = new Fit(set, evidence.residuals(set.chain()), believed.noises(), 0);
-    return Scored.of(evidence, fit);
+    MotionFit fit = new MotionFit(set, evidence.residuals(set.chain()), believed.noises(), 0);
+    return ScoredMotion.of(evidence, fit);
   }
 
   /** Without a reference nothing is learnt: the robot's file is what is believed. */
   @Test
   void withoutReference_nothingIsLearnt() {
     MotionData log = drive(240, drives -> {});
-    Believed stated = Believed.of(log);
-    Believed calibrated = Believed.of(beside(log, log));
+    BelievedMotion stated = BelievedMotion.of(log);
+    BelievedMotion calibrated = BelievedMotion.of(beside(log, log));
 
     assertTrue(stated.reference().isEmpty());
     assertTrue(stated.learning(found(calibrated, 0.01)).isEmpty());

@@ -12,12 +12,12 @@ import simbad.motion.MotionRun;
 import simbad.motion.TrackPose;
 
 class WhiteningTest {
-  private static Evidence evidence(int poses) {
+  private static MotionEvidence evidence(int poses) {
     List<TrackPose> track = new ArrayList<>();
     for (int i = 0; i < poses; i++) {
       track.add(new TrackPose(0.2 * i, 0, 0, 0));
     }
-    return new Evidence(List.of(new MotionRun("a", List.of(new Command(0, 1, 0)), track)));
+    return new MotionEvidence(List.of(new MotionRun("a", List.of(new Command(0, 1, 0)), track)));
   }
 
   /**
@@ -81,7 +81,7 @@ class WhiteningTest {
       error = next;
     }
     double[][] three = {residuals, residuals, residuals};
-    Evidence evidence = evidence(1501);
+    MotionEvidence evidence = evidence(1501);
     // The load of a robot at one speed is 1.05 throughout.
     Noise found = NoiseFit.afresh(evidence, three)[0];
     assertEquals(2, found.tracker(), 0.2);

@@ -18,7 +18,7 @@ class BudgetTest {
   private static List<BudgetEntry> of(Hypothesis truth) {
     Evidence evidence = Worlds.evidence(Worlds.read(Worlds.poses(600, 0.3, 1.3, 1), truth, 2));
     Blocks blocks = new Blocks(evidence.log());
-    Gain gain = Gain.of(evidence, blocks, truth);
+    GapGain gain = GapGain.of(evidence, blocks, truth);
     List<BudgetEntry> budget = Budget.of(evidence, blocks, truth, gain, 3);
     double sum = budget.stream().mapToDouble(BudgetEntry::cm).sum();
     assertEquals(100 * gain.beforeM(), sum, 1e-9, "the parts are the whole");

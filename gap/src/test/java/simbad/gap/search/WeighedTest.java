@@ -10,7 +10,7 @@ import simbad.definition.Effect;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
-import simbad.gap.score.Gain;
+import simbad.gap.score.GapGain;
 import simbad.gap.score.GapMeter;
 import simbad.gap.score.Probabilities;
 import simbad.gap.score.Scored;
@@ -64,16 +64,17 @@ class WeighedTest {
     GapMeter.Gaps before = new GapMeter.Gaps(new double[] {1}, new double[1]);
     GapMeter.Gaps less = new GapMeter.Gaps(new double[] {0.991}, new double[1]);
     GapMeter.Gaps worth = new GapMeter.Gaps(new double[] {0.989}, new double[1]);
-    assertTrue(!new Gain(before, less).isWorthNaming() && new Gain(before, worth).isWorthNaming());
+    assertTrue(
+        !new GapGain(before, less).isWorthNaming() && new GapGain(before, worth).isWorthNaming());
   }
 
   /** Before a set-up that has moved less is seen, or more expected. */
   @Test
   void whatASetupThatMovesTakesUp_isNotLeft() {
     GapMeter.Gaps far = new GapMeter.Gaps(new double[] {0.05}, new double[] {0.02});
-    assertTrue(new Gain(far, far).leavesMuch());
+    assertTrue(new GapGain(far, far).leavesMuch());
     GapMeter.Gaps moved = new GapMeter.Gaps(new double[] {0.05}, new double[] {0.03});
-    Gain open = new Gain(far, far).beside(moved);
+    GapGain open = new GapGain(far, far).beside(moved);
     assertTrue(!open.leavesMuch());
     assertEquals(0.03, open.floorM());
   }

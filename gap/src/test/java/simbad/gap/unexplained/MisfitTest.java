@@ -12,7 +12,7 @@ import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.gap.score.Blocks;
-import simbad.gap.score.Gain;
+import simbad.gap.score.GapGain;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -55,18 +55,18 @@ class MisfitTest {
   void sizeOfAMisfit_isTheShareThatIsOff() {
     List<ReadingRow> silent =
         Worlds.poses(500, 0.3, 2.2, 9).stream().map(MisfitTest::silent).toList();
-    List<Misfit.Slice> echoes =
+    List<Misfit.Off> echoes =
         Misfit.of(Worlds.evidence(silent), Hypothesis.NONE).slices().stream()
-            .filter(slice -> slice.kind().equals("echo"))
+            .filter(slice -> slice.kind() == Misfit.Kind.ECHO)
             .toList();
     assertTrue(echoes.stream().allMatch(slice -> slice.z() < 0 && slice.size() < 0));
     // Up to the threshold of 1.5 m all but what an edge of 5 cm lets go, and 2 % that are lost.
-    double all = echoes.stream().mapToDouble(Misfit.Slice::size).min().orElseThrow();
+    double all = echoes.stream().mapToDouble(Misfit.Off::size).min().orElseThrow();
     assertEquals(-0.98, all, 0.02);
     double some =
         echoes.stream()
-            .filter(slice -> slice.name().startsWith("sensor#"))
-            .mapToDouble(Misfit.Slice::size)
+            .filter(slice -> slice.slice().axis().variable().equals("sensor"))
+            .mapToDouble(Misfit.Off::size)
             .findFirst()
             .orElseThrow();
     assertEquals(-0.98 * 1.2 / 1.9, some, 0.06);
@@ -82,16 +82,16 @@ class MisfitTest {
     Evidence evidence = Worlds.evidence(rows);
     Hypothesis bursts = Worlds.effect(Effect.DROPOUT, "bursts", 0.3, 10);
     Misfit misfit = Misfit.of(evidence, bursts);
-    Misfit.Slice worst =
+    Misfit.Off worst =
         misfit.slices().stream()
-            .filter(slice -> slice.kind().equals("forecast"))
+            .filter(slice -> slice.kind() == Misfit.Kind.FORECAST)
             .findFirst()
             .orElseThrow();
     assertTrue(Math.abs(worst.z()) > 5, worst::toString);
     assertTrue(misfit.slices().size() > 100);
     assertTrue(
         misfit.slices().stream()
-            .anyMatch(slice -> slice.kind().equals("forecast") && slice.name().endsWith("#0")),
+            .anyMatch(slice -> slice.kind() == Misfit.Kind.FORECAST && slice.slice().from() == 0),
         "the first slice of a cut is one of them");
   }
 
@@ -114,7 +114,7 @@ class MisfitTest {
     Hypothesis offset = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.05);
     Evidence evidence = drawn(offset, 13);
     Blocks blocks = new Blocks(evidence.log());
-    Gain gain = Gain.of(evidence, blocks, offset);
+    GapGain gain = GapGain.of(evidence, blocks, offset);
     assertTrue(gain.afterM() < gain.beforeM() - 0.005, () -> "after " + gain.afterM());
     assertEquals(gain.afterM(), gain.floorM(), 0.1 * gain.afterM());
     assertEquals(1 - gain.afterM() / gain.beforeM(), gain.shrinkage(), 1e-12);
@@ -126,12 +126,12 @@ class MisfitTest {
   @Test
   void shrinkage_ofAnotherLogLiesInTheInterval() {
     Hypothesis offset = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.03);
-    List<Gain> gains = new ArrayList<>();
+    List<GapGain> gains = new ArrayList<>();
     List<Interval> intervals = new ArrayList<>();
     for (int seed = 0; seed < 20; seed++) {
       Evidence evidence = drawn(offset, 40 + seed);
       Blocks blocks = new Blocks(evidence.log());
-      gains.add(Gain.of(evidence, blocks, offset));
+      gains.add(GapGain.of(evidence, blocks, offset));
       intervals.add(gains.get(seed).shrinkage95(blocks, 1));
     }
     int held = 0;
@@ -148,7 +148,7 @@ class MisfitTest {
   void shrinkage_withoutAnExplanationIsNone() {
     Evidence evidence = drawn(Hypothesis.NONE, 14);
     Blocks blocks = new Blocks(evidence.log());
-    Gain gain = Gain.of(evidence, blocks, Hypothesis.NONE);
+    GapGain gain = GapGain.of(evidence, blocks, Hypothesis.NONE);
     assertEquals(new Interval(0, 0), gain.shrinkage95(blocks, 1));
   }
 }

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
+import simbad.gap.slice.Axis;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
@@ -27,17 +28,19 @@ class SlicingTest {
     return new ReadingRow("r", "s", 0.1 * i, pose, NoEcho.NO_ECHO);
   }
 
-  private static List<Slicing.Cut> cuts(List<ReadingRow> rows) {
+  private static List<Axis> cuts(List<ReadingRow> rows) {
     Evidence evidence = Worlds.evidence(rows);
     return new Slicing(evidence.log(), evidence.geometry(evidence.model(Hypothesis.NONE))).all();
   }
 
   private static int[] cut(List<ReadingRow> rows, String name) {
-    return cuts(rows).stream()
-        .filter(cut -> cut.name().equals(name))
-        .findFirst()
-        .orElseThrow()
-        .slice();
+    Axis cut =
+        cuts(rows).stream().filter(one -> one.variable().equals(name)).findFirst().orElseThrow();
+    return bins(cut, rows.size());
+  }
+
+  private static int[] bins(Axis cut, int pings) {
+    return IntStream.range(0, pings).map(cut::bin).toArray();
   }
 
   /** Sixteen pings see the post; the eight slices of two hold them in the order of their angle. */
@@ -70,13 +73,17 @@ class SlicingTest {
     assertEquals(9, Arrays.stream(cut(away, "time")).max().orElseThrow());
   }
 
+  private static Axis axis(String name, int count, int... bins) {
+    return Axis.binned(name, bins.length, count, i -> bins[i]);
+  }
+
   @Test
   void twoCuts_makeEveryPairOfTheirSlices() {
-    Slicing.Cut one = new Slicing.Cut("one", new int[] {0, 0, 1, 1, -1, 0}, 2);
-    Slicing.Cut other = new Slicing.Cut("other", new int[] {0, 2, 0, 2, 1, -1}, 3);
-    Slicing.Cut both = one.times(other);
-    assertEquals("one x other", both.name());
+    Axis one = axis("one", 2, 0, 0, 1, 1, -1, 0);
+    Axis other = axis("other", 3, 0, 2, 0, 2, 1, -1);
+    Axis both = one.times(other);
+    assertEquals("one x other", both.variable());
     assertEquals(6, both.count());
-    assertArrayEquals(new int[] {0, 2, 3, 5, -1, -1}, both.slice());
+    assertArrayEquals(new int[] {0, 2, 3, 5, -1, -1}, bins(both, 6));
   }
 }

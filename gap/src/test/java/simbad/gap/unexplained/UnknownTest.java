@@ -13,7 +13,7 @@ import simbad.gap.fit.Evidence;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.gap.score.Blocks;
-import simbad.gap.score.Gain;
+import simbad.gap.score.GapGain;
 import simbad.gap.score.GapMeter;
 import simbad.sonar.change.Burst;
 import simbad.sonar.effect.Forms;
@@ -50,8 +50,8 @@ class UnknownTest {
     assertEquals(0, signs(Hypothesis.NONE, 0).shareLeft());
   }
 
-  private static Gain gain(double beforeM, double afterM, double expectedM) {
-    return new Gain(
+  private static GapGain gain(double beforeM, double afterM, double expectedM) {
+    return new GapGain(
         new GapMeter.Gaps(new double[] {beforeM}, new double[] {0}),
         new GapMeter.Gaps(new double[] {afterM}, new double[] {expectedM}));
   }
@@ -102,7 +102,7 @@ class UnknownTest {
     for (int i = 0; i < 2; i++) {
       Hypothesis bursts =
           Worlds.effect(Effect.DROPOUT, "bursts", 0.3, i == 0 ? 11 : Burst.LONGEST_PINGS);
-      Gain gain = Gain.of(evidence, blocks, bursts);
+      GapGain gain = GapGain.of(evidence, blocks, bursts);
       probability[i] = unknown(Unknown.signs(evidence, evidence, Calibration.none(), gain, bursts));
     }
     assertTrue(probability[0] < 0.5 && probability[1] > 0.5, () -> Arrays.toString(probability));

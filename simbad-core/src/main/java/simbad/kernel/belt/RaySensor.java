@@ -2,8 +2,8 @@ package simbad.kernel.belt;
 
 import simbad.kernel.geometry.Ray;
 import simbad.kernel.scene.Ball;
+import simbad.kernel.scene.BodyScene;
 import simbad.kernel.scene.Neighbourhood;
-import simbad.kernel.scene.Scene;
 import simbad.kernel.scene.Solid;
 import simbad.sonar.sensing.Readings;
 import simbad.sonar.sensing.Sensor;
@@ -17,7 +17,7 @@ public final class RaySensor implements Sensor {
   /** Up to this many parts it is faster to look at each than to descend a tree. */
   private static final int FEW = 24;
 
-  private final Scene scene;
+  private final BodyScene scene;
   private final Solid carrier;
   private final BeltLayout layout;
   private final Ray ray = new Ray();
@@ -31,7 +31,7 @@ public final class RaySensor implements Sensor {
    * @param carrier the body that carries the belt
    * @param layout says how long each ray is
    */
-  public RaySensor(Scene scene, Solid carrier, BeltLayout layout) {
+  public RaySensor(BodyScene scene, Solid carrier, BeltLayout layout) {
     this.scene = scene;
     this.carrier = carrier;
     this.layout = layout;

@@ -11,7 +11,7 @@ public final class MotionPlan {
   /** A plan counts twenty steps to the second, whatever the simulation does. */
   private static final int STEPS_PER_S = 20;
 
-  private record Motion(Command command, int steps) {}
+  private record Motion(WheelCommand command, int steps) {}
 
   private final List<Motion> motions = new ArrayList<>();
   private int loopingFrom;
@@ -32,7 +32,7 @@ public final class MotionPlan {
    * @param durationS seconds; the steps are this times 20, rounded down
    */
   public void forward(double distanceM, double durationS) {
-    add(new Command(distanceM / durationS, 0), durationS);
+    add(new WheelCommand(distanceM / durationS, 0), durationS);
   }
 
   /**
@@ -42,11 +42,11 @@ public final class MotionPlan {
    * @param durationS seconds; the steps are this times 20, rounded down
    */
   public void turn(double angleRad, double durationS) {
-    add(new Command(0, angleRad / durationS), durationS);
+    add(new WheelCommand(0, angleRad / durationS), durationS);
   }
 
   /** Motions too short for a step are left out: they would move nothing. */
-  private void add(Command command, double durationS) {
+  private void add(WheelCommand command, double durationS) {
     int steps = (int) (durationS * STEPS_PER_S);
     if (steps > 0) {
       motions.add(new Motion(command, steps));
@@ -93,11 +93,11 @@ public final class MotionPlan {
   /**
    * Lets a step pass.
    *
-   * @return what to do in this step; {@link Command#STOP} before the start and after the end
+   * @return what to do in this step; {@link WheelCommand#STOP} before the start and after the end
    */
-  public Command next() {
+  public WheelCommand next() {
     if (!isRunning()) {
-      return Command.STOP;
+      return WheelCommand.STOP;
     }
     Motion motion = motions.get(current);
     stepsDone++;

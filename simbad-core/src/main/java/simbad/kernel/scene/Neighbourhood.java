@@ -9,10 +9,10 @@ import simbad.kernel.geometry.Ray;
  * The few parts of a scene that rays from one place can meet: found once, then asked ray by ray.
  * For a belt of short rays this is several times faster than asking the scene for each ray.
  *
- * <p>Holds what was near when {@link Scene#gather} filled it. Parts that seldom move are gathered
- * from a little farther around, and kept until the place is too far from there: a belt that moves
- * on asks the scene's tree only now and then. A mutable buffer; not safe for use by several
- * threads.
+ * <p>Holds what was near when {@link BodyScene#gather} filled it. Parts that seldom move are
+ * gathered from a little farther around, and kept until the place is too far from there: a belt
+ * that moves on asks the scene's tree only now and then. A mutable buffer; not safe for use by
+ * several threads.
  */
 public final class Neighbourhood {
   /** By how much more than needed the ball around kept parts reaches, as a share of its radius. */
@@ -20,7 +20,7 @@ public final class Neighbourhood {
 
   private static final int STRIDE = 4;
   private final Ray local = new Ray();
-  private Part[] parts = new Part[8];
+  private BodyPart[] parts = new BodyPart[8];
 
   /** A ball round each part: centre and radius. It turns most rays away without a division. */
   private double[] balls = new double[STRIDE * parts.length];
@@ -47,7 +47,7 @@ public final class Neighbourhood {
     size = kept;
   }
 
-  void add(Part part) {
+  void add(BodyPart part) {
     if (size == parts.length) {
       parts = Arrays.copyOf(parts, 2 * size);
       balls = Arrays.copyOf(balls, 2 * balls.length);
@@ -80,7 +80,7 @@ public final class Neighbourhood {
   public boolean strike(Ray ray) {
     boolean struck = false;
     for (int i = 0; i < size; i++) {
-      Part part = parts[i];
+      BodyPart part = parts[i];
       struck |=
           mayReach(ray, STRIDE * i) && part.cover().isReachedBy(ray) && part.strike(ray, local);
     }

@@ -13,14 +13,14 @@ import simbad.kernel.geometry.Ray;
 final class PartTree {
   private static final int INNER = -1;
 
-  private final Part[] parts;
+  private final BodyPart[] parts;
   private final Extent[] covers;
   private final int[] skip;
   private final int[] leafPart;
   private final Ray local = new Ray();
   private int nodes;
 
-  PartTree(Part[] parts) {
+  PartTree(BodyPart[] parts) {
     int most = Math.max(0, 2 * parts.length - 1);
     this.parts = parts;
     covers = new Extent[most];
@@ -57,7 +57,8 @@ final class PartTree {
     double x = all.maxX() - all.minX();
     double y = all.maxY() - all.minY();
     double z = all.maxZ() - all.minZ();
-    Comparator<Part> order = Comparator.comparingDouble(p -> p.extent().minX() + p.extent().maxX());
+    Comparator<BodyPart> order =
+        Comparator.comparingDouble(p -> p.extent().minX() + p.extent().maxX());
     if (z > x && z >= y) {
       order = Comparator.comparingDouble(p -> p.extent().minZ() + p.extent().maxZ());
     } else if (y > x) {
@@ -102,7 +103,7 @@ final class PartTree {
     return struck;
   }
 
-  private boolean strike(Ray ray, Part part, Solid except) {
+  private boolean strike(Ray ray, BodyPart part, Solid except) {
     return part.solid() != except && part.strike(ray, local);
   }
 

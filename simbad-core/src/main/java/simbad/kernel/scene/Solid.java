@@ -23,7 +23,7 @@ public final class Solid {
   }
 
   private final Placement worldFromSolid;
-  private final List<Part> parts = new ArrayList<>();
+  private final List<BodyPart> parts = new ArrayList<>();
   private BallTest ballTest = this::extentTouchesBall;
   private boolean traversable;
   private boolean present = true;
@@ -51,13 +51,13 @@ public final class Solid {
    * @param solidFromShape its place; kept, to be left alone from then on
    */
   public Solid add(Shape shape, Placement solidFromShape) {
-    parts.add(new Part(this, shape, solidFromShape));
+    parts.add(new BodyPart(this, shape, solidFromShape));
     stale = true;
     return this;
   }
 
   /** Returns the parts, in the order in which they were added. */
-  public List<Part> parts() {
+  public List<BodyPart> parts() {
     return Collections.unmodifiableList(parts);
   }
 

@@ -14,7 +14,7 @@ final class SolidIndex {
   private static final double LOOSENESS = 2;
 
   private final List<Solid> solids = new ArrayList<>();
-  private PartTree tree = new PartTree(new Part[0]);
+  private PartTree tree = new PartTree(new BodyPart[0]);
   private double builtCostM2;
   private boolean changed;
   private boolean moved;
@@ -79,7 +79,7 @@ final class SolidIndex {
             solids.stream()
                 .filter(Solid::isPresent)
                 .flatMap(solid -> solid.parts().stream())
-                .toArray(Part[]::new));
+                .toArray(BodyPart[]::new));
     builtCostM2 = tree.costM2();
   }
 

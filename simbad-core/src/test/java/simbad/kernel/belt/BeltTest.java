@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import simbad.kernel.geometry.BoxShape;
 import simbad.kernel.geometry.Placement;
 import simbad.kernel.scene.Ball;
-import simbad.kernel.scene.Scene;
+import simbad.kernel.scene.BodyScene;
 import simbad.kernel.scene.Solid;
 import simbad.sonar.sensing.Readings;
 import simbad.sonar.sensing.TransducerPoses;
@@ -22,7 +22,7 @@ class BeltTest {
   private static final double EPSILON = 1e-9;
   private static final double HALF = Math.PI;
 
-  private static Readings ping(Scene scene, BeltLayout layout, Placement belt) {
+  private static Readings ping(BodyScene scene, BeltLayout layout, Placement belt) {
     TransducerPoses poses = new TransducerPoses(layout.size());
     Readings readings = new Readings(layout.size());
     layout.place(belt, poses);
@@ -65,13 +65,13 @@ class BeltTest {
   @Test
   void emptyBelt_hearsNothing() {
     BeltLayout layout = BeltLayout.ring(0.5f, 2, 0);
-    assertEquals(0, ping(new Scene(), layout, new Placement()).size());
+    assertEquals(0, ping(new BodyScene(), layout, new Placement()).size());
     assertEquals(0, layout.longestM());
   }
 
   @Test
   void raySensor_readsDistanceFromTheRim() {
-    Scene scene = new Scene();
+    BodyScene scene = new BodyScene();
     scene.addFixed(new Solid(Placement.at(2, 0, 0)).add(BoxShape.ofSides(1, 1, 1)));
     Readings readings = ping(scene, BeltLayout.ring(0.25f, 2, 4), new Placement());
     assertEquals(1.25, readings.rangeM(0), EPSILON);
@@ -82,7 +82,7 @@ class BeltTest {
 
   @Test
   void raySensor_inACrowd_readsTheNearest() {
-    Scene scene = new Scene();
+    BodyScene scene = new BodyScene();
     for (int i = 0; i < 100; i++) {
       double x = 1 + 0.01 * i;
       scene.addFixed(new Solid(Placement.at(x, 0, 0)).add(BoxShape.ofSides(0.5, 1, 1)));
@@ -96,7 +96,7 @@ class BeltTest {
   void raySensor_inASquareRoom_closedForm(
       @ForAll @DoubleRange(min = -4, max = 4) double turnRad,
       @ForAll @IntRange(min = 1, max = 40) int sensors) {
-    Scene scene = new Scene();
+    BodyScene scene = new BodyScene();
     for (int wall = 0; wall < 4; wall++) {
       Placement placement = new Placement();
       placement.turnQuarters(wall);

@@ -119,7 +119,7 @@ class MotionTest {
   void plan_beforeReset_standsStill() {
     MotionPlan plan = new MotionPlan();
     plan.forward(1, 1);
-    assertSame(Command.STOP, plan.next());
+    assertSame(WheelCommand.STOP, plan.next());
     assertFalse(plan.isRunning());
   }
 
@@ -135,11 +135,11 @@ class MotionTest {
     checkNext(plan, 0, 2);
     checkNext(plan, 0, 2);
     checkNext(plan, 0, 2);
-    assertSame(Command.STOP, plan.next());
+    assertSame(WheelCommand.STOP, plan.next());
   }
 
   private static void checkNext(MotionPlan plan, double speedMPerS, double turnRadPerS) {
-    Command command = plan.next();
+    WheelCommand command = plan.next();
     assertEquals(speedMPerS, command.speedMPerS(), EPSILON);
     assertEquals(turnRadPerS, command.turnRadPerS(), EPSILON);
   }

@@ -21,7 +21,7 @@ class WalkTest {
   private static final double REACH_M = 1.8;
   private static final Solid NOBODY = new Solid(new Placement());
 
-  private final Scene scene = new Scene();
+  private final BodyScene scene = new BodyScene();
   private final List<Solid> boxes = new ArrayList<>();
   private final List<Placement> places = new ArrayList<>();
   private final Neighbourhood near = new Neighbourhood();
@@ -111,7 +111,7 @@ class WalkTest {
     addBox(Placement.at(0.5, 0.5, 0), 0.5);
     checkBody(0, 0);
     body.set(0, 0.25, 0, RADIUS_M);
-    assertFalse(new Scene().stopsBall(body, clearance));
+    assertFalse(new BodyScene().stopsBall(body, clearance));
     assertTrue(scene.stopsBall(body, clearance));
   }
 }

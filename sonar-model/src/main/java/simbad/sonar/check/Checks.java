@@ -44,6 +44,31 @@ public final class Checks {
   }
 
   /**
+   * Checks that all values are numbers, be they infinite.
+   *
+   * @return the same array
+   * @throws IllegalArgumentException if one is NaN; its place stands behind the name
+   */
+  public static double[] numbers(String name, double... values) {
+    for (int i = 0; i < values.length; i++) {
+      if (Double.isNaN(values[i])) {
+        throw new IllegalArgumentException(name + "[" + i + "] = NaN is not a number");
+      }
+    }
+    return values;
+  }
+
+  /**
+   * Checks that a value, if there is one, is a number, be it infinite.
+   *
+   * @throws IllegalArgumentException for NaN
+   */
+  public static OptionalDouble number(String name, OptionalDouble value) {
+    value.ifPresent(present -> number(name, present));
+    return value;
+  }
+
+  /**
    * Checks that a value is in [0, infinity).
    *
    * @throws IllegalArgumentException for any other, NaN among them

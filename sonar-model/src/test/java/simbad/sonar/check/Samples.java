@@ -67,7 +67,7 @@ public final class Samples {
     if (type == int.class) {
       return pattern == Pattern.FALLING ? 0 : MANY;
     }
-    if (type == double[].class) {
+    if (type == double[].class && !known.containsKey(type)) {
       double[] values = new double[MANY];
       Arrays.setAll(values, i -> pattern.at(pattern == Pattern.RISING ? i : index));
       return values;

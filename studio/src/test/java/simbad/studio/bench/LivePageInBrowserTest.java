@@ -17,10 +17,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simbad.bench.capture.Approach;
 import simbad.bench.capture.Entry;
-import simbad.bench.capture.Probe;
 import simbad.bench.capture.Ranging;
 import simbad.bench.capture.SweepPlan;
 import simbad.bench.capture.SweepState;
+import simbad.bench.capture.TriedDistance;
 import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.FrameLine;
 import simbad.bench.protocol.PingStatus;
@@ -53,7 +53,7 @@ class LivePageInBrowserTest {
   private void take(PingStatus status, double distanceM) {
     int echoUs = (int) Math.round(distanceM * 5828);
     OptionalInt echo = status == PingStatus.ECHO ? OptionalInt.of(echoUs) : OptionalInt.empty();
-    Probe probe = new Probe(distanceM, Approach.OUT);
+    TriedDistance probe = new TriedDistance(distanceM, Approach.OUT);
     Entry.Taken taken =
         new Entry.Taken(pings++, 0, probe, pings, status, echo, OptionalDouble.empty());
     sweep.take(taken);

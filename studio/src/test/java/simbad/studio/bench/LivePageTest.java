@@ -14,10 +14,10 @@ import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import simbad.bench.capture.Approach;
 import simbad.bench.capture.Entry;
-import simbad.bench.capture.Probe;
 import simbad.bench.capture.Ranging;
 import simbad.bench.capture.SweepPlan;
 import simbad.bench.capture.SweepState;
+import simbad.bench.capture.TriedDistance;
 import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.FrameLine;
 import simbad.bench.protocol.PingStatus;
@@ -48,7 +48,7 @@ class LivePageTest {
           new Entry.Taken(
               i,
               0,
-              new Probe(i < 10 ? 1.0 : 1.02, Approach.OUT),
+              new TriedDistance(i < 10 ? 1.0 : 1.02, Approach.OUT),
               i,
               i < 10 ? PingStatus.ECHO : PingStatus.NO_ECHO,
               OptionalInt.of(5800),

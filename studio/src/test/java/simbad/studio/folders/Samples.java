@@ -15,8 +15,8 @@ import simbad.bench.capture.Approach;
 import simbad.bench.capture.CaptureSettings;
 import simbad.bench.capture.Entry;
 import simbad.bench.capture.Journal;
-import simbad.bench.capture.Probe;
 import simbad.bench.capture.SweepPlan;
+import simbad.bench.capture.TriedDistance;
 import simbad.bench.protocol.PingStatus;
 import simbad.experiments.bench.CaptureFolder;
 import simbad.experiments.report.RunFiles;
@@ -192,7 +192,7 @@ public final class Samples {
               new Entry.Taken(
                   0,
                   0,
-                  new Probe(1, Approach.OUT),
+                  new TriedDistance(1, Approach.OUT),
                   0,
                   PingStatus.ECHO,
                   OptionalInt.of(5800),

@@ -9,6 +9,7 @@ import org.hipparchus.linear.MatrixUtils;
 import org.hipparchus.linear.RealMatrix;
 import org.jspecify.annotations.Nullable;
 import simbad.sonar.catalogue.LevelForms;
+import simbad.sonar.check.Checks;
 import simbad.sonar.frame.Angles;
 import simbad.sonar.ping.Geometry;
 
@@ -240,7 +241,13 @@ public final class Leeway {
    * @param shiftsDb by how much the excess of what each ping is most about is more, decibels
    */
   @SuppressWarnings("ArrayRecordComponent") // read only
-  public record Moved(double nats, double[] shiftsDb) {}
+  public record Moved(double nats, double[] shiftsDb) {
+    /** Refuses what is no number. */
+    public Moved {
+      Checks.number("nats", nats);
+      Checks.numbers("shiftsDb", shiftsDb);
+    }
+  }
 
   /**
    * How the excess and the range of what each ping is most about move with the set-up. Immutable.

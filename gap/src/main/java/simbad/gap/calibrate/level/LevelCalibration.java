@@ -2,6 +2,7 @@ package simbad.gap.calibrate.level;
 
 import java.util.List;
 import simbad.gap.fit.Hypothesis;
+import simbad.sonar.check.Checks;
 
 /**
  * A level law as a reference shows it.
@@ -16,6 +17,7 @@ public record LevelCalibration(
     Hypothesis setup, List<Named> values, int trials, double priorCost, Leeway.Known known) {
   /** Copies the list. */
   public LevelCalibration {
+    Checks.number("priorCost", priorCost);
     values = List.copyOf(values);
   }
 

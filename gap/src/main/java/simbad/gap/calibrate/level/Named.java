@@ -3,6 +3,7 @@ package simbad.gap.calibrate.level;
 import java.util.ArrayList;
 import java.util.List;
 import org.hipparchus.linear.RealMatrix;
+import simbad.sonar.check.Checks;
 
 /**
  * A value that was fitted, and how surely it is known.
@@ -12,6 +13,12 @@ import org.hipparchus.linear.RealMatrix;
  * @param deviation standard, in the same
  */
 public record Named(String name, double value, double deviation) {
+  /** Refuses what is no number. */
+  public Named {
+    Checks.number("value", value);
+    Checks.number("deviation", deviation);
+  }
+
   /** Those of a fit that hang on no obstacle. */
   static List<Named> of(Layout layout, LevelFit fit, RealMatrix covariance) {
     double[] v = fit.values();

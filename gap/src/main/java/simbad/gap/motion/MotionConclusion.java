@@ -1,0 +1,159 @@
+package simbad.gap.motion;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import simbad.gap.diagnosis.Verdict;
+
+/**
+ * Which names are said, and how surely.
+ *
+ * @param named effects of the most probable set that are confirmed, and what scatters
+ * @param noises that only scatter, said or not
+ * @param shadows effects of the most probable set that something without a name may account for
+ * @param unknown something without a name
+ * @param sure whether all that is named is sure
+ */
+record MotionConclusion(
+    List<MotionFinding> named,
+    List<MotionFinding> noises,
+    List<String> shadows,
+    MotionUnknown unknown,
+    boolean sure) {
+  /** An effect that is less probable, its ties counted, is not concluded. */
+  private static final double SURE = 0.8;
+
+  /** What may be the shadow of something without a name is no likelier than not. */
+  private static final double EVEN = 0.5;
+
+  /** Names that a wheel out of round goes by. */
+  private static final Set<String> WHEELS = Set.of("wheel-scale", "wheel-asymmetry", "speed-scale");
+
+  /**
+   * Concludes.
+   *
+   * @param told by the log
+   * @param slip that was found before slips were left out
+   */
+  static MotionConclusion of(Told told, Optional<MotionFinding> slip) {
+    Odds odds = told.odds();
+    List<MotionFinding> found = new Findings(odds).named();
+    MotionStrangers strangers = new MotionStrangers(told.evidence(), odds.best());
+    MotionUnknown all =
+        new MotionUnknown(
+            strangers.traces(odds.nominal().fit().residuals()), told.scatter().otherEvents());
+    // A wheel whose size is named may well be out of round.
+    boolean wheels = found.stream().anyMatch(one -> WHEELS.contains(one.effect()));
+    MotionUnknown unknown = wheels ? all.without(MotionStrangers.Kind.RIPPLE) : all;
+    List<MotionFinding> named = new ArrayList<>();
+    List<String> shadows = new ArrayList<>();
+    for (MotionFinding one : found) {
+      if (isConfirmed(one, told, strangers, unknown)) {
+        named.add(one);
+      } else {
+        shadows.add(one.effect());
+      }
+    }
+    boolean sure = named.stream().allMatch(one -> odds.ofAny(one.effect(), one.ties()) >= SURE);
+    List<MotionFinding> noises = noises(told, slip, !unknown.isLikely() && !all.isRipple());
+    // Beside names, scatter that is not sure is only said to be possible.
+    boolean alone = named.isEmpty();
+    noises.stream().filter(one -> alone || isSure(one)).forEach(named::add);
+    sure &= !alone || noises.stream().allMatch(MotionConclusion::isSure);
+    return new MotionConclusion(named, noises, shadows, unknown, sure);
+  }
+
+  private static boolean isSure(MotionFinding one) {
+    return one.probability() >= SURE;
+  }
+
+  /**
+   * Tells whether an effect is needed also where something without a name may be anything, and
+   * matters more than that: what gains less may be its shadow.
+   */
+  private static boolean isConfirmed(
+      MotionFinding one, Told told, MotionStrangers with, MotionUnknown unknown) {
+    if (!unknown.isLikely() || unknown.trace().isEmpty()) {
+      return true;
+    }
+    MotionStrangers.Trace trace = unknown.trace().get();
+    Odds odds = told.odds();
+    MotionStrangers without = new MotionStrangers(told.evidence(), odds.lacking(one.effect()));
+    double nats = with.heldOut(trace.kind()) - without.heldOut(trace.kind());
+    return nats > trace.nats() && odds.ofGain(nats) >= SURE;
+  }
+
+  /**
+   * What changes the scatter alone. What has no name scatters as well, and a wheel out of round.
+   */
+  private static List<MotionFinding> noises(
+      Told told, Optional<MotionFinding> slip, boolean nothingElse) {
+    List<MotionFinding> noises = new ArrayList<>();
+    slip.ifPresent(noises::add);
+    boolean named = !told.odds().best().hypothesis().forms().isEmpty();
+    if (nothingElse && (named || told.gap().ratio() <= MotionDiagnoser.WORTH)) {
+      told.scatter().noise().ifPresent(noises::add);
+    }
+    return noises;
+  }
+
+  Verdict verdict() {
+    boolean atBound =
+        named.stream()
+            .flatMap(finding -> finding.parameters().stream())
+            .anyMatch(MotionFinding.Parameter::atBound);
+    if (named.isEmpty()) {
+      return unknown.isLikely() ? Verdict.UNEXPLAINED : Verdict.NONE;
+    }
+    if (!sure) {
+      return Verdict.UNDECIDED;
+    }
+    return unknown.isLikely() || atBound ? Verdict.PARTLY : Verdict.EXPLAINED;
+  }
+
+  /** Returns what is concluded to be at work. */
+  List<MotionFinding> explanation() {
+    Verdict verdict = verdict();
+    return verdict == Verdict.EXPLAINED || verdict == Verdict.PARTLY ? named : List.of();
+  }
+
+  /**
+   * Returns what else might be, the likeliest first.
+   *
+   * @param others every name that is not concluded, as it was weighed
+   */
+  List<MotionFinding> others(List<MotionFinding> others) {
+    List<MotionFinding> changed = new ArrayList<>();
+    for (MotionFinding one : others) {
+      Optional<MotionFinding> noise =
+          noises.stream().filter(other -> other.effect().equals(one.effect())).findFirst();
+      changed.add(noise.orElse(shadows.contains(one.effect()) ? one.atMost(EVEN) : one));
+    }
+    changed.sort((a, b) -> Double.compare(b.probability(), a.probability()));
+    return changed;
+  }
+
+  /**
+   * Returns one line.
+   *
+   * @param shrink of the gap, a share
+   */
+  String headline(double shrink) {
+    String names = String.join(" + ", named.stream().map(MotionFinding::effect).toList());
+    String shrinks = String.format(Locale.ROOT, "the gap shrinks by %.0f %%", 100 * shrink);
+    return switch (verdict()) {
+      case NONE -> "no gap beyond chance";
+      case UNEXPLAINED -> "something that no named effect accounts for: " + unknown.words();
+      case UNDECIDED -> "this log does not tell which effects are at work; the likeliest: " + names;
+      case PARTLY ->
+          names
+              + ", and something else ("
+              + (unknown.isLikely() ? unknown.words() : "a value stands at its bound")
+              + "); "
+              + shrinks;
+      case EXPLAINED -> names + "; " + shrinks;
+    };
+  }
+}

@@ -1,0 +1,12 @@
+package simbad.kernel.motion;
+
+/**
+ * What a plan asks of a robot for one step.
+ *
+ * @param speedMPerS along the heading, metres per second
+ * @param turnRadPerS counter-clockwise, radians per second
+ */
+public record WheelCommand(double speedMPerS, double turnRadPerS) {
+  /** To stand still. */
+  public static final WheelCommand STOP = new WheelCommand(0, 0);
+}
