@@ -7,8 +7,8 @@ import java.awt.image.BufferedImage;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.media.j3d.Canvas3D;
-import javax.media.j3d.ImageComponent2D;
 import javax.media.j3d.ImageComponent;
+import javax.media.j3d.ImageComponent2D;
 import javax.media.j3d.Raster;
 import org.jspecify.annotations.Nullable;
 

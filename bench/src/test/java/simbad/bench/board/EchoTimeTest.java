@@ -21,8 +21,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import simbad.bench.protocol.FrameLine.Ping;
 import simbad.bench.protocol.FrameLine;
+import simbad.bench.protocol.FrameLine.Ping;
 import simbad.sonar.format.DataFormatException;
 
 /**

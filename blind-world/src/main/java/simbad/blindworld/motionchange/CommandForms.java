@@ -5,10 +5,10 @@ import static simbad.blindworld.motion.MotionChange.commands;
 import java.util.List;
 import java.util.Map;
 import java.util.random.RandomGenerator;
-import simbad.blindworld.motion.Commands.Speeds;
 import simbad.blindworld.motion.Commands;
-import simbad.blindworld.motion.MotionChange.Stage;
+import simbad.blindworld.motion.Commands.Speeds;
 import simbad.blindworld.motion.MotionChange;
+import simbad.blindworld.motion.MotionChange.Stage;
 import simbad.blindworld.motionchange.MotionForm.Drawn;
 
 /** Effects on what is told: dead-band, saturation, command-quantization. */

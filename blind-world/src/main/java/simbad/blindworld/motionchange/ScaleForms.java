@@ -5,8 +5,8 @@ import static simbad.blindworld.motion.MotionChange.steps;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import simbad.blindworld.motion.MotionChange.Stage;
 import simbad.blindworld.motion.MotionChange;
+import simbad.blindworld.motion.MotionChange.Stage;
 import simbad.blindworld.motion.Step;
 import simbad.blindworld.motionchange.MotionForm.Drawn;
 
