@@ -9,7 +9,7 @@ import simbad.sonar.shape.ThresholdTable;
  * The thresholds that are to be expected of a cross-section.
  *
  * @param table predicted, metres, in steps of 1 mm
- * @param band of {@value Calibration#COVERAGE_PERCENT} % of what was calibrated on
+ * @param band of {@value FittedReceiver#COVERAGE_PERCENT} % of what was calibrated on
  */
 public record ThresholdPrediction(ThresholdTable table, ThresholdBand band) {
   private static final double STEPS_PER_M = 1000;

@@ -47,7 +47,7 @@ final class DiagnosisPage {
    * @param provenance what it was made by
    */
   static String of(
-      Diagnosis diagnosis, DataSet data, List<RowFinding> rows, Provenance provenance) {
+      Diagnosis diagnosis, DataSet data, List<RowFinding> rows, DiagnosisProvenance provenance) {
     Page page =
         new Page(
             data.name() + ": " + diagnosis.verdict().word(),
