@@ -1,5 +1,7 @@
 package simbad.gap.diagnosis;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A value with how well it is known, as a normal likelihood.
  *
@@ -14,6 +16,8 @@ public record Estimate(double value, double deviation) {
 
   /** Checks the deviation; NaN is refused. */
   public Estimate {
+    Checks.number("value", value);
+    Checks.number("deviation", deviation);
     if (!(deviation > 0)) {
       throw new IllegalArgumentException("deviation = " + deviation + " is not above 0");
     }

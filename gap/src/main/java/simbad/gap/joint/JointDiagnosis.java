@@ -4,6 +4,7 @@ import java.util.List;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.motion.MotionDiagnosis;
+import simbad.sonar.check.Checks;
 
 /**
  * What a joint log says: of its readings, of its commands and track, and of both together.
@@ -28,6 +29,7 @@ public record JointDiagnosis(
     boolean isHeard) {
   /** Copies the lists. */
   public JointDiagnosis {
+    Checks.number("unknownProbability", unknownProbability);
     explanation = List.copyOf(explanation);
     shared = List.copyOf(shared);
   }

@@ -8,6 +8,7 @@ import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -22,10 +23,13 @@ public final class DoorWalk {
    * @param ofRoom any class of the room
    * @param samples values for what cannot be made of nothing
    * @param many fewer doors than there are: a walk that finds none proves nothing
+   * @param butFor beginnings of doors for which NaN has a meaning that their Javadoc says
    */
-  public static void refusesNan(Class<?> ofRoom, Samples samples, int many) throws Exception {
+  public static void refusesNan(Class<?> ofRoom, Samples samples, int many, String... butFor)
+      throws Exception {
     List<String> faults = new ArrayList<>();
     List<Door> doors = doors(ofRoom);
+    doors.removeIf(door -> Arrays.stream(butFor).anyMatch(door.toString()::startsWith));
     for (Door door : doors) {
       Optional<Object[]> sample = door.sample(samples);
       sample.ifPresentOrElse(

@@ -3,6 +3,7 @@ package simbad.gap.calibrate.level;
 import java.util.Arrays;
 import org.hipparchus.linear.MatrixUtils;
 import org.hipparchus.linear.RealMatrix;
+import simbad.sonar.check.Checks;
 
 /**
  * Something along which levels may change smoothly, with a place on it for each ping: decibels at
@@ -25,13 +26,22 @@ public final class Along {
    * @param length over which a curve stays alike, in units of the place
    */
   public record Axis(double low, double step, int knots, boolean wraps, double length) {
+    /** Refuses what is no number. */
+    public Axis {
+      Checks.finite("low", low);
+      Checks.positive("step", step);
+      Checks.positive("length", length);
+    }
+
     /** Returns an axis from 0 all round, in degrees. */
     public static Axis round(double step, double length) {
+      Checks.positive("step", step);
       return new Axis(0, step, (int) Math.round(360 / step), true, length);
     }
 
     /** Returns an axis between two places. */
     public static Axis between(double low, double high, double step, double length) {
+      Checks.finite("high", high);
       return new Axis(low, step, 2 + (int) Math.ceil((high - low) / step), false, length);
     }
 

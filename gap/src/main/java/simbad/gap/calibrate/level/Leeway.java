@@ -232,7 +232,12 @@ public final class Leeway {
    * @param atKnotsDb by how much levels are more at each knot, decibels
    */
   @SuppressWarnings("ArrayRecordComponent") // read only
-  public record Wandered(Moved moved, double[] atKnotsDb) {}
+  public record Wandered(Moved moved, double[] atKnotsDb) {
+    /** Refuses what is no number. */
+    public Wandered {
+      Checks.numbers("atKnotsDb", atKnotsDb);
+    }
+  }
 
   /**
    * Levels that have moved.
