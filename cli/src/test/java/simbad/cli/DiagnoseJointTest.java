@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** A joint log whose origin is joint/make.py: a robot's wheels are 5 % larger than it believes. */
 class DiagnoseJointTest {
-  private static final Path LOGS = Path.of("src", "test", "resources", "joint");
+  private static final Path LOGS = Path.of("..", "data", "joint");
   private static final Path LOG = LOGS.resolve("wheels-too-large");
   private static final double LARGER = 1.05;
 
@@ -125,7 +125,7 @@ class DiagnoseJointTest {
     Shell shell =
         Shell.simbad("diagnose", broken.toString(), "--out", folder.resolve("no").toString());
     assertEquals(2, shell.status());
-    assertTrue(shell.err().contains("track.csv, line 2, z_m"), shell.err());
+    assertTrue(shell.err().contains("track.csv:2: z_m"), shell.err());
   }
 
   /** The forecast that joint/make.py has in closed form, to a thousandth of what it says. */

@@ -24,8 +24,8 @@ import simbad.sonar.sensing.TransducerPoses;
  *
  * <p>Headings are uniform. Half of the places are uniform over a square round the shadow; the other
  * half have a uniform bearing and a uniform distance up to twice the threshold there, so that the
- * narrow parts of a shadow are visited as well. Poses that hang on less than 1 mm from the edge, on
- * a tiny angle of the cone or on a micrometre of a range limit are drawn again.
+ * narrow parts of a shadow are visited as well. Poses that depend on less than 1 mm from the edge,
+ * on a tiny angle of the cone or on a micrometre of a range limit are drawn again.
  */
 class DetectionMapReachTest {
   static final double OFF_THE_EDGE_M = 1e-3;

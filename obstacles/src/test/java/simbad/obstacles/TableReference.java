@@ -15,12 +15,12 @@ final class TableReference {
   private static final double MIN_RANGE_M = 0.03;
   private static final double MAX_RANGE_M = 6;
 
-  /** A cone so much wider or narrower must not change the verdict, else it hangs on rounding. */
+  /** A cone so much wider or narrower must not change the verdict, else it depends on rounding. */
   private static final double TINY_ANGLE_RAD = 1e-9;
 
   private static final double NONE = Double.POSITIVE_INFINITY;
 
-  /** What the table says of a pose, and whether that hangs on less than the test's margins. */
+  /** What the table says of a pose, and whether that depends on less than the test's margins. */
   record Verdict(double rangeM, boolean clear) {
     boolean echo() {
       return rangeM < NONE;

@@ -27,8 +27,8 @@ class BackscatterTest {
 
   /**
    * Halving every element moves the logarithm of no bearing's threshold by a hundredth, with the
-   * calibration that is shipped: without its desensitisation, which makes some thresholds hang on a
-   * hundredth of a decibel, by no more than a fifth of that.
+   * calibration that is shipped: without its desensitisation, which makes some thresholds depend on
+   * a hundredth of a decibel, by no more than a fifth of that.
    */
   @ParameterizedTest
   @MethodSource("sections")

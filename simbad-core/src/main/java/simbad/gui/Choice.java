@@ -61,7 +61,7 @@ final class Choice extends AbstractAction {
 
   /**
    * Tells the listener no more. Swing notes actions whose buttons are gone, and forgets them when
-   * the next button is made: until then nothing shall hang on them.
+   * the next button is made: until then nothing shall depend on them.
    */
   void release() {
     listener = event -> {};

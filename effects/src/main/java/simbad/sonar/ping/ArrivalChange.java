@@ -11,7 +11,7 @@ public non-sealed interface ArrivalChange extends Change {
    */
   void add(Moment moment, Arrivals arrivals);
 
-  /** Returns whether what answers hangs on where the sensor is and looks. */
+  /** Returns whether what answers depends on where the sensor is and looks. */
   default boolean hangsOnPose() {
     return true;
   }

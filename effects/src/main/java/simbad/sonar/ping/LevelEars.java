@@ -114,7 +114,7 @@ public final class LevelEars {
    * @return decibels
    */
   public static double widenedDb(Beam beam, double offAxisRad, double factor) {
-    // The directivity hangs on the product of radius and sine; no direction has a sine over 1.
+    // The directivity depends on the product of radius and sine; no direction has a sine over 1.
     double sine = Math.max(-1, Math.min(1, factor * Math.sin(offAxisRad)));
     return beamDb(beam, Math.asin(sine));
   }

@@ -154,7 +154,7 @@ public final class DiagnosedModel {
     return rangeM;
   }
 
-  /** Returns whether what is read hangs on the pings before. */
+  /** Returns whether what is read depends on the pings before. */
   public boolean hasMemory() {
     return !memory.isNone();
   }

@@ -33,7 +33,7 @@ final class Forecast {
   private final PingModel pings;
   private final Memory memory;
 
-  /** Whether what comes hangs on what was read, and not only on whether something was. */
+  /** Whether what comes depends on what was read, and not only on whether something was. */
   private final boolean onEachReading;
 
   private final Mixture mixture = new Mixture();

@@ -92,7 +92,7 @@ final class Likelihood {
     }
   }
 
-  /** Of a ping that hangs on no other. */
+  /** Of a ping that depends on no other. */
   private double alone(int ping) {
     pings.mix(ping, false, Mixture.EMPTY, 0, mixture);
     if (!log.echo(ping)) {

@@ -15,10 +15,10 @@ import simbad.sonar.ping.MemoryChange;
  * The changes of a model that have memory, without those that change nothing.
  *
  * @param burst if pings are missed in bursts
- * @param hysteresis if what is heard hangs on whether the ping before was
+ * @param hysteresis if what is heard depends on whether the ping before was
  * @param stale if readings are repeated
- * @param ghosts whether what is read hangs on the reading before
- * @param asRead whether it hangs on its number, not on what answered
+ * @param ghosts whether what is read depends on the reading before
+ * @param asRead whether it depends on its number, not on what answered
  */
 record Memory(
     @Nullable Burst burst,

@@ -160,7 +160,7 @@ public final class FoldedDiagnosis {
         || (change instanceof ThresholdChange && !(change instanceof BeamPattern));
   }
 
-  /** A factor of a threshold is no level; how far it weakens an echo hangs on the distance. */
+  /** A factor of a threshold is no level; how far it weakens an echo depends on the distance. */
   private static boolean isOfScatter(Change change) {
     return change instanceof SensorScatter;
   }

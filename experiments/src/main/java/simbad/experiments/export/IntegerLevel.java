@@ -71,7 +71,7 @@ public final class IntegerLevel implements IntegerReader {
     return range > 0 ? (range + 1) / 2 : 0;
   }
 
-  /** By the level law an answer does not hang on the ping before. */
+  /** By the level law an answer does not depend on the ping before. */
   @Override
   public int readMm(boolean heardBefore, int xMm, int zMm, int headingCdeg) {
     return readMm(xMm, zMm, headingCdeg);

@@ -16,7 +16,7 @@ import java.util.List;
  * whatever fonts the reader has.
  */
 record Text(String words, Font font, Color colour) {
-  /** One context for every output, so that layout does not hang on the resolution. */
+  /** One context for every output, so that layout does not depend on the resolution. */
   private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);
 
   /** Draws with the point at the given shares of the box: (0, 0) upper left, (1, 1) lower right. */

@@ -18,7 +18,7 @@ import org.knowm.xchart.XYSeries;
 class ErrorPlotTest {
   @Test
   void chart_holdsCentimetresByDegrees() {
-    XYSeries series = curve(Samples.errors(deg -> 0.05 + 0.0001 * deg));
+    XYSeries series = curve(PlotSamples.errors(deg -> 0.05 + 0.0001 * deg));
     assertEquals(73, series.getXData().length);
     assertEquals(45, series.getXData()[9], 1e-9);
     assertEquals(5.45, series.getYData()[9], 1e-9);
@@ -26,7 +26,7 @@ class ErrorPlotTest {
 
   @Test
   void fullTurn_repeatsTheFirstValue() {
-    XYSeries series = curve(Samples.errors(deg -> 0.05 + 0.0001 * deg));
+    XYSeries series = curve(PlotSamples.errors(deg -> 0.05 + 0.0001 * deg));
     assertEquals(360, series.getXData()[72]);
     assertEquals(series.getYData()[0], series.getYData()[72]);
   }
@@ -35,7 +35,7 @@ class ErrorPlotTest {
   void missingBearings_breakTheCurve() {
     XYSeries series =
         curve(
-            Samples.errors(deg -> 0.05).stream()
+            PlotSamples.errors(deg -> 0.05).stream()
                 .filter(e -> e.bearingDeg() < 100 || e.bearingDeg() > 130)
                 .toList());
     assertEquals(1, DoubleStream.of(series.getYData()).filter(Double::isNaN).count());
@@ -59,14 +59,14 @@ class ErrorPlotTest {
 
   @Test
   void aFewCentimetres_areLinear() {
-    assertFalse(figure(Samples.errors(deg -> 0.05)).chart().getStyler().isYAxisLogarithmic());
+    assertFalse(figure(PlotSamples.errors(deg -> 0.05)).chart().getStyler().isYAxisLogarithmic());
   }
 
   @Test
   void onePoint_emptySeriesAndNoSeries_areDrawn() {
     checkDrawn(figure(List.of(error(90, 0.02))));
     checkDrawn(figure(List.of()));
-    checkDrawn(new ErrorPlot(Samples.CAPTION, List.of()).figure());
+    checkDrawn(new ErrorPlot(PlotSamples.CAPTION, List.of()).figure());
   }
 
   @Test
@@ -123,12 +123,12 @@ class ErrorPlotTest {
   }
 
   private static XYSeries curve(List<BearingError> errors) {
-    return Samples.seriesOf(figure(errors), "sensor");
+    return PlotSamples.seriesOf(figure(errors), "sensor");
   }
 
   private static PlotFigure figure(List<BearingError> errors) {
     ErrorSeries series = new ErrorSeries("sensor", SeriesRole.SHADOW, errors);
-    return new ErrorPlot(Samples.CAPTION, List.of(series)).figure();
+    return new ErrorPlot(PlotSamples.CAPTION, List.of(series)).figure();
   }
 
   /**

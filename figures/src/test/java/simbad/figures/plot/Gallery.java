@@ -27,8 +27,8 @@ final class Gallery {
 
   static Map<String, PlotFigure> figures() {
     Map<String, PlotFigure> figures = new LinkedHashMap<>();
-    figures.put("main", polar(Samples.tableSeries(), Samples.originalSeries(), shadow()));
-    figures.put("table", polar(Samples.tableSeries()));
+    figures.put("main", polar(PlotSamples.tableSeries(), PlotSamples.originalSeries(), shadow()));
+    figures.put("table", polar(PlotSamples.tableSeries()));
     figures.put("roles", polar(roles()));
     figures.put("empty", polar());
     figures.put("large", polar(scaled("table of a large target", 6.3)));
@@ -40,11 +40,11 @@ final class Gallery {
   }
 
   private static PolarSeries shadow() {
-    return Samples.shadowSeries();
+    return PlotSamples.shadowSeries();
   }
 
   private static PlotFigure polar(PolarSeries... series) {
-    return new PolarPlot(Samples.CAPTION, List.of(series), Samples.OUTLINE).figure();
+    return new PolarPlot(PlotSamples.CAPTION, List.of(series), PlotSamples.OUTLINE).figure();
   }
 
   private static PolarSeries[] roles() {
@@ -55,12 +55,12 @@ final class Gallery {
   }
 
   private static List<PolarPoint> circle(int index) {
-    return Samples.circle(1 + 0.2 * index, 700);
+    return PlotSamples.circle(1 + 0.2 * index, 700);
   }
 
   private static PolarSeries scaled(String name, double factor) {
     List<PolarPoint> points =
-        Samples.angleTable().stream()
+        PlotSamples.angleTable().stream()
             .map(p -> new PolarPoint(p.bearingRad(), p.radiusM() * factor))
             .toList();
     return new PolarSeries(name, SeriesRole.TABLE, SeriesStyle.CLOSED_LINE, points);
@@ -73,25 +73,26 @@ final class Gallery {
               + " one sweep, steps of 2 cm along the bench and 5 degrees of turn",
           SeriesRole.TABLE,
           SeriesStyle.CLOSED_LINE,
-          Samples.angleTable()),
-      new PolarSeries("readings", SeriesRole.NOISY, SeriesStyle.POINTS, Samples.circle(1.7, 90)),
+          PlotSamples.angleTable()),
+      new PolarSeries(
+          "readings", SeriesRole.NOISY, SeriesStyle.POINTS, PlotSamples.circle(1.7, 90)),
       new PolarSeries("nothing came of this one", SeriesRole.RAY, SeriesStyle.LINE, List.of())
     };
   }
 
   static ErrorPlot errors() {
-    List<PolarPoint> table = Samples.angleTable();
+    List<PolarPoint> table = PlotSamples.angleTable();
     return new ErrorPlot(
-        Samples.CAPTION,
+        PlotSamples.CAPTION,
         List.of(
             new ErrorSeries(
                 "original sensor",
                 SeriesRole.ORIGINAL,
-                Samples.errors(deg -> Math.abs(2.5 - table.get(deg / 5).radiusM()))),
+                PlotSamples.errors(deg -> Math.abs(2.5 - table.get(deg / 5).radiusM()))),
             new ErrorSeries(
                 "shadow sensor",
                 SeriesRole.SHADOW,
-                Samples.errors(deg -> deg == 45 ? 0 : 0.003 + 0.02 * Math.pow(Math.sin(deg), 2))
+                PlotSamples.errors(deg -> deg == 45 ? 0 : 0.003 + 0.02 * Math.pow(Math.sin(deg), 2))
                     .stream()
                     .filter(e -> e.bearingDeg() < 200 || e.bearingDeg() > 220)
                     .toList())));
@@ -104,7 +105,7 @@ final class Gallery {
             new ErrorSeries(
                 "noisy sensor",
                 SeriesRole.NOISY,
-                Samples.errors(deg -> 0.05 + 0.02 * Math.cos(Math.toRadians(4 * deg))))));
+                PlotSamples.errors(deg -> 0.05 + 0.02 * Math.cos(Math.toRadians(4 * deg))))));
   }
 
   static MapPlot map() {
@@ -112,8 +113,8 @@ final class Gallery {
         new Caption("Angle extrusion, 25 mm: original sensor", "table: measured"),
         "share of headings that disagree with the table",
         ShareGrid.of(120, 3.5, Gallery::share),
-        List.of(Samples.tableSeries()),
-        Samples.OUTLINE);
+        List.of(PlotSamples.tableSeries()),
+        PlotSamples.OUTLINE);
   }
 
   private static double share(double xM, double zM) {

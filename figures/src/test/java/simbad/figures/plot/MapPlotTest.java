@@ -21,7 +21,7 @@ class MapPlotTest {
     PlotFigure figure = Gallery.map().figure();
     XYChart chart = figure.chart();
     assertEquals(3.5, chart.getStyler().getXAxisMax());
-    assertEquals(73, Samples.seriesOf(figure, "threshold table").getXData().length);
+    assertEquals(73, PlotSamples.seriesOf(figure, "threshold table").getXData().length);
     assertTrue(chart.getSeriesMap().containsKey("obstacle"));
   }
 
@@ -112,6 +112,6 @@ class MapPlotTest {
   }
 
   private static PlotFigure figure(ShareGrid grid) {
-    return new MapPlot(Samples.CAPTION, "share", grid, List.of(), List.of()).figure();
+    return new MapPlot(PlotSamples.CAPTION, "share", grid, List.of(), List.of()).figure();
   }
 }

@@ -31,7 +31,7 @@ class PlotFigureTest {
 
   @Test
   void oneFigure_writesTheSameBytesAgain() {
-    PlotFigure figure = small(Samples.CAPTION);
+    PlotFigure figure = small(PlotSamples.CAPTION);
     byte[] svg = figure.svg();
     byte[] png = figure.png(100);
     figure.png(37);
@@ -89,7 +89,7 @@ class PlotFigureTest {
   @Test
   void longProvenance_takesMoreLines() {
     PlotFigure figure = small(new Caption("t", "table: reconstructed from words ".repeat(12)));
-    assertTrue(figure.heightPt() > small(Samples.CAPTION).heightPt() + 30);
+    assertTrue(figure.heightPt() > small(PlotSamples.CAPTION).heightPt() + 30);
   }
 
   @Test
@@ -101,25 +101,25 @@ class PlotFigureTest {
   @ParameterizedTest
   @ValueSource(ints = {72, 150})
   void png_hasTheResolutionAskedFor(int dpi) throws IOException {
-    PlotFigure figure = small(Samples.CAPTION);
+    PlotFigure figure = small(PlotSamples.CAPTION);
     byte[] png = figure.png(dpi);
     var image = ImageIO.read(new ByteArrayInputStream(png));
     assertEquals(Math.round(figure.widthPt() * dpi / 72.0), image.getWidth());
     assertEquals(Math.round(figure.heightPt() * dpi / 72.0), image.getHeight());
     String raw = new String(png, StandardCharsets.ISO_8859_1);
-    assertTrue(raw.contains("pHYs") && raw.contains(Samples.CAPTION.provenance()));
+    assertTrue(raw.contains("pHYs") && raw.contains(PlotSamples.CAPTION.provenance()));
   }
 
   @ParameterizedTest
   @ValueSource(ints = {0, -1, 1201})
   void resolution_outsideItsRange_isRefused(int dpi) {
-    PlotFigure figure = small(Samples.CAPTION);
+    PlotFigure figure = small(PlotSamples.CAPTION);
     assertThrows(IllegalArgumentException.class, () -> figure.png(dpi));
   }
 
   @Test
   void files_holdTheBytes(@TempDir Path folder) throws IOException {
-    PlotFigure figure = small(Samples.CAPTION);
+    PlotFigure figure = small(PlotSamples.CAPTION);
     Files.write(folder.resolve("a.png"), figure.png(72));
     Files.write(folder.resolve("a.svg"), figure.svg());
     assertArrayEquals(figure.png(72), Files.readAllBytes(folder.resolve("a.png")));
@@ -135,6 +135,6 @@ class PlotFigureTest {
   }
 
   private static PlotFigure small(Caption caption) {
-    return new PolarPlot(caption, List.of(Samples.tableSeries()), List.of()).figure();
+    return new PolarPlot(caption, List.of(PlotSamples.tableSeries()), List.of()).figure();
   }
 }

@@ -23,7 +23,7 @@ class PolarPlotTest {
 
   @Test
   void chart_holdsTheTableCornerByCorner() {
-    XYSeries table = series(figure(Samples.tableSeries()), "threshold table");
+    XYSeries table = series(figure(PlotSamples.tableSeries()), "threshold table");
     assertEquals(73, table.getXData().length);
     checkPoint(table, 0, 0, -3.16);
     // 90 degrees, 2.7 m: to the right.
@@ -40,11 +40,11 @@ class PolarPlotTest {
 
   @Test
   void bearings_runFromTheBottomToTheRight() {
-    XYChart chart = figure(Samples.tableSeries()).chart();
+    XYChart chart = figure(PlotSamples.tableSeries()).chart();
     double centreX = chart.getScreenXFromChart(0);
     double centreY = chart.getScreenYFromChart(0);
-    PolarPoint ahead = Samples.point(0, 1);
-    PolarPoint right = Samples.point(90, 1);
+    PolarPoint ahead = PlotSamples.point(0, 1);
+    PolarPoint right = PlotSamples.point(90, 1);
     assertTrue(chart.getScreenYFromChart(-ahead.zM()) > centreY);
     assertTrue(chart.getScreenXFromChart(right.xM()) > centreX);
   }
@@ -54,7 +54,7 @@ class PolarPlotTest {
     XYChart chart = mainFigure().chart();
     assertEquals("x (m), seen from above", chart.getXAxisTitle());
     assertEquals("z (m), down the page", chart.getYAxisTitle());
-    assertEquals(Samples.CAPTION.title(), chart.getTitle());
+    assertEquals(PlotSamples.CAPTION.title(), chart.getTitle());
     assertEquals(
         List.of("threshold table", "trace, original sensor", "trace, shadow sensor", "obstacle"),
         chart.getSeriesMap().values().stream().map(XYSeries::getLabel).toList());
@@ -121,7 +121,8 @@ class PolarPlotTest {
   @EnumSource(SeriesStyle.class)
   void onePoint_isDrawn(SeriesStyle style) {
     checkDrawn(
-        figure(new PolarSeries("one", SeriesRole.NOISY, style, List.of(Samples.point(30, 1.5)))));
+        figure(
+            new PolarSeries("one", SeriesRole.NOISY, style, List.of(PlotSamples.point(30, 1.5)))));
   }
 
   @Test
@@ -131,7 +132,7 @@ class PolarPlotTest {
 
   @Test
   void noSeries_stillShowsTheGrid() {
-    checkDrawn(new PolarPlot(Samples.CAPTION, List.of(), List.of()).figure());
+    checkDrawn(new PolarPlot(PlotSamples.CAPTION, List.of(), List.of()).figure());
   }
 
   private static void checkDrawn(PlotFigure figure) {
@@ -157,7 +158,7 @@ class PolarPlotTest {
 
   @Test
   void fiveLongCloudsAndTraces_stayUnderTheLimit() {
-    List<PolarPoint> wobble = Samples.wobbling(Samples.angleTable(), 800);
+    List<PolarPoint> wobble = PlotSamples.wobbling(PlotSamples.angleTable(), 800);
     PolarSeries[] five =
         Stream.of("a", "b", "c", "d", "e")
             .map(name -> new PolarSeries(name, SeriesRole.OTHER, styleOf(name), wobble))
@@ -174,13 +175,14 @@ class PolarPlotTest {
   void sameNameTwice_isRefused() {
     assertThrows(
         IllegalArgumentException.class,
-        () -> new PolarPlot(Samples.CAPTION, List.of(circle("a", 1), circle("a", 2)), List.of()));
+        () ->
+            new PolarPlot(PlotSamples.CAPTION, List.of(circle("a", 1), circle("a", 2)), List.of()));
   }
 
   @Test
   void obstaclesName_isTakenWhereAnOutlineIsDrawn() {
     PolarPlot plot =
-        new PolarPlot(Samples.CAPTION, List.of(circle("obstacle", 1)), Samples.OUTLINE);
+        new PolarPlot(PlotSamples.CAPTION, List.of(circle("obstacle", 1)), PlotSamples.OUTLINE);
     assertThrows(IllegalArgumentException.class, plot::figure);
   }
 
@@ -191,7 +193,7 @@ class PolarPlotTest {
 
   @Test
   void roles_keepTheirColoursInEveryPicture() {
-    XYSeries alone = series(figure(Samples.originalSeries()), "trace, original sensor");
+    XYSeries alone = series(figure(PlotSamples.originalSeries()), "trace, original sensor");
     XYSeries amongOthers = series(mainFigure(), "trace, original sensor");
     assertEquals(0xD55E00, alone.getLineColor().getRGB() & 0xFFFFFF);
     assertEquals(alone.getLineColor(), amongOthers.getLineColor());
@@ -202,29 +204,32 @@ class PolarPlotTest {
   @Test
   void clouds_areDottedInTheLegend() {
     PolarSeries cloud =
-        new PolarSeries("cloud", SeriesRole.SHADOW, SeriesStyle.POINTS, Samples.circle(1, 9));
+        new PolarSeries("cloud", SeriesRole.SHADOW, SeriesStyle.POINTS, PlotSamples.circle(1, 9));
     assertTrue(series(figure(cloud), "cloud").getLineStyle().getDashArray() != null);
     assertEquals(Set.of("cloud"), figure(cloud).chart().getSeriesMap().keySet());
   }
 
   private static PolarSeries circle(String name, double radiusM) {
     return new PolarSeries(
-        name, SeriesRole.TABLE, SeriesStyle.CLOSED_LINE, Samples.circle(radiusM, 720));
+        name, SeriesRole.TABLE, SeriesStyle.CLOSED_LINE, PlotSamples.circle(radiusM, 720));
   }
 
   private static PlotFigure mainFigure() {
     return new PolarPlot(
-            Samples.CAPTION,
-            List.of(Samples.tableSeries(), Samples.originalSeries(), Samples.shadowSeries()),
-            Samples.OUTLINE)
+            PlotSamples.CAPTION,
+            List.of(
+                PlotSamples.tableSeries(),
+                PlotSamples.originalSeries(),
+                PlotSamples.shadowSeries()),
+            PlotSamples.OUTLINE)
         .figure();
   }
 
   private static PlotFigure figure(PolarSeries... series) {
-    return new PolarPlot(Samples.CAPTION, List.of(series), List.of()).figure();
+    return new PolarPlot(PlotSamples.CAPTION, List.of(series), List.of()).figure();
   }
 
   private static XYSeries series(PlotFigure figure, String name) {
-    return Samples.seriesOf(figure, name);
+    return PlotSamples.seriesOf(figure, name);
   }
 }

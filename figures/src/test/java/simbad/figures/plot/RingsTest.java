@@ -23,7 +23,7 @@ class RingsTest {
   void labels_avoidTheCurves() {
     // Petals fill every direction but that between 270 and 300 degrees.
     List<PolarPoint> points =
-        Samples.circle(1, 360).stream()
+        PlotSamples.circle(1, 360).stream()
             .map(p -> isFree(p) ? new PolarPoint(p.bearingRad(), 0) : p)
             .toList();
     List<PlotCurve> curves = new ArrayList<>();

@@ -14,7 +14,7 @@ class ThinningTest {
 
   @Test
   void shortCurve_isKeptAsItIs() {
-    PolarSeries table = Samples.tableSeries();
+    PolarSeries table = PlotSamples.tableSeries();
     assertSame(table.points(), Thinning.thin(table, 3.5, 1));
   }
 
@@ -36,7 +36,7 @@ class ThinningTest {
 
   @Test
   void circle_staysWithinTheTolerance() {
-    List<PolarPoint> circle = Samples.circle(2.5, 31_416);
+    List<PolarPoint> circle = PlotSamples.circle(2.5, 31_416);
     List<PolarPoint> kept = Thinning.thin(lines(circle), 3, 1);
     assertTrue(kept.size() < 400, () -> kept.size() + " points");
     circle.forEach(p -> assertTrue(distance(kept, p) <= TOLERANCE_M + 1e-12));
@@ -55,19 +55,20 @@ class ThinningTest {
 
   @Test
   void noisyTrace_meetsTheBudget() {
-    List<PolarPoint> trace = Samples.wobbling(Samples.angleTable(), 800);
+    List<PolarPoint> trace = PlotSamples.wobbling(PlotSamples.angleTable(), 800);
     assertTrue(Thinning.thin(lines(trace), 3.5, 3).size() <= Thinning.BUDGET / 3);
   }
 
   @Test
   void onePlace_isTwoPoints() {
-    List<PolarPoint> rest = IntStream.range(0, 3000).mapToObj(i -> Samples.point(0, 1)).toList();
+    List<PolarPoint> rest =
+        IntStream.range(0, 3000).mapToObj(i -> PlotSamples.point(0, 1)).toList();
     assertEquals(2, Thinning.thin(lines(rest), 3, 1).size());
   }
 
   @Test
   void cloud_keepsOnePointACell() {
-    List<PolarPoint> circle = Samples.circle(1, 40_000);
+    List<PolarPoint> circle = PlotSamples.circle(1, 40_000);
     PolarSeries cloud = new PolarSeries("c", SeriesRole.NOISY, SeriesStyle.POINTS, circle);
     List<PolarPoint> kept = Thinning.thin(cloud, 3, 2);
     assertTrue(kept.size() <= Thinning.BUDGET / 2 && kept.size() > 1000);

@@ -23,7 +23,7 @@ public record Openness(
   }
 
   /**
-   * Asks how echoes and ranges hang on the set-up.
+   * Asks how echoes and ranges depend on the set-up.
    *
    * @param evidence the log
    * @param hypothesis of it
@@ -40,7 +40,7 @@ public record Openness(
     return new Openness(leeway, pulls(geometry, hypothesis, leeway), chance, score);
   }
 
-  /** Finds how a log under a hypothesis hangs on the set-up. */
+  /** Finds how a log under a hypothesis depends on the set-up. */
   public static Leeway.Pulls pulls(Geometry geometry, Hypothesis hypothesis, Leeway leeway) {
     List<Change> changes = hypothesis.changes();
     double[] added = new double[geometry.log().size() * geometry.obstacles()];

@@ -28,7 +28,7 @@ public final class Unknown {
   /** Two effects that take away less than this share of the gap stand for something else. */
   private static final double WORTH_TWO = 0.2;
 
-  /** What hangs on no place takes up a little of anything. */
+  /** What depends on no place takes up a little of anything. */
   public static final Set<Effect> SOAK = Definitions.with(Trait.SOAKS_UP);
 
   /** What is left of a gap over what an explanation expects of itself: bounds of what counts. */

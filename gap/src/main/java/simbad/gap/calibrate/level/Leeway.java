@@ -292,7 +292,7 @@ public final class Leeway {
   }
 
   /**
-   * Finds how a log hangs on the set-up.
+   * Finds how a log depends on the set-up.
    *
    * @param geometry of the log under a hypothesis
    * @param added what the hypothesis adds to the excess of each line of sight, decibels

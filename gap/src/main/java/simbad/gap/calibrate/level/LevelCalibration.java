@@ -8,7 +8,7 @@ import simbad.sonar.check.Checks;
  * A level law as a reference shows it.
  *
  * @param setup the forms of the law, of each obstacle's strength and of the ranges' tails
- * @param values that hang on no obstacle, with their deviations
+ * @param values that depend on no obstacle, with their deviations
  * @param trials what they were fitted on: pings times obstacles that they tried
  * @param priorCost how improbable the values were before: natural logarithm, at least 0
  * @param known of the values

@@ -128,7 +128,7 @@ final class LevelFit {
     for (Predictor.Row row : cones) {
       Predictor.Excess excess = predictor.excess(row);
       predictor.slope(row, excess, slope);
-      // All but the last: how surely a cone is known does not hang on the scatter.
+      // All but the last: how surely a cone is known does not depend on the scatter.
       double off = excess.decibels() / Cones.DEVIATION_DB;
       add(slope, slope.size() - 1, 1 / Cones.DEVIATION_DB, -off, 1);
     }

@@ -31,7 +31,7 @@ record Loss(double[] weights, double offsetDb) {
     return new Loss(weights, believed.receiverThresholdDb().at(r));
   }
 
-  /** A level that hangs on no parameter. */
+  /** A level that depends on no parameter. */
   static Loss constant(double decibels) {
     return new Loss(new double[SIZE], decibels);
   }

@@ -19,7 +19,7 @@ public record Named(String name, double value, double deviation) {
     Checks.number("deviation", deviation);
   }
 
-  /** Those of a fit that hang on no obstacle. */
+  /** Those of a fit that depend on no obstacle. */
   static List<Named> of(Layout layout, LevelFit fit, RealMatrix covariance) {
     double[] v = fit.values();
     List<Named> all = new ArrayList<>();

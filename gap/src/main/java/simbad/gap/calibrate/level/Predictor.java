@@ -29,7 +29,7 @@ final class Predictor {
   }
 
   /**
-   * A trial with all that does not hang on the values.
+   * A trial with all that does not depend on the values.
    *
    * @param trial what was heard of an obstacle
    * @param loss what the believed strength makes up for, less what the distance takes

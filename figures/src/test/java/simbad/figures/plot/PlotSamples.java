@@ -13,7 +13,7 @@ import java.util.stream.IntStream;
 import org.knowm.xchart.XYSeries;
 
 /** The measured angle table, and made-up traces round it. */
-final class Samples {
+final class PlotSamples {
   static final Caption CAPTION =
       new Caption("Angle extrusion, 25 mm", "table: measured (Kranz 2014, appendix A.2)");
 
@@ -23,7 +23,7 @@ final class Samples {
   static final List<PolarPoint> OUTLINE =
       outline(-12.5, -12.5, -10.5, -12.5, -10.5, 10.5, 12.5, 10.5, 12.5, 12.5, -12.5, 12.5);
 
-  private Samples() {}
+  private PlotSamples() {}
 
   static List<PolarPoint> angleTable() {
     try (BufferedReader lines = new BufferedReader(resource("angle-25mm.csv"))) {
@@ -40,7 +40,8 @@ final class Samples {
 
   private static InputStreamReader resource(String name) {
     return new InputStreamReader(
-        Objects.requireNonNull(Samples.class.getResourceAsStream(name)), StandardCharsets.UTF_8);
+        Objects.requireNonNull(PlotSamples.class.getResourceAsStream(name)),
+        StandardCharsets.UTF_8);
   }
 
   static XYSeries seriesOf(PlotFigure figure, String name) {
