@@ -204,22 +204,12 @@ public final class Search {
   /**
    * Puts what explains much alone in the place of each member but the last, which was just chosen
    * among all: the first may have been taken because it soaks up what two others do. The member
-   * itself is among them, looked for anew now that the others are known. Where one has changed, the
-   * last was chosen beside what is gone, and its place is open as well.
+   * itself is among them, looked for anew now that the others are known.
    */
   private Fit swapped(Fit set) {
-    List<Effect> members = set.hypothesis().effects();
-    Effect last = members.get(members.size() - 1);
-    Fit swapped = swapped(set, members.subList(0, members.size() - 1));
-    return swapped.hypothesis().effects().containsAll(members)
-        ? swapped
-        : swapped(swapped, List.of(last));
-  }
-
-  private Fit swapped(Fit set, List<Effect> open) {
     Fit swapped = set;
     List<Effect> members = set.hypothesis().effects();
-    for (Effect member : open) {
+    for (Effect member : members.subList(0, members.size() - 1)) {
       Hypothesis rest = swapped.hypothesis().without(member);
       keep(joint(new Fit(rest, swapped.logLikelihood())));
       // Beside the values that they had beside it: alone they would do its work.
