@@ -62,6 +62,11 @@ public final class SetupMove {
     return open.wandered(pulls, echoes, along, spreadDb);
   }
 
+  /** Returns what the set-up's own values cost where nothing wanders, as a logarithm. */
+  public double logShare() {
+    return open.logShare(pulls, echoes);
+  }
+
   /** Returns by how many nats the log is likelier where levels have moved, and ranges move too. */
   public double nats(Leeway.Moved levels) {
     LevelShift shift = new LevelShift(levels.shiftsDb());

@@ -121,13 +121,15 @@ final class Wandering {
   /** Returns what each way and spread comes to; choosing among them costs as well. */
   List<Curve> curves() {
     double choice = Math.log(ways.size() * SPREADS_DB.length);
+    // The set-up's own values cost nothing here as they cost nothing where nothing wanders.
+    double cost = choice + move.logShare();
     return IntStream.range(0, ways.size() * SPREADS_DB.length)
         .parallel()
         .mapToObj(
             i -> {
               Way way = ways.get(i / SPREADS_DB.length);
               Leeway.Wandered wandered = move.levels(way.along, SPREADS_DB[i % SPREADS_DB.length]);
-              double nats = fitted + move.nats(wandered.moved()) - choice;
+              double nats = fitted + move.nats(wandered.moved()) - cost;
               return new Curve(nats, way.words(wandered.atKnotsDb()));
             })
         .toList();

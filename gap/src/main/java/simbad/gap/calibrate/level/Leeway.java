@@ -216,19 +216,28 @@ public final class Leeway {
                     : pull);
     LevelMove both = new LevelMove(precision, rows, echoes);
     double nats = both.climb();
+    return new Wandered(new Moved(nats + both.logShare(), both.shiftsDb()), both.valuesFrom(own));
+  }
+
+  /**
+   * Returns what the set-up's own values cost where nothing wanders: the logarithm of the share of
+   * what they could be before that they still can be, at most 0.
+   *
+   * @param pulls of the log under a hypothesis
+   * @param echoes how likely each reading is where its excess is another
+   */
+  public double logShare(Pulls pulls, EchoCurves echoes) {
     LevelMove alone =
         new LevelMove(levelPrecision, rows(pulls, echoes, (ping, pull) -> pull), echoes);
     alone.climb();
-    // The set-up's own values cost nothing here as they cost nothing where nothing wanders.
-    double cost = both.logShare() - alone.logShare();
-    return new Wandered(new Moved(nats + cost, both.shiftsDb()), both.valuesFrom(own));
+    return alone.logShare();
   }
 
   /**
    * Levels that have wandered.
    *
-   * @param moved by how many nats the log is likelier, what all that might have been costs taken
-   *     away; may be below 0
+   * @param moved by how many nats the log is likelier, with the cost of all that curve and set-up
+   *     might have been; may be below 0
    * @param atKnotsDb by how much levels are more at each knot, decibels
    */
   @SuppressWarnings("ArrayRecordComponent") // read only
