@@ -181,6 +181,11 @@ public abstract class BaseObject {
     transform.set(translation);
   }
 
+  /** Returns where the object's middle is in the frame that it stands in, metres; a new vector. */
+  public Vector3d getTranslation() {
+    return new Vector3d(placement.xM(), placement.yM(), placement.zM());
+  }
+
   /** Writes the object's turn, without its translation, to a transform. */
   public void getRotationTransform(Transform3D transform) {
     placement.copyRotationTo(matrix);

@@ -377,10 +377,19 @@ class CompatibilityTest {
     late.setHeadingRad(-1);
     assertEquals(-1, late.getHeadingRad(), EPSILON);
     assertEquals(3, x(late), EPSILON);
+    assertEquals(new Vector3d(3, 0.25, 1), late.getTranslation());
     simulation.getSimulator().removeAgent(late);
     simulation.step();
     assertEquals(1, late.getCounter());
     assertEquals(List.of(robot), simulation.getSimulator().getAgentList());
+  }
+
+  /** What it is given is the program's own: to change it moves nothing. */
+  @Test
+  void translation_ofStaticObjects_isACopy() {
+    Box box = boxAt(2);
+    box.getTranslation().set(7, 7, 7);
+    assertEquals(new Vector3d(2, 0.5, 0), box.getTranslation());
   }
 
   /**
