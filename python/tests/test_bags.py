@@ -5,8 +5,9 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
+import pytest
 from rosbags.highlevel import AnyReader
-from rosbags.rosbag2 import StoragePlugin, Writer
+from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin, Writer
 from rosbags.typesys import Stores, get_typestore
 
 import simbad_sonar as sonar
@@ -34,6 +35,62 @@ def test_rosbags_reads_our_bag(tmp_path: Path) -> None:
     assert math.isclose(messages[0].field_of_view, math.radians(55), rel_tol=1e-6)
 
 
+@pytest.mark.parametrize("plugin", [StoragePlugin.SQLITE3, StoragePlugin.MCAP])
+@pytest.mark.parametrize("mode", [None, CompressionMode.FILE, CompressionMode.MESSAGE])
+def test_ranges_of_a_bag_of_rosbags(
+    tmp_path: Path, plugin: StoragePlugin, mode: CompressionMode | None
+) -> None:
+    # REP-117: nothing, too near, no number; the sonar 0.1 m ahead of a robot that looks along y.
+    said = [1.25, math.inf, -math.inf, math.nan, 0.5]
+    start = 1_700_000_000_000_000_000
+    writer = Writer(tmp_path / "bag", version=8, storage_plugin=plugin)
+    if mode is not None:
+        writer.set_compression(mode, CompressionFormat.ZSTD)
+    with writer:
+        topics = [("/tf_static", "tf2_msgs/msg/TFMessage"), ("/sonar", "sensor_msgs/msg/Range")]
+        where, read = [writer.add_connection(*t, typestore=STORE) for t in topics]
+        links = [_link(start, "map", "base", 1.0, math.pi / 2), _link(start, "base", "eye", 0.1, 0)]
+        message = TYPES[where.msgtype](transforms=links)
+        writer.write(where, start, STORE.serialize_cdr(message, where.msgtype))
+        for i, metres in enumerate(said):
+            ns = start + i * 100_000_000
+            message = TYPES[read.msgtype](
+                header=_header(ns, "eye"),
+                radiation_type=0,
+                field_of_view=0.96,
+                min_range=0.03,
+                max_range=4.0,
+                range=metres,
+            )
+            writer.write(read, ns, STORE.serialize_cdr(message, read.msgtype))
+    told = sonar.command(
+        "dataset", "bag", tmp_path / "bag", "--target", "round:50mm", "--out", tmp_path / "set"
+    )
+    assert "1 ranges left out: not a number" in told
+    rows = pd.read_csv(tmp_path / "set" / "readings.csv")
+    assert rows["range_m"].tolist()[::3] == [1.25, 0.5]
+    assert rows["range_m"].isna().tolist() == [False, True, True, False]
+    np.testing.assert_allclose(rows[["x_m", "z_m", "heading_deg"]], [[1.0, -0.1, 90.0]] * 4)
+
+
+def _header(ns: int, frame: str) -> object:
+    time = TYPES["builtin_interfaces/msg/Time"](sec=ns // 10**9, nanosec=ns % 10**9)
+    return TYPES["std_msgs/msg/Header"](stamp=time, frame_id=frame)
+
+
+def _link(ns: int, parent: str, child: str, x: float, yaw: float) -> object:
+    turn = TYPES["geometry_msgs/msg/Quaternion"](
+        x=0.0, y=0.0, z=math.sin(yaw / 2), w=math.cos(yaw / 2)
+    )
+    return TYPES["geometry_msgs/msg/TransformStamped"](
+        header=_header(ns, parent),
+        child_frame_id=child,
+        transform=TYPES["geometry_msgs/msg/Transform"](
+            translation=TYPES["geometry_msgs/msg/Vector3"](x=x, y=0.0, z=0.0), rotation=turn
+        ),
+    )
+
+
 def test_motion_of_a_bag_of_rosbags(tmp_path: Path) -> None:
     vector, twist = TYPES["geometry_msgs/msg/Vector3"], TYPES["geometry_msgs/msg/Twist"]
     start = 1_700_000_000_000_000_000
@@ -58,10 +115,9 @@ def test_motion_of_a_bag_of_rosbags(tmp_path: Path) -> None:
 
 
 def _odometry(ns: int, i: int) -> object:
-    time = TYPES["builtin_interfaces/msg/Time"](sec=ns // 10**9, nanosec=ns % 10**9)
     zero = TYPES["geometry_msgs/msg/Vector3"](x=0.0, y=0.0, z=0.0)
     return TYPES["nav_msgs/msg/Odometry"](
-        header=TYPES["std_msgs/msg/Header"](stamp=time, frame_id="odom"),
+        header=_header(ns, "odom"),
         child_frame_id="base_link",
         pose=TYPES["geometry_msgs/msg/PoseWithCovariance"](
             pose=TYPES["geometry_msgs/msg/Pose"](

@@ -42,6 +42,7 @@ import simbad.sonar.shape.ThresholdTable;
       "Example: simbad run",
       "Example: simbad run angle my-table.csv --sensor original,shadow,ray --out results",
       "Example: simbad run angle --sensor shadow,diagnosed:diagnoses/bench-3",
+      "Example: simbad run angle --sensor noisy --readings --out my-run",
       "Example: simbad run angle --sensor shadow --speed 0.1 --robot diagnosed:diagnoses/my-robot"
     })
 final class RunCommand extends Subcommand {
@@ -106,6 +107,13 @@ final class RunCommand extends Subcommand {
   private long seed = 1;
 
   @Option(
+      names = "--readings",
+      description =
+          "Write what each sonar read in each step as well: a data set in OBSTACLE/readings-SENSOR,"
+              + " of which simbad export bag makes a recording of ROS 2.")
+  private boolean keepsReadings;
+
+  @Option(
       names = "--out",
       paramLabel = "DIR",
       description =
@@ -166,7 +174,9 @@ final class RunCommand extends Subcommand {
     if (!(waitS >= 0 && waitS <= RunSettings.MOST_WAIT_S)) {
       throw wrongUsage("--wait: " + waitS + " is not in [0, " + RunSettings.MOST_WAIT_S + "] s");
     }
-    return new RunSettings(types(), kinds, drive.sonar(), speedMPerS, place, seed).waiting(waitS);
+    RunSettings settings =
+        new RunSettings(types(), kinds, drive.sonar(), speedMPerS, place, seed).waiting(waitS);
+    return keepsReadings ? settings.keepingReadings() : settings;
   }
 
   private List<SensorKind> kinds() throws DataFormatException {

@@ -164,6 +164,44 @@ class DatasetBagCommandTest {
     assertEquals(expected, after.stream().map(DatasetBagCommandTest::line).sorted().toList());
   }
 
+  private Path run(String name, String... words) {
+    Path out = folder.resolve(name);
+    List<String> all =
+        new ArrayList<>(List.of("run", "round", "--speed", "0.5", "--out", out.toString()));
+    all.addAll(List.of(words));
+    assertDone(Shell.simbad(all.toArray(String[]::new)));
+    return out;
+  }
+
+  private Shell exported(Path from) {
+    return Shell.simbad("export", "bag", from.toString(), "--out", folder.resolve("b").toString());
+  }
+
+  /** The twelve sonars of the robot, as they read while it drove. */
+  @Test
+  void runWithReadings_becomesARecording() throws DataFormatException {
+    Path run = run("run", "--sensor", "noisy", "--readings");
+    assertDone(exported(run));
+    Shell listed = bag(folder.resolve("b"), "--list");
+    assertTrue(listed.out().contains("frame sonar_11 in map ("), listed.out());
+    Path out = folder.resolve("back");
+    assertDone(bag(folder.resolve("b"), "--target", "round:25mm", "--out", out.toString()));
+    List<ReadingRow> read = ReadingsFile.read(run.resolve("round/readings-noisy/readings.csv"));
+    assertEquals(read.size(), ReadingsFile.read(out.resolve("readings.csv")).size());
+    assertTrue(read.stream().anyMatch(row -> row.reading() instanceof Echo));
+  }
+
+  @Test
+  void runWithoutReadings_orWithSeveral_isRefusedInALine() {
+    Shell none = exported(run("none", "--sensor", "shadow"));
+    assertEquals(2, none.status());
+    assertTrue(none.err().contains("expected one of simbad run --readings"), none.err());
+    Shell several = exported(run("several", "--readings"));
+    assertEquals(2, several.status());
+    assertTrue(several.err().contains("several/round/readings-original, "), several.err());
+    assertEquals(1, several.err().lines().count(), several.err());
+  }
+
   /** To a millimetre and a hundredth of a degree. */
   private static String line(ReadingRow row) {
     return String.format(

@@ -106,6 +106,13 @@ final class HelpInputs {
     if (line.contains("diagnose my-bench") || line.contains("mend my-bench")) {
       BenchData.write(folder.resolve("my-bench"), BenchData.rows(30, 0.05));
     }
+    if (line.contains("export bag my-run")) {
+      String run = folder.resolve("my-run").toString();
+      Shell said =
+          Shell.simbad(
+              "run", "round", "--sensor", "shadow", "--speed", "0.5", "--readings", "--out", run);
+      assertEquals(0, said.status(), said.err());
+    }
     if (line.contains("diagnoses/")) {
       String name = line.replaceFirst(".*diagnoses/([\\w-]+).*", "$1");
       diagnosis(folder, name);

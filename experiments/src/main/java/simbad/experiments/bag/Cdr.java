@@ -15,6 +15,9 @@ final class Cdr {
   private static final int HEAD = 4;
   private static final int LONGEST_TEXT = 1 << 16;
 
+  /** Farther apart no two frames are, metres; sums and squares of it are numbers still. */
+  private static final double FARTHEST = 1e9;
+
   private final ByteBuffer bytes;
 
   /**
@@ -109,6 +112,9 @@ final class Cdr {
       numbers[i] = real();
       if (!Double.isFinite(numbers[i])) {
         throw new IOException("has a pose that is no number");
+      }
+      if (Math.abs(numbers[i]) > FARTHEST) {
+        throw new IOException("has a pose with " + numbers[i] + ", expected at most " + FARTHEST);
       }
     }
     return Rigid.of(numbers);

@@ -20,9 +20,10 @@ public final class LevelHeader {
   private static final int BEAMS = 722;
 
   /**
-   * What a calibrated strength lacks between two of its bearings is nothing; thresholds need it.
+   * A calibrated strength lacks nothing between two of its bearings. One of thresholds is bent
+   * there: with 4 points ranges were off by up to 0.26 mm, with 12 by 0.05.
    */
-  private static final int ROUND_PER_BEARING = 4;
+  private static final int ROUND_PER_BEARING = 12;
 
   private final HeaderTarget target;
   private final String name;

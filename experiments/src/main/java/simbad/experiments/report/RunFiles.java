@@ -18,16 +18,24 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
+import simbad.experiments.dataset.MadeDataSet;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.ShareGrid;
+import simbad.gap.diagnosis.DataSetFolder;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.TableFile;
 import simbad.sonar.format.TextFile;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.shape.ThresholdTable;
 
 /** Writes a run's results into a folder: one folder per obstacle, and the errors of all. */
 public final class RunFiles {
   private static final ObjectWriter JSON = jsonWriter();
+
+  /** What a data set of a run's readings begins with; its sensor's name follows. */
+  private static final String READINGS = "readings-";
 
   private RunFiles() {}
 
@@ -60,11 +68,44 @@ public final class RunFiles {
       writeTraces(own.resolve("trace.csv"), entry.getValue());
       writeRadial(own.resolve("radial.csv"), entry.getValue());
       writeMap(own.resolve("map.csv"), entry.getValue());
+      writeReadings(own, origin, entry.getValue());
     }
     List<ErrorRecord> errors = results.stream().map(ErrorRecord::of).toList();
     writeErrorsJson(folder.resolve("errors.json"), origin, hashes, errors);
     writeErrorsCsv(folder.resolve("errors.csv"), errors);
     return hashes;
+  }
+
+  private static void writeReadings(Path own, RunOrigin origin, List<RunResult> results)
+      throws IOException {
+    for (RunResult result : results) {
+      if (!result.trace().readings().isEmpty()) {
+        Path set = Files.createDirectory(own.resolve(READINGS + result.sensor().word()));
+        SonarSpec sonar = origin.settings().sonar();
+        SensingSetup setup = new SensingSetup(sonar, result.world(), sonar.maxRangeM());
+        new MadeDataSet(setup, result.trace().readings()).write(set);
+      }
+    }
+  }
+
+  /**
+   * Finds the data sets of a run's readings.
+   *
+   * @param run a run's folder
+   * @return below it, sorted; none where the run has not kept them
+   * @throws IOException if it cannot be read
+   */
+  public static List<Path> dataSets(Path run) throws IOException {
+    try (Stream<Path> paths = Files.find(run, 2, (path, is) -> isDataSet(path))) {
+      return paths.sorted().toList();
+    }
+  }
+
+  private static boolean isDataSet(Path path) {
+    Path name = path.getFileName();
+    return name != null
+        && name.toString().startsWith(READINGS)
+        && Files.exists(path.resolve(DataSetFolder.SCENE));
   }
 
   /** Returns the results of each obstacle by its name, in the order in which they come. */

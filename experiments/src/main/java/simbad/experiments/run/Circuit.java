@@ -55,7 +55,7 @@ public record Circuit(
    * @return where the robot was
    */
   public Trace drive(Controller controller) {
-    return drive(controller, 1);
+    return drive(controller, 1, false);
   }
 
   /**
@@ -63,9 +63,10 @@ public record Circuit(
    *
    * @param controller that has read nothing yet
    * @param times how many steps it takes for one of a controller that never waits, at least 1
+   * @param keepsReadings whether the trace shall have what the belt read
    */
-  Trace drive(Controller controller, int times) {
-    return new Circumnavigation(this, controller).drive(times);
+  Trace drive(Controller controller, int times, boolean keepsReadings) {
+    return new Circumnavigation(this, controller, keepsReadings).drive(times);
   }
 
   /**

@@ -14,6 +14,7 @@ import simbad.sonar.frame.Angles;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.model.DetectionRule;
+import simbad.sonar.sensing.ReadingRow;
 import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.ThresholdTable;
 
@@ -29,18 +30,21 @@ final class Circumnavigation {
   private static final int BLOCKED_AFTER = 1000;
 
   private final Circuit circuit;
+  private final boolean keepsReadings;
   private final FollowerRobot robot;
   private final Simbatch simulation;
   private final Trace trace = new Trace(Circuit.STEP_S);
   private final Point3d place = new Point3d();
+  private final Point3d pinged = new Point3d();
   private boolean everHeard;
   private int silent;
   private int still;
   private double woundRad;
   private double bearingRad;
 
-  Circumnavigation(Circuit circuit, Controller controller) {
+  Circumnavigation(Circuit circuit, Controller controller, boolean keepsReadings) {
     this.circuit = circuit;
+    this.keepsReadings = keepsReadings;
     robot = robot(circuit, controller);
     EnvironmentDescription environment = new EnvironmentDescription();
     environment.add(new SonarObstacle(new Vector3d(), 0, circuit.type()));
@@ -90,7 +94,12 @@ final class Circumnavigation {
         && trace.size() < most
         && still < BLOCKED_AFTER
         && Math.hypot(place.x, place.z) <= farthestM) {
+      robot.getCoords(pinged);
+      double pingedRad = robot.getHeadingRad();
       simulation.step();
+      if (keepsReadings) {
+        keepReadings(pingedRad);
+      }
       double fromX = place.x;
       double fromZ = place.z;
       robot.getCoords(place);
@@ -100,6 +109,16 @@ final class Circumnavigation {
     }
     simulation.dispose();
     return trace;
+  }
+
+  /** The belt pings before the robot moves: of each sonar where it was then. */
+  private void keepReadings(double headingRad) {
+    double timeS = trace.size() * Circuit.STEP_S;
+    RangeSensorBelt belt = robot.belt();
+    for (int i = 0; i < belt.getNumSensors(); i++) {
+      Pose pose = Pose.of(pinged.x, pinged.z, headingRad + belt.getSensorAngle(i));
+      trace.read(new ReadingRow("run", "sonar-" + i, timeS, pose, belt.getReadings().reading(i)));
+    }
   }
 
   private long mostSteps() {

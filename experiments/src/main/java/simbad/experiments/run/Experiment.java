@@ -44,7 +44,8 @@ public final class Experiment {
     Circuit circuit = Circuit.of(type, sensor, settings);
     Controller follower = new EdgeFollower(Tuning.standard(settings.speedMPerS(), Circuit.STEP_S));
     int waits = settings.waitSteps();
-    Trace trace = circuit.drive(waits == 0 ? follower : new StopAndGo(follower, waits), 1 + waits);
+    Controller controller = waits == 0 ? follower : new StopAndGo(follower, waits);
+    Trace trace = circuit.drive(controller, 1 + waits, settings.keepsReadings());
     return new RunResult(
         type,
         sensor,

@@ -60,6 +60,10 @@ public final class FollowerRobot extends Agent {
     setRotationalVelocity(command.turnRateRadPerS());
   }
 
+  RangeSensorBelt belt() {
+    return belt;
+  }
+
   boolean hears() {
     return belt.oneHasHit();
   }

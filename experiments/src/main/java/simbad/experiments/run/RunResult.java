@@ -35,15 +35,18 @@ public record RunResult(
 
   /** Returns the forms of a diagnosed sensor's model that say nothing of this obstacle. */
   public List<FittedForm> idleForms() {
-    Scene world =
-        new Scene(
-            List.of(
-                new Obstacle(
-                    type.name(),
-                    Placement.IDENTITY,
-                    type.outline(),
-                    new TableDetection(type.thresholds().table()))));
-    return sensor.model().map(model -> model.idleIn(world)).orElse(List.of());
+    return sensor.model().map(model -> model.idleIn(world())).orElse(List.of());
+  }
+
+  /** Returns what the robot drove round: the obstacle at the origin, with its table. */
+  public Scene world() {
+    return new Scene(
+        List.of(
+            new Obstacle(
+                type.name(),
+                Placement.IDENTITY,
+                type.outline(),
+                new TableDetection(type.thresholds().table()))));
   }
 
   /** The same with the reduction against a run of the original sensor. */

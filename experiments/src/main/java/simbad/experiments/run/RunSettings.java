@@ -17,6 +17,7 @@ import simbad.sonar.scene.SonarSpec;
  *     greatest threshold, half-way out
  * @param seed of all chance
  * @param waitS how long the robot stands still after each decision, seconds, at least 0
+ * @param keepsReadings whether what the belt reads in each step is kept
  */
 public record RunSettings(
     List<ObstacleType> obstacles,
@@ -25,7 +26,8 @@ public record RunSettings(
     double speedMPerS,
     Optional<Point> start,
     long seed,
-    double waitS) {
+    double waitS,
+    boolean keepsReadings) {
   /** Thesis, section 4.3. */
   public static final double THESIS_SPEED_M_PER_S = 0.01;
 
@@ -40,7 +42,7 @@ public record RunSettings(
     }
   }
 
-  /** Of a robot that never waits. */
+  /** Of a robot that never waits, and whose readings are not kept. */
   public RunSettings(
       List<ObstacleType> obstacles,
       List<SensorKind> sensors,
@@ -48,12 +50,18 @@ public record RunSettings(
       double speedMPerS,
       Optional<Point> start,
       long seed) {
-    this(obstacles, sensors, sonar, speedMPerS, start, seed, 0);
+    this(obstacles, sensors, sonar, speedMPerS, start, seed, 0, false);
   }
 
   /** Returns the same with a robot that stands still for so many seconds after each decision. */
   public RunSettings waiting(double seconds) {
-    return new RunSettings(obstacles, sensors, sonar, speedMPerS, start, seed, seconds);
+    return new RunSettings(
+        obstacles, sensors, sonar, speedMPerS, start, seed, seconds, keepsReadings);
+  }
+
+  /** Returns the same, and what the belt reads in each step is kept. */
+  public RunSettings keepingReadings() {
+    return new RunSettings(obstacles, sensors, sonar, speedMPerS, start, seed, waitS, true);
   }
 
   /** Returns the same in steps of the simulator. */

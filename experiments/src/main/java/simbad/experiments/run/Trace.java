@@ -1,6 +1,10 @@
 package simbad.experiments.run;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import simbad.sonar.sensing.ReadingRow;
 
 /**
  * Where a robot's sensor was after each step, in the obstacle's own frame. Grows while the robot
@@ -14,6 +18,7 @@ public final class Trace {
   private double[] zM = new double[FIRST_CAPACITY];
   private double[] headingRad = new double[FIRST_CAPACITY];
   private boolean[] heard = new boolean[FIRST_CAPACITY];
+  private final List<ReadingRow> readings = new ArrayList<>();
   private int size;
   private int firstOnEdge = Integer.MAX_VALUE;
   private boolean closed;
@@ -36,12 +41,21 @@ public final class Trace {
     size++;
   }
 
+  void read(ReadingRow row) {
+    readings.add(row);
+  }
+
   void edgeFound() {
     firstOnEdge = size - 1;
   }
 
   void close() {
     closed = true;
+  }
+
+  /** Returns what the belt read, in the order of time; nothing where that was not kept. */
+  public List<ReadingRow> readings() {
+    return Collections.unmodifiableList(readings);
   }
 
   /** Returns the number of places; place 0 is after the first step. */

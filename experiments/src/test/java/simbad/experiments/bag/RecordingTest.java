@@ -122,6 +122,21 @@ class RecordingTest {
     assertThrows(IOException.class, () -> new Cdr(ByteBuffer.wrap(new byte[] {0, 3, 0, 0})));
   }
 
+  /** Two of them after each other would be no number. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1.7e308, -1e10, Double.NaN, Double.NEGATIVE_INFINITY})
+  void pose_thatNoRobotHas_isRefused(double where) throws IOException {
+    for (int place = 0; place < 7; place++) {
+      CdrWriter message = new CdrWriter();
+      for (int i = 0; i < 7; i++) {
+        message.real(i == place ? where : 0.5);
+      }
+      Cdr cdr = new Cdr(ByteBuffer.wrap(message.bytes()));
+      String said = String.valueOf(assertThrows(IOException.class, cdr::rigid).getMessage());
+      assertTrue(said.startsWith("has a pose "), said);
+    }
+  }
+
   @Test
   void exported_isReadAgain(@TempDir Path folder) throws Exception {
     SensingSetup setup = new SensingSetup(Catalogue.srf04(), new Scene(List.of()), 6);

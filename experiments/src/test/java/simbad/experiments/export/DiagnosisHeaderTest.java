@@ -137,12 +137,13 @@ class DiagnosisHeaderTest {
           Integer.parseInt(read[0]),
           Arrays.toString(pose));
       double metres = Double.parseDouble(read[1]);
-      boolean alike = metres < 0 ? expected[i] < 0 : Math.abs(metres - expected[i]) < 1e-3;
+      boolean alike = metres < 0 ? expected[i] < 0 : Math.abs(metres - expected[i]) < 1e-4;
       other += alike ? 0 : 1;
       echoes += expected[i] >= 0 ? 1 : 0;
     }
     assertTrue(echoes > 500, echoes + " echoes");
-    assertTrue(other <= poses.size() / 1000, other + " of " + poses.size() + " read otherwise");
+    // Those at which an edge is nearer than floats can tell.
+    assertTrue(other <= poses.size() / 10_000, other + " of " + poses.size() + " read otherwise");
   }
 
   /** Steps: the float's lie at the model's but for rounding at their ends. */

@@ -7,7 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -41,41 +40,6 @@ class HeaderInCTest {
           printf("%d %.6f\\n", post_read(at),
               (double)post_read_m((float)x / 1000, (float)z / 1000, (float)((double)h * 1.7453292519943e-4)));
         }
-        return 0;
-      }
-      """;
-
-  /** Sums readings over places all round, and says so over its serial line. */
-  private static final String ON_A_CHIP =
-      """
-      #define POST_INTEGER_ONLY
-      #include <avr/io.h>
-      #include <avr/interrupt.h>
-      #include <avr/sleep.h>
-      #include "sonar.h"
-      static void say(char c) {
-        while (!(UCSR0A & (1 << UDRE0))) {
-        }
-        UDR0 = (uint8_t)c;
-      }
-      int main(void) {
-        uint32_t sum = 0;
-        int8_t i;
-        int16_t k;
-        UCSR0B = 1 << TXEN0;
-        for (k = 0; k < 300; k++) {
-          post_pose at;
-          at.x_mm = (int16_t)((k * 37) % 41 * 100 - 2000);
-          at.z_mm = (int16_t)((k * 23) % 41 * 100 - 2000);
-          at.heading_cdeg = (int16_t)((k * 121L) % 36001 - 18000);
-          sum = sum * 31 + (uint32_t)(int32_t)post_read(at);
-        }
-        for (i = 28; i >= 0; i -= 4) {
-          say("0123456789abcdef"[(sum >> i) & 15]);
-        }
-        say('\\n');
-        cli();
-        sleep_mode();
         return 0;
       }
       """;
@@ -163,41 +127,8 @@ class HeaderInCTest {
     Compilers.need("avr-gcc");
     Compilers.need("simavr");
     IntegerSonar sonar = write(type("angle")).inIntegers();
-    Files.writeString(folder.resolve("main.c"), ON_A_CHIP);
-    Compilers.run(
-        folder,
-        "",
-        "avr-gcc",
-        "-std=c99",
-        "-Os",
-        "-mmcu=atmega328p",
-        "-DF_CPU=16000000UL",
-        "-Wall",
-        "-Wextra",
-        "-Werror",
-        "main.c",
-        "-o",
-        "main.elf");
-    int sum = 0;
-    for (int k = 0; k < 300; k++) {
-      int x = (k * 37) % 41 * 100 - 2000;
-      int z = (k * 23) % 41 * 100 - 2000;
-      sum = sum * 31 + sonar.readMm(x, z, (k * 121) % 36_001 - 18_000);
-    }
-    String output =
-        Compilers.run(
-            folder,
-            "",
-            "timeout",
-            "60",
-            "simavr",
-            "-m",
-            "atmega328p",
-            "-f",
-            "16000000",
-            "main.elf");
-
-    assertTrue(output.contains(String.format(Locale.ROOT, "%08x", sum)), output);
+    String said = OnAChip.run(folder, "post");
+    assertTrue(said.contains(OnAChip.sum(sonar::readMm)), said);
   }
 
   /** Code, table, corners and sines: the difference to a program without them. */

@@ -170,6 +170,7 @@ class LevelDiagnosisHeaderTest {
     List<ReadingDistribution> forecast = diagnosed.forecast(geometry);
     int echoes = 0;
     int other = 0;
+    int wholeOther = 0;
     for (int i = 0; i < lines.size(); i++) {
       String[] read = lines.get(i).split(" ", -1);
       int[] pose = poses.get(i);
@@ -177,14 +178,16 @@ class LevelDiagnosisHeaderTest {
       assertEquals(whole.readNextMm(pose[0], pose[1], pose[2]), mm, Arrays.toString(pose));
       double expected = median(forecast.get(i));
       double metres = Double.parseDouble(read[1]);
-      boolean alike = metres < 0 ? expected < 0 : Math.abs(metres - expected) < 1.5e-3;
+      boolean alike = metres < 0 ? expected < 0 : Math.abs(metres - expected) < 1e-4;
       other += alike || isNearEdge(geometry, model.changes(), i, 0.1) ? 0 : 1;
       boolean wholeAlike = mm < 0 ? expected < 0 : Math.abs(mm / 1000.0 - expected) < 4e-3;
-      other += wholeAlike || isNearEdge(geometry, model.changes(), i, 1.5) ? 0 : 1;
+      wholeOther += wholeAlike || isNearEdge(geometry, model.changes(), i, 1.5) ? 0 : 1;
       echoes += expected >= 0 ? 1 : 0;
     }
     assertTrue(echoes > 500, echoes + " echoes");
-    assertTrue(other <= poses.size() / 1000, other + " of " + poses.size() + " read otherwise");
+    // Half-way between two corners, where either may be the nearest, and what is repeated of it.
+    assertTrue(other <= poses.size() / 5000, other + " of " + poses.size() + " read otherwise");
+    assertTrue(wholeOther <= poses.size() / 1000, wholeOther + " whole ones");
   }
 
   /** The middle of what is expected; -1 for no echo. */

@@ -157,23 +157,16 @@ class LevelHeaderTest {
     assertEquals(0, IntegerLevel.angleOf(0, 0));
   }
 
+  /** In whole numbers, without floats: the same sum of readings as in Java. */
   @Test
-  void runsOnAnAtmega_withoutFloats() throws Exception {
+  void readsTheSameOnAnAtmega() throws Exception {
     Compilers.need("avr-gcc");
-    ObstacleType type = Catalogue.find("angle").orElseThrow();
-    Files.writeString(
-        folder.resolve("sonar.h"), new LevelHeader(type, SRF04, "sonar").text("test"));
-    Files.writeString(
-        folder.resolve("main.c"),
-        "#define SONAR_INTEGER_ONLY\n#include \"sonar.h\"\nvolatile sonar_pose at;\n"
-            + "volatile int16_t mm;\nint main(void) { sonar_pose own = {at.x_mm, at.z_mm,"
-            + " at.heading_cdeg}; mm = sonar_read(own); return 0; }\n");
-    Compilers.run(
-        folder,
-        "",
-        "avr-gcc -std=c99 -Os -mmcu=atmega328p -Wall -Wextra -Werror main.c -o main.elf"
-            .split(" ", -1));
-    assertTrue(Files.size(folder.resolve("main.elf")) > 0);
+    Compilers.need("simavr");
+    LevelHeader header = new LevelHeader(Catalogue.find("angle").orElseThrow(), SRF04, "sonar");
+    Files.writeString(folder.resolve("sonar.h"), header.text("test"));
+    IntegerLevel whole = header.inIntegers();
+    String said = OnAChip.run(folder, "sonar");
+    assertTrue(said.contains(OnAChip.sum(whole::readMm)), said);
   }
 
   @Test

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -19,6 +20,12 @@ import simbad.obstacles.CrossSections;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.TableDocument;
 import simbad.sonar.frame.Point;
+import simbad.sonar.model.DetectionRule;
+import simbad.sonar.sensing.Echo;
+import simbad.sonar.sensing.ReadingRow;
+import simbad.sonar.sensing.Readings;
+import simbad.sonar.sensing.Sensor;
+import simbad.sonar.sensing.TransducerPoses;
 import simbad.sonar.shape.ThresholdTable;
 
 /** The main job itself, and its figures against the targets. */
@@ -53,6 +60,38 @@ class ExperimentTest {
         .filter(result -> result.type().name().equals(obstacle) && result.sensor().equals(sensor))
         .findFirst()
         .orElseThrow();
+  }
+
+  /** Each sonar where it was when it pinged, all round from the first step on. */
+  @Test
+  void readings_areKeptOnDemand() {
+    ObstacleType type = Catalogue.find("round").orElseThrow();
+    RunSettings plain = settings(List.of(type), List.of(SensorKind.SHADOW), 0.5);
+    RunResult kept = Experiment.run(plain.keepingReadings(), result -> {}).get(0);
+    List<ReadingRow> rows = kept.trace().readings();
+    assertEquals(SensorKind.SONARS * kept.trace().size(), rows.size());
+    Sensor rule =
+        DetectionRule.SHADOW.bind(Catalogue.srf04(), kept.world(), new SplittableRandom(1));
+    TransducerPoses at = new TransducerPoses(1);
+    Readings expected = new Readings(1);
+    int echoes = 0;
+    for (int i = 0; i < rows.size(); i++) {
+      ReadingRow row = rows.get(i);
+      assertEquals(Math.floorDiv(i, SensorKind.SONARS) * Circuit.STEP_S, row.timeS(), 1e-9);
+      double heading = row.pose().heading().radians();
+      at.setPosition(0, row.pose().position().xM(), 0.15, row.pose().position().zM());
+      at.setDirection(0, Math.cos(heading), 0, -Math.sin(heading));
+      rule.ping(at, 0, expected);
+      assertEquals(expected.isEcho(0), row.reading() instanceof Echo, row.toString());
+      if (row.reading() instanceof Echo echo) {
+        assertEquals(expected.rangeM(0), echo.rangeM(), 1e-6, row.toString());
+        echoes++;
+      }
+    }
+    assertTrue(echoes > 50, echoes + " echoes");
+    RunResult other = Experiment.run(plain, result -> {}).get(0);
+    assertEquals(List.of(), other.trace().readings());
+    assertEquals(kept.errors(), other.errors());
   }
 
   @Test
