@@ -42,7 +42,7 @@ import simbad.sonar.shape.ThresholdTable;
       "Example: simbad run",
       "Example: simbad run angle my-table.csv --sensor original,shadow,ray --out results",
       "Example: simbad run angle --sensor shadow,diagnosed:diagnoses/bench-3",
-      "Example: simbad run angle --sensor noisy --readings --out my-run",
+      "Example: simbad run angle --sensor shadow --speed 0.2 --readings --out my-run",
       "Example: simbad run angle --sensor shadow --speed 0.1 --robot diagnosed:diagnoses/my-robot"
     })
 final class RunCommand extends Subcommand {

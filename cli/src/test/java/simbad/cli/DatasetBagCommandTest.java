@@ -180,13 +180,13 @@ class DatasetBagCommandTest {
   /** The twelve sonars of the robot, as they read while it drove. */
   @Test
   void runWithReadings_becomesARecording() throws DataFormatException {
-    Path run = run("run", "--sensor", "noisy", "--readings");
+    Path run = run("run", "--sensor", "shadow", "--readings");
     assertDone(exported(run));
     Shell listed = bag(folder.resolve("b"), "--list");
     assertTrue(listed.out().contains("frame sonar_11 in map ("), listed.out());
     Path out = folder.resolve("back");
     assertDone(bag(folder.resolve("b"), "--target", "round:25mm", "--out", out.toString()));
-    List<ReadingRow> read = ReadingsFile.read(run.resolve("round/readings-noisy/readings.csv"));
+    List<ReadingRow> read = ReadingsFile.read(run.resolve("round/readings-shadow/readings.csv"));
     assertEquals(read.size(), ReadingsFile.read(out.resolve("readings.csv")).size());
     assertTrue(read.stream().anyMatch(row -> row.reading() instanceof Echo));
   }
