@@ -1,6 +1,7 @@
 package simbad.motion.forecast;
 
 import java.util.Arrays;
+import simbad.sonar.check.Checks;
 
 /**
  * How displacements of one horizon lie about what a chain expects: the 19 quantiles q05 to q95 of
@@ -19,8 +20,12 @@ public record Spread(double[] limits, double[][][] quantiles) {
 
   private static final int MOST_CLASSES = 5;
 
-  /** Checks that there is a class between all limits. */
+  /** Checks that all are numbers, and that there is a class between all limits. */
   public Spread {
+    Checks.numbers("limits", limits);
+    for (double[][] ofClass : quantiles) {
+      Checks.numbers("quantiles", ofClass);
+    }
     if (quantiles.length != limits.length + 1) {
       throw new IllegalArgumentException(
           quantiles.length + " classes do not fit " + limits.length + " limits");
@@ -44,6 +49,8 @@ public record Spread(double[] limits, double[][][] quantiles) {
    * @param residuals by window and component
    */
   public static Spread of(double[] exertions, double[][] residuals) {
+    Checks.numbers("exertions", exertions);
+    Checks.numbers("residuals", residuals);
     double[] sorted = exertions.clone();
     Arrays.sort(sorted);
     int classes = Math.max(1, Math.min(MOST_CLASSES, sorted.length / LEAST_IN_CLASS));
