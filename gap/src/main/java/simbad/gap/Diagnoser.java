@@ -300,7 +300,7 @@ public final class Diagnoser {
       Evidence evidence, List<Scored> sets, Weighed weighed, double clumping) {
     Hypothesis best = weighed.taken().hypothesis();
     for (Effect effect : best.effects()) {
-      for (Effect other : weighed.inPlaceOf(effect, TIE_NATS * clumping)) {
+      for (Effect other : weighed.tiesOf(effect, TIE_NATS * clumping)) {
         List<Effect> rival = new ArrayList<>(best.without(effect).effects());
         rival.add(other);
         Optional<Hypothesis> found =
@@ -402,7 +402,7 @@ public final class Diagnoser {
           probability,
           Optional.of(form.name()),
           fitted(form, best.valuesOf(at), own),
-          isPartly ? List.of() : weighed.inPlaceOf(effect, TIE_NATS * clumping));
+          isPartly ? List.of() : weighed.tiesOf(effect, TIE_NATS * clumping));
     }
 
     /** Of an effect that is not in the explanation: its values when it is fitted alone. */
@@ -416,7 +416,7 @@ public final class Diagnoser {
           isPartly
               ? List.of()
               : weighed.taken().hypothesis().effects().stream()
-                  .filter(in -> weighed.inPlaceOf(in, TIE_NATS * clumping).contains(effect))
+                  .filter(in -> weighed.tiesOf(in, TIE_NATS * clumping).contains(effect))
                   .toList();
       return new EffectFinding(
           effect,

@@ -6,7 +6,8 @@ import simbad.sonar.ping.Mixture;
 import simbad.sonar.ping.PingLog;
 
 /**
- * How probable each reading is, given the readings before it: a filter over what is not read, the
+ * How probable each reading is, given the readings before it: a hidden-state filter (the forward
+ * algorithm of a hidden Markov model) over what is not read, the
  * state of a burst, how often a reading was already repeated, and where it came from.
  */
 final class Likelihood {

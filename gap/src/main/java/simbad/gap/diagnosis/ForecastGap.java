@@ -1,12 +1,13 @@
 package simbad.gap.diagnosis;
 
+import simbad.motion.forecast.PinballLoss;
 import java.util.stream.IntStream;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.Reading;
 
 /**
- * How far a forecast is from a reading: twice the mean pinball loss of the 19 predicted quantiles
+ * How far a forecast is from a reading, the CRPS by quantiles: twice the mean {@link PinballLoss} of the 19 predicted quantiles
  * q05 to q95, no-echo counted as a range. Over many rows it tends to the continuous ranked
  * probability score by quantiles (Gneiting and Raftery 2007, section 4.2).
  */
@@ -59,7 +60,7 @@ public final class ForecastGap {
     double loss = 0;
     for (int i = 0; i < QUANTILES; i++) {
       double beyond = read - quantilesM[i];
-      loss += beyond >= 0 ? level(i) * beyond : (level(i) - 1) * beyond;
+      loss += PinballLoss.of(level(i), beyond);
     }
     return 2 * loss / QUANTILES;
   }

@@ -1,5 +1,6 @@
 package simbad.gap.locate;
 
+import simbad.gap.score.BenjaminiHochberg;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -135,7 +136,7 @@ public final class Places {
 
   private List<Place> told(Evidence evidence, List<ReadingDistribution> forecast) {
     double[] rate =
-        Confirmation.falseDiscoveryRates(looked.stream().map(Candidate::chance).toList());
+        BenjaminiHochberg.falseDiscoveryRates(looked.stream().map(Candidate::chance).toList());
     List<Place> places = new ArrayList<>();
     for (int i = 0; i < rate.length; i++) {
       Slice slice = looked.get(i).slice();

@@ -15,7 +15,7 @@ import simbad.motion.forecast.Window;
 import simbad.motion.forecast.Windows;
 
 /**
- * The gap of motion: continuous ranked probability scores by 19 quantiles over windows of 0.5, 2
+ * The gap of motion: CRPS (continuous ranked probability scores) by 19 quantiles over windows of 0.5, 2
  * and 5 s, on blocks that were not fitted, for each horizon and component.
  */
 final class MotionGap {

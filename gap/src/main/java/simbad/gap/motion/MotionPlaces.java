@@ -1,5 +1,6 @@
 package simbad.gap.motion;
 
+import simbad.gap.score.BenjaminiHochberg;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -171,17 +172,10 @@ final class MotionPlaces {
     return 1 - NormalChance.below(mean / error);
   }
 
-  /** The false discovery rate by Benjamini and Hochberg (1995). */
+  /** Returns the places, the largest share first, each with its q-value. */
   private List<MotionPlace> sorted() {
-    List<Integer> order = new ArrayList<>();
-    for (int i = 0; i < places.size(); i++) {
-      order.add(i);
-    }
-    order.sort(Comparator.comparingDouble(chances::get));
-    double least = 1;
-    for (int rank = order.size(); rank > 0; rank--) {
-      int i = order.get(rank - 1);
-      least = Math.min(least, chances.get(i) * order.size() / rank);
+    double[] q = BenjaminiHochberg.falseDiscoveryRates(chances);
+    for (int i = 0; i < q.length; i++) {
       MotionPlace p = places.get(i);
       places.set(
           i,
@@ -195,7 +189,7 @@ final class MotionPlaces {
               p.before(),
               p.after(),
               p.component(),
-              least));
+              q[i]));
     }
     return places.stream()
         .sorted(Comparator.comparingDouble((MotionPlace place) -> -place.share()))

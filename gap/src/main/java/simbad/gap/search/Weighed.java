@@ -104,9 +104,9 @@ public record Weighed(
     return new Weighed(probabilities, taken, gain.beside(gainOf(open, taken).after()), enlarging);
   }
 
-  /** Returns what could stand in the place of an effect of the set that is concluded upon. */
-  public List<Effect> inPlaceOf(Effect effect, double nats) {
-    return probabilities.inPlaceOf(effect, taken, nats);
+  /** Returns the ties of an effect of the set that is concluded upon: what could stand for it. */
+  public List<Effect> tiesOf(Effect effect, double nats) {
+    return probabilities.tiesOf(effect, taken, nats);
   }
 
   /**

@@ -107,12 +107,17 @@ public record Spread(double[] limits, double[][][] quantiles) {
     return quantiles;
   }
 
-  /** Returns twice the mean pinball loss of a value, given what was expected and its quantiles. */
+  /**
+   * Returns the CRPS by quantiles: twice the mean {@link PinballLoss}.
+   *
+   * @param quantiles of what was expected
+   * @param residual the value
+   */
   public static double score(double[] quantiles, double residual) {
     double sum = 0;
     for (int q = 0; q < QUANTILES; q++) {
       double off = residual - quantiles[q];
-      sum += off >= 0 ? level(q) * off : (level(q) - 1) * off;
+      sum += PinballLoss.of(level(q), off);
     }
     return 2 * sum / QUANTILES;
   }
