@@ -1,6 +1,5 @@
 package simbad.gap.motion;
 
-import simbad.gap.score.BenjaminiHochberg;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -9,6 +8,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.IntPredicate;
 import java.util.function.ToDoubleFunction;
+import simbad.gap.score.BenjaminiHochberg;
 import simbad.motion.Command;
 import simbad.motion.MotionRun;
 import simbad.motion.forecast.Window;

@@ -131,8 +131,9 @@ public final class Probabilities {
   }
 
   /**
-   * Returns the ties of an effect of a set: the effects that could stand in its place with less than some
-   * evidence against it. What would have to gain more than others is no rival of one that has not.
+   * Returns the ties of an effect of a set: the effects that could stand in its place with less
+   * than some evidence against it. What would have to gain more than others is no rival of one that
+   * has not.
    *
    * @param effect of the set
    * @param set one of those that were fitted
