@@ -63,8 +63,8 @@ public final class CalibratedLog {
   }
 
   /**
-   * Returns the same log for a set-up that is known to be off: what its readings have in
-   * common beyond it does not count as often as there are readings.
+   * Returns the same log for a set-up that is known to be off: what its readings have in common
+   * beyond it does not count as often as there are readings.
    *
    * @param echoes by how much sums of echoes vary more than by chance, at least 1
    * @param ranges the same of where ranges lie

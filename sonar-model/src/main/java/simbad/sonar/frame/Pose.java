@@ -27,8 +27,6 @@ public record Pose(Point position, Heading heading) {
   public double offAxisRad(Point point) {
     double dx = point.xM() - position.xM();
     double dz = point.zM() - position.zM();
-    return dx == 0 && dz == 0
-        ? 0
-        : Angles.signed(Math.atan2(-dz, dx) - heading.radians());
+    return dx == 0 && dz == 0 ? 0 : Angles.signed(Math.atan2(-dz, dx) - heading.radians());
   }
 }
