@@ -27,8 +27,8 @@ class UpgradingTest {
   private static Map<String, String> moves() throws IOException {
     Map<String, String> moves = new HashMap<>();
     for (String line : Files.readAllLines(PAGE)) {
-      String[] cells = line.split("\\|");
-      if (line.startsWith("| `simbad.") && cells.length == 3) {
+      String[] cells = line.split("\\|", -1);
+      if (line.startsWith("| `simbad.") && cells.length == 4) {
         moves.put(codes(cells[1]).get(0), typeOf(cells[1], cells[2]));
       } else if (line.startsWith("| `simbad.")) {
         for (String name : codes(cells[3])) {
