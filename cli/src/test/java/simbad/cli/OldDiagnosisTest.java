@@ -35,7 +35,14 @@ class OldDiagnosisTest {
     Path out = folder.resolve("run");
     Shell shell =
         Shell.simbad(
-            "run", "angle", "--sensor", "diagnosed:" + OLD, "--speed", "0.05", "--out", out.toString());
+            "run",
+            "angle",
+            "--sensor",
+            "diagnosed:" + OLD,
+            "--speed",
+            "0.05",
+            "--out",
+            out.toString());
     assertEquals(0, shell.status(), shell.err());
     JsonNode errors = new ObjectMapper().readTree(out.resolve("errors.json").toFile());
     JsonNode result = errors.get("results").get(0);
