@@ -313,7 +313,7 @@ class ArchitectureTest {
         .check(CLASSES);
   }
 
-  /** Of the sonar only the readers of files: a robot moves without hearing. */
+  /** Of the sonar only the readers of files and the checks: a robot moves without hearing. */
   @Test
   void motion_knowsOfTheSonarOnlyItsFormats() {
     classes()
@@ -321,7 +321,12 @@ class ArchitectureTest {
         .resideInAPackage(MOTION)
         .should()
         .onlyDependOnClassesThat(
-            resideInAnyPackage("java..", "org.jspecify.annotations", MOTION, "simbad.sonar.format"))
+            resideInAnyPackage(
+                "java..",
+                "org.jspecify.annotations",
+                MOTION,
+                "simbad.sonar.format",
+                "simbad.sonar.check"))
         .check(CLASSES);
   }
 

@@ -131,7 +131,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
   private static String doubtfulName(
       Iterable<Effect> names, Weighed weighed, double unknown, double tieNats) {
     for (Effect effect : names) {
-      List<Effect> rivals = weighed.probabilities().inPlaceOf(effect, tieNats);
+      List<Effect> rivals = weighed.probabilities().tiesOf(effect, tieNats);
       if (rivals.size() > 1) {
         return "these data cannot tell " + effect.word() + " from " + words(rivals, ", ");
       }

@@ -27,7 +27,7 @@ import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.NextExperiment;
 import simbad.gap.diagnosis.Place;
 import simbad.gap.diagnosis.Verdict;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.locate.Places;
 import simbad.gap.score.Blocks;
@@ -129,17 +129,18 @@ public final class Diagnoser {
    * @param isFull whether nothing is left over, or all was tried that may take it up
    */
   private record Inquiry(
-      Evidence evidence,
+      CalibratedLog given,
       Calibration calibration,
       double worthNats,
       Search search,
       List<Scored> sets,
       Weighed weighed,
       boolean isFull) {
-    static Inquiry of(Evidence evidence, Calibration calibration, double worthNats, Search search) {
+    static Inquiry of(
+        CalibratedLog given, Calibration calibration, double worthNats, Search search) {
       List<Scored> sets = search.run();
-      Weighed weighed = Weighed.of(evidence, sets, worthNats, calibration.temperature());
-      return new Inquiry(evidence, calibration, worthNats, search, sets, weighed, !search.isOff());
+      Weighed weighed = Weighed.of(given, sets, worthNats, calibration.temperature());
+      return new Inquiry(given, calibration, worthNats, search, sets, weighed, !search.isOff());
     }
 
     Hypothesis best() {
@@ -148,33 +149,33 @@ public final class Diagnoser {
 
     /** The set-up with what of this belongs to it. */
     Calibration settled() {
-      return calibration.with(evidence, best());
+      return calibration.with(given, best());
     }
 
     Inquiry further() {
       List<Scored> more = search.further();
       return new Inquiry(
-          evidence,
+          given,
           calibration,
           worthNats,
           search,
           more,
-          Weighed.of(evidence, more, worthNats, calibration.temperature()),
+          Weighed.of(given, more, worthNats, calibration.temperature()),
           true);
     }
   }
 
   private Inquiry inquire(DataSet data, PingLog log, Calibration calibration, Hypothesis offered) {
-    Evidence evidence = calibration.evidence(data.setup(), log);
+    CalibratedLog given = calibration.given(data.setup(), log);
     double least = Math.max(Probabilities.COST_NATS, WORTH_NATS_PER_ROW * log.size());
     double worth = least * calibration.clumping() * (data.reference().isEmpty() ? 1 : OFF);
     // In one block nothing is left to test on what is fitted: too few rows to name anything.
     Set<Effect> excluded =
         new Blocks(log).canBeHeldOut() ? withheld : Set.copyOf(Definitions.effects());
     Search search =
-        new Search(evidence, excluded, worth, Optional.of(new SetupLeave(evidence, calibration)));
+        new Search(given, excluded, worth, Optional.of(new SetupLeave(given, calibration)));
     search.offer(offered);
-    return Inquiry.of(evidence, calibration, worth, search);
+    return Inquiry.of(given, calibration, worth, search);
   }
 
   /** What is concluded, of which set, with the places of its gap. */
@@ -186,23 +187,23 @@ public final class Diagnoser {
       Conclusion conclusion) {}
 
   private static Told conclude(Inquiry inquiry) {
-    Evidence evidence = inquiry.evidence;
+    CalibratedLog given = inquiry.given;
     Calibration calibration = inquiry.calibration;
-    Blocks blocks = new Blocks(evidence.log());
+    Blocks blocks = new Blocks(given.log());
     Hypothesis best = inquiry.best();
-    Evidence open = calibration.opened(evidence, best);
-    Weighed whole = inquiry.weighed.beside(evidence, open);
-    Signs signs = Unknown.signs(evidence, open, calibration, whole.gain(), best);
+    CalibratedLog open = calibration.opened(given, best);
+    Weighed whole = inquiry.weighed.beside(given, open);
+    Signs signs = Unknown.signs(given, open, calibration, whole.gain(), best);
     Unnamed unnamed = unnamed(inquiry, signs);
     double unknown = unnamed.probability();
     double tieNats = TIE_NATS * calibration.clumping();
-    List<Place> where = places(evidence, whole, blocks);
+    List<Place> where = places(given, whole, blocks);
     Conclusion first = Conclusion.of(whole, unnamed, doubtful(whole, open, where), blocks, tieNats);
     Optional<Weighed> sure =
         first.verdict() == Verdict.UNEXPLAINED || isTied(first, whole)
             ? whole
-                .confirmed(evidence, inquiry.sets, inquiry.worthNats)
-                .map(part -> beside(calibration, evidence, part))
+                .confirmed(given, inquiry.sets, inquiry.worthNats)
+                .map(part -> beside(calibration, given, part))
             : Optional.empty();
     double stated = first.verdict() == Verdict.UNEXPLAINED ? Unknown.besideARest(unknown) : unknown;
     return sure.flatMap(
@@ -212,11 +213,7 @@ public final class Diagnoser {
                     .map(
                         told ->
                             new Told(
-                                part,
-                                places(evidence, part, blocks),
-                                stated,
-                                unnamed.signs(),
-                                told)))
+                                part, places(given, part, blocks), stated, unnamed.signs(), told)))
         .orElse(new Told(whole, where, stated, unnamed.signs(), first));
   }
 
@@ -231,22 +228,22 @@ public final class Diagnoser {
     if (calibration.model() != SensorLaw.Model.LEVEL || bySigns > 0.5) {
       return new Unnamed(bySigns, signs.byName(), "");
     }
-    Evidence evidence = inquiry.evidence;
+    CalibratedLog given = inquiry.given;
     Strangers.Found found =
-        new Strangers(evidence, new SetupLeave(evidence, calibration))
+        new Strangers(given, new SetupLeave(given, calibration))
             .against(inquiry.best(), inquiry.worthNats, calibration.temperature());
     Map<String, Double> all = new LinkedHashMap<>(signs.byName());
     all.put("strangers_odds", found.odds());
     return new Unnamed(1 - (1 - bySigns) * found.share(), all, found.what());
   }
 
-  private static Weighed beside(Calibration calibration, Evidence evidence, Weighed part) {
-    Evidence open = calibration.opened(evidence, part.taken().hypothesis());
-    return part.beside(evidence, open);
+  private static Weighed beside(Calibration calibration, CalibratedLog given, Weighed part) {
+    CalibratedLog open = calibration.opened(given, part.taken().hypothesis());
+    return part.beside(given, open);
   }
 
   /** Places that would make "none" doubtful: of those that the set-up leaves open none does. */
-  private static List<Place> doubtful(Weighed weighed, Evidence open, List<Place> where) {
+  private static List<Place> doubtful(Weighed weighed, CalibratedLog open, List<Place> where) {
     if (!weighed.taken().hypothesis().forms().isEmpty() || where.isEmpty()) {
       return where;
     }
@@ -260,14 +257,14 @@ public final class Diagnoser {
         && !weighed.taken().hypothesis().forms().isEmpty();
   }
 
-  private static List<Place> places(Evidence evidence, Weighed weighed, Blocks blocks) {
-    return Places.find(evidence, weighed.gain().before(), weighed.gain().after(), blocks);
+  private static List<Place> places(CalibratedLog given, Weighed weighed, Blocks blocks) {
+    return Places.find(given, weighed.gain().before(), weighed.gain().after(), blocks);
   }
 
   private Diagnosis diagnosis(Inquiry inquiry, Told told, List<AuditFinding> audit) {
-    Evidence evidence = inquiry.evidence;
+    CalibratedLog given = inquiry.given;
     double clumping = inquiry.calibration.clumping();
-    Blocks blocks = new Blocks(evidence.log());
+    Blocks blocks = new Blocks(given.log());
     List<Scored> sets = inquiry.sets;
     Weighed weighed = told.weighed;
     Verdict verdict = told.conclusion.verdict();
@@ -278,15 +275,15 @@ public final class Diagnoser {
         verdict,
         told.conclusion.reason(),
         best.effects(),
-        new Findings(evidence, sets, weighed, told.unknown, clumping, isPartly).all(),
+        new Findings(given, sets, weighed, told.unknown, clumping, isPartly).all(),
         told.unknown,
         1 - weighed.probabilities().ofNone(),
         told.conclusion.atBound(),
         figures(weighed.gain(), blocks),
-        Budget.of(evidence, blocks, best, weighed.gain(), seed),
+        Budget.of(given, blocks, best, weighed.gain(), seed),
         told.where,
-        Undetectables.of(evidence, best, Probabilities.COST_NATS * clumping),
-        nextExperiment(evidence, sets, weighed, clumping),
+        Undetectables.of(given, best, Probabilities.COST_NATS * clumping),
+        nextExperiment(given, sets, weighed, clumping),
         best,
         inquiry.calibration.setup(),
         attempts(sets, weighed.probabilities(), Constants.own().temperature(law)),
@@ -297,10 +294,10 @@ public final class Diagnoser {
 
   /** For the first tie: what would tell the two apart. */
   private static Optional<NextExperiment> nextExperiment(
-      Evidence evidence, List<Scored> sets, Weighed weighed, double clumping) {
+      CalibratedLog given, List<Scored> sets, Weighed weighed, double clumping) {
     Hypothesis best = weighed.taken().hypothesis();
     for (Effect effect : best.effects()) {
-      for (Effect other : weighed.inPlaceOf(effect, TIE_NATS * clumping)) {
+      for (Effect other : weighed.tiesOf(effect, TIE_NATS * clumping)) {
         List<Effect> rival = new ArrayList<>(best.without(effect).effects());
         rival.add(other);
         Optional<Hypothesis> found =
@@ -309,7 +306,7 @@ public final class Diagnoser {
                 .filter(set -> Set.copyOf(set.effects()).equals(Set.copyOf(rival)))
                 .findFirst();
         if (found.isPresent()) {
-          return Experiments.separate(evidence, best, found.get());
+          return Experiments.separate(given, best, found.get());
         }
       }
     }
@@ -351,7 +348,7 @@ public final class Diagnoser {
 
   /** What is said of each effect. */
   private record Findings(
-      Evidence evidence,
+      CalibratedLog given,
       List<Scored> sets,
       Weighed weighed,
       double unknown,
@@ -365,7 +362,7 @@ public final class Diagnoser {
       if (isPartly) {
         best.effects().forEach(effect -> probability.put(effect, Constants.own().namedRightly()));
       }
-      double[] deviations = new Uncertainty(evidence, clumping).deviations(best);
+      double[] deviations = new Uncertainty(given, clumping).deviations(best);
       List<EffectFinding> findings = new ArrayList<>();
       for (Effect effect : Definitions.effects()) {
         findings.add(
@@ -402,7 +399,7 @@ public final class Diagnoser {
           probability,
           Optional.of(form.name()),
           fitted(form, best.valuesOf(at), own),
-          isPartly ? List.of() : weighed.inPlaceOf(effect, TIE_NATS * clumping));
+          isPartly ? List.of() : weighed.tiesOf(effect, TIE_NATS * clumping));
     }
 
     /** Of an effect that is not in the explanation: its values when it is fitted alone. */
@@ -416,7 +413,7 @@ public final class Diagnoser {
           isPartly
               ? List.of()
               : weighed.taken().hypothesis().effects().stream()
-                  .filter(in -> weighed.inPlaceOf(in, TIE_NATS * clumping).contains(effect))
+                  .filter(in -> weighed.tiesOf(in, TIE_NATS * clumping).contains(effect))
                   .toList();
       return new EffectFinding(
           effect,

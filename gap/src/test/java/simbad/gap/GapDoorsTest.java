@@ -5,7 +5,7 @@ import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.gap.calibrate.level.LevelCalibration;
 import simbad.gap.diagnosis.Interval;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.gap.score.Scored;
@@ -16,8 +16,8 @@ import simbad.sonar.effect.Form;
 
 /** NaN comes in by no public constructor and by no factory: what is made is made of numbers. */
 class GapDoorsTest {
-  private static Evidence evidence() {
-    return Worlds.evidence(Worlds.read(Worlds.poses(50, 0.3, 2.2, 9), Hypothesis.NONE, 10));
+  private static CalibratedLog given() {
+    return Worlds.given(Worlds.read(Worlds.poses(50, 0.3, 2.2, 9), Hypothesis.NONE, 10));
   }
 
   @Test
@@ -31,7 +31,7 @@ class GapDoorsTest {
             .with(Hypothesis.class, Hypothesis.NONE)
             .with(Interval.class, new Interval(0, 1))
             .with(Scored.class, new Scored(Hypothesis.NONE, -1, -1))
-            .with(Evidence.class, evidence());
+            .with(CalibratedLog.class, given());
     // A ping may have no place on an axis, and NaN says so there.
     DoorWalk.refusesNan(LevelCalibration.class, samples, 35, "gap.calibrate.level.Along.of(");
   }

@@ -1,5 +1,7 @@
 package simbad.motion;
 
+import simbad.sonar.check.Checks;
+
 /**
  * What a tracker reports of a robot.
  *
@@ -8,6 +10,13 @@ package simbad.motion;
  * @param headingRad by which the tracker's heading is turned
  */
 public record Capture(double forwardM, double leftM, double headingRad) {
+  /** Checks the figures. */
+  public Capture {
+    Checks.finite("forwardM", forwardM);
+    Checks.finite("leftM", leftM);
+    Checks.finite("headingRad", headingRad);
+  }
+
   /** The centre and the heading itself. */
   public static final Capture CENTRE = new Capture(0, 0, 0);
 

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.function.ToDoubleFunction;
+import simbad.sonar.check.Checks;
 
 /**
  * Which sizes of commands a log has, so that a fit starts where something can show. All are
@@ -15,6 +16,13 @@ import java.util.function.ToDoubleFunction;
  */
 @SuppressWarnings("ArrayRecordComponent") // Numbers, never compared.
 public record CommandUse(double[] speeds, double[] turns, double[] rims) {
+  /** Checks that all are numbers. */
+  public CommandUse {
+    Checks.numbers("speeds", speeds);
+    Checks.numbers("turns", turns);
+    Checks.numbers("rims", rims);
+  }
+
   /** Commands that differ by less are the same. */
   private static final double SAME = 1e-6;
 
@@ -30,6 +38,7 @@ public record CommandUse(double[] speeds, double[] turns, double[] rims) {
    * @param wheelBaseM between the wheels, 0 without wheels
    */
   public static CommandUse of(List<MotionRun> runs, double wheelBaseM) {
+    Checks.notNegative("wheelBaseM", wheelBaseM);
     double[] lefts = sizes(runs, c -> c.speedMPerS() - c.turnRadPerS() * wheelBaseM / 2);
     double[] rights = sizes(runs, c -> c.speedMPerS() + c.turnRadPerS() * wheelBaseM / 2);
     double[] both = Arrays.copyOf(lefts, lefts.length + rights.length);

@@ -1,5 +1,7 @@
 package simbad.motion;
 
+import simbad.sonar.check.Checks;
+
 /**
  * How a pose lies to one before it, in the frame of that one.
  *
@@ -8,6 +10,13 @@ package simbad.motion;
  * @param turnRad counter-clockwise
  */
 public record Displacement(double alongM, double acrossM, double turnRad) {
+  /** Checks that all are numbers. */
+  public Displacement {
+    Checks.number("alongM", alongM);
+    Checks.number("acrossM", acrossM);
+    Checks.number("turnRad", turnRad);
+  }
+
   /**
    * Returns how the second pose lies to the first.
    *

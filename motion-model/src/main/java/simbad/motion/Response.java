@@ -1,5 +1,7 @@
 package simbad.motion;
 
+import simbad.sonar.check.Checks;
+
 /**
  * How speeds follow what is commanded. Neutral figures follow at once.
  *
@@ -21,24 +23,11 @@ public record Response(
 
   /** Checks the figures. */
   public Response {
-    if (!(speedTimeConstantS >= 0 && turnTimeConstantS >= 0 && brakingFactor > 0)) {
-      throw new IllegalArgumentException(
-          "time constants = "
-              + speedTimeConstantS
-              + ", "
-              + turnTimeConstantS
-              + " s, braking "
-              + brakingFactor
-              + ": expected at least 0 s and a factor above 0");
-    }
-    if (!(maxAccelerationMPerS2 > 0 && maxTurnAccelerationRadPerS2 > 0)) {
-      throw new IllegalArgumentException(
-          "accelerations = "
-              + maxAccelerationMPerS2
-              + ", "
-              + maxTurnAccelerationRadPerS2
-              + " are not above 0");
-    }
+    Checks.notNegative("speedTimeConstantS", speedTimeConstantS);
+    Checks.notNegative("turnTimeConstantS", turnTimeConstantS);
+    Checks.positive("brakingFactor", brakingFactor);
+    Checks.positiveOrInfinite("maxAccelerationMPerS2", maxAccelerationMPerS2);
+    Checks.positiveOrInfinite("maxTurnAccelerationRadPerS2", maxTurnAccelerationRadPerS2);
   }
 
   /**
@@ -71,6 +60,15 @@ public record Response(
    */
   public record Rate(
       double share, double kept, double brakingShare, double brakingKept, double most) {
+    /** Checks that all are numbers. */
+    public Rate {
+      Checks.number("share", share);
+      Checks.number("kept", kept);
+      Checks.number("brakingShare", brakingShare);
+      Checks.number("brakingKept", brakingKept);
+      Checks.number("most", most);
+    }
+
     private static Rate of(double constantS, double braking, double most, double stepS) {
       double share = share(stepS, constantS);
       double falls = share(stepS, constantS * braking);

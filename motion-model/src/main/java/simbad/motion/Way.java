@@ -1,5 +1,7 @@
 package simbad.motion;
 
+import simbad.sonar.check.Checks;
+
 /**
  * The way that a robot goes by a model through a run: the whole run's poses on a grid of 20 ms,
  * computed once; displacements between any two times are then read off.
@@ -54,6 +56,7 @@ public final class Way {
    * @param toS where it ends, not before fromS
    */
   public static Way of(MotionRun run, MotionChain chain, double fromS, double toS) {
+    Checks.atLeast("toS", toS, Checks.finite("fromS", fromS));
     int size = (int) Math.ceil((toS - fromS) / STEP_S) + 2;
     Way way = new Way(fromS, size, chain.capture());
     Stages stages = Stages.of(chain);

@@ -12,6 +12,7 @@ import javax.media.j3d.Shape3D;
 import javax.media.j3d.TransparencyAttributes;
 import javax.media.j3d.TriangleArray;
 import javax.vecmath.Color3f;
+import simbad.sonar.check.Checks;
 import simbad.sonar.shape.DetectionShadow;
 
 /**
@@ -31,7 +32,7 @@ public class ShadowShape extends Shape3D {
    * @param heightM of the prism that stands on the floor, metres, positive
    */
   public ShadowShape(DetectionShadow shadow, double heightM) {
-    super(geometry(shadow, heightM), appearance());
+    super(geometry(shadow, Checks.positive("heightM", heightM)), appearance());
   }
 
   /** Creates the shape of a type's shadow, as high as its body. */

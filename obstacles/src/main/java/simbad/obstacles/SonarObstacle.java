@@ -12,6 +12,7 @@ import simbad.scene3d.FloorEdge;
 import simbad.sim.BlockWorldObject;
 import simbad.sim.StaticObject;
 import simbad.sim.World;
+import simbad.sonar.check.Checks;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.TableDetection;
@@ -44,7 +45,7 @@ public class SonarObstacle extends BlockWorldObject {
     this.type = type;
     reachM = type.outline().reachM(0, 0);
     translateTo(new Vector3d(position));
-    rotateY(turnRad);
+    rotateY(Checks.finite("turnRad", turnRad));
   }
 
   /** Returns what it is. */

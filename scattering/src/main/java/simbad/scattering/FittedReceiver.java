@@ -1,6 +1,7 @@
 package simbad.scattering;
 
 import java.util.List;
+import simbad.sonar.check.Checks;
 import simbad.sonar.level.Air;
 
 /**
@@ -39,9 +40,7 @@ public record FittedReceiver(Receiver receiver, double spreadDb) {
 
   /** Checks the spread. */
   public FittedReceiver {
-    if (!(spreadDb >= 0 && spreadDb < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException("spreadDb = " + spreadDb + " is not in [0, infinity)");
-    }
+    Checks.notNegative("spreadDb", spreadDb);
   }
 
   /**

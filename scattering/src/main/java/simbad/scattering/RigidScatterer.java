@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.ejml.data.ZMatrixRMaj;
 import org.ejml.dense.row.decompose.lu.LUDecompositionAlt_ZDRM;
+import simbad.sonar.check.Checks;
 import simbad.sonar.shape.Outline;
 
 /**
@@ -50,6 +51,8 @@ public final class RigidScatterer {
    *     less
    */
   public static RigidScatterer of(List<Outline> outlines, double wavenumberPerM, double elementM) {
+    Checks.positive("wavenumberPerM", wavenumberPerM);
+    Checks.positive("elementM", elementM);
     return of(outlines, wavenumberPerM, elementM, Formulation.BURTON_MILLER);
   }
 

@@ -6,6 +6,7 @@ import java.util.Set;
 import javax.media.j3d.BranchGroup;
 import javax.media.j3d.Node;
 import javax.vecmath.Color3f;
+import simbad.sonar.check.Checks;
 import simbad.sonar.sensing.Readings;
 import simbad.sonar.sensing.TransducerPoses;
 
@@ -20,7 +21,12 @@ public final class Beams implements Animated {
    * @param color colour of a beam without echo
    * @param halfAngleRad half angle of the cones, in (0, pi]; empty for thin rays
    */
-  public record Style(Color3f color, OptionalDouble halfAngleRad) {}
+  public record Style(Color3f color, OptionalDouble halfAngleRad) {
+    /** Checks the angle. */
+    public Style {
+      halfAngleRad.ifPresent(angle -> Checks.within("halfAngleRad", angle, 0, Math.PI));
+    }
+  }
 
   private final BranchGroup group = new BranchGroup();
   private final SceneBeam[] beams;
@@ -37,6 +43,7 @@ public final class Beams implements Animated {
    * @param readings what the sensor hears; followed, not copied
    */
   public Beams(Style style, TransducerPoses inSensor, double[] idleM, Readings readings) {
+    Checks.numbers("idleM", idleM);
     this.readings = readings;
     BeamLook idle = BeamLook.idle(style);
     BeamLook hit = BeamLook.hit(style);

@@ -14,6 +14,7 @@ import javax.vecmath.Matrix3d;
 import org.jspecify.annotations.Nullable;
 import simbad.kernel.drawing.Stage;
 import simbad.kernel.run.Pacer;
+import simbad.sonar.check.Checks;
 
 /**
  * A scene in a canvas. A thread of its own copies what has changed up to 60 times a second: faster
@@ -46,7 +47,7 @@ public final class DisplayScene {
    * @throws DisplayException if Java 3D cannot draw here
    */
   public DisplayScene(Stage stage, double sideM, Backdrop backdrop, StepHold hold) {
-    universe = CanvasUniverse.open(sideM);
+    universe = CanvasUniverse.open(Checks.positive("sideM", sideM));
     this.hold = hold;
     this.backdrop = backdrop;
     universe.add(Illumination.lights(stage));

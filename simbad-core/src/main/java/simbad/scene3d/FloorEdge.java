@@ -7,6 +7,7 @@ import javax.media.j3d.LineStripArray;
 import javax.media.j3d.Node;
 import javax.media.j3d.Shape3D;
 import javax.vecmath.Point3d;
+import simbad.sonar.check.Checks;
 
 /** The edge of a detection shadow as a line on the floor. */
 public final class FloorEdge implements Animated {
@@ -26,6 +27,8 @@ public final class FloorEdge implements Animated {
    * @param zM as many
    */
   public FloorEdge(double[] xM, double[] zM) {
+    Checks.numbers("xM", xM);
+    Checks.numbers("zM", zM);
     int count = xM.length + 1;
     LineStripArray line = new LineStripArray(count, GeometryArray.COORDINATES, new int[] {count});
     for (int i = 0; i < count; i++) {

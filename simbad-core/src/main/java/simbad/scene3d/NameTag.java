@@ -6,6 +6,7 @@ import javax.media.j3d.TransformGroup;
 import javax.vecmath.Matrix3d;
 import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
+import simbad.sonar.check.Checks;
 
 /** An agent's name beside it, upright in the picture and equally large at any distance. */
 public final class NameTag implements Animated {
@@ -38,7 +39,7 @@ public final class NameTag implements Animated {
    */
   public NameTag(String name, Figure figure, double reachM) {
     this.figure = figure;
-    this.reachM = reachM;
+    this.reachM = Checks.number("reachM", reachM);
     pose.setCapability(TransformGroup.ALLOW_TRANSFORM_WRITE);
     pose.addChild(TagShape.of(name));
     curtain = new Curtain(pose);

@@ -10,6 +10,7 @@ import javax.media.j3d.LineStripArray;
 import javax.media.j3d.Shape3D;
 import javax.media.j3d.Transform3D;
 import javax.vecmath.Vector3d;
+import simbad.sonar.check.Checks;
 
 /**
  * A line on the floor where an agent has been. It knows what it saw: an agent that jumps, or that
@@ -56,8 +57,8 @@ public final class Trail implements Animated {
   public Trail(Figure figure, IntSupplier counter, double belowM, double spacingM) {
     this.figure = figure;
     this.counter = counter;
-    this.belowM = belowM;
-    points = new TrailPoints(CAPACITY, spacingM);
+    this.belowM = Checks.number("belowM", belowM);
+    points = new TrailPoints(CAPACITY, Checks.notNegative("spacingM", spacingM));
     line.setCapability(GeometryArray.ALLOW_COORDINATE_WRITE);
     line.setCapability(GeometryArray.ALLOW_COUNT_WRITE);
     Shape3D shape = new Shape3D(line, ink.appearance());

@@ -137,9 +137,7 @@ class LookTest {
   void coloursAndLamps_outOfRange_areRefused() {
     checkRefused("red = 1.5 is not in [0, 1]", () -> new Rgb(1.5f, 0, 0));
     checkRefused("blue = NaN is not in [0, 1]", () -> new Rgb(0, 0, Float.NaN));
-    checkRefused(
-        "position = (0.0, NaN, 0.0) is not finite",
-        () -> new PointLight(0, Double.NaN, 0, Rgb.WHITE));
+    checkRefused("yM = NaN is not finite", () -> new PointLight(0, Double.NaN, 0, Rgb.WHITE));
     assertEquals(new Rgb(0, 1, 0), Rgb.nearest(Float.NaN, 7, -1));
   }
 

@@ -1,6 +1,7 @@
 package simbad.bench.board;
 
 import java.util.Optional;
+import simbad.sonar.check.Checks;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
@@ -25,17 +26,9 @@ public record BenchScene(
 
   /** Checks that the numbers are finite, and the distance not below 0. */
   public BenchScene {
-    if (!(distanceM >= 0 && distanceM < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException("distanceM = " + distanceM + " is not in [0, infinity)");
-    }
-    requireFinite("offsetM", offsetM);
-    requireFinite("clockwiseRad", clockwiseRad);
-  }
-
-  private static void requireFinite(String name, double value) {
-    if (!(Math.abs(value) < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException(name + " = " + value + " is not finite");
-    }
+    Checks.notNegative("distanceM", distanceM);
+    Checks.finite("offsetM", offsetM);
+    Checks.finite("clockwiseRad", clockwiseRad);
   }
 
   /** Returns it as the sonar model takes it. */

@@ -1,6 +1,7 @@
 package simbad.bench.board;
 
 import java.util.Locale;
+import simbad.sonar.check.Checks;
 
 /**
  * One thing that the simulated board is told; firmware-pic18/gpsim/commands.h lists them.
@@ -30,10 +31,7 @@ public record BoardOrder(String text) {
    * @param temperatureC degrees Celsius, at least -273
    */
   public static BoardOrder temperature(double temperatureC) {
-    if (!(temperatureC >= -273 && temperatureC < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException(
-          "temperatureC = " + temperatureC + " is not in [-273, infinity)");
-    }
+    Checks.atLeast("temperatureC", temperatureC, -273);
     return new BoardOrder("temperature " + decimal(temperatureC));
   }
 
@@ -112,9 +110,7 @@ public record BoardOrder(String text) {
   }
 
   private static BoardOrder number(String order, String name, double value) {
-    if (!(value >= 0 && value < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException(name + " = " + value + " is not in [0, infinity)");
-    }
+    Checks.notNegative(name, value);
     return new BoardOrder(order + " " + decimal(value));
   }
 

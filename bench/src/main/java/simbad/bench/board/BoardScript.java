@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import simbad.sonar.check.Checks;
 import simbad.sonar.format.CsvTable;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TextFile;
@@ -30,7 +31,13 @@ public record BoardScript(List<Row> rows) {
    * @param temperatureC of the air, degrees Celsius
    * @param event what befalls the board
    */
-  public record Row(double timeS, BenchScene bench, double temperatureC, BoardEvent event) {}
+  public record Row(double timeS, BenchScene bench, double temperatureC, BoardEvent event) {
+    /** Checks the time and the temperature. */
+    public Row {
+      Checks.notNegative("timeS", timeS);
+      Checks.atLeast("temperatureC", temperatureC, -273);
+    }
+  }
 
   /** Finds the obstacle of a name. */
   @FunctionalInterface

@@ -1,6 +1,7 @@
 package simbad.bench.board;
 
 import java.nio.file.Path;
+import simbad.sonar.check.Checks;
 
 /**
  * How a simulated board runs.
@@ -12,9 +13,7 @@ import java.nio.file.Path;
 public record BoardSetup(Path link, double pace) {
   /** Checks the pace, and makes the path absolute. */
   public BoardSetup {
-    if (!(pace >= 0 && pace < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException("pace = " + pace + " is not in [0, infinity)");
-    }
+    Checks.notNegative("pace", pace);
     link = link.toAbsolutePath();
   }
 }

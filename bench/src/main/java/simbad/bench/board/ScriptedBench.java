@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.random.RandomGenerator;
+import simbad.sonar.check.Checks;
 import simbad.sonar.model.SensorModel;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.sensing.Readings;
@@ -50,7 +51,7 @@ public final class ScriptedBench implements BoardWorld {
     this.model = model;
     this.spec = ofBoard(spec);
     this.random = random;
-    this.endS = endS;
+    this.endS = Checks.number("endS", endS);
     pose.setPosition(0, 0, spec.mountHeightM(), 0);
     pose.setDirection(0, 1, 0, 0);
     sensor = bind(0);

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
 import simbad.bench.protocol.FirmwareMode;
+import simbad.sonar.check.Checks;
 import simbad.sonar.format.DataFormatException;
 
 /**
@@ -27,8 +28,9 @@ public record CaptureSettings(
   private static final Set<String> OWN =
       Set.of(FORMAT, TEMPERATURE, "bearings", "pings", "misses", "step_m", "near_m", "far_m");
 
-  /** Copies what stands there, in its order. */
+  /** Checks the temperature and copies what stands there, in its order. */
   public CaptureSettings {
+    Checks.finite("temperatureC", temperatureC);
     origin = new LinkedHashMap<>(origin);
   }
 

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import simbad.bench.protocol.PingStatus;
+import simbad.sonar.check.Checks;
 
 /** What a journal tells. */
 public sealed interface Entry {
@@ -42,6 +43,12 @@ public sealed interface Entry {
       OptionalInt echoUs,
       OptionalDouble temperatureC)
       implements Entry {
+    /** Checks the time and the temperature. */
+    public Taken {
+      Checks.finite("timeS", timeS);
+      Checks.finite("temperatureC", temperatureC);
+    }
+
     /** Tells whether something answered. */
     public boolean isHeard() {
       return status == PingStatus.ECHO || status == PingStatus.TOO_NEAR;
@@ -75,7 +82,12 @@ public sealed interface Entry {
    * @param timeS since the epoch, seconds
    * @param text for people
    */
-  record Note(double timeS, String text) implements Entry {}
+  record Note(double timeS, String text) implements Entry {
+    /** Checks the time. */
+    public Note {
+      Checks.finite("timeS", timeS);
+    }
+  }
 
   /** Kind and fields of its line. */
   default JournalLine line(long number) {

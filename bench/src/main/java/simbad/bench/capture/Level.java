@@ -1,5 +1,7 @@
 package simbad.bench.capture;
 
+import simbad.sonar.check.Checks;
+
 /**
  * What was heard at one distance.
  *
@@ -9,8 +11,9 @@ package simbad.bench.capture;
  * @param pings how many there were
  */
 public record Level(double distanceM, Approach approach, int heard, int pings) {
-  /** Checks the counts. */
+  /** Checks the distance and the counts. */
   public Level {
+    Checks.notNegative("distanceM", distanceM);
     if (heard < 0 || heard > pings) {
       throw new IllegalArgumentException("heard = " + heard + " is not in [0, " + pings + "]");
     }

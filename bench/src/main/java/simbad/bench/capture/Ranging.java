@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.ThesisLine;
+import simbad.sonar.check.Checks;
 
 /**
  * Makes distances of times: the one place for the speed of sound and the step of the clock. Numbers
@@ -27,9 +28,7 @@ public record Ranging(double temperatureC, FirmwareMode mode) {
 
   /** Checks the temperature. */
   public Ranging {
-    if (!(temperatureC >= COLDEST_C && temperatureC <= WARMEST_C)) {
-      throw new IllegalArgumentException("temperatureC = " + temperatureC + " is not in [-50, 80]");
-    }
+    Checks.within("temperatureC", temperatureC, COLDEST_C, WARMEST_C);
   }
 
   /** Takes a temperature that may not be known. */

@@ -10,6 +10,7 @@ import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
 import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.FrameLine;
+import simbad.sonar.check.Checks;
 
 /**
  * Writes what happens to the journal and keeps the state that follows from it. A reading is written
@@ -41,7 +42,7 @@ public final class Recorder implements Closeable {
     this.journal = journal;
     this.state = state;
     this.clock = clock;
-    this.temperatureC = temperatureC;
+    this.temperatureC = Checks.finite("temperatureC", temperatureC);
   }
 
   /** Returns how far the sweep has come; changes with each entry that is on the disk. */

@@ -5,6 +5,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import simbad.bench.protocol.FrameLine;
 import simbad.bench.protocol.PingStatus;
+import simbad.sonar.check.Checks;
 
 /**
  * Where the surface of the obstacle can be, given where its axis is: what a reading and a distance
@@ -22,9 +23,7 @@ public record Surface(double reachM, Ranging ranging) {
 
   /** Checks the reach. */
   public Surface {
-    if (!(reachM >= 0 && reachM < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException("reachM = " + reachM + " is not in [0, infinity)");
-    }
+    Checks.notNegative("reachM", reachM);
   }
 
   /**

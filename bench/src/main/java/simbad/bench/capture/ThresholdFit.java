@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import simbad.sonar.check.Checks;
 
 /**
  * The threshold that levels speak for: where the chance of an echo is half of what it is near by,
@@ -19,6 +20,15 @@ import java.util.OptionalDouble;
  */
 public record ThresholdFit(
     double thresholdM, double lowM, double highM, double outM, double inM, int pings) {
+  /** Checks that all are numbers. */
+  public ThresholdFit {
+    Checks.number("thresholdM", thresholdM);
+    Checks.number("lowM", lowM);
+    Checks.number("highM", highM);
+    Checks.number("outM", outM);
+    Checks.number("inM", inM);
+  }
+
   private static final double GRID_M = 0.001;
   private static final double[] WIDTHS_M = {0.001, 0.002, 0.004, 0.008, 0.012, 0.02, 0.03, 0.05};
 

@@ -1,5 +1,7 @@
 package simbad.bench.capture;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A distance that is to be tried.
  *
@@ -9,8 +11,6 @@ package simbad.bench.capture;
 public record TriedDistance(double distanceM, Approach approach) {
   /** Checks the distance. */
   public TriedDistance {
-    if (!(distanceM > 0 && distanceM < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException("distanceM = " + distanceM + " is not in (0, infinity)");
-    }
+    Checks.positive("distanceM", distanceM);
   }
 }

@@ -13,7 +13,7 @@ import simbad.sonar.sensing.TransducerPoses;
  * own. A run starts with the first ping.
  */
 final class DiagnosedSensor implements Sensor {
-  private final DiagnosedModel model;
+  private final ChangedModel model;
   private final List<String> labels;
   private final RandomGenerator random;
   private final TruePose pose = new TruePose();
@@ -27,7 +27,7 @@ final class DiagnosedSensor implements Sensor {
    * @param labels of the transducers, in their order; those beyond the last have none
    * @param random source of chance
    */
-  DiagnosedSensor(DiagnosedModel model, List<String> labels, RandomGenerator random) {
+  DiagnosedSensor(ChangedModel model, List<String> labels, RandomGenerator random) {
     this.model = model;
     this.labels = List.copyOf(labels);
     this.random = random;

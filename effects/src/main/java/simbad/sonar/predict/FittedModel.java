@@ -70,7 +70,7 @@ public record FittedModel(
 
   /** Returns all changes, the calibration's first. */
   public List<Change> changes() {
-    return DiagnosedModel.changes(changes(calibration), changes(effects));
+    return ChangedModel.changes(changes(calibration), changes(effects));
   }
 
   private static List<Change> changes(List<FittedForm> forms) {
@@ -87,13 +87,13 @@ public record FittedModel(
   }
 
   /** Returns the model with its effects. */
-  public DiagnosedModel diagnosed() {
-    return new DiagnosedModel(setup, changes());
+  public ChangedModel diagnosed() {
+    return new ChangedModel(setup, changes());
   }
 
   /** Returns the model without its effects: calibrated only. */
-  public DiagnosedModel calibrated() {
-    return new DiagnosedModel(setup, changes(calibration));
+  public ChangedModel calibrated() {
+    return new ChangedModel(setup, changes(calibration));
   }
 
   /**
@@ -109,6 +109,6 @@ public record FittedModel(
     // A robot that reckons its way wrongly hears from where it is all the same.
     List<Change> heard =
         changes().stream().filter(change -> !(change instanceof Reckoning)).toList();
-    return new DiagnosedSensor(new DiagnosedModel(there, heard), sensors, random);
+    return new DiagnosedSensor(new ChangedModel(there, heard), sensors, random);
   }
 }

@@ -28,7 +28,7 @@ final class Forecast {
   /** The least share that is worth a part in a distribution, which is asked for quantiles. */
   private static final double TOLD = 1e-5;
 
-  private final DiagnosedModel model;
+  private final ChangedModel model;
   private final PingLog log;
   private final PingModel pings;
   private final Memory memory;
@@ -44,7 +44,7 @@ final class Forecast {
   private final double[] nextNothing = new double[2];
   private int slots;
 
-  Forecast(DiagnosedModel model, Geometry geometry) {
+  Forecast(ChangedModel model, Geometry geometry) {
     this.model = model;
     log = geometry.log();
     pings = model.pings(geometry);

@@ -5,8 +5,9 @@ import simbad.sonar.change.Burst;
 import simbad.sonar.change.StaleReading;
 
 /**
- * How probable each state of what readings do not show is: whether the sensor is in a burst, and
- * how often the reading before was repeated already.
+ * What the hidden-state filter of {@link Likelihood} knows: how probable each state of what
+ * readings do not show is: whether the sensor is in a burst, and how often the reading before was
+ * repeated already.
  *
  * <p>In slot 0 the ping before read nothing that could be repeated; in slot 1 + n its reading had
  * been repeated n times, so that slot 1 is a true echo.

@@ -6,8 +6,9 @@ import simbad.sonar.ping.Mixture;
 import simbad.sonar.ping.PingLog;
 
 /**
- * How probable each reading is, given the readings before it: a filter over what is not read, the
- * state of a burst, how often a reading was already repeated, and where it came from.
+ * How probable each reading is, given the readings before it: a hidden-state filter (the forward
+ * algorithm of a hidden Markov model) over what is not read, the state of a burst, how often a
+ * reading was already repeated, and where it came from.
  */
 final class Likelihood {
   /** A reading that no part explains came from where it says. */
@@ -18,7 +19,7 @@ final class Likelihood {
   /** Of so many parts at most, the likeliest, a reading may have come. */
   private static final int SOURCES = 4;
 
-  private final DiagnosedModel model;
+  private final ChangedModel model;
   private final PingLog log;
   private final PingModel pings;
   private final Memory memory;
@@ -40,7 +41,7 @@ final class Likelihood {
   private HiddenState state = new HiddenState();
   private HiddenState next = new HiddenState();
 
-  Likelihood(DiagnosedModel model, Geometry geometry) {
+  Likelihood(ChangedModel model, Geometry geometry) {
     this.model = model;
     log = geometry.log();
     pings = model.pings(geometry);

@@ -7,7 +7,7 @@ import simbad.sonar.ping.Mixture;
 
 /** What one transducer remembers of the pings before, and what it reads of the next. */
 final class Recollection {
-  private final DiagnosedModel model;
+  private final ChangedModel model;
   private final Memory memory;
   private final PingModel pings;
   private final Mixture mixture = new Mixture();
@@ -30,7 +30,7 @@ final class Recollection {
    * @param model what is read
    * @param pings the model's pings, shared with other transducers
    */
-  Recollection(DiagnosedModel model, PingModel pings) {
+  Recollection(ChangedModel model, PingModel pings) {
     this.model = model;
     this.pings = pings;
     memory = model.memory();

@@ -21,7 +21,7 @@ final class Transducer {
    * @param track where it really is
    * @param startS time of the first ping, seconds
    */
-  Transducer(int index, DiagnosedModel model, PingModel pings, PoseTrack track, double startS) {
+  Transducer(int index, ChangedModel model, PingModel pings, PoseTrack track, double startS) {
     this.index = index;
     this.pings = pings;
     this.track = track;

@@ -34,7 +34,7 @@ import simbad.sonar.model.LevelModel;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.PingLog;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 import simbad.sonar.predict.FittedModel;
 import simbad.sonar.predict.ModelFile;
 import simbad.sonar.scene.Obstacle;
@@ -82,7 +82,7 @@ class LevelFormsTest {
   private static ReadingDistribution forecast(double distanceM, double pastDeg, Change... effects) {
     List<Change> changes = new ArrayList<>(List.of(stated()));
     changes.addAll(Arrays.asList(effects));
-    DiagnosedModel model = new DiagnosedModel(SETUP, changes);
+    ChangedModel model = new ChangedModel(SETUP, changes);
     return model.forecast(model.geometry(new PingLog(row(distanceM, pastDeg)))).get(0);
   }
 
@@ -222,7 +222,7 @@ class LevelFormsTest {
 
   private static double[] likelihood(FittedModel model) {
     double[] into = new double[1];
-    DiagnosedModel diagnosed = model.calibrated();
+    ChangedModel diagnosed = model.calibrated();
     diagnosed.likelihood(diagnosed.geometry(new PingLog(row(1.4, 5))), into);
     return into;
   }

@@ -56,7 +56,7 @@ class EffectDetailsTest {
   @ParameterizedTest
   @ValueSource(doubles = {0.1, 0.2, 0.05, 0.01})
   void wholeSteps_areReportedAsTheyAre(double stepM) {
-    DiagnosedModel model = new DiagnosedModel(setup(stepM, Scenes.of()), List.of());
+    ChangedModel model = new ChangedModel(setup(stepM, Scenes.of()), List.of());
     for (int steps = 0; steps < 60; steps++) {
       assertEquals(steps * stepM, model.reportedM(steps * stepM), 1e-9);
       assertEquals(steps * stepM, model.reportedM((steps + 0.5) * stepM), 1e-9);
@@ -80,7 +80,7 @@ class EffectDetailsTest {
 
   private static double nearestOffAxis(Pose pose) {
     PingLog log = new PingLog(List.of(Logs.row(0, pose, Logs.SILENCE)));
-    return new DiagnosedModel(BOX, List.of()).geometry(log).nearestOffAxisRad(0);
+    return new ChangedModel(BOX, List.of()).geometry(log).nearestOffAxisRad(0);
   }
 
   /** From 0.625 m by 0.15 m a ping; at 1.125 m, 0.6 m from where it began, round again. */
@@ -106,7 +106,7 @@ class EffectDetailsTest {
     Mixture before = new Mixture();
     before.add(0.6, 0.02, 1);
     PingLog log = new PingLog(List.of(Logs.row(0, Pose.of(0, 0, 0), Logs.SILENCE)));
-    Moment moment = new Moment(new DiagnosedModel(EMPTY, List.of()).geometry(log));
+    Moment moment = new Moment(new ChangedModel(EMPTY, List.of()).geometry(log));
     moment.set(0, before);
     new NearerByPrevious(0.25, 0.5, 0.5, 0.1, 0.01).apply(moment, mixture);
     assertEquals(2, mixture.size());
@@ -162,7 +162,7 @@ class EffectDetailsTest {
   }
 
   private static double[] poses(List<ReadingRow> rows, Change one, Change other) {
-    DiagnosedModel model = new DiagnosedModel(BOX, List.of(one, other));
+    ChangedModel model = new ChangedModel(BOX, List.of(one, other));
     Geometry geometry = model.geometry(new PingLog(rows));
     double[] values = new double[3 * rows.size()];
     for (int i = 0; i < rows.size(); i++) {

@@ -59,7 +59,7 @@ public final class Logs {
   public static double[] likelihood(
       SensingSetup setup, List<ReadingRow> rows, List<? extends Change> changes) {
     PingLog log = new PingLog(rows);
-    DiagnosedModel model = new DiagnosedModel(setup, changes);
+    ChangedModel model = new ChangedModel(setup, changes);
     double[] probability = new double[log.size()];
     model.likelihood(model.geometry(log), probability);
     return probability;
@@ -67,7 +67,7 @@ public final class Logs {
 
   public static List<ReadingDistribution> forecast(
       SensingSetup setup, List<ReadingRow> rows, List<? extends Change> changes) {
-    DiagnosedModel model = new DiagnosedModel(setup, changes);
+    ChangedModel model = new ChangedModel(setup, changes);
     return model.forecast(model.geometry(new PingLog(rows)));
   }
 

@@ -289,6 +289,6 @@ class MemoryTest {
   @Test
   void memoryOfOneKind_twice_isRefused() {
     List<Change> twice = List.of(new Hysteresis(0.9, 1), new Gain(1.1), new Hysteresis(1, 1.1));
-    Refusal.check(() -> new DiagnosedModel(SETUP, twice), "Hysteresis", "at most one");
+    Refusal.check(() -> new ChangedModel(SETUP, twice), "Hysteresis", "at most one");
   }
 }

@@ -74,8 +74,8 @@ class RangesOfAPingTest {
   void drift_ofALiveSensor_beginsWithItsRun() {
     SensingSetup sharp =
         new SensingSetup(Sonars.noisy(0.001, 0, 0, 0), Scenes.of(Scenes.box(1, 0, 1.2)), 6.5);
-    DiagnosedModel model =
-        new DiagnosedModel(sharp, List.of(new RangeDrift(0.005, 0, Double.POSITIVE_INFINITY)));
+    ChangedModel model =
+        new ChangedModel(sharp, List.of(new RangeDrift(0.005, 0, Double.POSITIVE_INFINITY)));
     Sensor sensor = new DiagnosedSensor(model, List.of("sonar"), new Random(1));
     Readings readings = new Readings(1);
     TransducerPoses poses = new TransducerPoses(1);

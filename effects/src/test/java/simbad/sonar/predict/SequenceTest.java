@@ -118,8 +118,8 @@ class SequenceTest {
     PingLog log = new PingLog(List.of());
     assertEquals(0, log.size());
     assertTrue(
-        new DiagnosedModel(SETUP, List.of())
-            .forecast(new DiagnosedModel(SETUP, List.of()).geometry(log))
+        new ChangedModel(SETUP, List.of())
+            .forecast(new ChangedModel(SETUP, List.of()).geometry(log))
             .isEmpty());
   }
 

@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import simbad.experiments.run.EdgeKept;
 import simbad.experiments.run.SensorKind;
+import simbad.sonar.check.Checks;
 import simbad.sonar.format.DataFormatException;
 
 /**
@@ -47,7 +48,13 @@ public record BatchSurvey(long runs, long wrongRuns, List<Group> groups, List<Wr
       long unclosed,
       long lost,
       OptionalDouble meanCm,
-      OptionalDouble maxCm) {}
+      OptionalDouble maxCm) {
+    /** Checks the errors. */
+    public Group {
+      Checks.number("meanCm", meanCm);
+      Checks.number("maxCm", maxCm);
+    }
+  }
 
   /**
    * A run that went wrong.

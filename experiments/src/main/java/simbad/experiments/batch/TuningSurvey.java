@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
+import simbad.sonar.check.Checks;
 import simbad.sonar.format.CsvTable;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TextFile;
@@ -36,6 +37,14 @@ public record TuningSurvey(List<Setting> settings, int leftOut, List<String> ave
    */
   public record Setting(
       String sensor, double along, double curve, double errorCm, double timeS, int runs) {
+    /** Checks that all are numbers. */
+    public Setting {
+      Checks.number("along", along);
+      Checks.number("curve", curve);
+      Checks.number("errorCm", errorCm);
+      Checks.number("timeS", timeS);
+    }
+
     private boolean isSameAs(Setting other) {
       return sensor.equals(other.sensor) && along == other.along && curve == other.curve;
     }

@@ -16,6 +16,7 @@ import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.session.SteadyRanger;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
+import simbad.sonar.check.Checks;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TemporaryFolder;
 import simbad.sonar.frame.Pose;
@@ -40,6 +41,11 @@ public final class SimulatedBench implements AutoCloseable {
    * @param temperatureC of the air, degrees Celsius
    */
   public record Setup(ObstacleType obstacle, SensorModel model, long seed, double temperatureC) {
+    /** Checks the temperature. */
+    public Setup {
+      Checks.atLeast("temperatureC", temperatureC, -273);
+    }
+
     /** Returns the same where so many pings are there already: chance does not begin again. */
     public Setup after(long pings) {
       return new Setup(obstacle, model, seed + pings, temperatureC);

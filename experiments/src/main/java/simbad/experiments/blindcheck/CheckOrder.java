@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import simbad.sonar.check.Checks;
 
 /**
  * What a withheld check was asked for. Two checks of equal order have equal results.
@@ -28,8 +29,9 @@ public record CheckOrder(String version, Source source, List<String> withheld) {
    */
   public record Drawn(int cases, long seed, double referenceShare, List<String> options)
       implements Source {
-    /** Copies the list. */
+    /** Checks the share and copies the list. */
     public Drawn {
+      Checks.share("referenceShare", referenceShare);
       options = List.copyOf(options);
     }
 

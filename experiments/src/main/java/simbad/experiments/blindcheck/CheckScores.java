@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import simbad.sonar.check.Checks;
 import simbad.sonar.format.DataFormatException;
 
 /**
@@ -117,7 +118,14 @@ public record CheckScores(ObjectNode document) {
   }
 
   /** A figure with its 95 % interval and what it was counted from. */
-  public record Estimate(double value, double low, double high, String counted) {}
+  public record Estimate(double value, double low, double high, String counted) {
+    /** Checks that all are numbers. */
+    public Estimate {
+      Checks.number("value", value);
+      Checks.number("low", low);
+      Checks.number("high", high);
+    }
+  }
 
   /** All figures, part by part, the whole before its parts. */
   public List<Figures> figures() {

@@ -9,6 +9,7 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import simbad.experiments.blindcheck.CheckScores.Estimate;
 import simbad.experiments.blindcheck.CheckScores.Figures;
+import simbad.sonar.check.Checks;
 
 /**
  * One line of the scoring table.
@@ -26,6 +27,10 @@ public record Measure(
     Unit unit,
     OptionalDouble reach,
     Function<Figures, Optional<Estimate>> of) {
+  /** Checks what is to be reached. */
+  public Measure {
+    Checks.number("reach", reach);
+  }
 
   /** How a figure is written, and whether more of it is better. */
   public enum Unit {

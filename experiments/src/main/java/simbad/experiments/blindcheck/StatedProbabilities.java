@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import simbad.experiments.blindcheck.CheckScores.Estimate;
+import simbad.sonar.check.Checks;
 
 /**
  * Stated probabilities against what was so.
@@ -18,7 +19,15 @@ public record StatedProbabilities(
     int claims, Optional<Estimate> error, Optional<Estimate> betterBy, List<Bin> bins) {
 
   /** Claims of like probability: what they state in the mean, and how many were so. */
-  public record Bin(double stated, int hits, int of, double share, double low, double high) {}
+  public record Bin(double stated, int hits, int of, double share, double low, double high) {
+    /** Checks that all are numbers. */
+    public Bin {
+      Checks.number("stated", stated);
+      Checks.number("share", share);
+      Checks.number("low", low);
+      Checks.number("high", high);
+    }
+  }
 
   static StatedProbabilities of(JsonNode json) {
     int claims = json.path("n").asInt();

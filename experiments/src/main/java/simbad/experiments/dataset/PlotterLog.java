@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import simbad.sonar.check.Checks;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
@@ -46,7 +47,15 @@ public final class PlotterLog {
    * @param backdropMm from the plane to a board behind; empty where there is none
    */
   public record Setup(
-      double ballXMm, double ballYMm, double distanceMm, OptionalDouble backdropMm) {}
+      double ballXMm, double ballYMm, double distanceMm, OptionalDouble backdropMm) {
+    /** Checks that all are finite. */
+    public Setup {
+      Checks.finite("ballXMm", ballXMm);
+      Checks.finite("ballYMm", ballYMm);
+      Checks.finite("distanceMm", distanceMm);
+      Checks.finite("backdropMm", backdropMm);
+    }
+  }
 
   /**
    * Converts a log.

@@ -11,7 +11,7 @@ import simbad.gap.diagnosis.ForecastGap;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.PingLog;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -33,7 +33,7 @@ public final class Predictions {
   public static String text(
       SensingSetup setup, List<? extends Change> changes, List<ReadingRow> rows) {
     PingLog log = new PingLog(rows);
-    DiagnosedModel model = new DiagnosedModel(setup, changes);
+    ChangedModel model = new ChangedModel(setup, changes);
     List<ReadingDistribution> forecasts = model.forecast(model.geometry(log));
     String[] lines = new String[rows.size()];
     IntStream.range(0, lines.length)

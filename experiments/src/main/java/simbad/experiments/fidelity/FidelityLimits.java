@@ -1,5 +1,7 @@
 package simbad.experiments.fidelity;
 
+import simbad.sonar.check.Checks;
+
 /**
  * What a sensor model has to reach to pass for faithful to a table.
  *
@@ -18,10 +20,7 @@ public record FidelityLimits(
 
   /** Checks every figure. */
   public FidelityLimits {
-    if (!(leastAgreement >= 0 && leastAgreement <= 1)) {
-      throw new IllegalArgumentException(
-          "leastAgreement = " + leastAgreement + " is not in [0, 1]");
-    }
+    Checks.share("leastAgreement", leastAgreement);
     if (!(greatestRadialMeanM >= 0 && greatestLateralMeanM >= 0 && mostUnreached >= 0)) {
       throw new IllegalArgumentException(
           "limits "

@@ -4,6 +4,7 @@ import java.util.List;
 import simbad.experiments.run.Neighbour;
 import simbad.experiments.run.SensorKind;
 import simbad.obstacles.ObstacleType;
+import simbad.sonar.check.Checks;
 import simbad.sonar.scene.SonarSpec;
 
 /**
@@ -34,14 +35,8 @@ public record FleetSetup(
     if (mostSteps < 1) {
       throw new IllegalArgumentException("mostSteps = " + mostSteps + " is not at least 1");
     }
-    positive("mostMPerS", mostMPerS);
-    positive("mostRadPerS", mostRadPerS);
-    positive("noEchoM", noEchoM);
-  }
-
-  private static void positive(String name, double value) {
-    if (!(value > 0 && value < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException(name + " = " + value + " is not in (0, infinity)");
-    }
+    Checks.positive("mostMPerS", mostMPerS);
+    Checks.positive("mostRadPerS", mostRadPerS);
+    Checks.positive("noEchoM", noEchoM);
   }
 }

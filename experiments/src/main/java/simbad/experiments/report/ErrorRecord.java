@@ -5,6 +5,7 @@ import java.util.OptionalDouble;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.Trace;
 import simbad.experiments.run.TraceErrors;
+import simbad.sonar.check.Checks;
 
 /**
  * One row of errors.csv and errors.json: centimetres, seconds, fractions; null where there is none.
@@ -30,6 +31,22 @@ public record ErrorRecord(
     @JsonProperty("closed") boolean closed,
     @JsonProperty("steps") int steps,
     @JsonProperty("simulated_s") double simulatedS) {
+  /** Checks that all are numbers, where there are any. */
+  public ErrorRecord {
+    Checks.finite("meanAbsCm", meanAbsCm);
+    Checks.finite("rmsCm", rmsCm);
+    Checks.finite("maxAbsCm", maxAbsCm);
+    Checks.finite("medianAbsCm", medianAbsCm);
+    Checks.finite("lateralMeanCm", lateralMeanCm);
+    Checks.finite("lateralP95Cm", lateralP95Cm);
+    Checks.finite("lateralMaxCm", lateralMaxCm);
+    Checks.finite("edgeKept", edgeKept);
+    Checks.finite("edgeToTraceMeanCm", edgeToTraceMeanCm);
+    Checks.finite("edgeToTraceMaxCm", edgeToTraceMaxCm);
+    Checks.finite("reductionVsOriginal", reductionVsOriginal);
+    Checks.finite("mapAgreement", mapAgreement);
+    Checks.finite("simulatedS", simulatedS);
+  }
 
   private static final double CM = 100;
 

@@ -2,6 +2,7 @@ package simbad.experiments.run;
 
 import java.util.ArrayList;
 import java.util.List;
+import simbad.sonar.check.Checks;
 
 /**
  * A piece of a shadow's edge, in the sense of rising bearings.
@@ -11,6 +12,12 @@ import java.util.List;
  * @param lengthM of the edge in it, metres
  */
 public record Arc(double fromRad, double toRad, double lengthM) {
+  /** Checks that all are finite. */
+  public Arc {
+    Checks.finite("fromRad", fromRad);
+    Checks.finite("toRad", toRad);
+    Checks.notNegative("lengthM", lengthM);
+  }
 
   /** The whole runs of pieces that are not near the trace, in the order of their bearings. */
   static List<Arc> far(List<EdgePiece> pieces, double[] distanceM) {

@@ -8,6 +8,7 @@ import simbad.obstacles.ObstacleType;
 import simbad.obstacles.SonarObstacle;
 import simbad.sim.EnvironmentDescription;
 import simbad.sim.RangeSensorBelt;
+import simbad.sonar.check.Checks;
 import simbad.sonar.frame.Angles;
 import simbad.sonar.frame.Point;
 import simbad.sonar.frame.Pose;
@@ -25,6 +26,11 @@ import simbad.sonar.shape.DetectionShadow;
  * @param agreement over all places and headings, in [0, 1]
  */
 public record DetectionMap(ShareGrid disagreement, double agreement) {
+  /** Checks the agreement. */
+  public DetectionMap {
+    Checks.share("agreement", agreement);
+  }
+
   /** Places along each side of the square. */
   public static final int CELLS = 81;
 

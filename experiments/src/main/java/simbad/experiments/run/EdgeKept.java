@@ -2,6 +2,7 @@ package simbad.experiments.run;
 
 import java.util.List;
 import java.util.OptionalDouble;
+import simbad.sonar.check.Checks;
 import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.ThresholdTable;
 
@@ -25,8 +26,11 @@ public record EdgeKept(
   /** A robot that kept less than this share of an edge did not keep it. */
   public static final double LEAST_SHARE = 0.95;
 
-  /** Copies the list. */
+  /** Checks the figures and copies the list. */
   public EdgeKept {
+    share.ifPresent(kept -> Checks.share("share", kept));
+    meanM.ifPresent(mean -> Checks.notNegative("meanM", mean));
+    maxM.ifPresent(most -> Checks.notNegative("maxM", most));
     skipped = List.copyOf(skipped);
   }
 

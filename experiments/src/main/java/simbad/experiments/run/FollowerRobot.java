@@ -6,6 +6,7 @@ import simbad.experiments.control.Controller;
 import simbad.sim.Agent;
 import simbad.sim.KinematicModel;
 import simbad.sim.RangeSensorBelt;
+import simbad.sonar.check.Checks;
 import simbad.sonar.frame.Pose;
 
 /**
@@ -34,6 +35,7 @@ public final class FollowerRobot extends Agent {
   public FollowerRobot(
       Pose start, RangeSensorBelt belt, double mountHeightM, Controller controller) {
     super(new Vector3d(start.position().xM(), 0, start.position().zM()), "robot");
+    Checks.finite("mountHeightM", mountHeightM);
     radius = RADIUS_M;
     height = HEIGHT_M;
     this.belt = belt;

@@ -3,6 +3,7 @@ package simbad.experiments.run;
 import java.util.List;
 import java.util.OptionalDouble;
 import simbad.obstacles.ObstacleType;
+import simbad.sonar.check.Checks;
 import simbad.sonar.effect.FittedForm;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.scene.Obstacle;
@@ -27,6 +28,10 @@ public record RunResult(
     TraceErrors errors,
     DetectionMap map,
     OptionalDouble reductionVsOriginal) {
+  /** Checks the reduction. */
+  public RunResult {
+    Checks.number("reductionVsOriginal", reductionVsOriginal);
+  }
 
   /** Tells whether there is an edge, and the robot found it: else lateral errors mean nothing. */
   public boolean hasLateralErrors() {

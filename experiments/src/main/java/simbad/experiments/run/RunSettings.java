@@ -3,6 +3,7 @@ package simbad.experiments.run;
 import java.util.List;
 import java.util.Optional;
 import simbad.obstacles.ObstacleType;
+import simbad.sonar.check.Checks;
 import simbad.sonar.frame.Point;
 import simbad.sonar.scene.SonarSpec;
 
@@ -36,10 +37,7 @@ public record RunSettings(
     obstacles = List.copyOf(obstacles);
     sensors = List.copyOf(sensors);
     requireSpeed(speedMPerS);
-    if (!(waitS >= 0 && waitS <= MOST_WAIT_S)) {
-      throw new IllegalArgumentException(
-          "waitS = " + waitS + " is not in [0, " + MOST_WAIT_S + "]");
-    }
+    Checks.within("waitS", waitS, 0, MOST_WAIT_S);
   }
 
   /** Of a robot that never waits, and whose readings are not kept. */

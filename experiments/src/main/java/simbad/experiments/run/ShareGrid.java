@@ -22,9 +22,7 @@ public record ShareGrid(int cells, double halfWidthM, List<Double> shares) {
           shares.size() + " shares do not fill " + cells + " x " + cells + " cells");
     }
     for (double share : shares) {
-      if (!(share >= 0 && share <= 1)) {
-        throw new IllegalArgumentException("share = " + share + " is not in [0, 1]");
-      }
+      Checks.share("share", share);
     }
   }
 

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
+import simbad.sonar.check.Checks;
 import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.ThresholdTable;
 
@@ -30,8 +31,11 @@ public record TraceErrors(
 
   private static final double SHARE_OF_P95 = 0.95;
 
-  /** Copies the list. */
+  /** Checks the figures and copies the list. */
   public TraceErrors {
+    Checks.notNegative("lateralMeanM", lateralMeanM);
+    Checks.notNegative("lateralP95M", lateralP95M);
+    Checks.notNegative("lateralMaxM", lateralMaxM);
     radialM = List.copyOf(radialM);
   }
 

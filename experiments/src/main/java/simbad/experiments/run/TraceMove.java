@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
+import simbad.sonar.check.Checks;
 import simbad.sonar.shape.ThresholdTable;
 
 /**
@@ -24,6 +25,12 @@ public record TraceMove(RunResult result, String against, Radii radii) {
    * @param bearings how many were reached by both, at least 1
    */
   public record Radii(double meanM, double againstM, int bearings) {
+    /** Checks the distances. */
+    public Radii {
+      Checks.notNegative("meanM", meanM);
+      Checks.notNegative("againstM", againstM);
+    }
+
     static Optional<Radii> of(OptionalDouble[] mine, OptionalDouble[] theirs) {
       double sum = 0;
       double against = 0;

@@ -7,6 +7,7 @@ import java.util.function.ToDoubleBiFunction;
 import java.util.random.RandomGenerator;
 import java.util.stream.IntStream;
 import simbad.gap.diagnosis.Interval;
+import simbad.sonar.check.Checks;
 import simbad.sonar.shape.ThresholdTable;
 
 /**
@@ -48,6 +49,13 @@ public record TableComparison(
    * @param secondM threshold in the second
    */
   public record Row(double bearingDeg, double firstM, double secondM) {
+    /** Checks that all are finite. */
+    public Row {
+      Checks.finite("bearingDeg", bearingDeg);
+      Checks.finite("firstM", firstM);
+      Checks.finite("secondM", secondM);
+    }
+
     /** Returns second less first in metres. */
     public double differenceM() {
       return secondM - firstM;
@@ -62,10 +70,20 @@ public record TableComparison(
    * @param mirrored whether bearing b is taken from -b before
    * @param correlation of the logarithms then
    */
-  public record Placement(double rotationDeg, boolean mirrored, double correlation) {}
+  public record Placement(double rotationDeg, boolean mirrored, double correlation) {
+    /** Checks the angle and the correlation. */
+    public Placement {
+      Checks.finite("rotationDeg", rotationDeg);
+      Checks.number("correlation", correlation);
+    }
+  }
 
-  /** Copies the list. */
+  /** Checks that all are numbers and copies the list. */
   public TableComparison {
+    Checks.number("correlation", correlation);
+    Checks.number("medianRatioError", medianRatioError);
+    Checks.number("meanDifferenceM", meanDifferenceM);
+    Checks.number("meanAbsoluteDifferenceM", meanAbsoluteDifferenceM);
     bearings = List.copyOf(bearings);
   }
 

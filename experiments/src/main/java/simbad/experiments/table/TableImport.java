@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import simbad.sonar.check.Checks;
 import simbad.sonar.format.CsvTable;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TableDocument;
@@ -29,6 +30,11 @@ public record TableImport(
     Optional<Unit> unit,
     boolean clockwise,
     double offsetDeg) {
+  /** Checks the offset. */
+  public TableImport {
+    Checks.finite("offsetDeg", offsetDeg);
+  }
+
   /** Units of length. */
   public enum Unit {
     /** Metres. */

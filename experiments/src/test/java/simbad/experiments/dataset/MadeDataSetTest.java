@@ -49,7 +49,7 @@ class MadeDataSetTest {
       double threshold =
           table.thresholdM(angle.worldFromObstacle().bearingRad(place.xM(), place.zM()));
       double beyond = Math.hypot(place.xM(), place.zM()) - threshold;
-      assertEquals(0, row.pose().offAxisAngleOf(new Point(0, 0)).radians(), 1e-9);
+      assertEquals(0, row.pose().offAxisRad(new Point(0, 0)), 1e-9);
       if (Math.abs(beyond) > 0.2) {
         wrong += row.reading() instanceof Echo == beyond < 0 ? 0 : 1;
       }

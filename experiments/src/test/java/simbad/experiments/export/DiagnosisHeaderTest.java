@@ -24,7 +24,7 @@ import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.PingLog;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 import simbad.sonar.predict.FittedModel;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
@@ -81,7 +81,7 @@ class DiagnosisHeaderTest {
               Pose.of(pose[0] / 1000.0, pose[1] / 1000.0, heading),
               NoEcho.NO_ECHO));
     }
-    DiagnosedModel model = fitted.diagnosed();
+    ChangedModel model = fitted.diagnosed();
     List<ReadingDistribution> forecast = model.forecast(model.geometry(new PingLog(rows)));
     return forecast.stream()
         .mapToDouble(one -> one.noEchoProbability() > 0.5 ? -1 : one.quantileM(0.5, NO_ECHO_M))

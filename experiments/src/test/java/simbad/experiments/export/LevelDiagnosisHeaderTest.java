@@ -27,7 +27,7 @@ import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 import simbad.sonar.predict.FittedModel;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
@@ -165,7 +165,7 @@ class LevelDiagnosisHeaderTest {
     List<int[]> poses = HeaderPoses.all(2.9, 3);
     List<String> lines = readInC(header, compiler, poses);
     IntegerDiagnosis whole = header.diagnosisInIntegers();
-    DiagnosedModel diagnosed = model.diagnosed();
+    ChangedModel diagnosed = model.diagnosed();
     Geometry geometry = diagnosed.geometry(new PingLog(rows(poses)));
     List<ReadingDistribution> forecast = diagnosed.forecast(geometry);
     int echoes = 0;

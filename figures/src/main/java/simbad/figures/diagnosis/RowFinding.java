@@ -1,6 +1,7 @@
 package simbad.figures.diagnosis;
 
 import java.util.OptionalDouble;
+import simbad.sonar.check.Checks;
 
 /**
  * A row of a data set under the simulator as it is and under the diagnosed one.
@@ -23,6 +24,14 @@ public record RowFinding(
     double speedMPerS,
     Fit before,
     Fit after) {
+  /** Checks that all are finite. */
+  public RowFinding {
+    Checks.finite("bearingDeg", bearingDeg);
+    Checks.finite("distanceM", distanceM);
+    Checks.finite("offAxisDeg", offAxisDeg);
+    Checks.finite("timeS", timeS);
+    Checks.finite("speedMPerS", speedMPerS);
+  }
 
   /**
    * How a forecast fits the row's reading.
@@ -32,5 +41,12 @@ public record RowFinding(
    * @param residualCm the reading less the median of the expected echoes, centimetres; empty where
    *     no echo was read or none expected
    */
-  public record Fit(double gapCm, double pit, OptionalDouble residualCm) {}
+  public record Fit(double gapCm, double pit, OptionalDouble residualCm) {
+    /** Checks that all are numbers. */
+    public Fit {
+      Checks.number("gapCm", gapCm);
+      Checks.number("pit", pit);
+      Checks.number("residualCm", residualCm);
+    }
+  }
 }

@@ -12,7 +12,7 @@ import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.Reading;
 import simbad.sonar.sensing.ReadingRow;
@@ -39,8 +39,8 @@ public final class RowSurvey {
   public static List<RowFinding> of(
       DataSet data, List<? extends Change> changes, RandomGenerator random) {
     PingLog log = new PingLog(data.readings());
-    DiagnosedModel nominal = new DiagnosedModel(data.setup(), List.of());
-    DiagnosedModel diagnosed = new DiagnosedModel(data.setup(), changes);
+    ChangedModel nominal = new ChangedModel(data.setup(), List.of());
+    ChangedModel diagnosed = new ChangedModel(data.setup(), changes);
     Geometry believed = nominal.geometry(log);
     List<ReadingDistribution> before = nominal.forecast(believed);
     List<ReadingDistribution> after = diagnosed.forecast(diagnosed.geometry(log));

@@ -3,6 +3,7 @@ package simbad.figures.page;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
+import simbad.sonar.check.Checks;
 
 /**
  * A linear axis from round number to round number.
@@ -12,6 +13,13 @@ import java.util.List;
  * @param step between its ticks: 1, 2 or 5 times a power of ten
  */
 public record AxisScale(double low, double high, double step) implements ChartAxis {
+  /** Checks the ends and the step. */
+  public AxisScale {
+    Checks.finite("low", low);
+    Checks.above("high", high, low);
+    Checks.positive("step", step);
+  }
+
   private static final double[] ROUND = {1, 2, 5, 10};
 
   /**
@@ -22,6 +30,8 @@ public record AxisScale(double low, double high, double step) implements ChartAx
    * @param ticks about how many there shall be
    */
   public static AxisScale over(double low, double high, int ticks) {
+    Checks.finite("low", low);
+    Checks.finite("high", high);
     double step = roundStep((high - low) / ticks);
     double from = Math.floor(low / step + 1e-9) * step;
     double to = Math.ceil(high / step - 1e-9) * step;

@@ -1,6 +1,7 @@
 package simbad.figures.page;
 
 import simbad.figures.page.Svg.Spot;
+import simbad.sonar.check.Checks;
 
 /** The frame of a graph in a drawing: two axes, and where values lie in it. */
 public final class Graph {
@@ -26,6 +27,14 @@ public final class Graph {
    * @param height downward
    */
   public record Frame(double left, double top, double width, double height) {
+    /** Checks that all are finite. */
+    public Frame {
+      Checks.finite("left", left);
+      Checks.finite("top", top);
+      Checks.finite("width", width);
+      Checks.finite("height", height);
+    }
+
     /** Returns its right side. */
     public double right() {
       return left + width;

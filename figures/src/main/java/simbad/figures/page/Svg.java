@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import simbad.figures.markup.Corners;
 import simbad.figures.markup.Markup;
+import simbad.sonar.check.Checks;
 
 /**
  * A drawing in a page: shapes get their colours from the page's style sheet by class. What a shape
@@ -40,7 +41,13 @@ public final class Svg {
    * @param x to the right
    * @param y downward
    */
-  public record Spot(double x, double y) {}
+  public record Spot(double x, double y) {
+    /** Checks that both are finite. */
+    public Spot {
+      Checks.finite("x", x);
+      Checks.finite("y", y);
+    }
+  }
 
   /**
    * Says something of the drawing to the page's script.

@@ -44,6 +44,8 @@ public record BeamPlot(
       throw new IllegalArgumentException(
           offAxisDeg.size() + " angles and " + sensitivityDb.size() + " sensitivities");
     }
+    Checks.numbers("offAxisDeg", offAxisDeg);
+    Checks.numbers("sensitivityDb", sensitivityDb);
     Checks.notNegative("coneHalfAngleDeg", coneHalfAngleDeg);
   }
 

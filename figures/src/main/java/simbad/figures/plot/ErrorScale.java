@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import simbad.sonar.check.Checks;
 
 /**
  * The error axis, in centimetres.
@@ -14,6 +15,12 @@ import java.util.stream.Stream;
  * @param isClamped whether errors below the bottom are drawn on it
  */
 public record ErrorScale(boolean isLog, double bottomCm, double topCm, boolean isClamped) {
+  /** Checks the ends. */
+  public ErrorScale {
+    Checks.finite("bottomCm", bottomCm);
+    Checks.atLeast("topCm", topCm, bottomCm);
+  }
+
   /** A tenth of a millimetre: what lies below is nought to any sonar. */
   private static final double LEAST_LOG_CM = 0.01;
 
@@ -31,6 +38,7 @@ public record ErrorScale(boolean isLog, double bottomCm, double topCm, boolean i
    * @param errorsCm at least 0
    */
   public static ErrorScale of(double... errorsCm) {
+    Checks.numbers("errorsCm", errorsCm);
     double largest = DoubleStream.of(errorsCm).max().orElse(0);
     double least = DoubleStream.of(errorsCm).filter(e -> e > 0).min().orElse(largest);
     double bottom = Math.max(LEAST_LOG_CM, least);

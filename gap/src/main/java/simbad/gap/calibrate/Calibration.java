@@ -6,7 +6,7 @@ import simbad.definition.Effect;
 import simbad.gap.calibrate.level.Leeway;
 import simbad.gap.calibrate.level.LevelCalibration;
 import simbad.gap.calibrate.level.LevelCalibrator;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
@@ -33,7 +33,7 @@ public final class Calibration implements SetupDoubt {
   /** What an effect must gain beside a set-up that is fitted to the log as well. */
   private static final double SUPERFLUOUS_NATS = 15;
 
-  private final Optional<Evidence> reference;
+  private final Optional<CalibratedLog> reference;
   private final Hypothesis setup;
   private final double clumping;
   private final double rangeClumping;
@@ -54,7 +54,7 @@ public final class Calibration implements SetupDoubt {
   }
 
   private Calibration(
-      Optional<Evidence> reference,
+      Optional<CalibratedLog> reference,
       Hypothesis setup,
       Optional<ModelError> heldOut,
       Optional<Leeway> leeway) {
@@ -62,7 +62,7 @@ public final class Calibration implements SetupDoubt {
     this.setup = setup;
     this.heldOut = heldOut;
     this.leeway = leeway;
-    Optional<Surprise> surprise = reference.map(evidence -> new Surprise(evidence, setup));
+    Optional<Surprise> surprise = reference.map(given -> new Surprise(given, setup));
     // Where rows were held out, they say more, and all evidence is divided by it already.
     clumping = heldOut.isPresent() ? 1 : surprise.map(Clumping::ofEchoes).orElse(1.0);
     rangeClumping = heldOut.isPresent() ? 1 : surprise.map(Clumping::ofRanges).orElse(1.0);
@@ -83,8 +83,8 @@ public final class Calibration implements SetupDoubt {
       Form law = LevelForms.law(setup);
       believed = believed.and(law, law.neutral());
     }
-    Evidence evidence = new Evidence(setup, believed.changes(), log);
-    return new Calibration(believed, PlacementScatter.clumping(evidence, new Placements(log)));
+    CalibratedLog given = new CalibratedLog(setup, believed.changes(), log);
+    return new Calibration(believed, PlacementScatter.clumping(given, new Placements(log)));
   }
 
   /**
@@ -105,24 +105,24 @@ public final class Calibration implements SetupDoubt {
   }
 
   private static Calibration ofThreshold(SensingSetup setup, PingLog reference) {
-    Evidence evidence = new Evidence(setup, List.of(), reference);
-    Calibrator calibrator = new Calibrator(new Fitter(evidence, Fold.ALL), setup);
+    CalibratedLog given = new CalibratedLog(setup, List.of(), reference);
+    Calibrator calibrator = new Calibrator(new Fitter(given, Fold.ALL), setup);
     return new Calibration(
-        Optional.of(evidence), calibrator.fit(), Optional.empty(), Optional.empty());
+        Optional.of(given), calibrator.fit(), Optional.empty(), Optional.empty());
   }
 
   private static Calibration ofLevel(SensingSetup setup, PingLog reference, ModelError error) {
-    Evidence evidence =
-        new Evidence(setup, List.of(), reference).divided(error.echoes(), error.ranges());
+    CalibratedLog given =
+        new CalibratedLog(setup, List.of(), reference).divided(error.echoes(), error.ranges());
     LevelCalibration fitted = new LevelCalibrator(setup, reference).fit(Fold.ALL);
     Leeway leeway = fitted.leeway(error.excessDb(), error.rangeM());
     return new Calibration(
-        Optional.of(evidence), fitted.setup(), Optional.of(error), Optional.of(leeway));
+        Optional.of(given), fitted.setup(), Optional.of(error), Optional.of(leeway));
   }
 
   /** Returns the set-up as the simulator believes it, under the law that was taken. */
   public SensingSetup believed(SensingSetup stated) {
-    return reference.map(Evidence::setup).orElse(stated);
+    return reference.map(CalibratedLog::setup).orElse(stated);
   }
 
   /** Returns by which law the set-up hears. */
@@ -132,8 +132,8 @@ public final class Calibration implements SetupDoubt {
   }
 
   /** Returns a log before this set-up, its evidence divided by what the set-up is off by. */
-  public Evidence evidence(SensingSetup stated, PingLog log) {
-    Evidence plain = new Evidence(believed(stated), setup.changes(), log);
+  public CalibratedLog given(SensingSetup stated, PingLog log) {
+    CalibratedLog plain = new CalibratedLog(believed(stated), setup.changes(), log);
     return heldOut.map(error -> plain.divided(error.echoes(), error.ranges())).orElse(plain);
   }
 
@@ -141,22 +141,22 @@ public final class Calibration implements SetupDoubt {
    * Returns by how many nats a log would be likelier if the set-up moved as far as its reference
    * leaves open; 0 under the threshold rule.
    *
-   * @param evidence of the log
+   * @param given of the log
    * @param hypothesis that stays as it is
    */
-  public double leewayNats(Evidence evidence, Hypothesis hypothesis) {
-    return leeway.map(open -> leewayNats(open, evidence, hypothesis)).orElse(0.0);
+  public double leewayNats(CalibratedLog given, Hypothesis hypothesis) {
+    return leeway.map(open -> leewayNats(open, given, hypothesis)).orElse(0.0);
   }
 
-  private static double leewayNats(Leeway open, Evidence evidence, Hypothesis hypothesis) {
-    SetupMove move = new SetupMove(open, evidence, hypothesis);
+  private static double leewayNats(Leeway open, CalibratedLog given, Hypothesis hypothesis) {
+    SetupMove move = new SetupMove(open, given, hypothesis);
     return move.nats(move.levels());
   }
 
   /** A log before a set-up whose levels have moved to where they and it are likeliest together. */
-  private static Evidence settled(Leeway open, Evidence evidence) {
-    Leeway.Moved levels = new SetupMove(open, evidence, Hypothesis.NONE).levels();
-    return evidence.calibrated(new LevelShift(levels.shiftsDb()).and(evidence.calibration()));
+  private static CalibratedLog settled(Leeway open, CalibratedLog given) {
+    Leeway.Moved levels = new SetupMove(open, given, Hypothesis.NONE).levels();
+    return given.calibrated(new LevelShift(levels.shiftsDb()).and(given.calibration()));
   }
 
   /**
@@ -164,13 +164,13 @@ public final class Calibration implements SetupDoubt {
    * most probable together. Under the level law only while nothing is explained: its levels move
    * within the search already.
    *
-   * @param evidence of the log
+   * @param given of the log
    * @param explanation that stays as it is
    */
-  public Evidence opened(Evidence evidence, Hypothesis explanation) {
+  public CalibratedLog opened(CalibratedLog given, Hypothesis explanation) {
     return leeway
-        .map(open -> explanation.forms().isEmpty() ? settled(open, evidence) : evidence)
-        .orElseGet(() -> loosened(evidence, explanation));
+        .map(open -> explanation.forms().isEmpty() ? settled(open, given) : given)
+        .orElseGet(() -> loosened(given, explanation));
   }
 
   @Override
@@ -241,7 +241,7 @@ public final class Calibration implements SetupDoubt {
    * @param explanation of the log
    * @return this if nothing of it belongs to the set-up
    */
-  public Calibration with(Evidence log, Hypothesis explanation) {
+  public Calibration with(CalibratedLog log, Hypothesis explanation) {
     if (reference.isEmpty() || explanation.forms().isEmpty()) {
       return this;
     }
@@ -263,13 +263,13 @@ public final class Calibration implements SetupDoubt {
    * Whether a log's gap is more than its reference leaves open. A law of many strengths that moved
    * so far would take up anything, and the gap would be gone from sight.
    */
-  private static boolean isFarOff(Evidence log) {
+  private static boolean isFarOff(CalibratedLog log) {
     return GapGain.of(log, new Blocks(log.log()), Hypothesis.NONE).leavesMuch();
   }
 
   /** Whether a set-up that fits reference and log together makes an effect superfluous. */
-  private Calibration rivalled(Evidence log, Hypothesis explanation) {
-    Evidence raw = log.calibrated(List.of());
+  private Calibration rivalled(CalibratedLog log, Hypothesis explanation) {
+    CalibratedLog raw = log.calibrated(List.of());
     Rival whole = rival(raw, explanation);
     for (Effect effect : explanation.effects()) {
       Rival less = rival(raw, explanation.without(effect));
@@ -283,18 +283,18 @@ public final class Calibration implements SetupDoubt {
   /** A set-up fitted to reference and log together, and how well it fits. */
   private record Rival(Hypothesis setup, double nats) {}
 
-  private Rival rival(Evidence raw, Hypothesis effects) {
+  private Rival rival(CalibratedLog raw, Hypothesis effects) {
     if (model() == SensorLaw.Model.LEVEL) {
       return levelRival(raw, effects);
     }
     Calibrator calibrator =
         new Calibrator(new JointFitter(reference.orElseThrow(), raw, effects), raw.setup());
     Hypothesis fitted = calibrator.again(setup);
-    return new Rival(fitted, calibrator.evidence(fitted));
+    return new Rival(fitted, calibrator.given(fitted));
   }
 
-  private Rival levelRival(Evidence raw, Hypothesis effects) {
-    Evidence own = reference.orElseThrow();
+  private Rival levelRival(CalibratedLog raw, Hypothesis effects) {
+    CalibratedLog own = reference.orElseThrow();
     LevelCalibration fitted =
         new LevelCalibrator(raw.setup(), own.log()).fitWith(raw.log(), setup, effects.changes());
     Hypothesis both = fitted.setup();
@@ -311,16 +311,16 @@ public final class Calibration implements SetupDoubt {
    * Lets the set-up move as far as the reference leaves open: the places of a log are not those of
    * its reference, and what a set-up is off by is no effect.
    *
-   * @param evidence of the log, calibrated
+   * @param given of the log, calibrated
    * @param explanation that stays as it is
    * @return the log before a set-up that is fitted to it and the reference together
    */
-  Evidence loosened(Evidence evidence, Hypothesis explanation) {
+  CalibratedLog loosened(CalibratedLog given, Hypothesis explanation) {
     if (reference.isEmpty()) {
-      return evidence;
+      return given;
     }
-    Evidence raw = evidence.calibrated(List.of());
+    CalibratedLog raw = given.calibrated(List.of());
     Hypothesis loose = rival(raw, explanation).setup;
-    return evidence.calibrated(loose.changes());
+    return given.calibrated(loose.changes());
   }
 }

@@ -70,7 +70,7 @@ final class Calibrator {
   }
 
   /** Returns the likelihood of a set-up less what its waves cost by their prior. */
-  double evidence(Hypothesis setup) {
+  double given(Hypothesis setup) {
     double cost = 0;
     for (int i = 0; i < setup.forms().size(); i++) {
       if (variance > 0 && waves.contains(setup.forms().get(i))) {

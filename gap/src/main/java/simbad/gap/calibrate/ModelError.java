@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import simbad.gap.calibrate.level.LevelCalibrator;
 import simbad.gap.diagnosis.SetupError;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.score.Blocks;
@@ -65,14 +65,14 @@ public record ModelError(
     Blocks blocks = new Blocks(reference);
     double[] gap = new double[reference.size()];
     double[] expected = new double[reference.size()];
-    Surprise all = new Surprise(new Evidence(setup, List.of(), reference), Hypothesis.NONE);
+    Surprise all = new Surprise(new CalibratedLog(setup, List.of(), reference), Hypothesis.NONE);
     PlaceError places = new PlaceError(setup.scene().obstacles().size());
     for (int part = 0; part < PARTS; part++) {
       Fold out = blocks.part(part, PARTS);
       Hypothesis fitted = calibrator.fit(ping -> !out.holds(ping)).setup();
-      Evidence evidence = new Evidence(setup, fitted.changes(), reference);
-      GapMeter.Gaps gaps = new GapMeter(evidence).measure(evidence, Hypothesis.NONE);
-      Surprise surprise = new Surprise(evidence, Hypothesis.NONE);
+      CalibratedLog given = new CalibratedLog(setup, fitted.changes(), reference);
+      GapMeter.Gaps gaps = new GapMeter(given).measure(given, Hypothesis.NONE);
+      Surprise surprise = new Surprise(given, Hypothesis.NONE);
       for (int ping = 0; ping < gap.length; ping++) {
         if (out.holds(ping)) {
           gap[ping] = gaps.observedM()[ping];
@@ -80,7 +80,7 @@ public record ModelError(
           all.take(surprise, ping);
         }
       }
-      places.take(SetupScores.of(evidence, Hypothesis.NONE), out::holds);
+      places.take(SetupScores.of(given, Hypothesis.NONE), out::holds);
     }
     double echoes = Clumping.ofEchoes(all);
     double ranges = Clumping.ofRanges(all);

@@ -2,7 +2,7 @@ package simbad.gap.calibrate;
 
 import java.util.List;
 import simbad.gap.calibrate.level.LevelCalibrator;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
@@ -20,7 +20,7 @@ final class Rivals {
   private final SensingSetup setup;
   private final SensingSetup level;
   private final PingLog reference;
-  private final Evidence raw;
+  private final CalibratedLog raw;
   private final Blocks blocks;
 
   /**
@@ -33,7 +33,7 @@ final class Rivals {
     this.setup = setup;
     this.reference = reference;
     level = setup.under(SensorLaw.Model.LEVEL);
-    raw = new Evidence(setup, List.of(), reference);
+    raw = new CalibratedLog(setup, List.of(), reference);
     blocks = new Blocks(reference);
   }
 
@@ -58,7 +58,7 @@ final class Rivals {
 
   /** How well echoes are foretold; a wrong offset of ranges says nothing of how a sensor hears. */
   private double nats(SensingSetup believed, Hypothesis calibrated, Fold fold) {
-    Evidence evidence = new Evidence(believed, calibrated.changes(), reference);
-    return new Surprise(evidence, Hypothesis.NONE).echoNats(fold);
+    CalibratedLog given = new CalibratedLog(believed, calibrated.changes(), reference);
+    return new Surprise(given, Hypothesis.NONE).echoNats(fold);
   }
 }

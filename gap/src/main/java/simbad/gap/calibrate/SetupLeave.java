@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import simbad.definition.Parameter;
 import simbad.gap.calibrate.level.Leeway;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 
 /**
@@ -23,17 +23,17 @@ public final class SetupLeave {
   /** A parabola is trusted no further. */
   private static final double MOST_STEPS = 3;
 
-  private final Evidence evidence;
+  private final CalibratedLog given;
   private final Calibration calibration;
 
   /**
    * Asks a calibration.
    *
-   * @param evidence the log before it
+   * @param given the log before it
    * @param calibration of the set-up
    */
-  public SetupLeave(Evidence evidence, Calibration calibration) {
-    this.evidence = evidence;
+  public SetupLeave(CalibratedLog given, Calibration calibration) {
+    this.given = given;
     this.calibration = calibration;
   }
 
@@ -44,7 +44,7 @@ public final class SetupLeave {
 
   /** Returns the nats for a set whose values stay as they are. */
   public double nats(Hypothesis set) {
-    return calibration.leewayNats(evidence, set);
+    return calibration.leewayNats(given, set);
   }
 
   /**
@@ -104,6 +104,6 @@ public final class SetupLeave {
   }
 
   private double logLikelihood(Hypothesis set) {
-    return Arrays.stream(evidence.logLikelihood(set)).sum();
+    return Arrays.stream(given.logLikelihood(set)).sum();
   }
 }

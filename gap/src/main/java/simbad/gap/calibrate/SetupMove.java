@@ -3,7 +3,7 @@ package simbad.gap.calibrate;
 import simbad.gap.calibrate.level.Along;
 import simbad.gap.calibrate.level.EchoCurves;
 import simbad.gap.calibrate.level.Leeway;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.unexplained.Openness;
 import simbad.gap.unexplained.SetupScores;
@@ -15,7 +15,7 @@ import simbad.sonar.ping.Geometry;
  */
 public final class SetupMove {
   private final Leeway open;
-  private final Evidence evidence;
+  private final CalibratedLog given;
   private final Hypothesis hypothesis;
   private final Geometry geometry;
   private final Leeway.Pulls pulls;
@@ -25,16 +25,16 @@ public final class SetupMove {
    * Asks a log.
    *
    * @param open how far the law may move
-   * @param evidence of the log
+   * @param given of the log
    * @param hypothesis the set of effects
    */
-  public SetupMove(Leeway open, Evidence evidence, Hypothesis hypothesis) {
+  public SetupMove(Leeway open, CalibratedLog given, Hypothesis hypothesis) {
     this.open = open;
-    this.evidence = evidence;
+    this.given = given;
     this.hypothesis = hypothesis;
-    geometry = evidence.geometry(evidence.model(hypothesis));
+    geometry = given.geometry(given.model(hypothesis));
     pulls = Openness.pulls(geometry, hypothesis, open);
-    echoes = SetupScores.echoes(hypothesis, changes -> evidence.logLikelihood(changes, geometry));
+    echoes = SetupScores.echoes(hypothesis, changes -> given.logLikelihood(changes, geometry));
   }
 
   /** Returns the geometry of the log under the set of effects. */
@@ -72,7 +72,7 @@ public final class SetupMove {
     LevelShift shift = new LevelShift(levels.shiftsDb());
     double[] perMetre =
         SetupScores.perMetre(
-            hypothesis, changes -> evidence.logLikelihood(shift.and(changes), geometry));
+            hypothesis, changes -> given.logLikelihood(shift.and(changes), geometry));
     return levels.nats() + open.rangeNats(pulls, perMetre);
   }
 }

@@ -2,7 +2,7 @@ package simbad.gap.calibrate;
 
 import java.util.Arrays;
 import simbad.definition.Effect;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
@@ -25,7 +25,7 @@ final class Suspicion {
   /** What the reference leaves open is the set-up's when it shrinks the gap by less. */
   private static final double SMALL_SHARE = 0.1;
 
-  private final Evidence log;
+  private final CalibratedLog log;
   private final Hypothesis explanation;
   private final double clumping;
   private final Fitter fitter;
@@ -39,7 +39,7 @@ final class Suspicion {
    * @param explanation of the log
    * @param clumping by how much readings hang together
    */
-  Suspicion(Evidence reference, Evidence log, Hypothesis explanation, double clumping) {
+  Suspicion(CalibratedLog reference, CalibratedLog log, Hypothesis explanation, double clumping) {
     this.log = log;
     this.explanation = explanation;
     this.clumping = clumping;

@@ -11,11 +11,11 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import simbad.definition.Effect;
 import simbad.gap.diagnosis.NextExperiment;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.PingLog;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 import simbad.sonar.sensing.ReadingRow;
 
 /**
@@ -39,12 +39,12 @@ public final class Experiments {
 
   private static final String ONLY = "only:";
 
-  private final Evidence evidence;
+  private final CalibratedLog given;
   private final Hypothesis one;
   private final Hypothesis other;
 
-  private Experiments(Evidence evidence, Hypothesis one, Hypothesis other) {
-    this.evidence = evidence;
+  private Experiments(CalibratedLog given, Hypothesis one, Hypothesis other) {
+    this.given = given;
     this.one = one;
     this.other = other;
   }
@@ -55,14 +55,14 @@ public final class Experiments {
   /**
    * Chooses.
    *
-   * @param evidence the log that both explain
+   * @param given the log that both explain
    * @param one a hypothesis with its values
    * @param other a hypothesis with its values
    * @return at most 150 poses; empty where no listed manoeuvre brings more than 1 nat
    */
   public static Optional<NextExperiment> separate(
-      Evidence evidence, Hypothesis one, Hypothesis other) {
-    return new Experiments(evidence, one, other).best();
+      CalibratedLog given, Hypothesis one, Hypothesis other) {
+    return new Experiments(given, one, other).best();
   }
 
   private Optional<NextExperiment> best() {
@@ -110,16 +110,16 @@ public final class Experiments {
         Stream.concat(one.forms().stream(), other.forms().stream())
             .filter(form -> form.name().startsWith(ONLY))
             .map(form -> form.name().substring(ONLY.length()))
-            .filter(evidence.log().sensors()::contains)
+            .filter(given.log().sensors()::contains)
             .distinct()
             .toList();
     return named.isEmpty()
-        ? evidence.log().sensors().stream().findFirst().map(List::of).orElse(List.of("sonar"))
+        ? given.log().sensors().stream().findFirst().map(List::of).orElse(List.of("sonar"))
         : named;
   }
 
   private List<Trial> trials() {
-    List<Manoeuvre> manoeuvres = Manoeuvres.before(evidence.setup());
+    List<Manoeuvre> manoeuvres = Manoeuvres.before(given.setup());
     return sensors().stream().flatMap(sensor -> trials(manoeuvres, sensor).stream()).toList();
   }
 
@@ -133,8 +133,8 @@ public final class Experiments {
     List<ReadingDistribution> ones = forecast(log, one);
     List<ReadingDistribution> others = forecast(log, other);
     Look glance =
-        new Look(ones, others, new Divergence(evidence.setup(), GLANCE_STEP_M), GLANCE_PINGS);
-    Look look = new Look(ones, others, new Divergence(evidence.setup()), 1);
+        new Look(ones, others, new Divergence(given.setup(), GLANCE_STEP_M), GLANCE_PINGS);
+    Look look = new Look(ones, others, new Divergence(given.setup()), 1);
     return shortlist(glance.all(manoeuvres.size())).stream()
         .map(i -> new Trial(manoeuvres.get(i), sensor, look.at(i)))
         .toList();
@@ -181,7 +181,7 @@ public final class Experiments {
   }
 
   private List<ReadingDistribution> forecast(PingLog log, Hypothesis hypothesis) {
-    DiagnosedModel model = evidence.model(hypothesis);
+    ChangedModel model = given.model(hypothesis);
     return model.forecast(model.geometry(log));
   }
 }

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import simbad.definition.Effect;
 import simbad.gap.diagnosis.Undetectable;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
@@ -16,12 +16,12 @@ import simbad.sonar.effect.Definitions;
  * matters in practice, beside what is explained, and leave the readings as probable as they are.
  */
 public final class Undetectables {
-  private final Evidence evidence;
+  private final CalibratedLog given;
   private final Hypothesis explained;
   private final double nats;
 
-  private Undetectables(Evidence evidence, Hypothesis explained, double nats) {
-    this.evidence = evidence;
+  private Undetectables(CalibratedLog given, Hypothesis explained, double nats) {
+    this.given = given;
     this.explained = explained;
     this.nats = nats;
   }
@@ -29,14 +29,14 @@ public final class Undetectables {
   /**
    * Looks at every effect that is not explained.
    *
-   * @param evidence the log
+   * @param given the log
    * @param explained what is at work
    * @param nats by which the log likelihood of the readings falls where an effect shows
    * @return in the order of the vocabulary; a least size is a departure from neutral, of a
    *     parameter that is infinite there its value
    */
-  public static List<Undetectable> of(Evidence evidence, Hypothesis explained, double nats) {
-    Undetectables asked = new Undetectables(evidence, explained, nats);
+  public static List<Undetectable> of(CalibratedLog given, Hypothesis explained, double nats) {
+    Undetectables asked = new Undetectables(given, explained, nats);
     return Definitions.effects().stream()
         .filter(effect -> !explained.has(effect))
         .toList()
@@ -48,10 +48,10 @@ public final class Undetectables {
 
   private Optional<Undetectable> look(Effect effect) {
     List<Showing> probes =
-        Definitions.of(effect).probes(evidence.setup(), evidence.log()).stream()
+        Definitions.of(effect).probes(given.setup(), given.log()).stream()
             .map(Showing::new)
             .toList();
-    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    Fitter fitter = new Fitter(given, Fold.ALL);
     double asItIs = fitter.logLikelihood(explained);
     Showing.Fall fall =
         added ->

@@ -1,14 +1,15 @@
 package simbad.gap.diagnosis;
 
 import java.util.stream.IntStream;
+import simbad.motion.forecast.PinballLoss;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.Reading;
 
 /**
- * How far a forecast is from a reading: twice the mean pinball loss of the 19 predicted quantiles
- * q05 to q95, no-echo counted as a range. Over many rows it tends to the continuous ranked
- * probability score by quantiles (Gneiting and Raftery 2007, section 4.2).
+ * How far a forecast is from a reading, the CRPS by quantiles: twice the mean {@link PinballLoss}
+ * of the 19 predicted quantiles q05 to q95, no-echo counted as a range. Over many rows it tends to
+ * the continuous ranked probability score by quantiles (Gneiting and Raftery 2007, section 4.2).
  */
 public final class ForecastGap {
   /** How many quantiles a prediction has. */
@@ -59,7 +60,7 @@ public final class ForecastGap {
     double loss = 0;
     for (int i = 0; i < QUANTILES; i++) {
       double beyond = read - quantilesM[i];
-      loss += beyond >= 0 ? level(i) * beyond : (level(i) - 1) * beyond;
+      loss += PinballLoss.of(level(i), beyond);
     }
     return 2 * loss / QUANTILES;
   }

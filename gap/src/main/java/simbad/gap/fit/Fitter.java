@@ -16,7 +16,7 @@ import org.hipparchus.optim.nonlinear.scalar.noderiv.SimplexOptimizer;
 import simbad.definition.Parameter;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 
 /** Finds the values of a hypothesis that make the readings most probable. For one thread. */
 public class Fitter {
@@ -27,7 +27,7 @@ public class Fitter {
   private static final double FAR = 0.03;
   private static final double[] STRIDES = {-1, -0.5, -0.25, -0.1, -0.04, 0.04, 0.1, 0.25, 0.5, 1};
 
-  private final Evidence evidence;
+  private final CalibratedLog given;
   private final Fold fold;
   private final double[] row;
   private final Map<List<Change>, Geometry> geometries =
@@ -43,19 +43,19 @@ public class Fitter {
   /**
    * Creates a fitter.
    *
-   * @param evidence the log
+   * @param given the log
    * @param fold the pings that count
    */
-  public Fitter(Evidence evidence, Fold fold) {
-    this.evidence = evidence;
+  public Fitter(CalibratedLog given, Fold fold) {
+    this.given = given;
     this.fold = fold;
-    row = new double[evidence.log().size()];
+    row = new double[given.log().size()];
   }
 
   /** Returns the log likelihood of the pings that count. */
   public double logLikelihood(Hypothesis hypothesis) {
-    DiagnosedModel model = evidence.model(hypothesis);
-    evidence.logLikelihood(model, geometry(model), row);
+    ChangedModel model = given.model(hypothesis);
+    given.logLikelihood(model, geometry(model), row);
     double sum = 0;
     for (int i = 0; i < row.length; i++) {
       if (fold.holds(i)) {
@@ -65,11 +65,11 @@ public class Fitter {
     return sum;
   }
 
-  private Geometry geometry(DiagnosedModel model) {
+  private Geometry geometry(ChangedModel model) {
     List<Change> key = model.changes().stream().filter(Geometry::dependsOn).toList();
     Geometry known = geometries.get(key);
     if (known == null) {
-      known = evidence.geometry(model);
+      known = given.geometry(model);
       geometries.put(key, known);
     }
     return known;

@@ -18,7 +18,7 @@ public final class JointFitter extends Fitter {
    * @param log without calibration
    * @param effects at work in the log alone
    */
-  public JointFitter(Evidence reference, Evidence log, Hypothesis effects) {
+  public JointFitter(CalibratedLog reference, CalibratedLog log, Hypothesis effects) {
     super(reference, Fold.ALL);
     this.log = new Fitter(log, Fold.ALL);
     this.effects = effects;

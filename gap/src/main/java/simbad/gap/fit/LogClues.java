@@ -12,7 +12,7 @@ import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.ping.Scenes;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.shape.ThresholdTable;
 
@@ -25,23 +25,23 @@ final class LogClues implements Clues {
   final Geometry geometry;
   private final double[] logLikelihood;
   private final double[] nearest;
-  private final Evidence evidence;
+  private final CalibratedLog given;
   private final Hypothesis hypothesis;
   private final Fold fold;
 
-  LogClues(Evidence evidence, Hypothesis hypothesis) {
-    this(evidence, hypothesis, Fold.ALL);
+  LogClues(CalibratedLog given, Hypothesis hypothesis) {
+    this(given, hypothesis, Fold.ALL);
   }
 
-  LogClues(Evidence evidence, Hypothesis hypothesis, Fold fold) {
-    this.evidence = evidence;
+  LogClues(CalibratedLog given, Hypothesis hypothesis, Fold fold) {
+    this.given = given;
     this.hypothesis = hypothesis;
     this.fold = fold;
-    log = evidence.log();
-    DiagnosedModel model = evidence.model(hypothesis);
-    geometry = evidence.geometry(model);
+    log = given.log();
+    ChangedModel model = given.model(hypothesis);
+    geometry = given.geometry(model);
     logLikelihood = new double[log.size()];
-    evidence.logLikelihood(model, geometry, logLikelihood);
+    given.logLikelihood(model, geometry, logLikelihood);
     nearest = new double[log.size()];
     for (int ping = 0; ping < nearest.length; ping++) {
       nearest[ping] = Double.POSITIVE_INFINITY;
@@ -68,7 +68,7 @@ final class LogClues implements Clues {
 
   /** The set-up as the simulator believes it. */
   SensingSetup setup() {
-    return evidence.setup();
+    return given.setup();
   }
 
   /** How probable each reading is if the threshold of an obstacle is the same all round. */
@@ -76,7 +76,7 @@ final class LogClues implements Clues {
     List<Change> changes = new ArrayList<>(hypothesis.changes());
     changes.addAll(others);
     changes.add(shadow(obstacle, ThresholdTable.uniform(ThresholdTable.LEAST_SIZE, thresholdM)));
-    double[] likelihood = evidence.logLikelihood(changes);
+    double[] likelihood = given.logLikelihood(changes);
     for (int i = 0; i < likelihood.length; i++) {
       likelihood[i] = Math.exp(likelihood[i]);
     }

@@ -9,20 +9,20 @@ import simbad.sonar.effect.Form;
  * tables of thresholds, which have too many values for it, read off the log anew.
  */
 public final class Refit {
-  private final Evidence evidence;
+  private final CalibratedLog given;
   private final Fold fold;
   private final Fitter fitter;
 
   /**
    * Creates for the pings that count.
    *
-   * @param evidence the log
+   * @param given the log
    * @param fold the pings that count
    */
-  public Refit(Evidence evidence, Fold fold) {
-    this.evidence = evidence;
+  public Refit(CalibratedLog given, Fold fold) {
+    this.given = given;
     this.fold = fold;
-    fitter = new Fitter(evidence, fold);
+    fitter = new Fitter(given, fold);
   }
 
   /** Returns the fitter of the pings that count. */
@@ -47,7 +47,7 @@ public final class Refit {
     for (int i = 0; i < start.forms().size(); i++) {
       Form form = start.forms().get(i);
       if (form.isTable()) {
-        LogClues clues = new LogClues(evidence, start.without(form.effect()), fold);
+        LogClues clues = new LogClues(given, start.without(form.effect()), fold);
         tables = tables.and(form, read(form, clues));
       } else {
         rest = rest.and(form, start.valuesOf(i));

@@ -32,15 +32,15 @@ public final class Screen {
   private static final int FEW = 3;
   private static final int RESTARTS = 2;
 
-  private final Evidence evidence;
+  private final CalibratedLog given;
   private final Fit base;
   private final Clues clues;
 
   /** Creates a screen for the forms beside a fit. */
-  public Screen(Evidence evidence, Fit base) {
-    this.evidence = evidence;
+  public Screen(CalibratedLog given, Fit base) {
+    this.given = given;
     this.base = base;
-    clues = new LogClues(evidence, base.hypothesis());
+    clues = new LogClues(given, base.hypothesis());
   }
 
   /**
@@ -81,7 +81,7 @@ public final class Screen {
     if (added(rough).isTable()) {
       return rough;
     }
-    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    Fitter fitter = new Fitter(given, Fold.ALL);
     Fit fit = fitter.refine(rough.hypothesis(), from, 20 + 20 * size);
     // A simplex of many values flattens before it has arrived; a fresh one from beside goes on.
     for (int again = 0; again < RESTARTS && size > FEW; again++) {
@@ -134,7 +134,7 @@ public final class Screen {
 
   /** The best of a form's starts. */
   private Fit begun(Form form) {
-    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    Fitter fitter = new Fitter(given, Fold.ALL);
     return Definitions.of(form.effect()).starts(form, clues).stream()
         .map(values -> base.hypothesis().and(form, values))
         .map(start -> new Fit(start, fitter.logLikelihood(start)))
@@ -146,7 +146,7 @@ public final class Screen {
     Form form = added(begun);
     return form.isTable()
         ? begun
-        : new Fitter(evidence, Fold.ALL)
+        : new Fitter(given, Fold.ALL)
             .approach(
                 begun.hypothesis(), base.hypothesis().size(), 14 + 10 * form.parameters().size());
   }

@@ -3,7 +3,7 @@ package simbad.gap.joint;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Estimate;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
@@ -16,12 +16,13 @@ import simbad.sonar.ping.PingLog;
 final class Heard {
   private static final int EVALUATIONS = 40;
 
-  private final Evidence evidence;
+  private final CalibratedLog given;
   private final Hypothesis found;
 
   Heard(DataSet data, Diagnosis diagnosis) {
-    evidence =
-        new Evidence(data.setup(), diagnosis.calibration().changes(), new PingLog(data.readings()));
+    given =
+        new CalibratedLog(
+            data.setup(), diagnosis.calibration().changes(), new PingLog(data.readings()));
     found = diagnosis.fitted();
   }
 
@@ -33,7 +34,7 @@ final class Heard {
    * @param offered value that the other half says
    */
   Estimate estimate(Form form, double offered) {
-    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    Fitter fitter = new Fitter(given, Fold.ALL);
     Hypothesis others = found.without(form.effect());
     Hypothesis start = beside(others, form, form.parameters().get(0).clamp(offered));
     Fit best = fitter.polish(start, EVALUATIONS * start.size());
@@ -48,7 +49,7 @@ final class Heard {
     for (int i = 0; i < set.forms().indexOf(form); i++) {
       at += set.forms().get(i).parameters().size();
     }
-    return new Estimate(set.values()[at], new Uncertainty(evidence, 1).deviations(set)[at]);
+    return new Estimate(set.values()[at], new Uncertainty(given, 1).deviations(set)[at]);
   }
 
   private static Hypothesis beside(Hypothesis others, Form form, double value) {

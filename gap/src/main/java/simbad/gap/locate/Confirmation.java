@@ -1,11 +1,7 @@
 package simbad.gap.locate;
 
-import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.List;
 import java.util.function.IntPredicate;
 import java.util.stream.DoubleStream;
-import java.util.stream.IntStream;
 import org.hipparchus.special.Erf;
 import simbad.gap.score.Blocks;
 
@@ -54,24 +50,5 @@ final class Confirmation {
       }
     }
     return used > 1 ? Math.max(1, between / scatter * used / (used - 1)) : 1;
-  }
-
-  /**
-   * Corrects for the number of tests by the procedure of Benjamini and Hochberg (1995).
-   *
-   * @param chance of each test
-   * @return the least false discovery rate at which each is discovered, in the same order
-   */
-  static double[] falseDiscoveryRates(List<Double> chance) {
-    List<Integer> order = new ArrayList<>(IntStream.range(0, chance.size()).boxed().toList());
-    order.sort(Comparator.comparingDouble(chance::get));
-    double[] rate = new double[chance.size()];
-    double least = 1;
-    for (int rank = order.size(); rank >= 1; rank--) {
-      int test = order.get(rank - 1);
-      least = Math.min(least, chance.get(test) * order.size() / rank);
-      rate[test] = least;
-    }
-    return rate;
   }
 }

@@ -7,15 +7,16 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import simbad.gap.diagnosis.GapKind;
 import simbad.gap.diagnosis.Place;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.score.BenjaminiHochberg;
 import simbad.gap.score.Blocks;
 import simbad.gap.score.GapMeter;
 import simbad.gap.slice.Slice;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.Geometry;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 
 /**
  * Finds the places of a gap: the fewest slices of a log that hold what the nominal model's gap is
@@ -66,22 +67,22 @@ public final class Places {
   /**
    * Finds the places.
    *
-   * @param evidence the log
+   * @param given the log
    * @param before gaps under the nominal model
    * @param after gaps under the diagnosed model
    * @param blocks of the log
    * @return at most 8, the largest share of the gap first; none where nothing is significant
    */
   public static List<Place> find(
-      Evidence evidence, GapMeter.Gaps before, GapMeter.Gaps after, Blocks blocks) {
-    if (evidence.log().size() == 0) {
+      CalibratedLog given, GapMeter.Gaps before, GapMeter.Gaps after, Blocks blocks) {
+    if (given.log().size() == 0) {
       return List.of();
     }
-    DiagnosedModel nominal = evidence.model(Hypothesis.NONE);
-    Geometry geometry = evidence.geometry(nominal);
+    ChangedModel nominal = given.model(Hypothesis.NONE);
+    Geometry geometry = given.geometry(nominal);
     Places places = new Places(before, after, blocks);
     places.cover(Cuts.of(geometry));
-    return places.told(evidence, nominal.forecast(geometry));
+    return places.told(given, nominal.forecast(geometry));
   }
 
   /** Greedily: the best slice of what no earlier one covers. */
@@ -133,14 +134,14 @@ public final class Places {
     return new Candidate(slice, chance, chosen);
   }
 
-  private List<Place> told(Evidence evidence, List<ReadingDistribution> forecast) {
+  private List<Place> told(CalibratedLog given, List<ReadingDistribution> forecast) {
     double[] rate =
-        Confirmation.falseDiscoveryRates(looked.stream().map(Candidate::chance).toList());
+        BenjaminiHochberg.falseDiscoveryRates(looked.stream().map(Candidate::chance).toList());
     List<Place> places = new ArrayList<>();
     for (int i = 0; i < rate.length; i++) {
       Slice slice = looked.get(i).slice();
       if (looked.get(i).chosen() && rate[i] <= FALSE_DISCOVERY_RATE && matters(slice)) {
-        GapKind kind = new Kinds(evidence.log(), forecast, excess).of(rows(slice));
+        GapKind kind = new Kinds(given.log(), forecast, excess).of(rows(slice));
         places.add(place(slice, kind, rate[i]));
       }
     }

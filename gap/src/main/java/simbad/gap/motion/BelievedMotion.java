@@ -27,7 +27,7 @@ record BelievedMotion(
     Optional<Reference> reference) {
 
   /** The steps of a reference, and by how many times its blocks pull apart more than by chance. */
-  record Reference(MotionEvidence evidence, double clumping) {}
+  record Reference(MotionSteps given, double clumping) {}
 
   /**
    * Calibrates a robot on a reference that is long enough, and takes it as stated without one.
@@ -37,7 +37,7 @@ record BelievedMotion(
   static BelievedMotion of(MotionData data) {
     Robot robot = data.robot();
     List<MotionRun> runs = data.reference().stream().map(MotionRun::withoutRepeats).toList();
-    MotionEvidence trusted = new MotionEvidence(runs);
+    MotionSteps trusted = new MotionSteps(runs);
     return trusted.blockCount() < MotionDiagnoser.LEAST_BLOCKS
         ? stated(robot)
         : calibrated(robot, trusted);
@@ -49,7 +49,7 @@ record BelievedMotion(
     return new BelievedMotion(MotionForecast.believed(robot), noises, List.of(), Optional.empty());
   }
 
-  private static BelievedMotion calibrated(Robot robot, MotionEvidence trusted) {
+  private static BelievedMotion calibrated(Robot robot, MotionSteps trusted) {
     MotionSearch search = new MotionSearch(trusted, robot);
     ScoredMotion best = search.calibrated(new Odds(search.run(robot.motion())).best());
     MotionHypothesis set = best.hypothesis();
@@ -86,11 +86,11 @@ record BelievedMotion(
         ? Optional.empty()
         : Optional.of(
             new BelievedMotion(
-                MotionGap.forecast(trusted.evidence.runs(), chain), noises, more, reference));
+                MotionGap.forecast(trusted.given.runs(), chain), noises, more, reference));
   }
 
   private double logDensity(Reference trusted, MotionChain chain) {
-    return Whitening.logDensity(trusted.evidence, noises, trusted.evidence.residuals(chain));
+    return Whitening.logDensity(trusted.given, noises, trusted.given.residuals(chain));
   }
 
   /** How seldom set-ups are so far off, in nats: deviations in units of what is practical. */

@@ -14,7 +14,7 @@ import java.util.List;
  * @param other times that more was made, or that it turned without being told
  * @param slips the stretches of those that are shorter
  */
-record Events(int shorter, int late, int other, List<MotionEvidence.Stretch> slips) {
+record Events(int shorter, int late, int other, List<MotionSteps.Stretch> slips) {
   /** Of Gaussian steps one in 400,000 is farther off. */
   private static final double FAR = 4.7;
 
@@ -27,26 +27,26 @@ record Events(int shorter, int late, int other, List<MotionEvidence.Stretch> sli
   private static final int ALONG = 0;
   private static final int TURN = 2;
 
-  static Events of(MotionEvidence evidence, MotionFit fit) {
-    double[][] expected = evidence.expected(fit.hypothesis().chain());
-    double[][] white = new double[MotionEvidence.COMPONENTS][];
+  static Events of(MotionSteps given, MotionFit fit) {
+    double[][] expected = given.expected(fit.hypothesis().chain());
+    double[][] white = new double[MotionSteps.COMPONENTS][];
     for (int c = 0; c < white.length; c++) {
-      white[c] = scaled(new Whitening(evidence, fit.noises()[c], fit.residuals()[c]).white);
+      white[c] = scaled(new Whitening(given, fit.noises()[c], fit.residuals()[c]).white);
     }
     List<Event> events = new ArrayList<>();
-    for (int i = 0; i < evidence.size(); i++) {
+    for (int i = 0; i < given.size(); i++) {
       if (Math.abs(white[ALONG][i]) <= FAR && Math.abs(white[TURN][i]) <= FAR) {
         continue;
       }
-      MotionEvidence.Step step = evidence.step(i);
+      MotionSteps.Step step = given.step(i);
       int last = events.size() - 1;
       if (last >= 0 && events.get(last).goesOnIn(step)) {
         events.set(last, events.get(last).until(step));
       } else {
         events.add(
             new Event(
-                kind(evidence, i, white, expected),
-                new MotionEvidence.Stretch(
+                kind(given, i, white, expected),
+                new MotionSteps.Stretch(
                     step.run(), step.from().timeS(), step.to().timeS() + ONE_EVENT_S)));
       }
     }
@@ -61,17 +61,16 @@ record Events(int shorter, int late, int other, List<MotionEvidence.Stretch> sli
     return (int) events.stream().filter(one -> one.kind == kind).count();
   }
 
-  private record Event(Kind kind, MotionEvidence.Stretch stretch) {
-    boolean goesOnIn(MotionEvidence.Step step) {
+  private record Event(Kind kind, MotionSteps.Stretch stretch) {
+    boolean goesOnIn(MotionSteps.Step step) {
       return stretch.meets(step.run(), step.from().timeS(), step.to().timeS());
     }
 
-    Event until(MotionEvidence.Step step) {
+    Event until(MotionSteps.Step step) {
       boolean lasts = step.to().timeS() - stretch.fromS() > CHANGED_S;
       return new Event(
           kind == Kind.LATE && lasts ? Kind.OTHER : kind,
-          new MotionEvidence.Stretch(
-              stretch.run(), stretch.fromS(), step.to().timeS() + ONE_EVENT_S));
+          new MotionSteps.Stretch(stretch.run(), stretch.fromS(), step.to().timeS() + ONE_EVENT_S));
     }
   }
 
@@ -81,20 +80,19 @@ record Events(int shorter, int late, int other, List<MotionEvidence.Stretch> sli
     OTHER
   }
 
-  private static Kind kind(MotionEvidence evidence, int i, double[][] white, double[][] expected) {
+  private static Kind kind(MotionSteps given, int i, double[][] white, double[][] expected) {
     boolean turns = Math.abs(white[ALONG][i]) <= FAR;
     int component = turns ? TURN : ALONG;
     if (white[component][i] * Math.signum(expected[component][i]) < -FAR) {
       return Kind.SHORTER;
     }
-    return hasChanged(evidence, evidence.step(i), turns) ? Kind.LATE : Kind.OTHER;
+    return hasChanged(given, given.step(i), turns) ? Kind.LATE : Kind.OTHER;
   }
 
   /** Tells whether the command of the turn, or of the speed, changed shortly before or within. */
-  private static boolean hasChanged(
-      MotionEvidence evidence, MotionEvidence.Step step, boolean turns) {
+  private static boolean hasChanged(MotionSteps given, MotionSteps.Step step, boolean turns) {
     return CommandTrail.changed(
-            evidence.runs().get(step.run()).commands(),
+            given.runs().get(step.run()).commands(),
             turns,
             step.from().timeS() - CHANGED_S,
             step.to().timeS())

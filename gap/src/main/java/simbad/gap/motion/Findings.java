@@ -25,7 +25,7 @@ final class Findings {
   List<MotionFinding> named() {
     ScoredMotion best = odds.best();
     return best.hypothesis().effects().stream()
-        .map(effect -> finding(effect, best, odds.inPlaceOf(effect), true))
+        .map(effect -> finding(effect, best, odds.tiesOf(effect), true))
         .sorted(Comparator.comparingDouble(one -> -one.probability()))
         .toList();
   }

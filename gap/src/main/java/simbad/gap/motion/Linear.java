@@ -12,7 +12,7 @@ import org.hipparchus.linear.SingularValueDecomposition;
  * each block of the log, so that blocks can be left out at no cost.
  */
 final class Linear {
-  private final MotionEvidence evidence;
+  private final MotionSteps given;
   private final Whitening[] white;
 
   /** By value, component and step: by how much the white residual falls per unit. */
@@ -21,20 +21,20 @@ final class Linear {
   private final double[][][] matrices;
   private final double[][] vectors;
 
-  Linear(MotionEvidence evidence, Whitening[] white, double[][][] columns) {
-    this.evidence = evidence;
+  Linear(MotionSteps given, Whitening[] white, double[][][] columns) {
+    this.given = given;
     this.white = white;
     this.columns = columns;
-    matrices = new double[evidence.blockCount()][columns.length][columns.length];
-    vectors = new double[evidence.blockCount()][columns.length];
+    matrices = new double[given.blockCount()][columns.length][columns.length];
+    vectors = new double[given.blockCount()][columns.length];
     for (int c = 0; c < white.length; c++) {
       gather(c);
     }
   }
 
   private void gather(int c) {
-    for (int i = 0; i < evidence.size(); i++) {
-      int block = evidence.block(i);
+    for (int i = 0; i < given.size(); i++) {
+      int block = given.block(i);
       double weight = white[c].weights[i];
       for (int p = 0; p < columns.length; p++) {
         double weighted = weight * columns[p][c][i];
@@ -80,21 +80,21 @@ final class Linear {
 
   /** Returns the same of all blocks but those of a fold. */
   double[] withoutFold(int fold) {
-    return move(block -> evidence.foldOf(block) != fold, 0);
+    return move(block -> given.foldOf(block) != fold, 0);
   }
 
   /** Returns the log density of each block, foretold by values that its fold had no part in. */
   double[] heldOut() {
-    double[] scores = new double[evidence.blockCount()];
-    double[][] moves = new double[MotionEvidence.FOLDS][];
+    double[] scores = new double[given.blockCount()];
+    double[][] moves = new double[MotionSteps.FOLDS][];
     for (int fold = 0; fold < moves.length; fold++) {
       int left = fold;
       moves[fold] = withoutFold(left);
     }
     for (int c = 0; c < white.length; c++) {
-      for (int i = 0; i < evidence.size(); i++) {
-        int block = evidence.block(i);
-        double[] move = moves[evidence.foldOf(block)];
+      for (int i = 0; i < given.size(); i++) {
+        int block = given.block(i);
+        double[] move = moves[given.foldOf(block)];
         double z = white[c].white[i];
         for (int p = 0; p < move.length; p++) {
           z -= columns[p][c][i] * move[p];
@@ -119,8 +119,7 @@ final class Linear {
     RealMatrix inverse =
         new SingularValueDecomposition(new Array2DRowRealMatrix(matrix)).getSolver().getInverse();
     RealMatrix between = inverse.multiply(pulls.transpose().multiply(pulls)).multiply(inverse);
-    double few =
-        (double) evidence.blockCount() / Math.max(1, evidence.blockCount() - columns.length);
+    double few = (double) given.blockCount() / Math.max(1, given.blockCount() - columns.length);
     for (int p = 0; p < matrix.length; p++) {
       double own = Math.max(inverse.getEntry(p, p), few * between.getEntry(p, p));
       errors[p] = Math.sqrt(Math.max(0, own));

@@ -40,7 +40,7 @@ record MotionConclusion(
   static MotionConclusion of(Told told, Optional<MotionFinding> slip) {
     Odds odds = told.odds();
     List<MotionFinding> found = new Findings(odds).named();
-    MotionStrangers strangers = new MotionStrangers(told.evidence(), odds.best());
+    MotionStrangers strangers = new MotionStrangers(told.given(), odds.best());
     MotionUnknown all =
         new MotionUnknown(
             strangers.traces(odds.nominal().fit().residuals()), told.scatter().otherEvents());
@@ -80,7 +80,7 @@ record MotionConclusion(
     }
     MotionStrangers.Trace trace = unknown.trace().get();
     Odds odds = told.odds();
-    MotionStrangers without = new MotionStrangers(told.evidence(), odds.lacking(one.effect()));
+    MotionStrangers without = new MotionStrangers(told.given(), odds.lacking(one.effect()));
     double nats = with.heldOut(trace.kind()) - without.heldOut(trace.kind());
     return nats > trace.nats() && odds.ofGain(nats) >= SURE;
   }

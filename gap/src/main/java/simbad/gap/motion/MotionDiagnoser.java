@@ -28,7 +28,7 @@ public final class MotionDiagnoser {
 
   private final MotionData data;
   private final List<MotionRun> runs;
-  private final MotionEvidence evidence;
+  private final MotionSteps given;
   private final CommandUse use;
 
   /**
@@ -39,31 +39,31 @@ public final class MotionDiagnoser {
   public MotionDiagnoser(MotionData data) {
     this.data = data;
     runs = data.runs().stream().map(MotionRun::withoutRepeats).toList();
-    evidence = new MotionEvidence(runs);
+    given = new MotionSteps(runs);
     use = CommandUse.of(runs, data.robot().wheelBaseM());
   }
 
   /** Returns the diagnosis. */
   public MotionDiagnosis diagnose() {
     BelievedMotion base = BelievedMotion.of(data);
-    if (evidence.blockCount() < LEAST_BLOCKS) {
+    if (given.blockCount() < LEAST_BLOCKS) {
       return undecided(base);
     }
-    Told told = told(base, evidence);
+    Told told = told(base, given);
     for (int round = 0; round < MOST_ROUNDS; round++) {
       Optional<BelievedMotion> learnt = base.learning(told.odds().best());
       if (learnt.isEmpty()) {
         break;
       }
       base = learnt.get();
-      told = told(base, evidence);
+      told = told(base, given);
     }
     Optional<MotionFinding> slip = told.scatter().slip();
-    List<MotionEvidence.Stretch> slips = new ArrayList<>();
+    List<MotionSteps.Stretch> slips = new ArrayList<>();
     // What slipped would be taken for wheels that are too small; and without it more is seen.
     for (int round = 0; round < MOST_ROUNDS && told.scatter().slip().isPresent(); round++) {
       slips.addAll(told.scatter().slips());
-      MotionEvidence calm = evidence.without(slips);
+      MotionSteps calm = given.without(slips);
       if (calm.blockCount() < LEAST_BLOCKS) {
         break;
       }
@@ -82,10 +82,10 @@ public final class MotionDiagnoser {
     MotionHypothesis found = hypothesis(beside(form, diagnosis));
     boolean isNew = !found.forms().contains(form);
     MotionHypothesis with = isNew ? found.with(form, form.neutralValues()) : found;
-    MotionFitter fitter = new MotionFitter(evidence, use);
+    MotionFitter fitter = new MotionFitter(given, use);
     MotionFit fit = fitter.asItIs(with);
     fit = isNew ? fitter.fit(fit) : fit;
-    double[] errors = new Slopes(evidence, fit).standardErrors();
+    double[] errors = new Slopes(given, fit).standardErrors();
     int at = 0;
     for (MotionForm one : with.forms().subList(0, with.forms().indexOf(form))) {
       at += one.parameters().size();
@@ -127,7 +127,7 @@ public final class MotionDiagnoser {
     return diagnosis.with(fitted, MotionGap.forecast(runs, hypothesis(fitted).chain()));
   }
 
-  private Told told(BelievedMotion base, MotionEvidence of) {
+  private Told told(BelievedMotion base, MotionSteps of) {
     Odds odds = new Odds(new MotionSearch(of, data.robot()).run(base.nominal().chain()));
     MotionGap gap = gap(base, odds.best());
     for (Optional<String> idle = idle(odds, gap); idle.isPresent(); idle = idle(odds, gap)) {
@@ -155,7 +155,7 @@ public final class MotionDiagnoser {
 
   private MotionGap gap(BelievedMotion base, ScoredMotion set) {
     List<MotionChain> folds =
-        IntStream.range(0, MotionEvidence.FOLDS)
+        IntStream.range(0, MotionSteps.FOLDS)
             .mapToObj(fold -> set.slopes().withoutFold(fold).chain())
             .toList();
     return MotionGap.of(runs, base.nominal(), folds);
@@ -176,7 +176,7 @@ public final class MotionDiagnoser {
         figures,
         new MotionBudget(told.gap(), figures, odds.best(), base.noises()).of(explanation),
         MotionPlaces.of(runs, told.gap()),
-        new MotionUndetectables(told.evidence(), odds).among(MotionSearch.forms(data.robot()), use),
+        new MotionUndetectables(told.given(), odds).among(MotionSearch.forms(data.robot()), use),
         next(odds, explanation),
         fitted(base, odds.best()),
         verdict == Verdict.NONE
@@ -223,7 +223,7 @@ public final class MotionDiagnoser {
     return new MotionDiagnosis(
         Verdict.UNDECIDED,
         "the track covers only "
-            + evidence.blockCount()
+            + given.blockCount()
             + " stretches of ten seconds, "
             + LEAST_BLOCKS
             + " are needed",

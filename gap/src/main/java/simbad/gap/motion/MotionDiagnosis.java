@@ -95,6 +95,9 @@ public record MotionDiagnosis(
       double floor) {
     /** Refuses what is no number. */
     public Gap {
+      Checks.numbers("before", before);
+      Checks.numbers("after", after);
+      Checks.numbers("coverage", coverage);
       Checks.number("ratio", ratio);
       Checks.number("floor", floor);
     }

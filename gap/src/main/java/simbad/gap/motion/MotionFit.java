@@ -14,10 +14,10 @@ record MotionFit(MotionHypothesis hypothesis, double[][] residuals, Noise[] nois
   private static final double NATS_PER_VALUE = 0.5;
 
   /** Returns the residuals made white, by component. */
-  Whitening[] white(MotionEvidence evidence) {
+  Whitening[] white(MotionSteps given) {
     Whitening[] white = new Whitening[residuals.length];
     for (int c = 0; c < white.length; c++) {
-      white[c] = new Whitening(evidence, noises[c], residuals[c]);
+      white[c] = new Whitening(given, noises[c], residuals[c]);
     }
     return white;
   }

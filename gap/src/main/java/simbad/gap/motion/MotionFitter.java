@@ -16,27 +16,27 @@ final class MotionFitter {
   /** A value that jumps is looked for by these shares of it. */
   private static final double[] NUDGES = {0.03, -0.03, 0.01, -0.01, 0.003, -0.003};
 
-  private final MotionEvidence evidence;
+  private final MotionSteps given;
   private final CommandUse use;
 
-  MotionFitter(MotionEvidence evidence, CommandUse use) {
-    this.evidence = evidence;
+  MotionFitter(MotionSteps given, CommandUse use) {
+    this.given = given;
     this.use = use;
   }
 
   /** Returns a hypothesis as it stands, its noise searched afresh. */
   MotionFit asItIs(MotionHypothesis hypothesis) {
-    double[][] residuals = evidence.residuals(hypothesis.chain());
-    return with(hypothesis, residuals, NoiseFit.afresh(evidence, residuals));
+    double[][] residuals = given.residuals(hypothesis.chain());
+    return with(hypothesis, residuals, NoiseFit.afresh(given, residuals));
   }
 
   /** Returns a hypothesis as it stands, before a noise. */
   MotionFit with(MotionHypothesis hypothesis, Noise[] noises) {
-    return with(hypothesis, evidence.residuals(hypothesis.chain()), noises);
+    return with(hypothesis, given.residuals(hypothesis.chain()), noises);
   }
 
   private MotionFit with(MotionHypothesis hypothesis, double[][] residuals, Noise[] noises) {
-    double score = Whitening.logDensity(evidence, noises, residuals);
+    double score = Whitening.logDensity(given, noises, residuals);
     return new MotionFit(hypothesis, residuals, noises, score);
   }
 
@@ -49,7 +49,7 @@ final class MotionFitter {
           with(
               stepped.hypothesis(),
               stepped.residuals(),
-              NoiseFit.near(evidence, stepped.residuals(), stepped.noises()));
+              NoiseFit.near(given, stepped.residuals(), stepped.noises()));
       boolean done = next.score() - best.score() < 1;
       best = next.score() > best.score() ? next : best;
       if (done) {
@@ -64,7 +64,7 @@ final class MotionFitter {
     MotionFit best = from;
     double damping = 1e-4;
     for (int round = 0; round < rounds; round++) {
-      Slopes slopes = new Slopes(evidence, best);
+      Slopes slopes = new Slopes(given, best);
       if (slopes.isEmpty()) {
         return best;
       }

@@ -15,8 +15,8 @@ import simbad.motion.forecast.Window;
 import simbad.motion.forecast.Windows;
 
 /**
- * The gap of motion: continuous ranked probability scores by 19 quantiles over windows of 0.5, 2
- * and 5 s, on blocks that were not fitted, for each horizon and component.
+ * The gap of motion: CRPS (continuous ranked probability scores) by 19 quantiles over windows of
+ * 0.5, 2 and 5 s, on blocks that were not fitted, for each horizon and component.
  */
 final class MotionGap {
   private static final int GROUPS = 20;
@@ -106,7 +106,7 @@ final class MotionGap {
   }
 
   private static int fold(Window window) {
-    return MotionEvidence.fold(window.run(), window.startS());
+    return MotionSteps.fold(window.run(), window.startS());
   }
 
   private double[] asked(List<Window> cut) {
@@ -117,14 +117,14 @@ final class MotionGap {
   }
 
   private double[][] residuals(List<Window> cut, MotionChain chain) {
-    List<Way> ways = MotionEvidence.ways(runs, chain);
+    List<Way> ways = MotionSteps.ways(runs, chain);
     double[][] residuals = new double[cut.size()][3];
     for (int i = 0; i < residuals.length; i++) {
       Window window = cut.get(i);
       Displacement expected = ways.get(window.run()).between(window.startS(), window.endS());
       for (int c = 0; c < 3; c++) {
         double off = window.way().component(c) - expected.component(c);
-        residuals[i][c] = c == 2 ? MotionEvidence.wrapped(off) : off;
+        residuals[i][c] = c == 2 ? MotionSteps.wrapped(off) : off;
       }
     }
     return residuals;

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.IntPredicate;
 import java.util.function.ToDoubleFunction;
+import simbad.gap.score.BenjaminiHochberg;
 import simbad.motion.Command;
 import simbad.motion.MotionRun;
 import simbad.motion.forecast.Window;
@@ -171,17 +172,10 @@ final class MotionPlaces {
     return 1 - NormalChance.below(mean / error);
   }
 
-  /** The false discovery rate by Benjamini and Hochberg (1995). */
+  /** Returns the places, the largest share first, each with its q-value. */
   private List<MotionPlace> sorted() {
-    List<Integer> order = new ArrayList<>();
-    for (int i = 0; i < places.size(); i++) {
-      order.add(i);
-    }
-    order.sort(Comparator.comparingDouble(chances::get));
-    double least = 1;
-    for (int rank = order.size(); rank > 0; rank--) {
-      int i = order.get(rank - 1);
-      least = Math.min(least, chances.get(i) * order.size() / rank);
+    double[] q = BenjaminiHochberg.falseDiscoveryRates(chances);
+    for (int i = 0; i < q.length; i++) {
       MotionPlace p = places.get(i);
       places.set(
           i,
@@ -195,7 +189,7 @@ final class MotionPlaces {
               p.before(),
               p.after(),
               p.component(),
-              least));
+              q[i]));
     }
     return places.stream()
         .sorted(Comparator.comparingDouble((MotionPlace place) -> -place.share()))

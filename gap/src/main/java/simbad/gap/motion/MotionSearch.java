@@ -46,14 +46,14 @@ final class MotionSearch {
   /** What a value of a set-up gains where it is none. */
   private static final double LEAST_NATS = 1;
 
-  private final MotionEvidence evidence;
+  private final MotionSteps given;
   private final MotionFitter fitter;
   private final List<MotionForm> forms;
   private final Map<Set<String>, MotionFit> fits = new LinkedHashMap<>();
 
-  MotionSearch(MotionEvidence evidence, Robot robot) {
-    this.evidence = evidence;
-    fitter = new MotionFitter(evidence, CommandUse.of(evidence.runs(), robot.wheelBaseM()));
+  MotionSearch(MotionSteps given, Robot robot) {
+    this.given = given;
+    fitter = new MotionFitter(given, CommandUse.of(given.runs(), robot.wheelBaseM()));
     forms = forms(robot);
   }
 
@@ -96,7 +96,7 @@ final class MotionSearch {
       Optional<ScoredMotion> next =
           MotionForms.PLAIN.parallelStream()
               .filter(form -> apart(base.hypothesis(), form))
-              .map(form -> ScoredMotion.of(evidence, fitter.fit(fitter.screened(base, form))))
+              .map(form -> ScoredMotion.of(given, fitter.fit(fitter.screened(base, form))))
               .max(Comparator.comparingDouble(ScoredMotion::heldOut));
       better = next.isPresent() && next.get().heldOut() > best.heldOut() + LEAST_NATS;
       best = better ? next.get() : best;
@@ -217,7 +217,7 @@ final class MotionSearch {
       Optional.ofNullable(fits.get(less)).ifPresent(all::add);
     }
     return all.parallelStream()
-        .map(fit -> ScoredMotion.of(evidence, fit))
+        .map(fit -> ScoredMotion.of(given, fit))
         .sorted(Comparator.comparingDouble(one -> -one.heldOut()))
         .toList();
   }

@@ -29,14 +29,14 @@ final class MotionStrangers {
   /** The best of so many lengths gains by chance what so many values do: twice their logarithm. */
   private static final int SCANNED = 16;
 
-  private final MotionEvidence evidence;
+  private final MotionSteps given;
   private final ScoredMotion best;
   private final double[][] expected;
 
-  MotionStrangers(MotionEvidence evidence, ScoredMotion best) {
-    this.evidence = evidence;
+  MotionStrangers(MotionSteps given, ScoredMotion best) {
+    this.given = given;
     this.best = best;
-    expected = evidence.expected(best.hypothesis().chain());
+    expected = given.expected(best.hypothesis().chain());
   }
 
   /** A kind of trace. */
@@ -93,7 +93,7 @@ final class MotionStrangers {
       }
       all[own.length + k] = column;
     }
-    return new Linear(evidence, white, all);
+    return new Linear(given, white, all);
   }
 
   private Trace trace(Kind kind, double[][] nominal, double without) {
@@ -116,12 +116,12 @@ final class MotionStrangers {
    */
   private double withItsNoise(Linear with, List<double[][]> raw) {
     double[][][] own = best.slopes().raw();
-    double[][] moves = new double[MotionEvidence.FOLDS][];
+    double[][] moves = new double[MotionSteps.FOLDS][];
     Arrays.setAll(moves, with::withoutFold);
-    double[][] left = new double[MotionEvidence.COMPONENTS][evidence.size()];
+    double[][] left = new double[MotionSteps.COMPONENTS][given.size()];
     for (int c = 0; c < left.length; c++) {
-      for (int i = 0; i < evidence.size(); i++) {
-        double[] move = moves[evidence.foldOf(evidence.block(i))];
+      for (int i = 0; i < given.size(); i++) {
+        double[] move = moves[given.foldOf(given.block(i))];
         left[c][i] = best.fit().residuals()[c][i];
         for (int k = 0; k < move.length; k++) {
           double[][] column = k < own.length ? own[k] : raw.get(k - own.length);
@@ -129,7 +129,7 @@ final class MotionStrangers {
         }
       }
     }
-    return Whitening.logDensity(evidence, NoiseFit.afresh(evidence, left), left);
+    return Whitening.logDensity(given, NoiseFit.afresh(given, left), left);
   }
 
   private double share(List<double[][]> raw, double[] values, double[][] nominal) {
@@ -137,7 +137,7 @@ final class MotionStrangers {
     for (int c = 0; c < nominal.length; c++) {
       double foretold = 0;
       double all = 0;
-      for (int i = 0; i < evidence.size(); i++) {
+      for (int i = 0; i < given.size(); i++) {
         double sum = 0;
         for (int k = 0; k < values.length; k++) {
           sum += values[k] * raw.get(k)[c][i];
@@ -251,10 +251,10 @@ final class MotionStrangers {
 
   /** The way driven at the middle of each step, of its run. */
   private double[] way() {
-    double[] way = new double[evidence.size()];
+    double[] way = new double[given.size()];
     double sum = 0;
     for (int i = 0; i < way.length; i++) {
-      sum = i > 0 && evidence.step(i).run() != evidence.step(i - 1).run() ? 0 : sum;
+      sum = i > 0 && given.step(i).run() != given.step(i - 1).run() ? 0 : sum;
       way[i] = sum + along(i) / 2;
       sum += along(i);
     }
@@ -263,7 +263,7 @@ final class MotionStrangers {
 
   /** The place as seen along a direction. */
   private double position(int step, double rad) {
-    TrackPose from = evidence.step(step).from();
+    TrackPose from = given.step(step).from();
     return from.xM() * Math.cos(rad) + from.yM() * Math.sin(rad);
   }
 
@@ -291,7 +291,7 @@ final class MotionStrangers {
   }
 
   private double[][] column(int component, Value value) {
-    double[][] column = new double[MotionEvidence.COMPONENTS][evidence.size()];
+    double[][] column = new double[MotionSteps.COMPONENTS][given.size()];
     Arrays.setAll(column[component], value::at);
     return column;
   }
@@ -305,21 +305,21 @@ final class MotionStrangers {
   }
 
   private double seconds(int step) {
-    return evidence.step(step).durationS();
+    return given.step(step).durationS();
   }
 
   private double heading(int step) {
-    return evidence.step(step).from().headingRad();
+    return given.step(step).from().headingRad();
   }
 
   private double minutes(int step) {
-    MotionRun run = evidence.runs().get(evidence.step(step).run());
-    return (evidence.step(step).from().timeS() - run.commands().get(0).timeS()) / 60;
+    MotionRun run = given.runs().get(given.step(step).run());
+    return (given.step(step).from().timeS() - run.commands().get(0).timeS()) / 60;
   }
 
   private Command held(int step, double beforeS) {
-    List<Command> commands = evidence.runs().get(evidence.step(step).run()).commands();
-    double timeS = evidence.step(step).to().timeS() - beforeS;
+    List<Command> commands = given.runs().get(given.step(step).run()).commands();
+    double timeS = given.step(step).to().timeS() - beforeS;
     return CommandTrail.held(commands, timeS);
   }
 }

@@ -11,12 +11,12 @@ final class MotionUndetectables {
   /** What a single effect must gain to be named for sure. */
   private static final double NEEDED_NATS = 3 * Odds.COST_NATS / 2;
 
-  private final MotionEvidence evidence;
+  private final MotionSteps given;
   private final ScoredMotion best;
   private final double clumping;
 
-  MotionUndetectables(MotionEvidence evidence, Odds odds) {
-    this.evidence = evidence;
+  MotionUndetectables(MotionSteps given, Odds odds) {
+    this.given = given;
     best = odds.best();
     clumping = odds.clumping();
   }
@@ -47,7 +47,7 @@ final class MotionUndetectables {
     double by = parameter.probe();
     values[0] = values[0] + by <= parameter.high() ? values[0] + by : values[0] - by;
     MotionHypothesis with = best.hypothesis().with(form, values);
-    double[][] moved = evidence.residuals(with.chain());
+    double[][] moved = given.residuals(with.chain());
     double information = 0;
     for (int c = 0; c < moved.length; c++) {
       double[] slopes = new double[moved[c].length];

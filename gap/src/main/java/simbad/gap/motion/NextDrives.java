@@ -57,16 +57,16 @@ final class NextDrives {
     for (int i = 0; i * POSES_S < end; i++) {
       poses.add(new TrackPose(i * POSES_S, 0, 0, 0));
     }
-    MotionEvidence evidence = new MotionEvidence(List.of(new MotionRun("next", drive, poses)));
-    double[][] first = evidence.expected(one.hypothesis().chain());
-    double[][] second = evidence.expected(other.hypothesis().chain());
+    MotionSteps given = new MotionSteps(List.of(new MotionRun("next", drive, poses)));
+    double[][] first = given.expected(one.hypothesis().chain());
+    double[][] second = given.expected(other.hypothesis().chain());
     double sum = 0;
     for (int c = 0; c < first.length; c++) {
       double[] apart = new double[first[c].length];
       for (int i = 0; i < apart.length; i++) {
         apart[i] = first[c][i] - second[c][i];
       }
-      for (double z : new Whitening(evidence, one.fit().noises()[c], apart).of(apart)) {
+      for (double z : new Whitening(given, one.fit().noises()[c], apart).of(apart)) {
         sum += z * z / 2;
       }
     }

@@ -30,18 +30,18 @@ final class NoiseFindings {
 
   private static final double PER_OTHER_NATS = Math.log(0.05 / 0.5);
 
-  private final MotionEvidence evidence;
+  private final MotionSteps given;
   private final BelievedMotion base;
   private final Noise[] believed;
   private final MotionFit fit;
   private final Events events;
 
-  NoiseFindings(MotionEvidence evidence, BelievedMotion base, MotionFit fit) {
-    this.evidence = evidence;
+  NoiseFindings(MotionSteps given, BelievedMotion base, MotionFit fit) {
+    this.given = given;
     this.base = base;
     believed = base.noises();
     this.fit = fit;
-    events = Events.of(evidence, fit);
+    events = Events.of(given, fit);
   }
 
   /** Tells how probable it is that something happens now and then that is no slip. */
@@ -51,7 +51,7 @@ final class NoiseFindings {
   }
 
   /** Returns when wheels slipped. */
-  List<MotionEvidence.Stretch> slips() {
+  List<MotionSteps.Stretch> slips() {
     return events.slips();
   }
 
@@ -65,8 +65,8 @@ final class NoiseFindings {
       return Optional.empty();
     }
     double seconds = 0;
-    for (int i = 0; i < evidence.size(); i++) {
-      seconds += evidence.step(i).durationS();
+    for (int i = 0; i < given.size(); i++) {
+      seconds += given.step(i).durationS();
     }
     double rate = 60 * events.shorter() / seconds;
     double half = NormalChance.NORMAL_95 * rate / Math.sqrt(events.shorter());
@@ -87,14 +87,14 @@ final class NoiseFindings {
         Math.max(scattersAsItMoves(0) ? times(0) : 0, scattersAsItMoves(2) ? times(2) : 0);
     double nats = -Odds.COST_NATS;
     for (int c = 0; c < believed.length; c++) {
-      double own = new Whitening(evidence, fit.noises()[c], fit.residuals()[c]).logDensity();
-      nats += own - new Whitening(evidence, believed[c], fit.residuals()[c]).logDensity();
+      double own = new Whitening(given, fit.noises()[c], fit.residuals()[c]).logDensity();
+      nats += own - new Whitening(given, believed[c], fit.residuals()[c]).logDensity();
     }
     if (times < MATTERS || nats <= 0 || believed[0].tracker() <= Noise.LEAST) {
       return Optional.empty();
     }
     double sigma = Math.sqrt(fit.noises()[0].variance(OVER_S, 1));
-    double half = NormalChance.NORMAL_95 * sigma / Math.sqrt(2.0 * evidence.blockCount());
+    double half = NormalChance.NORMAL_95 * sigma / Math.sqrt(2.0 * given.blockCount());
     return Optional.of(
         finding(
             MotionForms.MOTION_NOISE,
@@ -107,8 +107,8 @@ final class NoiseFindings {
   private boolean scattersAsItMoves(int component) {
     double[] residuals = fit.residuals()[component];
     double delayS = fit.hypothesis().chain().delayS();
-    return NoiseFit.likeliest(evidence, evidence.loads(), residuals)
-        >= NoiseFit.likeliest(evidence, evidence.changes(component, delayS), residuals);
+    return NoiseFit.likeliest(given, given.loads(), residuals)
+        >= NoiseFit.likeliest(given, given.changes(component, delayS), residuals);
   }
 
   /**
@@ -116,23 +116,23 @@ final class NoiseFindings {
    * the same of the reference: no law of scatter is quite right.
    */
   private double times(int component) {
-    double own = times(evidence, fit.residuals()[component], believed[component]);
+    double own = times(given, fit.residuals()[component], believed[component]);
     return own / Math.max(1, base.reference().map(one -> usual(one, component)).orElse(1.0));
   }
 
   private double usual(BelievedMotion.Reference reference, int component) {
-    MotionEvidence trusted = reference.evidence();
+    MotionSteps trusted = reference.given();
     double[] residuals = trusted.residuals(base.nominal().chain())[component];
     return times(trusted, residuals, believed[component]);
   }
 
-  private static double times(MotionEvidence evidence, double[] residuals, Noise believed) {
+  private static double times(MotionSteps given, double[] residuals, Noise believed) {
     List<Double> sizes = new ArrayList<>();
     double sum = 0;
     double seconds = 0;
     double load = 0;
-    for (int i = 0; i < evidence.size(); i++) {
-      MotionEvidence.Step step = evidence.step(i);
+    for (int i = 0; i < given.size(); i++) {
+      MotionSteps.Step step = given.step(i);
       if (!step.chained()) {
         sum = 0;
         seconds = 0;

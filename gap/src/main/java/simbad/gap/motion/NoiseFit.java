@@ -11,30 +11,30 @@ final class NoiseFit {
   /** An end of what the logarithms may come to: parts that small have no effect. */
   private static final double LEAST_LOG = Math.log(1e-9);
 
-  private final MotionEvidence evidence;
+  private final MotionSteps given;
   private final double[] loads;
   private final double[] residuals;
   private Noise best;
   private double score;
   private int tried;
 
-  private NoiseFit(MotionEvidence evidence, double[] loads, double[] residuals, Noise start) {
-    this.evidence = evidence;
+  private NoiseFit(MotionSteps given, double[] loads, double[] residuals, Noise start) {
+    this.given = given;
     this.loads = loads;
     this.residuals = residuals;
     best = start;
-    score = new Whitening(evidence, loads, start, residuals).logDensity();
+    score = new Whitening(given, loads, start, residuals).logDensity();
   }
 
   /** Returns the noises of all components, searched afresh. */
-  static Noise[] afresh(MotionEvidence evidence, double[][] residuals) {
+  static Noise[] afresh(MotionSteps given, double[][] residuals) {
     Noise[] noises = new Noise[residuals.length];
-    Arrays.setAll(noises, c -> afresh(evidence, evidence.loads(), residuals[c]).best);
+    Arrays.setAll(noises, c -> afresh(given, given.loads(), residuals[c]).best);
     return noises;
   }
 
-  private static NoiseFit afresh(MotionEvidence evidence, double[] loads, double[] residuals) {
-    NoiseFit fit = new NoiseFit(evidence, loads, residuals, Noise.start(typical(residuals)));
+  private static NoiseFit afresh(MotionSteps given, double[] loads, double[] residuals) {
+    NoiseFit fit = new NoiseFit(given, loads, residuals, Noise.start(typical(residuals)));
     fit.walk(1.5);
     fit.shapes();
     fit.walk(0.25);
@@ -44,21 +44,21 @@ final class NoiseFit {
   /**
    * Returns the log density of one component under the noise that makes it likeliest.
    *
-   * @param evidence the steps
+   * @param given the steps
    * @param loads what the robot's own variance is in proportion to
    * @param residuals by step
    */
-  static double likeliest(MotionEvidence evidence, double[] loads, double[] residuals) {
-    return afresh(evidence, loads, residuals).score;
+  static double likeliest(MotionSteps given, double[] loads, double[] residuals) {
+    return afresh(given, loads, residuals).score;
   }
 
   /** Returns the noises of all components, from ones that were nearly right. */
-  static Noise[] near(MotionEvidence evidence, double[][] residuals, Noise[] before) {
+  static Noise[] near(MotionSteps given, double[][] residuals, Noise[] before) {
     Noise[] noises = new Noise[residuals.length];
     Arrays.setAll(
         noises,
         c -> {
-          NoiseFit fit = new NoiseFit(evidence, evidence.loads(), residuals[c], before[c]);
+          NoiseFit fit = new NoiseFit(given, given.loads(), residuals[c], before[c]);
           fit.walk(0.3);
           return fit.best;
         });
@@ -97,7 +97,7 @@ final class NoiseFit {
 
   private boolean taken(Noise noise) {
     tried++;
-    double now = new Whitening(evidence, loads, noise, residuals).logDensity();
+    double now = new Whitening(given, loads, noise, residuals).logDensity();
     if (now > score + 1e-6) {
       best = noise;
       score = now;

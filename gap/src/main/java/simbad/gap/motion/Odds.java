@@ -116,8 +116,8 @@ final class Odds {
     return best < 0 ? best() : sets.get(best);
   }
 
-  /** Returns what could stand in the place of an effect of the most probable set, best first. */
-  List<String> inPlaceOf(String effect) {
+  /** Returns the ties of an effect of the most probable set, the best first. */
+  List<String> tiesOf(String effect) {
     int best = bestIndex();
     List<Rival> rivals = new ArrayList<>();
     Set<String> rest = sets.get(best).hypothesis().without(effect).effects();

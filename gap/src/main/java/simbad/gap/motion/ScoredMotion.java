@@ -11,8 +11,8 @@ import java.util.Arrays;
  */
 @SuppressWarnings("ArrayRecordComponent") // Numbers by block, never compared.
 record ScoredMotion(MotionFit fit, Slopes slopes, double[] blocks) {
-  static ScoredMotion of(MotionEvidence evidence, MotionFit fit) {
-    Slopes slopes = new Slopes(evidence, fit);
+  static ScoredMotion of(MotionSteps given, MotionFit fit) {
+    Slopes slopes = new Slopes(given, fit);
     return new ScoredMotion(fit, slopes, slopes.linear().heldOut());
   }
 

@@ -12,7 +12,7 @@ import simbad.motion.effect.MotionParameter;
 final class Slopes {
   private static final int MOST_HALVED = 6;
 
-  private final MotionEvidence evidence;
+  private final MotionSteps given;
   private final MotionFit fit;
   private final Whitening[] white;
 
@@ -27,14 +27,14 @@ final class Slopes {
 
   private final Linear linear;
 
-  Slopes(MotionEvidence evidence, MotionFit fit) {
-    this.evidence = evidence;
+  Slopes(MotionSteps given, MotionFit fit) {
+    this.given = given;
     this.fit = fit;
-    white = fit.white(evidence);
+    white = fit.white(given);
     free = free(fit.hypothesis());
     raw = free.parallelStream().map(this::column).toArray(double[][][]::new);
     columns = Arrays.stream(raw).map(this::whitened).toArray(double[][][]::new);
-    linear = new Linear(evidence, white, columns);
+    linear = new Linear(given, white, columns);
   }
 
   private static List<Integer> free(MotionHypothesis at) {
@@ -54,13 +54,13 @@ final class Slopes {
     double value = at.values()[index];
     double step = parameter.probe();
     double other = value + step > parameter.high() ? value - step : value + step;
-    double[][] moved = evidence.residuals(at.withValue(index, other).chain());
+    double[][] moved = given.residuals(at.withValue(index, other).chain());
     double[][] slopes = new double[moved.length][];
     for (int c = 0; c < slopes.length; c++) {
       double[] own = new double[moved[c].length];
       for (int i = 0; i < own.length; i++) {
         double by = fit.residuals()[c][i] - moved[c][i];
-        own[i] = (c == 2 ? MotionEvidence.wrapped(by) : by) / (other - value);
+        own[i] = (c == 2 ? MotionSteps.wrapped(by) : by) / (other - value);
       }
       slopes[c] = own;
     }
@@ -119,12 +119,12 @@ final class Slopes {
 
   /** Returns the log density of all blocks but those of a fold. */
   private double withoutFold(int fold, MotionHypothesis hypothesis) {
-    double[][] residuals = evidence.residuals(hypothesis.chain());
+    double[][] residuals = given.residuals(hypothesis.chain());
     double sum = 0;
     for (int c = 0; c < residuals.length; c++) {
-      Whitening own = new Whitening(evidence, fit.noises()[c], residuals[c]);
-      for (int i = 0; i < evidence.size(); i++) {
-        sum += evidence.foldOf(evidence.block(i)) == fold ? 0 : own.logDensity(i, own.white[i]);
+      Whitening own = new Whitening(given, fit.noises()[c], residuals[c]);
+      for (int i = 0; i < given.size(); i++) {
+        sum += given.foldOf(given.block(i)) == fold ? 0 : own.logDensity(i, own.white[i]);
       }
     }
     return sum;

@@ -3,9 +3,9 @@ package simbad.gap.motion;
 /**
  * What a log says, slips left out or not.
  *
- * @param evidence steps that were explained
+ * @param given steps that were explained
  * @param odds of sets of effects
  * @param gap before and after the most probable set
  * @param scatter beside it
  */
-record Told(MotionEvidence evidence, Odds odds, MotionGap gap, NoiseFindings scatter) {}
+record Told(MotionSteps given, Odds odds, MotionGap gap, NoiseFindings scatter) {}

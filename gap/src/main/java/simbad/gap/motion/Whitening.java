@@ -18,27 +18,27 @@ final class Whitening {
   /** Weights of least squares that fit Student's t. */
   final double[] weights;
 
-  private final MotionEvidence evidence;
+  private final MotionSteps given;
   private final Noise noise;
   private final double[] scales;
   private final double[] gains;
   private final double constant;
   private double logDensity;
 
-  Whitening(MotionEvidence evidence, Noise noise, double[] residuals) {
-    this(evidence, evidence.loads(), noise, residuals);
+  Whitening(MotionSteps given, Noise noise, double[] residuals) {
+    this(given, given.loads(), noise, residuals);
   }
 
   /**
    * Filters.
    *
-   * @param evidence the steps
+   * @param given the steps
    * @param loads what the robot's own variance is in proportion to, by step
    * @param noise by which the residuals scatter
    * @param residuals by step
    */
-  Whitening(MotionEvidence evidence, double[] loads, Noise noise, double[] residuals) {
-    this.evidence = evidence;
+  Whitening(MotionSteps given, double[] loads, Noise noise, double[] residuals) {
+    this.given = given;
     this.noise = noise;
     int n = residuals.length;
     white = new double[n];
@@ -57,7 +57,7 @@ final class Whitening {
     double error = 0;
     double errorVar = tracker;
     for (int i = 0; i < residuals.length; i++) {
-      MotionEvidence.Step step = evidence.step(i);
+      MotionSteps.Step step = given.step(i);
       if (!step.chained()) {
         error = 0;
         errorVar = tracker;
@@ -83,10 +83,10 @@ final class Whitening {
   }
 
   /** Returns the log density of the residuals of all components, each under its noise. */
-  static double logDensity(MotionEvidence evidence, Noise[] noises, double[][] residuals) {
+  static double logDensity(MotionSteps given, Noise[] noises, double[][] residuals) {
     double sum = 0;
     for (int c = 0; c < residuals.length; c++) {
-      sum += new Whitening(evidence, noises[c], residuals[c]).logDensity();
+      sum += new Whitening(given, noises[c], residuals[c]).logDensity();
     }
     return sum;
   }
@@ -106,7 +106,7 @@ final class Whitening {
     double[] result = new double[column.length];
     double error = 0;
     for (int i = 0; i < column.length; i++) {
-      double innovation = column[i] + (evidence.step(i).chained() ? error : 0);
+      double innovation = column[i] + (given.step(i).chained() ? error : 0);
       result[i] = innovation / scales[i];
       error = gains[i] * innovation;
     }

@@ -7,7 +7,7 @@ import java.util.Random;
 import simbad.definition.Effect;
 import simbad.gap.diagnosis.BudgetEntry;
 import simbad.gap.diagnosis.Interval;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.Refit;
@@ -23,7 +23,7 @@ public final class Budget {
   private static final int EVALUATIONS = 20;
   private static final double CM = 100;
 
-  private final Evidence evidence;
+  private final CalibratedLog given;
   private final Blocks blocks;
   private final Hypothesis explanation;
 
@@ -33,14 +33,14 @@ public final class Budget {
   private final double[] floorSums;
   private final int[] rows;
 
-  private Budget(Evidence evidence, Blocks blocks, Hypothesis explanation, GapGain gain) {
-    this.evidence = evidence;
+  private Budget(CalibratedLog given, Blocks blocks, Hypothesis explanation, GapGain gain) {
+    this.given = given;
     this.blocks = blocks;
     this.explanation = explanation;
     sums = new double[1 << explanation.forms().size()][blocks.count()];
     floorSums = new double[blocks.count()];
     rows = new int[blocks.count()];
-    for (int ping = 0; ping < evidence.log().size(); ping++) {
+    for (int ping = 0; ping < given.log().size(); ping++) {
       rows[blocks.of(ping)]++;
     }
     add(gain.before().observedM(), Fold.ALL, sums[0]);
@@ -56,7 +56,7 @@ public final class Budget {
   /**
    * Makes up a budget.
    *
-   * @param evidence the log
+   * @param given the log
    * @param blocks of the log
    * @param explanation the effects that are named, with their values
    * @param gain of the explanation
@@ -64,8 +64,8 @@ public final class Budget {
    * @return an entry for each effect in the explanation's order, the rest, the floor
    */
   public static List<BudgetEntry> of(
-      Evidence evidence, Blocks blocks, Hypothesis explanation, GapGain gain, long seed) {
-    return new Budget(evidence, blocks, explanation, gain).entries(new Random(seed));
+      CalibratedLog given, Blocks blocks, Hypothesis explanation, GapGain gain, long seed) {
+    return new Budget(given, blocks, explanation, gain).entries(new Random(seed));
   }
 
   private void add(double[] gapsM, Fold fold, double[] into) {
@@ -78,13 +78,12 @@ public final class Budget {
 
   /** All sets between none of the effects and all of them. */
   private void someOfThem() {
-    GapMeter meter = new GapMeter(evidence);
+    GapMeter meter = new GapMeter(given);
     for (int part = 0; part < 2; part++) {
       Fold left = blocks.half(part);
-      Hypothesis fitted =
-          new Refit(evidence, ping -> !left.holds(ping)).of(explanation, EVALUATIONS);
+      Hypothesis fitted = new Refit(given, ping -> !left.holds(ping)).of(explanation, EVALUATIONS);
       for (int set = 1; set < sums.length - 1; set++) {
-        add(meter.measure(evidence, only(fitted, set)).observedM(), left, sums[set]);
+        add(meter.measure(given, only(fitted, set)).observedM(), left, sums[set]);
       }
     }
   }

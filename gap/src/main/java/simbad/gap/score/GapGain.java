@@ -3,7 +3,7 @@ package simbad.gap.score;
 import java.util.Arrays;
 import java.util.Random;
 import simbad.gap.diagnosis.Interval;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.Refit;
@@ -46,20 +46,19 @@ public record GapGain(GapMeter.Gaps before, GapMeter.Gaps after, GapMeter.Gaps o
   }
 
   /** Measures. */
-  public static GapGain of(Evidence evidence, Blocks blocks, Hypothesis explanation) {
-    GapMeter meter = new GapMeter(evidence);
-    GapMeter.Gaps before = meter.measure(evidence, Hypothesis.NONE);
+  public static GapGain of(CalibratedLog given, Blocks blocks, Hypothesis explanation) {
+    GapMeter meter = new GapMeter(given);
+    GapMeter.Gaps before = meter.measure(given, Hypothesis.NONE);
     if (explanation.size() == 0) {
       return new GapGain(before, before);
     }
-    double[] observed = new double[evidence.log().size()];
+    double[] observed = new double[given.log().size()];
     double[] expected = new double[observed.length];
     int parts = explanation.hasTable() ? TABLE_PARTS : 2;
     for (int part = 0; part < parts; part++) {
       Fold left = blocks.part(part, parts);
-      Hypothesis fitted =
-          new Refit(evidence, ping -> !left.holds(ping)).of(explanation, EVALUATIONS);
-      GapMeter.Gaps gaps = meter.measure(evidence, fitted);
+      Hypothesis fitted = new Refit(given, ping -> !left.holds(ping)).of(explanation, EVALUATIONS);
+      GapMeter.Gaps gaps = meter.measure(given, fitted);
       for (int i = 0; i < observed.length; i++) {
         if (left.holds(i)) {
           observed[i] = gaps.observedM()[i];

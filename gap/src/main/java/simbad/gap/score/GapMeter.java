@@ -4,12 +4,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import simbad.gap.diagnosis.ForecastGap;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.check.Checks;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.PingLog;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 
 /**
  * Measures the gap of each ping, as {@link ForecastGap} says. Predictions never look at readings.
@@ -25,9 +25,9 @@ public final class GapMeter {
   private final double noEchoM;
 
   /** Creates a meter for a log. */
-  public GapMeter(Evidence evidence) {
-    log = evidence.log();
-    noEchoM = evidence.setup().noEchoM();
+  public GapMeter(CalibratedLog given) {
+    log = given.log();
+    noEchoM = given.setup().noEchoM();
   }
 
   /**
@@ -46,9 +46,9 @@ public final class GapMeter {
   }
 
   /** Measures a hypothesis. */
-  public Gaps measure(Evidence evidence, Hypothesis hypothesis) {
-    DiagnosedModel model = evidence.model(hypothesis);
-    List<ReadingDistribution> forecast = model.forecast(evidence.geometry(model));
+  public Gaps measure(CalibratedLog given, Hypothesis hypothesis) {
+    ChangedModel model = given.model(hypothesis);
+    List<ReadingDistribution> forecast = model.forecast(given.geometry(model));
     double[] observed = new double[log.size()];
     double[] expected = new double[log.size()];
     IntStream.range(0, log.size())

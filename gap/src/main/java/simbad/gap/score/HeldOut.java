@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Hypothesis;
@@ -23,17 +23,17 @@ import simbad.gap.fit.Refit;
 public final class HeldOut {
   private static final int EVALUATIONS = 15;
 
-  private final Evidence evidence;
+  private final CalibratedLog given;
   private final Blocks blocks;
 
   /**
    * Scores on a log.
    *
-   * @param evidence the log
+   * @param given the log
    * @param blocks of time that it is cut into
    */
-  public HeldOut(Evidence evidence, Blocks blocks) {
-    this.evidence = evidence;
+  public HeldOut(CalibratedLog given, Blocks blocks) {
+    this.given = given;
     this.blocks = blocks;
   }
 
@@ -92,8 +92,8 @@ public final class HeldOut {
   }
 
   private double[] scores(List<Fit> smallFirst, int half) {
-    Refit again = new Refit(evidence, blocks.half(half));
-    Fitter other = new Fitter(evidence, blocks.half(1 - half));
+    Refit again = new Refit(given, blocks.half(half));
+    Fitter other = new Fitter(given, blocks.half(1 - half));
     Map<Set<Effect>, Hypothesis> fitted = new HashMap<>();
     double[] scores = new double[smallFirst.size()];
     for (int i = 0; i < scores.length; i++) {

@@ -6,7 +6,7 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.Robust;
 import simbad.sonar.ping.Geometry;
@@ -41,26 +41,26 @@ public final class PlacementScatter {
    * with n readings to a placement and r the share of the variance that is between placements (Kish
    * 1965, the design effect). 1 where nothing was put in place repeatedly.
    */
-  public static double clumping(Evidence evidence, Placements placements) {
+  public static double clumping(CalibratedLog given, Placements placements) {
     if (!placements.areRepeated()) {
       return 1;
     }
     PlacementScatter scatter = new PlacementScatter();
-    scatter.read(evidence, placements);
+    scatter.read(given, placements);
     return scatter.placed.size() < 3 ? 1 : scatter.designEffect();
   }
 
   /** Tells whether readings of one placement scatter more than the sensor is believed to. */
-  public static boolean isNoisier(Evidence evidence, Placements placements) {
+  public static boolean isNoisier(CalibratedLog given, Placements placements) {
     PlacementScatter scatter = new PlacementScatter();
-    scatter.read(evidence, placements);
+    scatter.read(given, placements);
     double free = scatter.rows - scatter.placed.size();
     return free > 0 && Math.sqrt(scatter.squares / free) > MORE * scatter.believedM;
   }
 
-  private void read(Evidence evidence, Placements placements) {
-    PingLog log = evidence.log();
-    Geometry geometry = evidence.geometry(evidence.model(Hypothesis.NONE));
+  private void read(CalibratedLog given, Placements placements) {
+    PingLog log = given.log();
+    Geometry geometry = given.geometry(given.model(Hypothesis.NONE));
     DoubleStream.Builder within = DoubleStream.builder();
     for (int[] pings : placements.pings()) {
       int[] heard =
@@ -76,7 +76,7 @@ public final class PlacementScatter {
         rows += heard.length;
       }
     }
-    SonarSpec sensor = evidence.setup().sensor();
+    SonarSpec sensor = given.setup().sensor();
     double step = sensor.resolutionM();
     believedM = Math.hypot(sensor.rangeNoiseM(), step / Math.sqrt(12));
     double seen = placed.isEmpty() ? 0 : scale(within.build().toArray());

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import simbad.definition.Effect;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 
 /**
@@ -16,19 +16,19 @@ public final class PracticalSize {
   /** By how many standard errors an effect shrinks the gap of rows that the fit never saw. */
   private static final double SHOWN = 1.5;
 
-  private final Evidence evidence;
+  private final CalibratedLog given;
   private final Blocks blocks;
   private final List<Scored> sets;
 
   /**
    * Creates a judge.
    *
-   * @param evidence of the log
+   * @param given of the log
    * @param sets that were fitted, with their scores
    */
-  public PracticalSize(Evidence evidence, List<Scored> sets) {
-    this.evidence = evidence;
-    blocks = new Blocks(evidence.log());
+  public PracticalSize(CalibratedLog given, List<Scored> sets) {
+    this.given = given;
+    blocks = new Blocks(given.log());
     this.sets = List.copyOf(sets);
   }
 
@@ -61,8 +61,8 @@ public final class PracticalSize {
 
   /** How much the gap shrinks from one hypothesis to another, in standard errors over blocks. */
   private double shrinkage(Hypothesis from, Hypothesis to) {
-    double[] before = GapGain.of(evidence, blocks, from).after().observedM();
-    double[] after = GapGain.of(evidence, blocks, to).after().observedM();
+    double[] before = GapGain.of(given, blocks, from).after().observedM();
+    double[] after = GapGain.of(given, blocks, to).after().observedM();
     double[] sums = new double[blocks.count()];
     double all = 0;
     for (int i = 0; i < before.length; i++) {

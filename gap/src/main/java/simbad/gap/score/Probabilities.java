@@ -125,20 +125,21 @@ public final class Probabilities {
     return sum;
   }
 
-  /** Returns what could stand in the place of an effect of the most probable set. */
-  public List<Effect> inPlaceOf(Effect effect, double nats) {
-    return inPlaceOf(effect, best(), nats);
+  /** Returns the ties of an effect of the most probable set: what could stand in its place. */
+  public List<Effect> tiesOf(Effect effect, double nats) {
+    return tiesOf(effect, best(), nats);
   }
 
   /**
-   * Returns, for an effect of a set, the effects that could stand in its place with less than some
-   * evidence against it. What would have to gain more than others is no rival of one that has not.
+   * Returns the ties of an effect of a set: the effects that could stand in its place with less
+   * than some evidence against it. What would have to gain more than others is no rival of one that
+   * has not.
    *
    * @param effect of the set
    * @param set one of those that were fitted
    * @param nats how much evidence still leaves the two alike
    */
-  public List<Effect> inPlaceOf(Effect effect, Scored set, double nats) {
+  public List<Effect> tiesOf(Effect effect, Scored set, double nats) {
     Set<Effect> rest = new TreeSet<>(set.hypothesis().effects());
     rest.remove(effect);
     int size = rest.size() + 1;

@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
 import org.hipparchus.linear.Array2DRowRealMatrix;
 import org.hipparchus.linear.EigenDecompositionSymmetric;
 import simbad.definition.Parameter;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
@@ -28,8 +28,8 @@ public final class Uncertainty {
   private final double clumping;
 
   /** Creates for a log whose readings hang together by a factor, 1 for independent ones. */
-  public Uncertainty(Evidence evidence, double clumping) {
-    fitter = new Fitter(evidence, Fold.ALL);
+  public Uncertainty(CalibratedLog given, double clumping) {
+    fitter = new Fitter(given, Fold.ALL);
     this.clumping = Checks.positive("clumping", clumping);
   }
 

@@ -5,7 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.score.PlacementScatter;
 import simbad.gap.score.Placements;
 import simbad.sonar.effect.Definitions;
@@ -31,20 +31,20 @@ final class Gates {
   private Gates() {}
 
   /** Returns those of some forms that are possible. */
-  static List<Form> open(Evidence evidence, List<Form> forms) {
-    LogDesign design = design(evidence);
+  static List<Form> open(CalibratedLog given, List<Form> forms) {
+    LogDesign design = design(given);
     return forms.stream()
         .filter(form -> Definitions.of(form.effect()).canShow(form, design))
         .toList();
   }
 
-  private static LogDesign design(Evidence evidence) {
-    SensingSetup setup = evidence.setup();
-    Placements placements = new Placements(evidence.log());
+  private static LogDesign design(CalibratedLog given) {
+    SensingSetup setup = given.setup();
+    Placements placements = new Placements(given.log());
     boolean repeated = placements.areRepeated();
-    boolean noisier = !repeated || PlacementScatter.isNoisier(evidence, placements);
-    double wayM = medianPeriodS(evidence.log()) * setup.sensor().assumedSoundSpeedMPerS() / 2;
-    return new LogDesign(setup, evidence.log(), repeated, noisier, wayM, round(setup));
+    boolean noisier = !repeated || PlacementScatter.isNoisier(given, placements);
+    double wayM = medianPeriodS(given.log()) * setup.sensor().assumedSoundSpeedMPerS() / 2;
+    return new LogDesign(setup, given.log(), repeated, noisier, wayM, round(setup));
   }
 
   /** The obstacles that look the same from all sides. */

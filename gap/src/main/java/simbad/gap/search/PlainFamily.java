@@ -5,7 +5,7 @@ import java.util.Objects;
 import java.util.Set;
 import simbad.definition.Effect;
 import simbad.definition.Trait;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
@@ -34,23 +34,23 @@ final class PlainFamily {
   private static final int STEPS_FAR = 80;
   private static final int STEPS_NEAR = 60;
 
-  private final Evidence evidence;
+  private final CalibratedLog given;
   private final List<Form> forms;
 
   /**
    * Creates the family for a log.
    *
-   * @param evidence the log
+   * @param given the log
    * @param forms that are looked for
    */
-  PlainFamily(Evidence evidence, List<Form> forms) {
-    this.evidence = evidence;
+  PlainFamily(CalibratedLog given, List<Form> forms) {
+    this.given = given;
     this.forms = forms;
   }
 
   /** Fits a scale and an offset together; of less where one of them is not looked for. */
   Fit law() {
-    Fit fit = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
+    Fit fit = new Fitter(given, Fold.ALL).refine(Hypothesis.NONE, 0);
     for (Effect effect : Definitions.with(Trait.LAW_OF_RANGES)) {
       fit = with(effect, fit);
     }
@@ -61,11 +61,11 @@ final class PlainFamily {
     List<Form> own = forms.stream().filter(form -> form.effect() == effect).toList();
     return own.isEmpty()
         ? base
-        : Objects.requireNonNull(new Screen(evidence, base).all(own).get(effect));
+        : Objects.requireNonNull(new Screen(given, base).all(own).get(effect));
   }
 
   private Fit joint(Fit fit) {
-    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    Fitter fitter = new Fitter(given, Fold.ALL);
     return fitter.polish(fitter.refine(fit.hypothesis(), STEPS_FAR).hypothesis(), STEPS_NEAR);
   }
 }

@@ -16,7 +16,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.gap.calibrate.SetupLeave;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
@@ -56,7 +56,7 @@ public final class Search {
   /** How many sets get a held-out score. */
   private static final int SCORED = 10;
 
-  private final Evidence evidence;
+  private final CalibratedLog given;
   private final Blocks blocks;
   private final List<Form> forms;
   private final double worthNats;
@@ -71,19 +71,19 @@ public final class Search {
   /**
    * Creates a search.
    *
-   * @param evidence the log
+   * @param given the log
    * @param excluded effects that are not looked for
    * @param worthNats what a further effect must gain to be built upon
    * @param leave that the set-up has; none where it stands still
    */
   public Search(
-      Evidence evidence, Set<Effect> excluded, double worthNats, Optional<SetupLeave> leave) {
-    this.evidence = evidence;
+      CalibratedLog given, Set<Effect> excluded, double worthNats, Optional<SetupLeave> leave) {
+    this.given = given;
     this.leave = leave;
     this.worthNats = Checks.number("worthNats", worthNats);
-    blocks = new Blocks(evidence.log());
+    blocks = new Blocks(given.log());
     forms =
-        Gates.open(evidence, Forms.all(evidence.setup(), evidence.log().sensors())).stream()
+        Gates.open(given, Forms.all(given.setup(), given.log().sensors())).stream()
             .filter(form -> !excluded.contains(form.effect()))
             .toList();
   }
@@ -101,9 +101,9 @@ public final class Search {
 
   /** Returns all sets that were fitted, the most probable held-out first. */
   public List<Scored> run() {
-    Fit nominal = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
+    Fit nominal = new Fitter(given, Fold.ALL).refine(Hypothesis.NONE, 0);
     keep(nominal);
-    List<Fit> starts = new ArrayList<>(new Screen(evidence, nominal).all(forms).values());
+    List<Fit> starts = new ArrayList<>(new Screen(given, nominal).all(forms).values());
     offered.forEach(set -> starts.add(joint(new Fit(set, nominal.logLikelihood()))));
     singles = best(starts);
     singles.forEach(this::keep);
@@ -114,7 +114,7 @@ public final class Search {
 
   /** The law of the ranges, and what else is plain beside it. */
   private void plain() {
-    Fit law = new PlainFamily(evidence, forms).law();
+    Fit law = new PlainFamily(given, forms).law();
     keep(law);
     if (law.hypothesis().forms().size() > 1) {
       grown(
@@ -127,7 +127,7 @@ public final class Search {
 
   /** Returns whether the set that was built leaves something over. */
   public boolean isOff() {
-    return Misfit.ofPings(evidence, best.hypothesis()).top(Misfit.TOP) > OFF;
+    return Misfit.ofPings(given, best.hypothesis()).top(Misfit.TOP) > OFF;
   }
 
   /**
@@ -191,7 +191,7 @@ public final class Search {
 
   /** The base with one effect more, the best first; the first few with all values refined. */
   private List<Fit> grown(Fit base, List<Form> open) {
-    List<Fit> added = best(new Screen(evidence, base).all(open).values());
+    List<Fit> added = best(new Screen(given, base).all(open).values());
     List<Fit> joint =
         added.stream().limit(JOINT).toList().parallelStream().map(this::joint).toList();
     added.forEach(this::keep);
@@ -213,7 +213,7 @@ public final class Search {
       Hypothesis rest = swapped.hypothesis().without(member);
       keep(joint(new Fit(rest, swapped.logLikelihood())));
       // Beside the values that they had beside it: alone they would do its work.
-      Fit base = new Fitter(evidence, Fold.ALL).refine(rest, 0);
+      Fit base = new Fitter(given, Fold.ALL).refine(rest, 0);
       // What gained little beside what soaked it up may gain most beside the other.
       List<Fit> others = grown(base, members.size() > 2 ? promising(singles, rest) : forms);
       if (!others.isEmpty() && others.get(0).logLikelihood() > swapped.logLikelihood()) {
@@ -236,7 +236,7 @@ public final class Search {
   /** Refines all values of a set together, first by long steps, then by short ones. */
   private Fit joint(Fit fit) {
     int size = fit.hypothesis().size();
-    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    Fitter fitter = new Fitter(given, Fold.ALL);
     if (fit.hypothesis().hasTable()) {
       return tabled(fit.hypothesis(), fitter);
     }
@@ -247,7 +247,7 @@ public final class Search {
   /** A table is read off the log anew now that the other effects are known, if that is better. */
   private Fit tabled(Hypothesis set, Fitter fitter) {
     Fit kept = new Fit(set, fitter.logLikelihood(set));
-    Hypothesis read = new Refit(evidence, Fold.ALL).of(set, TABLED_EVALUATIONS);
+    Hypothesis read = new Refit(given, Fold.ALL).of(set, TABLED_EVALUATIONS);
     double again = fitter.logLikelihood(read);
     return again > kept.logLikelihood() ? new Fit(read, again) : kept;
   }
@@ -266,7 +266,7 @@ public final class Search {
   private List<Scored> scored() {
     List<Fit> ranked =
         fits.values().stream().sorted(Comparator.comparingDouble(fit -> -promise(fit))).toList();
-    HeldOut heldOut = new HeldOut(evidence, blocks);
+    HeldOut heldOut = new HeldOut(given, blocks);
     List<Scored> again = heldOut.score(ranked.subList(0, Math.min(SCORED, ranked.size())));
     List<Scored> scored = new ArrayList<>(again);
     ranked.stream().skip(SCORED).map(fit -> HeldOut.guess(fit, again)).forEach(scored::add);

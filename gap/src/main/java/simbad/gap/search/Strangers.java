@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.gap.calibrate.SetupLeave;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
@@ -37,7 +37,7 @@ public final class Strangers {
   /** Beyond, in natural logarithms, one is sure. */
   private static final double MOST_NATS = 50;
 
-  private final Evidence evidence;
+  private final CalibratedLog given;
   private final SetupLeave leave;
   private final double durationS;
   private final List<Form> forms;
@@ -45,13 +45,13 @@ public final class Strangers {
   /**
    * Looks for them.
    *
-   * @param evidence the log, under the level law
+   * @param given the log, under the level law
    * @param leave that the set-up has
    */
-  public Strangers(Evidence evidence, SetupLeave leave) {
-    this.evidence = evidence;
+  public Strangers(CalibratedLog given, SetupLeave leave) {
+    this.given = given;
     this.leave = leave;
-    PingLog log = evidence.log();
+    PingLog log = given.log();
     // Where things are placed one after the other, a drift is what each placement is off by.
     durationS = new Placements(log).areRepeated() ? 0 : log.lastsS();
     forms = forms(durationS);
@@ -109,7 +109,7 @@ public final class Strangers {
    * @param temperature by which nats are divided
    */
   public Found against(Hypothesis named, double worthNats, double temperature) {
-    double own = nats(polished(new Fitter(evidence, Fold.ALL), named));
+    double own = nats(polished(new Fitter(given, Fold.ALL), named));
     List<Claim> claims = new ArrayList<>();
     rests(named, worthNats)
         .forEach(
@@ -154,7 +154,7 @@ public final class Strangers {
 
   private Claim fitted(Hypothesis rest, Form form) {
     double[] start = form.parameters().stream().mapToDouble(p -> p.tries().get(0)).toArray();
-    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    Fitter fitter = new Fitter(given, Fold.ALL);
     Fit far = fitter.refine(rest.and(form, start), rest.size(), 20 + 20 * start.length);
     Fit fit = polished(fitter, far.hypothesis());
     return new Claim(nats(fit), words(fit.hypothesis()));
@@ -163,7 +163,7 @@ public final class Strangers {
   private Stream<Claim> wandering(Hypothesis rest) {
     return leave
         .leeway()
-        .map(open -> new Wandering(open, evidence, rest, durationS).curves())
+        .map(open -> new Wandering(open, given, rest, durationS).curves())
         .orElse(List.of())
         .stream()
         .map(curve -> new Claim(curve.nats() - ofValues(rest), curve.what()));

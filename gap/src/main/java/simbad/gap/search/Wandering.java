@@ -10,7 +10,7 @@ import java.util.stream.IntStream;
 import simbad.gap.calibrate.SetupMove;
 import simbad.gap.calibrate.level.Along;
 import simbad.gap.calibrate.level.Leeway;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.ping.Geometry;
 
@@ -62,14 +62,14 @@ final class Wandering {
    * Asks a log.
    *
    * @param open how far its set-up may move
-   * @param evidence of it
+   * @param given of it
    * @param rest effects that stay as they are
    * @param durationS of the log, seconds; 0 where nothing can be said of time
    */
-  Wandering(Leeway open, Evidence evidence, Hypothesis rest, double durationS) {
-    move = new SetupMove(open, evidence, rest);
+  Wandering(Leeway open, CalibratedLog given, Hypothesis rest, double durationS) {
+    move = new SetupMove(open, given, rest);
     geometry = move.geometry();
-    fitted = Arrays.stream(evidence.logLikelihood(rest)).sum();
+    fitted = Arrays.stream(given.logLikelihood(rest)).sum();
     add(
         BEARING,
         true,
@@ -82,7 +82,7 @@ final class Wandering {
         at ->
             said("at about %.0f degrees ", Math.abs(at))
                 + (at < 0 ? "to the right" : "to the left"));
-    double most = evidence.setup().sensor().maxRangeM();
+    double most = given.setup().sensor().maxRangeM();
     add(
         Along.Axis.between(0, most, DISTANCE_STEP_M, DISTANCE_LENGTH_M),
         false,

@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import simbad.definition.Effect;
 import simbad.definition.Trait;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.score.Blocks;
 import simbad.gap.score.GapGain;
 import simbad.gap.score.Placements;
@@ -46,20 +46,20 @@ public record Weighed(
   /**
    * Weighs sets, the nominal model among them.
    *
-   * @param evidence the log
+   * @param given the log
    * @param sets that were fitted
    * @param worthNats what a further effect must gain to be as probable as its absence
    * @param temperature by which nats are divided
    */
   public static Weighed of(
-      Evidence evidence, List<Scored> sets, double worthNats, double temperature) {
+      CalibratedLog given, List<Scored> sets, double worthNats, double temperature) {
     Checks.number("worthNats", worthNats);
     Checks.positive("temperature", temperature);
-    PracticalSize size = new PracticalSize(evidence, sets);
-    Blocks blocks = new Blocks(evidence.log());
+    PracticalSize size = new PracticalSize(given, sets);
+    Blocks blocks = new Blocks(given.log());
     double most = (1 + Probabilities.UNSEEN) * worthNats;
     Set<Effect> unseen = new TreeSet<>();
-    if (new Placements(evidence.log()).areRepeated()) {
+    if (new Placements(given.log()).areRepeated()) {
       unseen.addAll(PlainFamily.SOAK_UP_PLACEMENTS);
     }
     List<Scored> left = new ArrayList<>(sets);
@@ -71,7 +71,7 @@ public record Weighed(
       if (unseen.addAll(size.unseen(best, most))) {
         continue;
       }
-      GapGain gain = GapGain.of(evidence, blocks, best.hypothesis());
+      GapGain gain = GapGain.of(given, blocks, best.hypothesis());
       if (best.hypothesis().forms().isEmpty() || gain.isWorthNaming()) {
         return new Weighed(probabilities, best, gain, enlarging);
       }
@@ -94,37 +94,37 @@ public record Weighed(
   /**
    * Returns the same with a gain that knows what is left before a set-up which has moved.
    *
-   * @param evidence the log
+   * @param given the log
    * @param open the same before a set-up that has moved as far as its reference leaves open
    */
-  public Weighed beside(Evidence evidence, Evidence open) {
-    if (open == evidence) {
+  public Weighed beside(CalibratedLog given, CalibratedLog open) {
+    if (open == given) {
       return this;
     }
     return new Weighed(probabilities, taken, gain.beside(gainOf(open, taken).after()), enlarging);
   }
 
-  /** Returns what could stand in the place of an effect of the set that is concluded upon. */
-  public List<Effect> inPlaceOf(Effect effect, double nats) {
-    return probabilities.inPlaceOf(effect, taken, nats);
+  /** Returns the ties of an effect of the set that is concluded upon: what could stand for it. */
+  public List<Effect> tiesOf(Effect effect, double nats) {
+    return probabilities.tiesOf(effect, taken, nats);
   }
 
   /**
    * Returns what is sure beside a rest that no effect explains, with its own gain; empty if nothing
    * is, or if it leaves the gap as it was.
    *
-   * @param evidence the log
+   * @param given the log
    * @param sets that were fitted
    * @param worthNats what a further effect must gain to be as probable as its absence
    */
-  public Optional<Weighed> confirmed(Evidence evidence, List<Scored> sets, double worthNats) {
-    return new Confirmed(sets, SOAK_UP, worthNats, new Placements(evidence.log()).areRepeated())
+  public Optional<Weighed> confirmed(CalibratedLog given, List<Scored> sets, double worthNats) {
+    return new Confirmed(sets, SOAK_UP, worthNats, new Placements(given.log()).areRepeated())
         .best()
-        .map(sure -> new Weighed(probabilities, sure, gainOf(evidence, sure), enlarging))
+        .map(sure -> new Weighed(probabilities, sure, gainOf(given, sure), enlarging))
         .filter(sure -> sure.gain.isWorthNaming());
   }
 
-  private static GapGain gainOf(Evidence evidence, Scored set) {
-    return GapGain.of(evidence, new Blocks(evidence.log()), set.hypothesis());
+  private static GapGain gainOf(CalibratedLog given, Scored set) {
+    return GapGain.of(given, new Blocks(given.log()), set.hypothesis());
   }
 }

@@ -100,7 +100,10 @@ public record Constants(
     return law == SensorLaw.Model.LEVEL ? levelTemperature : thresholdTemperature;
   }
 
-  /** Returns how probable it is, by some signs, that something without a name is at work. */
+  /**
+   * Returns how probable it is, by some signs, that something without a name is at work: what the
+   * fitted logistic regression says, within the bounds of what it may say.
+   */
   public double unknown(Map<String, Double> signs) {
     double logit = base;
     for (Map.Entry<String, Double> weight : weights.entrySet()) {

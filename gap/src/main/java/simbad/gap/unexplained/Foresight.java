@@ -3,12 +3,12 @@ package simbad.gap.unexplained;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.slice.Axis;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.Geometry;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 
 /**
  * How many echoes a hypothesis with memory expects where no reading is known, and how far that
@@ -27,9 +27,9 @@ final class Foresight {
   }
 
   /** Looks ahead through a log. */
-  static Foresight of(Evidence evidence, Hypothesis hypothesis) {
-    DiagnosedModel model = evidence.model(hypothesis);
-    Geometry geometry = evidence.geometry(model);
+  static Foresight of(CalibratedLog given, Hypothesis hypothesis) {
+    ChangedModel model = given.model(hypothesis);
+    Geometry geometry = given.geometry(model);
     List<ReadingDistribution> forecast = model.forecast(geometry);
     double[] expected =
         forecast.stream().mapToDouble(reading -> 1 - reading.noEchoProbability()).toArray();

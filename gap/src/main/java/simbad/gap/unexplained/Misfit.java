@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import simbad.gap.calibrate.level.Leeway;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.slice.Axis;
 import simbad.gap.slice.Slice;
@@ -60,11 +60,12 @@ public final class Misfit {
   /** What is counted once: the worst slice of an axis, in one way. */
   private record Way(Axis axis, Kind kind) {}
 
-  private Misfit(Evidence evidence, Hypothesis hypothesis, boolean ahead, Optional<Openness> open) {
-    List<Axis> cuts = look(new Surprise(evidence, hypothesis), open);
-    if (ahead && evidence.model(hypothesis).hasMemory()) {
-      Foresight foresight = Foresight.of(evidence, hypothesis);
-      cuts.forEach(cut -> lookAhead(evidence.log(), foresight, cut));
+  private Misfit(
+      CalibratedLog given, Hypothesis hypothesis, boolean ahead, Optional<Openness> open) {
+    List<Axis> cuts = look(new Surprise(given, hypothesis), open);
+    if (ahead && given.model(hypothesis).hasMemory()) {
+      Foresight foresight = Foresight.of(given, hypothesis);
+      cuts.forEach(cut -> lookAhead(given.log(), foresight, cut));
     }
     sort();
   }
@@ -95,22 +96,22 @@ public final class Misfit {
   /**
    * Looks at all slices, and at what a hypothesis with memory expects where no reading is known.
    */
-  public static Misfit of(Evidence evidence, Hypothesis hypothesis) {
-    return new Misfit(evidence, hypothesis, true, Optional.empty());
+  public static Misfit of(CalibratedLog given, Hypothesis hypothesis) {
+    return new Misfit(given, hypothesis, true, Optional.empty());
   }
 
   /**
    * Looks at all slices before a set-up that a reference leaves open: what all pings of a slice
    * have in common by it is no misfit.
    */
-  static Misfit of(Evidence evidence, Hypothesis hypothesis, Leeway leeway) {
-    Openness open = Openness.of(evidence, hypothesis, leeway);
-    return new Misfit(evidence, hypothesis, true, Optional.of(open));
+  static Misfit of(CalibratedLog given, Hypothesis hypothesis, Leeway leeway) {
+    Openness open = Openness.of(given, hypothesis, leeway);
+    return new Misfit(given, hypothesis, true, Optional.of(open));
   }
 
   /** Looks at all slices, ping by ping alone: far quicker where a hypothesis has memory. */
-  public static Misfit ofPings(Evidence evidence, Hypothesis hypothesis) {
-    return new Misfit(evidence, hypothesis, false, Optional.empty());
+  public static Misfit ofPings(CalibratedLog given, Hypothesis hypothesis) {
+    return new Misfit(given, hypothesis, false, Optional.empty());
   }
 
   /** Returns all slices, the most off first. */

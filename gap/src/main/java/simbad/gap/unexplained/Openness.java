@@ -3,7 +3,7 @@ package simbad.gap.unexplained;
 import java.util.Arrays;
 import java.util.List;
 import simbad.gap.calibrate.level.Leeway;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.check.Checks;
 import simbad.sonar.ping.Change;
@@ -25,18 +25,18 @@ public record Openness(
   /**
    * Asks how echoes and ranges depend on the set-up.
    *
-   * @param evidence the log
+   * @param given the log
    * @param hypothesis of it
    * @param leeway of the set-up
    */
-  public static Openness of(Evidence evidence, Hypothesis hypothesis, Leeway leeway) {
-    Geometry geometry = evidence.geometry(evidence.model(hypothesis));
+  public static Openness of(CalibratedLog given, Hypothesis hypothesis, Leeway leeway) {
+    Geometry geometry = given.geometry(given.model(hypothesis));
     double[] chance =
         SetupScores.perDecibel(
-            hypothesis, changes -> new Surprise(evidence, evidence.model(changes)).expected);
+            hypothesis, changes -> new Surprise(given, given.model(changes)).expected);
     double[] score =
         SetupScores.perMetre(
-            hypothesis, changes -> new Surprise(evidence, evidence.model(changes)).score);
+            hypothesis, changes -> new Surprise(given, given.model(changes)).score);
     return new Openness(leeway, pulls(geometry, hypothesis, leeway), chance, score);
   }
 

@@ -6,14 +6,14 @@ import java.util.List;
 import java.util.function.DoubleFunction;
 import java.util.function.Function;
 import simbad.gap.calibrate.level.EchoCurves;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.change.LevelGain;
 import simbad.sonar.change.RangeOffset;
 import simbad.sonar.check.Checks;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 
 /**
  * By how much each reading of a log would be likelier if echoes were stronger, or read longer, by a
@@ -33,15 +33,15 @@ public record SetupScores(Geometry geometry, double[] perDecibel, double[] perMe
   /**
    * Asks a hypothesis under the level law.
    *
-   * @param evidence the log
+   * @param given the log
    * @param hypothesis of it
    */
-  public static SetupScores of(Evidence evidence, Hypothesis hypothesis) {
-    DiagnosedModel model = evidence.model(hypothesis);
+  public static SetupScores of(CalibratedLog given, Hypothesis hypothesis) {
+    ChangedModel model = given.model(hypothesis);
     return new SetupScores(
-        evidence.geometry(model),
-        perDecibel(hypothesis, evidence::logLikelihood),
-        perMetre(hypothesis, evidence::logLikelihood));
+        given.geometry(model),
+        perDecibel(hypothesis, given::logLikelihood),
+        perMetre(hypothesis, given::logLikelihood));
   }
 
   /** Returns by how much a value of each ping rises with the excess of what it hears. */

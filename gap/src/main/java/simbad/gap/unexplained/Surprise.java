@@ -1,12 +1,12 @@
 package simbad.gap.unexplained;
 
 import org.hipparchus.special.Erf;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 import simbad.sonar.predict.Expectation;
 
 /**
@@ -47,16 +47,16 @@ public final class Surprise {
   /**
    * Asks what a hypothesis got wrong.
    *
-   * @param evidence the log
+   * @param given the log
    * @param hypothesis of it
    */
-  public Surprise(Evidence evidence, Hypothesis hypothesis) {
-    this(evidence, evidence.model(hypothesis));
+  public Surprise(CalibratedLog given, Hypothesis hypothesis) {
+    this(given, given.model(hypothesis));
   }
 
-  Surprise(Evidence evidence, DiagnosedModel model) {
-    geometry = evidence.geometry(model);
-    log = evidence.log();
+  Surprise(CalibratedLog given, ChangedModel model) {
+    geometry = given.geometry(model);
+    log = given.log();
     Expectation expectation = model.expectation(geometry);
     expected = new double[log.size()];
     score = new double[log.size()];

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Set;
 import simbad.definition.Effect;
 import simbad.definition.Trait;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.score.GapGain;
 import simbad.sonar.change.Burst;
@@ -67,26 +67,26 @@ public final class Unknown {
   /**
    * Finds what speaks for it.
    *
-   * @param evidence the log
+   * @param given the log
    * @param open the same before a set-up that has moved as far as its reference leaves open
    * @param doubt of the set-up
    * @param gain of the best set
    * @param best the best set of effects
    */
   public static Signs signs(
-      Evidence evidence, Evidence open, SetupDoubt doubt, GapGain gain, Hypothesis best) {
+      CalibratedLog given, CalibratedLog open, SetupDoubt doubt, GapGain gain, Hypothesis best) {
     Misfit misfit =
         doubt
             .leeway()
-            .map(leeway -> Misfit.of(evidence, best, leeway))
+            .map(leeway -> Misfit.of(given, best, leeway))
             .orElseGet(() -> Misfit.of(open, best));
     double[] vary = doubt.blocksVary();
     double off = misfit.top(Misfit.TOP, vary[0], vary[1]);
-    off /= doubt.misfitTimes(CHANCE, evidence.log().size());
+    off /= doubt.misfitTimes(CHANCE, given.log().size());
     if (doubt.isHeldOut() && isWithinItself(gain)) {
       off = Math.min(off, CHANCE + MOST_UNSEEN);
     }
-    return signs(Math.max(0, off - CHANCE), gain, doubt.gapTimes(), best, evidence.setup());
+    return signs(Math.max(0, off - CHANCE), gain, doubt.gapTimes(), best, given.setup());
   }
 
   /** Three effects at once are rarer than one thing that has no name. */

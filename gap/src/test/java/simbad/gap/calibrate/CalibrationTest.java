@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
@@ -34,8 +34,8 @@ class CalibrationTest {
     return Hypothesis.NONE.and(form, Arrays.copyOf(values, form.parameters().size()));
   }
 
-  private static Evidence calibrated(Calibration calibration, PingLog log) {
-    return new Evidence(Worlds.POST, calibration.setup().changes(), log);
+  private static CalibratedLog calibrated(Calibration calibration, PingLog log) {
+    return new CalibratedLog(Worlds.POST, calibration.setup().changes(), log);
   }
 
   /** What chance makes of a right set-up predicts another log hardly worse. */
@@ -45,7 +45,7 @@ class CalibrationTest {
       Calibration calibration = Calibration.of(Worlds.POST, log(Hypothesis.NONE, 1500, seed));
       PingLog other = log(Hypothesis.NONE, 1500, seed + 10);
       double right =
-          new Fitter(new Evidence(Worlds.POST, List.of(), other), Fold.ALL)
+          new Fitter(new CalibratedLog(Worlds.POST, List.of(), other), Fold.ALL)
               .logLikelihood(Hypothesis.NONE);
       double fitted =
           new Fitter(calibrated(calibration, other), Fold.ALL).logLikelihood(Hypothesis.NONE);
@@ -75,14 +75,14 @@ class CalibrationTest {
     Hypothesis clamp = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.03);
     Hypothesis world = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.03);
     Calibration calibration = Calibration.of(Worlds.POST, log(world, 1200, 5));
-    Evidence evidence = calibrated(calibration, log(world, 1500, 7));
-    Calibration more = calibration.with(evidence, clamp);
+    CalibratedLog given = calibrated(calibration, log(world, 1500, 7));
+    Calibration more = calibration.with(given, clamp);
     Hypothesis found = more.setup();
     int at = found.forms().indexOf(SetupForms.of(clamp.forms().get(0)));
     assertTrue(at >= 0, () -> found.toString());
     assertEquals(0.03, found.valuesOf(at)[0], 0.002);
     // A gain that only the log shows stays an effect.
-    Evidence weaker =
+    CalibratedLog weaker =
         calibrated(more, log(world.and(wider.forms().get(0), wider.values()), 1500, 9));
     assertSame(more, more.with(weaker, wider));
   }
@@ -93,8 +93,8 @@ class CalibrationTest {
     PingLog log = log(Hypothesis.NONE, 300, 11);
     Hypothesis gain = Worlds.effect(Effect.GAIN, "factor", 0.9);
     assertSame(none, none.with(calibrated(none, log), gain));
-    Evidence evidence = calibrated(none, log);
-    assertSame(evidence, none.loosened(evidence, gain));
+    CalibratedLog given = calibrated(none, log);
+    assertSame(given, none.loosened(given, gain));
   }
 
   /** A reference far from any edge leaves the edges' softness open: the log may decide it. */
@@ -104,9 +104,9 @@ class CalibrationTest {
     PingLog near = new PingLog(Worlds.read(Worlds.poses(800, 0.3, 1.2, 15), soft, 16));
     Calibration calibration = Calibration.of(Worlds.POST, near);
     PingLog edges = new PingLog(Worlds.read(Worlds.poses(2000, 1.7, 2.3, 17), soft, 18));
-    Evidence evidence = calibrated(calibration, edges);
-    double held = Misfit.of(evidence, Hypothesis.NONE).top(5);
-    Evidence loosened = calibration.loosened(evidence, Hypothesis.NONE);
+    CalibratedLog given = calibrated(calibration, edges);
+    double held = Misfit.of(given, Hypothesis.NONE).top(5);
+    CalibratedLog loosened = calibration.loosened(given, Hypothesis.NONE);
     double loose = Misfit.of(loosened, Hypothesis.NONE).top(5);
     assertTrue(held > 4 && loose < 3, () -> held + " and loosened " + loose);
   }
@@ -124,7 +124,7 @@ class CalibrationTest {
   void waves_moveToTheBestAndBackWithATightPrior() {
     Form form = setup("threshold:post").forms().get(0);
     PingLog log = log(setup("threshold:post", 0.05), 2000, 13);
-    Fitter fitter = new Fitter(new Evidence(Worlds.POST, List.of(), log), Fold.ALL);
+    Fitter fitter = new Fitter(new CalibratedLog(Worlds.POST, List.of(), log), Fold.ALL);
     double[] wide = new double[form.parameters().size()];
     Arrays.fill(wide, 1);
     Hypothesis free = Hypothesis.NONE;

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.catalogue.SetupForms;
@@ -17,12 +17,12 @@ class SuspicionTest {
     return Worlds.effect(Effect.RANGE_OFFSET, "constant", metres);
   }
 
-  private static Evidence log(Hypothesis truth, int rows, long seed) {
-    return Worlds.evidence(Worlds.read(Worlds.poses(rows, 0.3, 1.4, seed), truth, seed + 1));
+  private static CalibratedLog log(Hypothesis truth, int rows, long seed) {
+    return Worlds.given(Worlds.read(Worlds.poses(rows, 0.3, 1.4, seed), truth, seed + 1));
   }
 
   private static Hypothesis settled(
-      Evidence reference, Hypothesis truth, Hypothesis explanation, double clumping) {
+      CalibratedLog reference, Hypothesis truth, Hypothesis explanation, double clumping) {
     return new Suspicion(reference, log(truth, 600, 3), explanation, clumping)
         .settled(Hypothesis.NONE, 0);
   }
@@ -64,7 +64,7 @@ class SuspicionTest {
   /** Five pings rule nothing out: what hardly shrinks the gap is the set-up's, what does is not. */
   @Test
   void whatTheReferenceLeavesOpen_isOfTheSetupIfItIsSmall() {
-    Evidence few = log(Hypothesis.NONE, 5, 1);
+    CalibratedLog few = log(Hypothesis.NONE, 5, 1);
     Hypothesis small = offset(0.001);
     Hypothesis found = settled(few, small, small, 1);
     assertEquals(List.of(SetupForms.of(small.forms().get(0))), found.forms());

@@ -11,7 +11,7 @@ import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
 import simbad.gap.diagnosis.NextExperiment;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.effect.Form;
@@ -36,8 +36,8 @@ class ExperimentsTest {
 
   @Test
   void soundSpeedAndRangeOffset_comeApartOverDistances() {
-    Evidence evidence = Worlds.evidence(ONE_DISTANCE);
-    NextExperiment next = Experiments.separate(evidence, SPEED, OFFSET).orElseThrow();
+    CalibratedLog given = Worlds.given(ONE_DISTANCE);
+    NextExperiment next = Experiments.separate(given, SPEED, OFFSET).orElseThrow();
     assertEquals(List.of(Effect.SOUND_SPEED, Effect.RANGE_OFFSET), next.separates());
     assertTrue(next.poses().size() <= 150, () -> next.poses().size() + " poses");
     double nearest = next.poses().stream().mapToDouble(ExperimentsTest::distanceM).min().orElse(9);
@@ -49,7 +49,7 @@ class ExperimentsTest {
   @Test
   void expectedLogOdds_areThoseOfReadingsThatAreDrawn() {
     NextExperiment next =
-        Experiments.separate(Worlds.evidence(ONE_DISTANCE), SPEED, OFFSET).orElseThrow();
+        Experiments.separate(Worlds.given(ONE_DISTANCE), SPEED, OFFSET).orElseThrow();
     double least = Math.min(odds(next, SPEED, OFFSET), odds(next, OFFSET, SPEED));
     assertEquals(1, least / next.expectedLogOdds(), 0.15);
   }
@@ -57,7 +57,7 @@ class ExperimentsTest {
   private static double odds(NextExperiment next, Hypothesis truth, Hypothesis rival) {
     double[] odds = new double[20];
     for (int i = 0; i < odds.length; i++) {
-      Evidence drawn = Worlds.evidence(Worlds.read(next.poses(), truth, i));
+      CalibratedLog drawn = Worlds.given(Worlds.read(next.poses(), truth, i));
       odds[i] = sum(drawn.logLikelihood(truth)) - sum(drawn.logLikelihood(rival));
     }
     return Arrays.stream(odds).average().orElseThrow();
@@ -66,7 +66,7 @@ class ExperimentsTest {
   @Test
   void poses_startAtTimeZero_andKeepTheUpdatePeriod() {
     List<ReadingRow> poses =
-        Experiments.separate(Worlds.evidence(ONE_DISTANCE), SPEED, OFFSET).orElseThrow().poses();
+        Experiments.separate(Worlds.given(ONE_DISTANCE), SPEED, OFFSET).orElseThrow().poses();
     assertEquals(0, poses.get(0).timeS());
     for (int i = 1; i < poses.size(); i++) {
       ReadingRow before = poses.get(i - 1);
@@ -81,14 +81,14 @@ class ExperimentsTest {
     Hypothesis square = Worlds.effect(Effect.OBSTACLE_TURN, "all", 90);
     assertEquals(
         Optional.empty(),
-        Experiments.separate(Worlds.evidence(ONE_DISTANCE), Hypothesis.NONE, square));
+        Experiments.separate(Worlds.given(ONE_DISTANCE), Hypothesis.NONE, square));
   }
 
   @Test
   void anEffectThatBothHave_isNotSeparated() {
     Hypothesis speed = SPEED.and(OFFSET.forms().get(0), 0.05);
     NextExperiment next =
-        Experiments.separate(Worlds.evidence(ONE_DISTANCE), speed, OFFSET).orElseThrow();
+        Experiments.separate(Worlds.given(ONE_DISTANCE), speed, OFFSET).orElseThrow();
     assertEquals(List.of(Effect.SOUND_SPEED), next.separates());
   }
 
@@ -105,7 +105,7 @@ class ExperimentsTest {
         Forms.find(Effect.BEAM_MISALIGNMENT, "only:right", Worlds.POST, List.of("left", "right"))
             .orElseThrow();
     NextExperiment next =
-        Experiments.separate(Worlds.evidence(rows), Hypothesis.NONE, Hypothesis.NONE.and(bent, 6))
+        Experiments.separate(Worlds.given(rows), Hypothesis.NONE, Hypothesis.NONE.and(bent, 6))
             .orElseThrow();
     assertTrue(next.poses().stream().allMatch(row -> row.sensor().equals("right")));
   }

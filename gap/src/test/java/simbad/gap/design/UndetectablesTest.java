@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
 import simbad.gap.diagnosis.Undetectable;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.effect.Definitions;
@@ -27,7 +27,7 @@ class UndetectablesTest {
   }
 
   private static Map<Effect, Undetectable> of(List<ReadingRow> rows, Hypothesis explained) {
-    return Undetectables.of(Worlds.evidence(rows), explained, NATS).stream()
+    return Undetectables.of(Worlds.given(rows), explained, NATS).stream()
         .collect(Collectors.toMap(Undetectable::effect, Function.identity()));
   }
 
@@ -50,13 +50,13 @@ class UndetectablesTest {
   @Test
   void leastSize_isWhereTheLikelihoodFallsByTheNats() {
     List<ReadingRow> rows = read(60, 0.3, 1.6);
-    Evidence evidence = Worlds.evidence(rows);
+    CalibratedLog given = Worlds.given(rows);
     Undetectable dropout = Objects.requireNonNull(of(rows, Hypothesis.NONE).get(Effect.DROPOUT));
     double size = dropout.leastSize().orElseThrow();
     assertTrue(size > 0.05, dropout::toString);
     double fall =
-        Arrays.stream(evidence.logLikelihood(Hypothesis.NONE)).sum()
-            - Arrays.stream(evidence.logLikelihood(Worlds.effect(Effect.DROPOUT, "single", size)))
+        Arrays.stream(given.logLikelihood(Hypothesis.NONE)).sum()
+            - Arrays.stream(given.logLikelihood(Worlds.effect(Effect.DROPOUT, "single", size)))
                 .sum();
     assertEquals(NATS, fall, 0.5);
   }

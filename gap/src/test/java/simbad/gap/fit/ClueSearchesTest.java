@@ -36,7 +36,7 @@ class ClueSearchesTest {
   }
 
   private static LogClues clues(List<ReadingRow> poses, Hypothesis truth) {
-    return new LogClues(Worlds.evidence(Worlds.read(poses, truth, 12)), Hypothesis.NONE);
+    return new LogClues(Worlds.given(Worlds.read(poses, truth, 12)), Hypothesis.NONE);
   }
 
   private static void assertSome(List<double[]> starts, Predicate<double[]> near) {
@@ -148,7 +148,7 @@ class ClueSearchesTest {
   void face_withoutAnyStrangeEcho_startsAnywhere() {
     Form form =
         Forms.find(Effect.UNMODELLED_OBJECT, "face", Worlds.POST, List.of("s")).orElseThrow();
-    LogClues silent = new LogClues(Worlds.evidence(lookingRound().subList(0, 5)), Hypothesis.NONE);
+    LogClues silent = new LogClues(Worlds.given(lookingRound().subList(0, 5)), Hypothesis.NONE);
     List<double[]> starts = new FaceSearch(silent).starts(form);
     assertTrue(!starts.isEmpty() && starts.get(0).length == form.parameters().size());
   }
@@ -173,7 +173,7 @@ class ClueSearchesTest {
   @Test
   void walk_withoutStrangeEchoes_isNeutral() {
     Form form = Forms.find(Effect.CROSSTALK, "walking", Worlds.POST, List.of("s")).orElseThrow();
-    LogClues silent = new LogClues(Worlds.evidence(lookingRound().subList(0, 5)), Hypothesis.NONE);
+    LogClues silent = new LogClues(Worlds.given(lookingRound().subList(0, 5)), Hypothesis.NONE);
     List<double[]> starts = new WalkSearch(silent).starts(form);
     assertEquals(1, starts.size());
     assertEquals(0, starts.get(0)[0]);

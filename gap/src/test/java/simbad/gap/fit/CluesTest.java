@@ -24,7 +24,7 @@ class CluesTest {
 
   private static final LogClues CLUES =
       new LogClues(
-          Worlds.evidence(
+          Worlds.given(
               List.of(
                   row("a", 0.0, FACING, new Echo(0.95)),
                   row("a", 0.1, FACING, NoEcho.NO_ECHO),

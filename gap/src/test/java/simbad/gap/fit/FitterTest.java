@@ -18,9 +18,9 @@ import simbad.sonar.sensing.ReadingRow;
 
 /** Logs that a model drew are fitted by that model. */
 class FitterTest {
-  private static Evidence drawn(Hypothesis truth, long seed) {
+  private static CalibratedLog drawn(Hypothesis truth, long seed) {
     List<ReadingRow> poses = Worlds.poses(1500, 0.3, 2.2, seed);
-    return Worlds.evidence(Worlds.read(poses, truth, seed + 1));
+    return Worlds.given(Worlds.read(poses, truth, seed + 1));
   }
 
   /** Within about four standard errors of 1,500 readings, half of them echoes. */
@@ -33,18 +33,17 @@ class FitterTest {
   })
   void refine_findsTheValueThatDrewTheLog(
       Effect effect, String form, double truth, double start, double tolerance) {
-    Evidence evidence = drawn(Worlds.effect(effect, form, truth), 3);
-    Fit fit = new Fitter(evidence, Fold.ALL).refine(Worlds.effect(effect, form, start), 80);
+    CalibratedLog given = drawn(Worlds.effect(effect, form, truth), 3);
+    Fit fit = new Fitter(given, Fold.ALL).refine(Worlds.effect(effect, form, start), 80);
     assertEquals(truth, fit.hypothesis().values()[0], tolerance);
-    double atTruth =
-        new Fitter(evidence, Fold.ALL).logLikelihood(Worlds.effect(effect, form, truth));
+    double atTruth = new Fitter(given, Fold.ALL).logLikelihood(Worlds.effect(effect, form, truth));
     assertTrue(fit.logLikelihood() >= atTruth - 0.5);
   }
 
   @Test
   void refine_neverLeavesTheIntervalAndNeverFallsBehindItsStart() {
-    Evidence evidence = drawn(Hypothesis.NONE, 5);
-    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    CalibratedLog given = drawn(Hypothesis.NONE, 5);
+    Fitter fitter = new Fitter(given, Fold.ALL);
     Hypothesis start = Worlds.effect(Effect.GAIN, "factor", 2.9);
     Fit fit = fitter.refine(start, 60);
     assertTrue(fit.hypothesis().values()[0] <= 3);
@@ -54,18 +53,18 @@ class FitterTest {
 
   @Test
   void foldsAddUpToTheWhole() {
-    Evidence evidence = drawn(Hypothesis.NONE, 7);
-    double even = new Fitter(evidence, ping -> ping % 2 == 0).logLikelihood(Hypothesis.NONE);
-    double odd = new Fitter(evidence, ping -> ping % 2 == 1).logLikelihood(Hypothesis.NONE);
-    double all = new Fitter(evidence, Fold.ALL).logLikelihood(Hypothesis.NONE);
+    CalibratedLog given = drawn(Hypothesis.NONE, 7);
+    double even = new Fitter(given, ping -> ping % 2 == 0).logLikelihood(Hypothesis.NONE);
+    double odd = new Fitter(given, ping -> ping % 2 == 1).logLikelihood(Hypothesis.NONE);
+    double all = new Fitter(given, Fold.ALL).logLikelihood(Hypothesis.NONE);
     assertEquals(all, even + odd, 1e-9 * Math.abs(all));
   }
 
   @Test
   void jointFitter_addsTheReferenceAndTheLogWithItsEffects() {
-    Evidence reference = drawn(Hypothesis.NONE, 9);
+    CalibratedLog reference = drawn(Hypothesis.NONE, 9);
     Hypothesis effects = Worlds.effect(Effect.GAIN, "factor", 0.8);
-    Evidence log = drawn(effects, 11);
+    CalibratedLog log = drawn(effects, 11);
     Hypothesis setup = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.01);
     double expected =
         new Fitter(reference, Fold.ALL).logLikelihood(setup)
@@ -77,8 +76,8 @@ class FitterTest {
   /** Two bursts at once are no model: the effect's stands in the place of the set-up's. */
   @Test
   void jointFitter_takesTheMemoryOfTheEffects() {
-    Evidence reference = drawn(Hypothesis.NONE, 17);
-    Evidence log = drawn(Hypothesis.NONE, 19);
+    CalibratedLog reference = drawn(Hypothesis.NONE, 17);
+    CalibratedLog log = drawn(Hypothesis.NONE, 19);
     Hypothesis effects = Worlds.effect(Effect.DROPOUT, "bursts", 0.3, 4);
     Hypothesis setup =
         Hypothesis.NONE.and(SetupForms.of(effects.forms().get(0)), new double[] {0.01, 2});
@@ -99,14 +98,14 @@ class FitterTest {
   })
   void screen_ranksTheEffectThatDrewTheLogFirst(Effect effect, String form, String values) {
     double[] truth = List.of(values.split(" ")).stream().mapToDouble(Double::parseDouble).toArray();
-    Evidence evidence = drawn(Worlds.effect(effect, form, truth), 13);
-    Fit nominal = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
+    CalibratedLog given = drawn(Worlds.effect(effect, form, truth), 13);
+    Fit nominal = new Fitter(given, Fold.ALL).refine(Hypothesis.NONE, 0);
     // A whole table of thresholds, for which this post's are one, could take any shape.
     List<Form> forms =
         Forms.all(Worlds.POST, List.of("s")).stream()
             .filter(one -> one.effect() != Effect.ORIENTATION_SHADOW)
             .toList();
-    Map<Effect, Fit> best = new Screen(evidence, nominal).all(forms);
+    Map<Effect, Fit> best = new Screen(given, nominal).all(forms);
     Fit first =
         best.values().stream().max(Comparator.comparingDouble(Fit::logLikelihood)).orElseThrow();
     assertEquals(List.of(effect), first.hypothesis().effects());

@@ -31,8 +31,8 @@ class PostSearchTest {
   }
 
   private static LogClues clues(Hypothesis truth) {
-    Evidence evidence = Worlds.evidence(Worlds.read(lookingRound(), truth, 12));
-    return new LogClues(evidence, Hypothesis.NONE);
+    CalibratedLog given = Worlds.given(Worlds.read(lookingRound(), truth, 12));
+    return new LogClues(given, Hypothesis.NONE);
   }
 
   @Test
@@ -67,7 +67,7 @@ class PostSearchTest {
               ? row
               : new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), stray));
     }
-    LogClues both = new LogClues(Worlds.evidence(rows), Hypothesis.NONE);
+    LogClues both = new LogClues(Worlds.given(rows), Hypothesis.NONE);
     List<double[]> starts = new PostSearch(both, 4).starts();
     for (double[] at : places) {
       double nearest =
@@ -91,7 +91,7 @@ class PostSearchTest {
   @Test
   void starts_withoutAnyStrangeEcho_areOne() {
     List<ReadingRow> silent = lookingRound().subList(0, 5);
-    LogClues clues = new LogClues(Worlds.evidence(silent), Hypothesis.NONE);
+    LogClues clues = new LogClues(Worlds.given(silent), Hypothesis.NONE);
     List<double[]> starts = new PostSearch(clues, 4).starts();
     assertEquals(1, starts.size());
     assertEquals(6, starts.get(0).length);

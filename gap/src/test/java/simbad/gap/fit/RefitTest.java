@@ -36,15 +36,15 @@ class RefitTest {
     return Hypothesis.NONE.and(table(), table);
   }
 
-  private static Evidence drawn(Hypothesis truth) {
-    return Worlds.evidence(Worlds.read(Worlds.poses(ROWS, 0.3, 2.2, 21), truth, 22));
+  private static CalibratedLog drawn(Hypothesis truth) {
+    return Worlds.given(Worlds.read(Worlds.poses(ROWS, 0.3, 2.2, 21), truth, 22));
   }
 
   @Test
   void table_isReadOffThePingsThatCount() {
-    Evidence evidence = drawn(lopsided());
+    CalibratedLog given = drawn(lopsided());
     Fold first = ping -> ping % 2 == 0;
-    Hypothesis fitted = new Refit(evidence, first).of(lopsided(), 15);
+    Hypothesis fitted = new Refit(given, first).of(lopsided(), 15);
     double[] table = fitted.values();
     double near = Arrays.stream(table, 4, 32).average().orElseThrow();
     double far = Arrays.stream(table, 40, 68).average().orElseThrow();
@@ -56,10 +56,10 @@ class RefitTest {
   @Test
   void table_doesNotKeepWhatOtherPingsTold() {
     List<ReadingRow> rows = Worlds.read(Worlds.poses(ROWS, 0.3, 2.2, 23), lopsided(), 24);
-    Evidence evidence = Worlds.evidence(rows);
-    LogClues clues = new LogClues(evidence, Hypothesis.NONE);
+    CalibratedLog given = Worlds.given(rows);
+    LogClues clues = new LogClues(given, Hypothesis.NONE);
     Fold farSide = ping -> clues.geometry.bearingRad(ping) > Math.PI;
-    Hypothesis fitted = new Refit(evidence, farSide).of(lopsided(), 15);
+    Hypothesis fitted = new Refit(given, farSide).of(lopsided(), 15);
     double unseen = Arrays.stream(fitted.values(), 10, 26).average().orElseThrow();
     assertTrue(unseen > 1.2, "mean of the side that was not seen is " + unseen);
   }
@@ -68,9 +68,9 @@ class RefitTest {
   void valuesBesideATable_areFittedAsWell() {
     Hypothesis noisy = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.06);
     Hypothesis truth = lopsided().and(noisy.forms().get(0), noisy.values());
-    Evidence evidence = drawn(truth);
+    CalibratedLog given = drawn(truth);
     Hypothesis start = lopsided().and(noisy.forms().get(0), 0.02);
-    Hypothesis fitted = new Refit(evidence, Fold.ALL).of(start, 20);
+    Hypothesis fitted = new Refit(given, Fold.ALL).of(start, 20);
     assertEquals(0.06, fitted.valuesOf(fitted.effects().indexOf(Effect.RANGE_OFFSET))[0], 0.003);
     assertFalse(fitted.equals(start));
   }
@@ -81,7 +81,7 @@ class RefitTest {
     Hypothesis deaf = Worlds.effect(Effect.DEAD_ZONE, "sharp", 0.9);
     Hypothesis truth = deaf.and(table(), lopsided().values());
     List<ReadingRow> rows = Worlds.read(Worlds.poses(ROWS, 0.3, 2.2, 25), truth, 26);
-    LogClues clues = new LogClues(Worlds.evidence(rows), deaf);
+    LogClues clues = new LogClues(Worlds.given(rows), deaf);
     double[] table = TableSearch.tables(clues, 0);
     double far = Arrays.stream(table, 40, 68).average().orElseThrow();
     assertEquals(1.5, far, 0.08);
@@ -102,12 +102,12 @@ class RefitTest {
     Arrays.fill(truth, Forms.TABLE_SIZE, truth.length, 1.4);
     Hypothesis shadows = Hypothesis.NONE.and(form, truth);
     List<ReadingRow> rows = Worlds.read(two, Worlds.poses(4000, 0.3, 2.2, 27), shadows, 28);
-    Evidence evidence = new Evidence(two, List.of(), new PingLog(rows));
-    double[] found = TableSearch.tables(new LogClues(evidence, Hypothesis.NONE), 0, 1);
+    CalibratedLog given = new CalibratedLog(two, List.of(), new PingLog(rows));
+    double[] found = TableSearch.tables(new LogClues(given, Hypothesis.NONE), 0, 1);
     assertEquals(0.8, Arrays.stream(found, 0, Forms.TABLE_SIZE).average().orElseThrow(), 0.08);
     double other = Arrays.stream(found, Forms.TABLE_SIZE, truth.length).average().orElseThrow();
     assertEquals(1.4, other, 0.08);
-    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    Fitter fitter = new Fitter(given, Fold.ALL);
     double read = fitter.logLikelihood(Hypothesis.NONE.and(form, found));
     assertTrue(read > fitter.logLikelihood(shadows) - 5, "read off " + read);
   }

@@ -54,13 +54,13 @@ class ScreenTest {
 
   private static Fit screened(SensingSetup setup, Hypothesis truth, List<ReadingRow> poses) {
     PingLog log = new PingLog(Worlds.read(setup, poses, truth, 32));
-    Evidence evidence = new Evidence(setup, List.of(), log);
+    CalibratedLog given = new CalibratedLog(setup, List.of(), log);
     Effect effect = truth.effects().get(0);
-    Fit nominal = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
+    Fit nominal = new Fitter(given, Fold.ALL).refine(Hypothesis.NONE, 0);
     List<Form> forms =
         Forms.all(setup, log.sensors()).stream().filter(f -> f.effect() == effect).toList();
-    Fit found = Objects.requireNonNull(new Screen(evidence, nominal).all(forms).get(effect));
-    double atTruth = new Fitter(evidence, Fold.ALL).logLikelihood(truth);
+    Fit found = Objects.requireNonNull(new Screen(given, nominal).all(forms).get(effect));
+    double atTruth = new Fitter(given, Fold.ALL).logLikelihood(truth);
     assertTrue(
         found.logLikelihood() > atTruth - 40,
         found.logLikelihood() + " found, " + atTruth + " where it was drawn");
@@ -134,14 +134,14 @@ class ScreenTest {
                   row.run(), row.sensor(), row.timeS(), row.pose(), new Echo(0.03 + 0.01 * turn))
               : row);
     }
-    Evidence evidence = Worlds.evidence(rows);
-    Fit nominal = new Fitter(evidence, Fold.ALL).refine(Hypothesis.NONE, 0);
+    CalibratedLog given = Worlds.given(rows);
+    Fit nominal = new Fitter(given, Fold.ALL).refine(Hypothesis.NONE, 0);
     List<Form> walks =
         Forms.all(Worlds.POST, List.of("s")).stream()
             .filter(form -> form.name().startsWith("walking"))
             .toList();
     Fit found =
-        Objects.requireNonNull(new Screen(evidence, nominal).all(walks).get(walks.get(0).effect()));
+        Objects.requireNonNull(new Screen(given, nominal).all(walks).get(walks.get(0).effect()));
     assertTrue(found.logLikelihood() > nominal.logLikelihood() + 50, () -> "found " + found);
   }
 }

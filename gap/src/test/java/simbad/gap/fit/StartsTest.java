@@ -53,8 +53,7 @@ class StartsTest {
     Form form = world.forms().get(0);
     LogClues clues =
         new LogClues(
-            Worlds.evidence(Worlds.read(Worlds.poses(600, 0.2, 1.4, 7), world, 12)),
-            Hypothesis.NONE);
+            Worlds.given(Worlds.read(Worlds.poses(600, 0.2, 1.4, 7), world, 12)), Hypothesis.NONE);
     List<double[]> starts = Definitions.of(effect).starts(form, clues);
     double nearest =
         starts.stream()

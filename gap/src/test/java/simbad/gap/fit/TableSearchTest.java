@@ -44,7 +44,7 @@ class TableSearchTest {
   }
 
   private static void check(List<ReadingRow> rows) {
-    LogClues clues = new LogClues(Worlds.evidence(rows), Hypothesis.NONE);
+    LogClues clues = new LogClues(Worlds.given(rows), Hypothesis.NONE);
     double[] table = new TableSearch(clues, 0).table();
     for (int bearing = 0; bearing < SIZE; bearing++) {
       assertEquals(thresholdM(bearing), table[bearing], SPACING_M, "bearing " + 5 * bearing);
@@ -69,8 +69,7 @@ class TableSearchTest {
     double[] series = {-0.4, 0.2, 0, 0, -0.15, 0, 0};
     Hypothesis truth = Worlds.effect(Effect.ORIENTATION_SHADOW, "waves:post#0", series);
     List<ReadingRow> rows = Worlds.read(Worlds.poses(4000, 0.1, 1.6, 3), truth, 5);
-    double[] found =
-        new TableSearch(new LogClues(Worlds.evidence(rows), Hypothesis.NONE), 0).waves();
+    double[] found = new TableSearch(new LogClues(Worlds.given(rows), Hypothesis.NONE), 0).waves();
     assertArrayEquals(series, found, 0.03);
   }
 }

@@ -15,7 +15,7 @@ import simbad.definition.Effect;
 import simbad.gap.diagnosis.GapKind;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Place;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.gap.score.Blocks;
@@ -40,13 +40,13 @@ class PlacesTest {
   }
 
   private static List<Place> places(List<ReadingRow> rows, Hypothesis diagnosed) {
-    Evidence evidence = Worlds.evidence(rows);
-    GapMeter meter = new GapMeter(evidence);
+    CalibratedLog given = Worlds.given(rows);
+    GapMeter meter = new GapMeter(given);
     return Places.find(
-        evidence,
-        meter.measure(evidence, Hypothesis.NONE),
-        meter.measure(evidence, diagnosed),
-        new Blocks(evidence.log()));
+        given,
+        meter.measure(given, Hypothesis.NONE),
+        meter.measure(given, diagnosed),
+        new Blocks(given.log()));
   }
 
   private static List<ReadingRow> planted(
@@ -154,9 +154,9 @@ class PlacesTest {
           Pose.of(i % 2 == 0 ? 0.5 + 0.05 * i : 2.2 + 0.05 * i, 0, i % 2 == 0 ? Math.PI : 0);
       rows.add(new ReadingRow("r", "s", 0.1 * i, pose, NoEcho.NO_ECHO));
     }
-    Evidence evidence = new Evidence(twoPosts(), List.of(), new PingLog(rows));
+    CalibratedLog given = new CalibratedLog(twoPosts(), List.of(), new PingLog(rows));
     Axis distance =
-        Cuts.of(evidence.geometry(evidence.model(Hypothesis.NONE))).stream()
+        Cuts.of(given.geometry(given.model(Hypothesis.NONE))).stream()
             .map(cut -> cut.axes().get(0))
             .filter(axis -> axis.condition(0, 1).variable().equals("distance_m"))
             .findFirst()
@@ -185,10 +185,10 @@ class PlacesTest {
             Worlds.read(two, poses, Hypothesis.NONE, 35),
             row -> row.pose().position().xM() > 1.5 && row.timeS() % 0.2 < 0.1,
             NoEcho.NO_ECHO);
-    Evidence evidence = new Evidence(two, List.of(), new PingLog(rows));
-    GapMeter meter = new GapMeter(evidence);
-    GapMeter.Gaps gap = meter.measure(evidence, Hypothesis.NONE);
-    List<Place> places = Places.find(evidence, gap, gap, new Blocks(evidence.log()));
+    CalibratedLog given = new CalibratedLog(two, List.of(), new PingLog(rows));
+    GapMeter meter = new GapMeter(given);
+    GapMeter.Gaps gap = meter.measure(given, Hypothesis.NONE);
+    List<Place> places = Places.find(given, gap, gap, new Blocks(given.log()));
     assertTrue(
         places.stream()
             .flatMap(place -> place.conditions().stream())

@@ -103,12 +103,12 @@ class ReferenceTest {
 
   private static ScoredMotion found(BelievedMotion believed, double perMetre) {
     MotionForm form = MotionForms.find("wheel-asymmetry").orElseThrow();
-    MotionEvidence evidence = believed.reference().orElseThrow().evidence();
+    MotionSteps given = believed.reference().orElseThrow().given();
     MotionHypothesis set =
         new MotionHypothesis(believed.nominal().chain(), List.of(), new double[0])
             .with(form, new double[] {perMetre});
-    MotionFit fit = new MotionFit(set, evidence.residuals(set.chain()), believed.noises(), 0);
-    return ScoredMotion.of(evidence, fit);
+    MotionFit fit = new MotionFit(set, given.residuals(set.chain()), believed.noises(), 0);
+    return ScoredMotion.of(given, fit);
   }
 
   /** Without a reference nothing is learnt: the robot's file is what is believed. */

@@ -12,12 +12,12 @@ import simbad.motion.MotionRun;
 import simbad.motion.TrackPose;
 
 class WhiteningTest {
-  private static MotionEvidence evidence(int poses) {
+  private static MotionSteps given(int poses) {
     List<TrackPose> track = new ArrayList<>();
     for (int i = 0; i < poses; i++) {
       track.add(new TrackPose(0.2 * i, 0, 0, 0));
     }
-    return new MotionEvidence(List.of(new MotionRun("a", List.of(new Command(0, 1, 0)), track)));
+    return new MotionSteps(List.of(new MotionRun("a", List.of(new Command(0, 1, 0)), track)));
   }
 
   /**
@@ -28,7 +28,7 @@ class WhiteningTest {
   void trackerErrors_areDifferencesOfEnds() {
     double a = 0.7;
     double b = -0.4;
-    Whitening white = new Whitening(evidence(3), Noise.believed(1), new double[] {a, b});
+    Whitening white = new Whitening(given(3), Noise.believed(1), new double[] {a, b});
 
     double form = 2 * (a * a + a * b + b * b) / 3;
     double gaussian = -form / 2 - Math.log(2 * Math.PI) - Math.log(3) / 2;
@@ -50,7 +50,7 @@ class WhiteningTest {
     SplittableRandom random = new SplittableRandom(5);
     double[] residuals = random.doubles(50, -1, 1).toArray();
     Noise noise = new Noise(0.3, 0.5, 4);
-    Whitening white = new Whitening(evidence(51), noise, residuals);
+    Whitening white = new Whitening(given(51), noise, residuals);
 
     double[] again = white.of(residuals);
     for (int i = 0; i < again.length; i++) {
@@ -63,7 +63,7 @@ class WhiteningTest {
   void slip_isOneEvent() {
     double[] residuals = new double[40];
     residuals[20] = 10;
-    Whitening white = new Whitening(evidence(41), new Noise(0.5, 0.1, 4), residuals);
+    Whitening white = new Whitening(given(41), new Noise(0.5, 0.1, 4), residuals);
 
     assertTrue(Math.abs(white.white[20]) > 4, "seen");
     assertTrue(Math.abs(white.white[22]) < 2, "over: " + white.white[22]);
@@ -81,9 +81,9 @@ class WhiteningTest {
       error = next;
     }
     double[][] three = {residuals, residuals, residuals};
-    MotionEvidence evidence = evidence(1501);
+    MotionSteps given = given(1501);
     // The load of a robot at one speed is 1.05 throughout.
-    Noise found = NoiseFit.afresh(evidence, three)[0];
+    Noise found = NoiseFit.afresh(given, three)[0];
     assertEquals(2, found.tracker(), 0.2);
     assertEquals(Math.sqrt(2 * 4 + 9 * 0.5), Math.sqrt(found.variance(0.5, 1)), 0.4);
   }

@@ -7,7 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
 import simbad.gap.diagnosis.BudgetEntry;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 
@@ -16,10 +16,10 @@ class BudgetTest {
   private static final Hypothesis OFFSET = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.06);
 
   private static List<BudgetEntry> of(Hypothesis truth) {
-    Evidence evidence = Worlds.evidence(Worlds.read(Worlds.poses(600, 0.3, 1.3, 1), truth, 2));
-    Blocks blocks = new Blocks(evidence.log());
-    GapGain gain = GapGain.of(evidence, blocks, truth);
-    List<BudgetEntry> budget = Budget.of(evidence, blocks, truth, gain, 3);
+    CalibratedLog given = Worlds.given(Worlds.read(Worlds.poses(600, 0.3, 1.3, 1), truth, 2));
+    Blocks blocks = new Blocks(given.log());
+    GapGain gain = GapGain.of(given, blocks, truth);
+    List<BudgetEntry> budget = Budget.of(given, blocks, truth, gain, 3);
     double sum = budget.stream().mapToDouble(BudgetEntry::cm).sum();
     assertEquals(100 * gain.beforeM(), sum, 1e-9, "the parts are the whole");
     for (BudgetEntry entry : budget) {

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
@@ -19,12 +19,12 @@ class HeldOutTest {
   /** What has no values has nothing to learn: both halves together are the whole. */
   @Test
   void withoutValues_theScoreIsTheLikelihood() {
-    Evidence evidence = Worlds.evidence(Worlds.read(Worlds.poses(300, 0.3, 1.7, 1), OFFSET, 2));
-    Fitter fitter = new Fitter(evidence, Fold.ALL);
+    CalibratedLog given = Worlds.given(Worlds.read(Worlds.poses(300, 0.3, 1.7, 1), OFFSET, 2));
+    Fitter fitter = new Fitter(given, Fold.ALL);
     Fit nominal = fitter.refine(Hypothesis.NONE, 0);
     Fit offset = fitter.refine(OFFSET, 0);
     List<Scored> scored =
-        new HeldOut(evidence, new Blocks(evidence.log())).score(List.of(offset, nominal));
+        new HeldOut(given, new Blocks(given.log())).score(List.of(offset, nominal));
     assertEquals(Hypothesis.NONE, scored.get(0).hypothesis(), "the smaller first");
     assertEquals(nominal.logLikelihood(), scored.get(0).heldOut(), 1e-9);
     assertEquals(nominal.logLikelihood(), scored.get(0).inSample(), 1e-9);

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fixture.Ladders;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.ping.PingLog;
@@ -20,8 +20,8 @@ class PlacementsTest {
   }
 
   private static double clumping(List<ReadingRow> rows) {
-    Evidence evidence = new Evidence(Ladders.BOARD, List.of(), new PingLog(rows));
-    return PlacementScatter.clumping(evidence, of(rows));
+    CalibratedLog given = new CalibratedLog(Ladders.BOARD, List.of(), new PingLog(rows));
+    return PlacementScatter.clumping(given, of(rows));
   }
 
   private static double[] sixty() {

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 
@@ -14,10 +14,10 @@ class PracticalSizeTest {
   private static Set<Effect> unseen(double offsetM, double gainedNats, double nats) {
     Hypothesis offset = Worlds.effect(Effect.RANGE_OFFSET, "constant", offsetM);
     // Six blocks of 25 rows.
-    Evidence evidence = Worlds.evidence(Worlds.read(Worlds.poses(150, 0.3, 1.3, 5), offset, 6));
+    CalibratedLog given = Worlds.given(Worlds.read(Worlds.poses(150, 0.3, 1.3, 5), offset, 6));
     Scored set = new Scored(offset, 0, gainedNats);
     List<Scored> sets = List.of(new Scored(Hypothesis.NONE, 0, 0), set);
-    return new PracticalSize(evidence, sets).unseen(set, nats);
+    return new PracticalSize(given, sets).unseen(set, nats);
   }
 
   @Test
@@ -40,8 +40,8 @@ class PracticalSizeTest {
   @Test
   void whatStandsAlone_isNotJudged() {
     Hypothesis offset = Worlds.effect(Effect.RANGE_OFFSET, "constant", 1e-4);
-    Evidence evidence = Worlds.evidence(Worlds.read(Worlds.poses(150, 0.3, 1.3, 5), offset, 6));
+    CalibratedLog given = Worlds.given(Worlds.read(Worlds.poses(150, 0.3, 1.3, 5), offset, 6));
     Scored set = new Scored(offset, 0, 1);
-    assertEquals(Set.of(), new PracticalSize(evidence, List.of(set)).unseen(set, 30));
+    assertEquals(Set.of(), new PracticalSize(given, List.of(set)).unseen(set, 30));
   }
 }

@@ -83,8 +83,8 @@ class ProbabilitiesTest {
   void tiesAreWhatCouldStandInItsPlace() {
     Probabilities close =
         new Probabilities(List.of(scored(GAIN, -50), scored(ABSORPTION, -52)), 10, 2, Set.of());
-    assertEquals(List.of(Effect.ABSORPTION), close.inPlaceOf(Effect.GAIN, 3));
-    assertEquals(List.of(), close.inPlaceOf(Effect.GAIN, 1));
+    assertEquals(List.of(Effect.ABSORPTION), close.tiesOf(Effect.GAIN, 3));
+    assertEquals(List.of(), close.tiesOf(Effect.GAIN, 1));
   }
 
   @Test

@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
@@ -19,8 +19,8 @@ class UncertaintyTest {
   private static final double OFFSET_M = 0.04;
   private static final Hypothesis OFFSET = Worlds.effect(Effect.RANGE_OFFSET, "constant", OFFSET_M);
 
-  private static Evidence evidence(Hypothesis truth, int rows, long seed) {
-    return Worlds.evidence(Worlds.read(Worlds.poses(rows, 0.3, 2, seed), truth, seed + 1000));
+  private static CalibratedLog given(Hypothesis truth, int rows, long seed) {
+    return Worlds.given(Worlds.read(Worlds.poses(rows, 0.3, 2, seed), truth, seed + 1000));
   }
 
   private static Hypothesis and(Hypothesis some, Effect effect, String form, double... values) {
@@ -34,9 +34,9 @@ class UncertaintyTest {
     Hypothesis truth = and(OFFSET, Effect.DROPOUT, "single", 0.1);
     int[] held = new int[2];
     for (int seed = 0; seed < 40; seed++) {
-      Evidence evidence = evidence(truth, 300, seed);
-      Hypothesis fit = new Fitter(evidence, Fold.ALL).refine(truth, 0).hypothesis();
-      double[] deviations = new Uncertainty(evidence, 1).deviations(fit);
+      CalibratedLog given = given(truth, 300, seed);
+      Hypothesis fit = new Fitter(given, Fold.ALL).refine(truth, 0).hypothesis();
+      double[] deviations = new Uncertainty(given, 1).deviations(fit);
       for (int i = 0; i < held.length; i++) {
         double away = Math.abs(fit.values()[i] - truth.values()[i]);
         held[i] += away < 1.96 * deviations[i] ? 1 : 0;
@@ -49,9 +49,9 @@ class UncertaintyTest {
   /** Pings that hang together by a factor of four tell as much as a quarter of them. */
   @Test
   void clumping_widens() {
-    Evidence evidence = evidence(OFFSET, 300, 1);
-    double alone = new Uncertainty(evidence, 1).deviations(OFFSET)[0];
-    assertEquals(2 * alone, new Uncertainty(evidence, 4).deviations(OFFSET)[0], 1e-12);
+    CalibratedLog given = given(OFFSET, 300, 1);
+    double alone = new Uncertainty(given, 1).deviations(OFFSET)[0];
+    assertEquals(2 * alone, new Uncertainty(given, 4).deviations(OFFSET)[0], 1e-12);
   }
 
   @Test
@@ -59,7 +59,7 @@ class UncertaintyTest {
     double[] table = new double[Forms.TABLE_SIZE];
     Arrays.fill(table, 1.2);
     Hypothesis both = and(OFFSET, Effect.ORIENTATION_SHADOW, "table:post#0", table);
-    double[] deviations = new Uncertainty(evidence(both, 600, 2), 1).deviations(both);
+    double[] deviations = new Uncertainty(given(both, 600, 2), 1).deviations(both);
     assertTrue(deviations[0] < 0.002, "deviation " + deviations[0]);
     assertTrue(Arrays.stream(deviations).skip(1).allMatch(Double::isInfinite));
   }
@@ -68,7 +68,7 @@ class UncertaintyTest {
   @Test
   void valuesThatMeanNothing_areUnboundedAndLeaveTheOthersBounded() {
     Hypothesis none = and(OFFSET, Effect.CROSSTALK, "any", 0, 0.5, 2);
-    double[] deviations = new Uncertainty(evidence(OFFSET, 600, 3), 1).deviations(none);
+    double[] deviations = new Uncertainty(given(OFFSET, 600, 3), 1).deviations(none);
     assertTrue(deviations[0] < 0.002, "deviation " + deviations[0]);
     assertTrue(Double.isInfinite(deviations[2]) && Double.isInfinite(deviations[3]));
   }

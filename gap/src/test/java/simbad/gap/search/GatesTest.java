@@ -10,7 +10,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fixture.Ladders;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.effect.Definitions;
@@ -32,9 +32,9 @@ import simbad.sonar.shape.Outline;
 /** What physics, symmetry and the design of a log forbid. */
 class GatesTest {
   private static Set<Effect> closed(SensingSetup setup, List<ReadingRow> rows) {
-    Evidence evidence = new Evidence(setup, List.of(), new PingLog(rows));
+    CalibratedLog given = new CalibratedLog(setup, List.of(), new PingLog(rows));
     Set<Effect> closed = new TreeSet<>(Definitions.effects());
-    Gates.open(evidence, Forms.all(setup, List.of("s"))).stream()
+    Gates.open(given, Forms.all(setup, List.of("s"))).stream()
         .map(Form::effect)
         .forEach(closed::remove);
     return closed;

@@ -9,7 +9,7 @@ import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.gap.score.Scored;
@@ -22,8 +22,8 @@ import simbad.sonar.sensing.ReadingRow;
 class SearchTest {
   /** The most probable pair. */
   private static Set<Effect> found(Hypothesis truth) {
-    Evidence evidence = Worlds.evidence(Worlds.read(Worlds.poses(1000, 0.3, 1.7, 51), truth, 52));
-    List<Scored> sets = new Search(evidence, Set.of(), 10, Optional.empty()).run();
+    CalibratedLog given = Worlds.given(Worlds.read(Worlds.poses(1000, 0.3, 1.7, 51), truth, 52));
+    List<Scored> sets = new Search(given, Set.of(), 10, Optional.empty()).run();
     return sets.stream()
         .map(set -> set.hypothesis().effects())
         .filter(effects -> effects.size() == 2)
@@ -50,9 +50,8 @@ class SearchTest {
   @Test
   void excluded_isInNoSet() {
     Hypothesis offset = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.05);
-    Evidence evidence = Worlds.evidence(Worlds.read(Worlds.poses(80, 0.3, 1.7, 51), offset, 52));
-    List<Scored> sets =
-        new Search(evidence, Set.of(Effect.RANGE_OFFSET), 10, Optional.empty()).run();
+    CalibratedLog given = Worlds.given(Worlds.read(Worlds.poses(80, 0.3, 1.7, 51), offset, 52));
+    List<Scored> sets = new Search(given, Set.of(Effect.RANGE_OFFSET), 10, Optional.empty()).run();
     assertTrue(sets.size() > 1);
     assertTrue(sets.stream().noneMatch(set -> set.hypothesis().has(Effect.RANGE_OFFSET)));
   }
@@ -68,8 +67,8 @@ class SearchTest {
         Worlds.poses(400, 0.3, 1.7, 53).stream()
             .map(row -> turned(row, random.nextDouble(-0.7, 0.7)))
             .toList();
-    Evidence evidence = Worlds.evidence(Worlds.read(poses, truth, 54));
-    List<Scored> sets = new Search(evidence, Set.of(), 10, Optional.empty()).run();
+    CalibratedLog given = Worlds.given(Worlds.read(poses, truth, 54));
+    List<Scored> sets = new Search(given, Set.of(), 10, Optional.empty()).run();
     Scored best =
         sets.stream().filter(set -> set.hypothesis().forms().size() == 3).findFirst().orElseThrow();
     assertEquals(Set.copyOf(truth.effects()), Set.copyOf(best.hypothesis().effects()));

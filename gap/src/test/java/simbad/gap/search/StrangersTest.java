@@ -10,7 +10,7 @@ import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.gap.calibrate.Calibration;
 import simbad.gap.calibrate.SetupLeave;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.LevelWorlds;
 import simbad.gap.fixture.Worlds;
@@ -34,12 +34,11 @@ class StrangersTest {
 
   /** Asks of a log in which something was changed. */
   private static Strangers.Found found(Hypothesis truth, Hypothesis named) {
-    Evidence evidence =
-        CALIBRATION.evidence(
+    CalibratedLog given =
+        CALIBRATION.given(
             LevelWorlds.POST,
             new PingLog(Worlds.read(LevelWorlds.POST, LevelWorlds.poses(1000, 47), truth, 48)));
-    return new Strangers(evidence, new SetupLeave(evidence, CALIBRATION))
-        .against(named, WORTH_NATS, 1);
+    return new Strangers(given, new SetupLeave(given, CALIBRATION)).against(named, WORTH_NATS, 1);
   }
 
   private static Hypothesis with(Change change) {

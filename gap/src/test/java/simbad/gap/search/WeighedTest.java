@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.gap.score.GapGain;
@@ -24,7 +24,7 @@ class WeighedTest {
   }
 
   /** Six blocks of 25 rows; the ranges of every other block are shifted otherwise. */
-  private static Evidence shifted(double evenM, double oddM) {
+  private static CalibratedLog shifted(double evenM, double oddM) {
     List<ReadingRow> poses = Worlds.poses(6 * BLOCK, 0.3, 1.3, 5);
     List<ReadingRow> even = Worlds.read(poses, offset(evenM), 6);
     List<ReadingRow> odd = Worlds.read(poses, offset(oddM), 6);
@@ -32,12 +32,12 @@ class WeighedTest {
     for (int i = 0; i < poses.size(); i++) {
       rows.add((i / BLOCK % 2 == 0 ? even : odd).get(i));
     }
-    return Worlds.evidence(rows);
+    return Worlds.given(rows);
   }
 
-  private static Weighed weighed(Evidence evidence, Scored likelier) {
+  private static Weighed weighed(CalibratedLog given, Scored likelier) {
     List<Scored> sets = List.of(likelier, new Scored(Hypothesis.NONE, 0, 0));
-    return Weighed.of(evidence, sets, Probabilities.COST_NATS, 1);
+    return Weighed.of(given, sets, Probabilities.COST_NATS, 1);
   }
 
   /** What was fitted on one half is wrong by 4 cm on the other, however likely it is said to be. */

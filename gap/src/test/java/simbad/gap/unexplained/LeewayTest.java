@@ -11,7 +11,7 @@ import simbad.definition.Effect;
 import simbad.gap.calibrate.Calibration;
 import simbad.gap.calibrate.ModelError;
 import simbad.gap.calibrate.SetupLeave;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.LevelWorlds;
 import simbad.gap.fixture.Worlds;
@@ -34,8 +34,8 @@ class LeewayTest {
           .orElseThrow();
   private static final Hypothesis WEAK = LevelWorlds.truth().and(GAIN, -3);
 
-  private static Evidence evidence(List<ReadingRow> rows) {
-    return CALIBRATION.evidence(LevelWorlds.POST, new PingLog(rows));
+  private static CalibratedLog given(List<ReadingRow> rows) {
+    return CALIBRATION.given(LevelWorlds.POST, new PingLog(rows));
   }
 
   /** A step of readings that is off by some millimetres. */
@@ -50,8 +50,8 @@ class LeewayTest {
   }
 
   private static double nats(int rows, double metres) {
-    Evidence evidence = evidence(longer(LevelWorlds.log(rows, 41), metres));
-    return CALIBRATION.leewayNats(evidence, Hypothesis.NONE);
+    CalibratedLog given = given(longer(LevelWorlds.log(rows, 41), metres));
+    return CALIBRATION.leewayNats(given, Hypothesis.NONE);
   }
 
   /** Each of some sixty values gains half a nat of chance. */
@@ -66,8 +66,8 @@ class LeewayTest {
   @Test
   void aSmallShiftGainsNearlyAllThatAnOffsetWould() {
     List<ReadingRow> rows = longer(LevelWorlds.log(1000, 41), 0.003);
-    Evidence evidence = evidence(rows);
-    double[] slope = SetupScores.perMetre(Hypothesis.NONE, evidence::logLikelihood);
+    CalibratedLog given = given(rows);
+    double[] slope = SetupScores.perMetre(Hypothesis.NONE, given::logLikelihood);
     double score = 0;
     double information = 0;
     for (double one : slope) {
@@ -75,7 +75,7 @@ class LeewayTest {
       information += one * one;
     }
     double free = score * score / information / 2;
-    double moved = CALIBRATION.leewayNats(evidence, Hypothesis.NONE);
+    double moved = CALIBRATION.leewayNats(given, Hypothesis.NONE);
 
     assertTrue(moved > 0.6 * free, moved + " of " + free);
   }
@@ -83,10 +83,10 @@ class LeewayTest {
   /** What a slice has in common by the set-up is no misfit; what it has beyond is one. */
   @Test
   void misfitsOfWhatIsLeftOpenAreSmaller() {
-    Evidence evidence = evidence(LevelWorlds.log(1500, 43));
-    double plain = Misfit.of(evidence, Hypothesis.NONE).top(5);
-    double open = Misfit.of(evidence, Hypothesis.NONE, CALIBRATION.leeway().orElseThrow()).top(5);
-    Evidence off = evidence(longer(LevelWorlds.log(1500, 43), 0.06));
+    CalibratedLog given = given(LevelWorlds.log(1500, 43));
+    double plain = Misfit.of(given, Hypothesis.NONE).top(5);
+    double open = Misfit.of(given, Hypothesis.NONE, CALIBRATION.leeway().orElseThrow()).top(5);
+    CalibratedLog off = given(longer(LevelWorlds.log(1500, 43), 0.06));
     double far = Misfit.of(off, Hypothesis.NONE, CALIBRATION.leeway().orElseThrow()).top(5);
 
     assertTrue(open <= plain && open < 4, open + " of " + plain);
@@ -104,19 +104,19 @@ class LeewayTest {
 
   @Test
   void thresholdsHaveNoLeeway() {
-    Evidence evidence = evidence(LevelWorlds.log(200, 44));
+    CalibratedLog given = given(LevelWorlds.log(200, 44));
 
-    assertEquals(0, Calibration.none().leewayNats(evidence, Hypothesis.NONE));
+    assertEquals(0, Calibration.none().leewayNats(given, Hypothesis.NONE));
   }
 
   /** A post that answers 3 dB less is no matter of a set-up that is known to a decibel. */
   @Test
   void theSetUpDoesNotTakeUpAnEffect() {
-    Evidence evidence =
-        evidence(Worlds.read(LevelWorlds.POST, LevelWorlds.poses(1000, 47), WEAK, 48));
-    double still = logLikelihood(evidence, Hypothesis.NONE) + nats(evidence, Hypothesis.NONE);
+    CalibratedLog given =
+        given(Worlds.read(LevelWorlds.POST, LevelWorlds.poses(1000, 47), WEAK, 48));
+    double still = logLikelihood(given, Hypothesis.NONE) + nats(given, Hypothesis.NONE);
     Hypothesis gain = Hypothesis.NONE.and(GAIN, -3);
-    double right = logLikelihood(evidence, gain) + nats(evidence, gain);
+    double right = logLikelihood(given, gain) + nats(given, gain);
 
     assertTrue(right > still + 20, right + " beside " + still);
   }
@@ -124,22 +124,22 @@ class LeewayTest {
   /** Values that were fitted before a set-up that stood still move with it. */
   @Test
   void valuesMoveWithTheSetUp() {
-    Evidence evidence =
-        evidence(Worlds.read(LevelWorlds.POST, LevelWorlds.poses(600, 49), WEAK, 50));
-    SetupLeave leave = new SetupLeave(evidence, CALIBRATION);
+    CalibratedLog given =
+        given(Worlds.read(LevelWorlds.POST, LevelWorlds.poses(600, 49), WEAK, 50));
+    SetupLeave leave = new SetupLeave(given, CALIBRATION);
     Hypothesis tooWeak = Hypothesis.NONE.and(GAIN, -4);
     double moved = leave.natsWithValues(tooWeak);
     double near =
-        logLikelihood(evidence, Hypothesis.NONE.and(GAIN, -3)) - logLikelihood(evidence, tooWeak);
+        logLikelihood(given, Hypothesis.NONE.and(GAIN, -3)) - logLikelihood(given, tooWeak);
 
     assertTrue(moved > leave.nats(tooWeak) && moved > 0.8 * near, moved + " of " + near);
   }
 
-  private static double nats(Evidence evidence, Hypothesis set) {
-    return new SetupLeave(evidence, CALIBRATION).nats(set);
+  private static double nats(CalibratedLog given, Hypothesis set) {
+    return new SetupLeave(given, CALIBRATION).nats(set);
   }
 
-  private static double logLikelihood(Evidence evidence, Hypothesis set) {
-    return Arrays.stream(evidence.logLikelihood(set)).sum();
+  private static double logLikelihood(CalibratedLog given, Hypothesis set) {
+    return Arrays.stream(given.logLikelihood(set)).sum();
   }
 }

@@ -8,7 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
 import simbad.gap.diagnosis.Interval;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.gap.score.Blocks;
@@ -17,12 +17,12 @@ import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
 
 class MisfitTest {
-  private static Evidence drawn(Hypothesis truth, long seed) {
-    return Worlds.evidence(Worlds.read(Worlds.poses(2000, 0.3, 2.2, seed), truth, seed + 1));
+  private static CalibratedLog drawn(Hypothesis truth, long seed) {
+    return Worlds.given(Worlds.read(Worlds.poses(2000, 0.3, 2.2, seed), truth, seed + 1));
   }
 
-  private static double top(Evidence evidence, Hypothesis hypothesis) {
-    return Misfit.of(evidence, hypothesis).top(5);
+  private static double top(CalibratedLog given, Hypothesis hypothesis) {
+    return Misfit.of(given, hypothesis).top(5);
   }
 
   /** The greatest of some hundred standard normal numbers, five ways apart. */
@@ -56,7 +56,7 @@ class MisfitTest {
     List<ReadingRow> silent =
         Worlds.poses(500, 0.3, 2.2, 9).stream().map(MisfitTest::silent).toList();
     List<Misfit.Off> echoes =
-        Misfit.of(Worlds.evidence(silent), Hypothesis.NONE).slices().stream()
+        Misfit.of(Worlds.given(silent), Hypothesis.NONE).slices().stream()
             .filter(slice -> slice.kind() == Misfit.Kind.ECHO)
             .toList();
     assertTrue(echoes.stream().allMatch(slice -> slice.z() < 0 && slice.size() < 0));
@@ -79,9 +79,9 @@ class MisfitTest {
         Worlds.read(Worlds.poses(2000, 0.3, 2.2, 9), Hypothesis.NONE, 10).stream()
             .map(row -> row.pose().position().xM() > 0.6 ? silent(row) : row)
             .toList();
-    Evidence evidence = Worlds.evidence(rows);
+    CalibratedLog given = Worlds.given(rows);
     Hypothesis bursts = Worlds.effect(Effect.DROPOUT, "bursts", 0.3, 10);
-    Misfit misfit = Misfit.of(evidence, bursts);
+    Misfit misfit = Misfit.of(given, bursts);
     Misfit.Off worst =
         misfit.slices().stream()
             .filter(slice -> slice.kind() == Misfit.Kind.FORECAST)
@@ -101,10 +101,10 @@ class MisfitTest {
 
   @Test
   void blocks_holdEveryPingOnceInHalves() {
-    Evidence evidence = drawn(Hypothesis.NONE, 11);
-    Blocks blocks = new Blocks(evidence.log());
+    CalibratedLog given = drawn(Hypothesis.NONE, 11);
+    Blocks blocks = new Blocks(given.log());
     assertEquals(12, blocks.count());
-    for (int ping = 0; ping < evidence.log().size(); ping++) {
+    for (int ping = 0; ping < given.log().size(); ping++) {
       assertEquals(blocks.half(0).holds(ping), !blocks.half(1).holds(ping));
     }
   }
@@ -112,9 +112,9 @@ class MisfitTest {
   @Test
   void gain_isMeasuredOnRowsThatWereNotFitted() {
     Hypothesis offset = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.05);
-    Evidence evidence = drawn(offset, 13);
-    Blocks blocks = new Blocks(evidence.log());
-    GapGain gain = GapGain.of(evidence, blocks, offset);
+    CalibratedLog given = drawn(offset, 13);
+    Blocks blocks = new Blocks(given.log());
+    GapGain gain = GapGain.of(given, blocks, offset);
     assertTrue(gain.afterM() < gain.beforeM() - 0.005, () -> "after " + gain.afterM());
     assertEquals(gain.afterM(), gain.floorM(), 0.1 * gain.afterM());
     assertEquals(1 - gain.afterM() / gain.beforeM(), gain.shrinkage(), 1e-12);
@@ -129,9 +129,9 @@ class MisfitTest {
     List<GapGain> gains = new ArrayList<>();
     List<Interval> intervals = new ArrayList<>();
     for (int seed = 0; seed < 20; seed++) {
-      Evidence evidence = drawn(offset, 40 + seed);
-      Blocks blocks = new Blocks(evidence.log());
-      gains.add(GapGain.of(evidence, blocks, offset));
+      CalibratedLog given = drawn(offset, 40 + seed);
+      Blocks blocks = new Blocks(given.log());
+      gains.add(GapGain.of(given, blocks, offset));
       intervals.add(gains.get(seed).shrinkage95(blocks, 1));
     }
     int held = 0;
@@ -146,9 +146,9 @@ class MisfitTest {
 
   @Test
   void shrinkage_withoutAnExplanationIsNone() {
-    Evidence evidence = drawn(Hypothesis.NONE, 14);
-    Blocks blocks = new Blocks(evidence.log());
-    GapGain gain = GapGain.of(evidence, blocks, Hypothesis.NONE);
+    CalibratedLog given = drawn(Hypothesis.NONE, 14);
+    Blocks blocks = new Blocks(given.log());
+    GapGain gain = GapGain.of(given, blocks, Hypothesis.NONE);
     assertEquals(new Interval(0, 0), gain.shrinkage95(blocks, 1));
   }
 }

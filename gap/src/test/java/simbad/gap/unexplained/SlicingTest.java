@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.gap.slice.Axis;
@@ -29,8 +29,8 @@ class SlicingTest {
   }
 
   private static List<Axis> cuts(List<ReadingRow> rows) {
-    Evidence evidence = Worlds.evidence(rows);
-    return new Slicing(evidence.log(), evidence.geometry(evidence.model(Hypothesis.NONE))).all();
+    CalibratedLog given = Worlds.given(rows);
+    return new Slicing(given.log(), given.geometry(given.model(Hypothesis.NONE))).all();
   }
 
   private static int[] cut(List<ReadingRow> rows, String name) {

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.sensing.ReadingRow;
@@ -19,8 +19,8 @@ class SurpriseTest {
 
   private static Surprise of(Hypothesis truth, Hypothesis hypothesis) {
     List<ReadingRow> rows = Worlds.read(Worlds.poses(3000, 0.3, 2.2, 41), truth, 42);
-    Evidence evidence = Worlds.evidence(rows);
-    return new Surprise(evidence, hypothesis);
+    CalibratedLog given = Worlds.given(rows);
+    return new Surprise(given, hypothesis);
   }
 
   private static double[] scores(Surprise surprise) {

@@ -9,7 +9,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
 import simbad.gap.calibrate.Calibration;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.gap.score.Blocks;
@@ -91,19 +91,19 @@ class UnknownTest {
   /** The same log, the same share of it lost: only how long bursts are said to be differs. */
   @Test
   void standIn_makesTheUnknownProbable() {
-    Evidence evidence =
-        Worlds.evidence(
+    CalibratedLog given =
+        Worlds.given(
             Worlds.read(
                 Worlds.poses(300, 0.3, 1.3, 1),
                 Worlds.effect(Effect.DROPOUT, "bursts", 0.3, 11),
                 2));
-    Blocks blocks = new Blocks(evidence.log());
+    Blocks blocks = new Blocks(given.log());
     double[] probability = new double[2];
     for (int i = 0; i < 2; i++) {
       Hypothesis bursts =
           Worlds.effect(Effect.DROPOUT, "bursts", 0.3, i == 0 ? 11 : Burst.LONGEST_PINGS);
-      GapGain gain = GapGain.of(evidence, blocks, bursts);
-      probability[i] = unknown(Unknown.signs(evidence, evidence, Calibration.none(), gain, bursts));
+      GapGain gain = GapGain.of(given, blocks, bursts);
+      probability[i] = unknown(Unknown.signs(given, given, Calibration.none(), gain, bursts));
     }
     assertTrue(probability[0] < 0.5 && probability[1] > 0.5, () -> Arrays.toString(probability));
   }

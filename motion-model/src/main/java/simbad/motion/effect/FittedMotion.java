@@ -1,6 +1,7 @@
 package simbad.motion.effect;
 
 import simbad.motion.MotionChange;
+import simbad.sonar.check.Checks;
 
 /**
  * A form with its values.
@@ -10,6 +11,11 @@ import simbad.motion.MotionChange;
  */
 @SuppressWarnings("ArrayRecordComponent") // Numbers, never compared.
 public record FittedMotion(MotionForm form, double[] values) {
+  /** Checks that all values are numbers. */
+  public FittedMotion {
+    Checks.numbers("values", values);
+  }
+
   /** Returns the change. */
   public MotionChange change() {
     return form.change(values);

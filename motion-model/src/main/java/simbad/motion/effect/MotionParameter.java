@@ -2,6 +2,7 @@ package simbad.motion.effect;
 
 import java.util.function.Function;
 import simbad.motion.CommandUse;
+import simbad.sonar.check.Checks;
 
 /**
  * A number of a form.
@@ -27,6 +28,7 @@ public record MotionParameter(
 
   /** Checks the bounds. */
   public MotionParameter {
+    Checks.number(name + ": neutral", neutral);
     if (!(low < high && practical > 0)) {
       throw new IllegalArgumentException(
           name + ": bounds [" + low + ", " + high + "], practical " + practical);

@@ -9,6 +9,7 @@ import simbad.motion.MotionChain;
 import simbad.motion.MotionRun;
 import simbad.motion.Robot;
 import simbad.motion.Way;
+import simbad.sonar.check.Checks;
 
 /**
  * A model of motion with how far it may be off.
@@ -38,6 +39,13 @@ public record MotionForecast(MotionChain chain, List<Spread> spreads) {
    */
   @SuppressWarnings("ArrayRecordComponent") // Numbers, never compared.
   public record Row(String run, double startS, double horizonS, double[][] quantiles) {
+    /** Checks the times and that all quantiles are numbers. */
+    public Row {
+      Checks.finite("startS", startS);
+      Checks.positive("horizonS", horizonS);
+      Checks.numbers("quantiles", quantiles);
+    }
+
     private static final Comparator<Row> ORDER =
         Comparator.comparingDouble(Row::startS).thenComparingDouble(Row::horizonS);
   }

@@ -1,6 +1,7 @@
 package simbad.motion.forecast;
 
 import java.util.Arrays;
+import simbad.sonar.check.Checks;
 
 /**
  * How displacements of one horizon lie about what a chain expects: the 19 quantiles q05 to q95 of
@@ -19,8 +20,12 @@ public record Spread(double[] limits, double[][][] quantiles) {
 
   private static final int MOST_CLASSES = 5;
 
-  /** Checks that there is a class between all limits. */
+  /** Checks that all are numbers, and that there is a class between all limits. */
   public Spread {
+    Checks.numbers("limits", limits);
+    for (double[][] ofClass : quantiles) {
+      Checks.numbers("quantiles", ofClass);
+    }
     if (quantiles.length != limits.length + 1) {
       throw new IllegalArgumentException(
           quantiles.length + " classes do not fit " + limits.length + " limits");
@@ -44,6 +49,8 @@ public record Spread(double[] limits, double[][][] quantiles) {
    * @param residuals by window and component
    */
   public static Spread of(double[] exertions, double[][] residuals) {
+    Checks.numbers("exertions", exertions);
+    Checks.numbers("residuals", residuals);
     double[] sorted = exertions.clone();
     Arrays.sort(sorted);
     int classes = Math.max(1, Math.min(MOST_CLASSES, sorted.length / LEAST_IN_CLASS));
@@ -100,12 +107,17 @@ public record Spread(double[] limits, double[][][] quantiles) {
     return quantiles;
   }
 
-  /** Returns twice the mean pinball loss of a value, given what was expected and its quantiles. */
+  /**
+   * Returns the CRPS by quantiles: twice the mean {@link PinballLoss}.
+   *
+   * @param quantiles of what was expected
+   * @param residual the value
+   */
   public static double score(double[] quantiles, double residual) {
     double sum = 0;
     for (int q = 0; q < QUANTILES; q++) {
       double off = residual - quantiles[q];
-      sum += off >= 0 ? level(q) * off : (level(q) - 1) * off;
+      sum += PinballLoss.of(level(q), off);
     }
     return 2 * sum / QUANTILES;
   }

@@ -1,6 +1,7 @@
 package simbad.motion.forecast;
 
 import simbad.motion.Displacement;
+import simbad.sonar.check.Checks;
 
 /**
  * A stretch of a run at whose ends the track is known.
@@ -21,6 +22,15 @@ public record Window(
     double xM,
     double yM,
     Displacement way) {
+  /** Checks the figures. */
+  public Window {
+    Checks.finite("startS", startS);
+    Checks.positive("horizonS", horizonS);
+    Checks.finite("headingRad", headingRad);
+    Checks.finite("xM", xM);
+    Checks.finite("yM", yM);
+  }
+
   /** Returns when it ends. */
   public double endS() {
     return startS + horizonS;

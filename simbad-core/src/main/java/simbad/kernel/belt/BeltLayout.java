@@ -2,6 +2,7 @@ package simbad.kernel.belt;
 
 import simbad.kernel.geometry.Placement;
 import simbad.kernel.scene.Ball;
+import simbad.sonar.check.Checks;
 import simbad.sonar.sensing.TransducerPoses;
 
 /**
@@ -38,6 +39,8 @@ public final class BeltLayout {
    * @param size number of rays; at least 0
    */
   public static BeltLayout ring(float radiusM, float maxRangeM, int size) {
+    Checks.number("radiusM", radiusM);
+    Checks.number("maxRangeM", maxRangeM);
     BeltLayout layout = new BeltLayout(size);
     double endM = radiusM + maxRangeM;
     for (int i = 0; i < size; i++) {
@@ -69,6 +72,8 @@ public final class BeltLayout {
               + " are not as many as positions, "
               + positions.length);
     }
+    Checks.numbers("positions", positions);
+    Checks.numbers("directions", directions);
     BeltLayout layout = new BeltLayout(positions.length);
     for (int i = 0; i < positions.length; i++) {
       layout.lengthM[i] = norm(directions[i]);

@@ -1,5 +1,7 @@
 package simbad.kernel.drawing;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A lamp that shines equally in all directions, and equally far: see {@link Lighting}.
  *
@@ -11,9 +13,8 @@ package simbad.kernel.drawing;
 public record PointLight(double xM, double yM, double zM, Rgb colour) {
   /** Checks the position. */
   public PointLight {
-    if (!Double.isFinite(xM) || !Double.isFinite(yM) || !Double.isFinite(zM)) {
-      throw new IllegalArgumentException(
-          "position = (" + xM + ", " + yM + ", " + zM + ") is not finite");
-    }
+    Checks.finite("xM", xM);
+    Checks.finite("yM", yM);
+    Checks.finite("zM", zM);
   }
 }

@@ -1,5 +1,7 @@
 package simbad.kernel.geometry;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A ball about the origin of its own frame.
  *
@@ -8,7 +10,7 @@ package simbad.kernel.geometry;
 public record BallShape(double radiusM) implements Shape {
   /** Checks the radius. */
   public BallShape {
-    Sizes.requireAtLeastZero("radiusM", radiusM);
+    Checks.notNegative("radiusM", radiusM);
   }
 
   @Override

@@ -1,5 +1,7 @@
 package simbad.kernel.geometry;
 
+import simbad.sonar.check.Checks;
+
 /**
  * A box along the axes of its own frame, its middle at the origin. All faces belong to it: a level
  * ray in the plane of the top face meets the box.
@@ -14,9 +16,9 @@ public record BoxShape(double halfXM, double halfYM, double halfZM) implements S
 
   /** Checks the sides. */
   public BoxShape {
-    Sizes.requireAtLeastZero("halfXM", halfXM);
-    Sizes.requireAtLeastZero("halfYM", halfYM);
-    Sizes.requireAtLeastZero("halfZM", halfZM);
+    Checks.notNegative("halfXM", halfXM);
+    Checks.notNegative("halfYM", halfYM);
+    Checks.notNegative("halfZM", halfZM);
   }
 
   /** Creates a box from its full sides in metres. */

@@ -1,5 +1,7 @@
 package simbad.kernel.geometry;
 
+import simbad.sonar.check.Checks;
+
 /**
  * An upright round cylinder, its middle at the origin of its own frame.
  *
@@ -9,8 +11,8 @@ package simbad.kernel.geometry;
 public record CylinderShape(double radiusM, double heightM) implements Shape {
   /** Checks the sizes. */
   public CylinderShape {
-    Sizes.requireAtLeastZero("radiusM", radiusM);
-    Sizes.requireAtLeastZero("heightM", heightM);
+    Checks.notNegative("radiusM", radiusM);
+    Checks.notNegative("heightM", heightM);
   }
 
   @Override

@@ -1,5 +1,7 @@
 package simbad.kernel.geometry;
 
+import simbad.sonar.check.Checks;
+
 /**
  * Where a body is and how it is turned: a rigid motion from the body's own frame to the frame in
  * which it is placed. Mutable; not safe for use by several threads.
@@ -23,6 +25,9 @@ public final class Placement {
 
   /** Creates a placement at a point in metres, not turned. */
   public static Placement at(double xM, double yM, double zM) {
+    Checks.finite("xM", xM);
+    Checks.finite("yM", yM);
+    Checks.finite("zM", zM);
     Placement placement = new Placement();
     placement.moveTo(xM, yM, zM);
     return placement;
@@ -44,7 +49,15 @@ public final class Placement {
 
   /** Forgets every turn; the position stays. */
   public void resetTurn() {
-    copyFrom(at(xM, yM, zM));
+    m00 = 1;
+    m01 = 0;
+    m02 = 0;
+    m10 = 0;
+    m11 = 1;
+    m12 = 0;
+    m20 = 0;
+    m21 = 0;
+    m22 = 1;
   }
 
   /** Turns about the body's own vertical axis, counter-clockwise as seen from above. */

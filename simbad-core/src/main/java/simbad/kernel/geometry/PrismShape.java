@@ -1,6 +1,7 @@
 package simbad.kernel.geometry;
 
 import java.util.Arrays;
+import simbad.sonar.check.Checks;
 
 /**
  * An upright prism over a simple polygon, convex or not. Immutable.
@@ -30,6 +31,8 @@ public final class PrismShape implements Shape {
       throw new IllegalArgumentException(
           "corners = " + cornerX.length + " and " + cornerZ.length + " are not equal, at least 3");
     }
+    Checks.numbers("cornerX", cornerX);
+    Checks.numbers("cornerZ", cornerZ);
     if (!(bottomM <= topM)) {
       throw new IllegalArgumentException("topM = " + topM + " is not in [" + bottomM + ", inf)");
     }
@@ -47,6 +50,7 @@ public final class PrismShape implements Shape {
    * @param heightM metres
    */
   public static PrismShape regular(int sides, double radiusM, double heightM) {
+    Checks.notNegative("radiusM", radiusM);
     double[] x = new double[sides];
     double[] z = new double[sides];
     for (int i = 0; i < sides; i++) {

@@ -32,7 +32,7 @@ public final class MotionPlan {
    * @param durationS seconds; the steps are this times 20, rounded down
    */
   public void forward(double distanceM, double durationS) {
-    add(new WheelCommand(distanceM / durationS, 0), durationS);
+    add(distanceM / durationS, 0, durationS);
   }
 
   /**
@@ -42,14 +42,14 @@ public final class MotionPlan {
    * @param durationS seconds; the steps are this times 20, rounded down
    */
   public void turn(double angleRad, double durationS) {
-    add(new WheelCommand(0, angleRad / durationS), durationS);
+    add(0, angleRad / durationS, durationS);
   }
 
   /** Motions too short for a step are left out: they would move nothing. */
-  private void add(WheelCommand command, double durationS) {
+  private void add(double speedMPerS, double turnRadPerS, double durationS) {
     int steps = (int) (durationS * STEPS_PER_S);
     if (steps > 0) {
-      motions.add(new Motion(command, steps));
+      motions.add(new Motion(new WheelCommand(speedMPerS, turnRadPerS), steps));
     }
   }
 

@@ -1,5 +1,6 @@
 package simbad.sonar.check;
 
+import java.util.List;
 import java.util.OptionalDouble;
 
 /**
@@ -55,6 +56,30 @@ public final class Checks {
         throw new IllegalArgumentException(name + "[" + i + "] = NaN is not a number");
       }
     }
+    return values;
+  }
+
+  /**
+   * Checks that all values are numbers, be they infinite.
+   *
+   * @return the same rows
+   * @throws IllegalArgumentException if one is NaN; its place in its row stands behind the name
+   */
+  public static double[][] numbers(String name, double[][] rows) {
+    for (double[] row : rows) {
+      numbers(name, row);
+    }
+    return rows;
+  }
+
+  /**
+   * Checks that all values are numbers, be they infinite.
+   *
+   * @return the same list
+   * @throws IllegalArgumentException if one is NaN; its place stands behind the name
+   */
+  public static List<Double> numbers(String name, List<Double> values) {
+    numbers(name, values.stream().mapToDouble(Double::doubleValue).toArray());
     return values;
   }
 

@@ -22,12 +22,11 @@ public record Pose(Point position, Heading heading) {
    * Returns how far to one side of the heading a point lies.
    *
    * @param point anywhere; at the pose's own position the angle is 0
+   * @return radians, positive counter-clockwise, in (-pi, pi]
    */
-  public OffAxisAngle offAxisAngleOf(Point point) {
+  public double offAxisRad(Point point) {
     double dx = point.xM() - position.xM();
     double dz = point.zM() - position.zM();
-    return dx == 0 && dz == 0
-        ? new OffAxisAngle(0)
-        : new OffAxisAngle(Math.atan2(-dz, dx) - heading.radians());
+    return dx == 0 && dz == 0 ? 0 : Angles.signed(Math.atan2(-dz, dx) - heading.radians());
   }
 }

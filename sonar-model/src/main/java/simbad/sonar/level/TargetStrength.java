@@ -1,5 +1,6 @@
 package simbad.sonar.level;
 
+import simbad.sonar.check.Checks;
 import simbad.sonar.shape.ThresholdTable;
 
 /** How strongly a target answers, by the bearing of the sensor. Implementations are immutable. */
@@ -42,6 +43,7 @@ public interface TargetStrength {
    * @param strengthDb decibels; negative infinity for a target that never answers
    */
   static TargetStrength uniform(double strengthDb) {
+    Checks.number("strengthDb", strengthDb);
     return new TargetStrength() {
       @Override
       public double strengthDb(double bearingRad) {

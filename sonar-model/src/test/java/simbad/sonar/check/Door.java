@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
 /** A public constructor, or a public factory, and what it makes of NaN. */
 record Door(Executable way) {
@@ -21,13 +22,16 @@ record Door(Executable way) {
           "double",
           "float",
           "double[]",
+          "double[][]",
+          "double[][][]",
+          "float[]",
           "java.util.List<java.lang.Double>",
           "java.util.OptionalDouble",
           "java.util.Optional<java.lang.Double>");
 
   /** All doors of a class that take numbers. */
   static Stream<Door> of(Class<?> type) {
-    if (!Modifier.isPublic(type.getModifiers()) || type.isInterface() || type.isEnum()) {
+    if (!isOpen(type)) {
       return Stream.empty();
     }
     Stream<Executable> constructors =
@@ -43,6 +47,12 @@ record Door(Executable way) {
     return Stream.concat(constructors, factories)
         .map(Door::new)
         .filter(door -> door.numbers().length > 0);
+  }
+
+  /** True for what programs outside can name: a public class in none that is not. */
+  private static boolean isOpen(@Nullable Class<?> type) {
+    return type == null
+        || (Modifier.isPublic(type.getModifiers()) && isOpen(type.getEnclosingClass()));
   }
 
   int[] numbers() {
@@ -88,6 +98,16 @@ record Door(Executable way) {
   }
 
   private static Object notANumber(Object sample) {
+    if (sample instanceof double[][] || sample instanceof double[][][]) {
+      Object[] changed = ((Object[]) sample).clone();
+      changed[changed.length / 2] = notANumber(changed[changed.length / 2]);
+      return changed;
+    }
+    if (sample instanceof float[] values) {
+      float[] changed = values.clone();
+      changed[changed.length / 2] = Float.NaN;
+      return changed;
+    }
     if (sample instanceof double[] values) {
       double[] changed = values.clone();
       changed[changed.length / 2] = Double.NaN;

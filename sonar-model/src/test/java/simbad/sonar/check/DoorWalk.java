@@ -57,7 +57,9 @@ public final class DoorWalk {
       for (Path file : files.filter(f -> f.toString().endsWith(".class")).sorted().toList()) {
         String name = classes.relativize(file).toString().replace('/', '.');
         if (!name.endsWith("-info.class")) {
-          Class<?> type = Class.forName(name.substring(0, name.length() - ".class".length()));
+          String plain = name.substring(0, name.length() - ".class".length());
+          // Not initialized: some look for a display.
+          Class<?> type = Class.forName(plain, false, DoorWalk.class.getClassLoader());
           Door.of(type).forEach(doors::add);
         }
       }

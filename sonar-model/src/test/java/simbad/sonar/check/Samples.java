@@ -1,5 +1,6 @@
 package simbad.sonar.check;
 
+import java.lang.reflect.Array;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.Proxy;
 import java.lang.reflect.Type;
@@ -58,6 +59,9 @@ public final class Samples {
 
   /** A value of a type; null where none is known. */
   @Nullable Object of(Type type, Pattern pattern, int index) {
+    if (known.containsKey(type)) {
+      return known.get(type);
+    }
     if (type == double.class) {
       return pattern.at(index);
     }
@@ -67,16 +71,24 @@ public final class Samples {
     if (type == int.class) {
       return pattern == Pattern.FALLING ? 0 : MANY;
     }
-    if (type == double[].class && !known.containsKey(type)) {
+    if (type == float[].class) {
+      float[] values = new float[MANY];
+      Arrays.fill(values, (float) pattern.at(index));
+      return values;
+    }
+    if (type == double[][].class || type == double[][][].class) {
+      Class<?> inner = ((Class<?>) type).getComponentType();
+      Object[] rows = (Object[]) Array.newInstance(inner, MANY);
+      Arrays.setAll(rows, i -> of(inner, pattern, index));
+      return rows;
+    }
+    if (type == double[].class) {
       double[] values = new double[MANY];
       Arrays.setAll(values, i -> pattern.at(pattern == Pattern.RISING ? i : index));
       return values;
     }
     if (type == OptionalDouble.class) {
       return OptionalDouble.empty();
-    }
-    if (known.containsKey(type)) {
-      return known.get(type);
     }
     if (type instanceof ParameterizedType generic) {
       return collection(generic, pattern, index);

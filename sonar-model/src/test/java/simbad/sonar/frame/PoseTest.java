@@ -30,12 +30,12 @@ class PoseTest {
   })
   void offAxisAngle_isPositiveCounterClockwise(double heading, double x, double z, double off) {
     Pose pose = Pose.of(3, -2, Math.toRadians(heading));
-    assertEquals(off, pose.offAxisAngleOf(new Point(3 + x, -2 + z)).degrees(), 1e-6);
+    assertEquals(off, Math.toDegrees(pose.offAxisRad(new Point(3 + x, -2 + z))), 1e-6);
   }
 
   @Test
   void offAxisAngle_ofItsOwnPlace_isZero() {
-    assertEquals(new OffAxisAngle(0), Pose.of(1, 2, 3).offAxisAngleOf(new Point(1, 2)));
+    assertEquals(0, Pose.of(1, 2, 3).offAxisRad(new Point(1, 2)));
   }
 
   @Seeded
@@ -43,8 +43,8 @@ class PoseTest {
       @ForAll @DoubleRange(min = -3, max = 3) double heading,
       @ForAll @DoubleRange(min = -3, max = 3) double more) {
     Point point = new Point(0.3, -1.7);
-    double before = Pose.of(1, 1, heading).offAxisAngleOf(point).radians();
-    double after = Pose.of(1, 1, heading + more).offAxisAngleOf(point).radians();
+    double before = Pose.of(1, 1, heading).offAxisRad(point);
+    double after = Pose.of(1, 1, heading + more).offAxisRad(point);
     assertEquals(0, Angles.signed(before - more - after), 1e-12);
   }
 

@@ -65,8 +65,7 @@ class SensorPosesTest {
     double bearing = scenes.bearingRad(place.xM(), place.zM()) - then.bearingRad(1.5, 2.5);
     assertEquals(0, Math.sin(bearing / 2), 1e-9);
     double offAxis =
-        sensor.offAxisAngleOf(new Point(x, z)).radians()
-            - seen.pose().offAxisAngleOf(new Point(0.3, -0.4)).radians();
+        sensor.offAxisRad(new Point(x, z)) - seen.pose().offAxisRad(new Point(0.3, -0.4));
     assertEquals(0, Math.sin(offAxis / 2), 1e-9);
     assertEquals(MovedObstacle.UNMOVED, seen.circumstances().obstacle());
   }

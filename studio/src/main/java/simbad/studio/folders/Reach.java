@@ -8,7 +8,7 @@ import simbad.sonar.frame.Point;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.PingLog;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
@@ -34,12 +34,12 @@ final class Reach {
 
   private static final double OFF_M = 0.3;
 
-  private final DiagnosedModel model;
+  private final ChangedModel model;
   private final Obstacle obstacle;
   private final String sensor;
   private final double outlineM;
 
-  private Reach(DiagnosedModel model, Obstacle obstacle, String sensor) {
+  private Reach(ChangedModel model, Obstacle obstacle, String sensor) {
     this.model = model;
     this.obstacle = obstacle;
     this.sensor = sensor;
@@ -55,7 +55,7 @@ final class Reach {
    * @return metres from the obstacle's centre, by bearings from 0, evenly spaced; 0 where nothing
    *     is heard
    */
-  static double[] of(DiagnosedModel model, Obstacle obstacle, String sensor, double mostM) {
+  static double[] of(ChangedModel model, Obstacle obstacle, String sensor, double mostM) {
     Reach reach = new Reach(model, obstacle, sensor);
     double[] farM = new double[BEARINGS];
     double[] half = new double[BEARINGS];

@@ -16,7 +16,7 @@ import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Place;
 import simbad.gap.locate.PlaceRows;
 import simbad.sonar.ping.PingLog;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 import simbad.sonar.predict.FittedModel;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.ReadingRow;
@@ -101,7 +101,7 @@ final class RowsView {
   }
 
   private void places(JsonNode diagnosis, int every, ArrayNode places) {
-    var geometry = new DiagnosedModel(data.setup(), List.of()).geometry(log);
+    var geometry = new ChangedModel(data.setup(), List.of()).geometry(log);
     for (JsonNode place : diagnosis.path("where")) {
       ArrayNode list = places.addArray();
       for (int ping : PlaceRows.of(geometry, conditions(place.path("slice")))) {

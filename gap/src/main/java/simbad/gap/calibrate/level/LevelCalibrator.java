@@ -19,7 +19,7 @@ import simbad.sonar.ping.LossChange;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.ping.RangeChange;
 import simbad.sonar.ping.Scenes;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
 
@@ -81,7 +81,7 @@ public final class LevelCalibrator {
     Limits limits = Limits.of(geometry, setup.sensor(), Fold.ALL);
     SonarSpec sensor = limits.of(setup.sensor());
     List<Trials.Trial> trials = Trials.of(geometry, sensor, Fold.ALL, List.of());
-    Geometry there = new Geometry(log, setup, DiagnosedModel.changes(known.changes(), effects));
+    Geometry there = new Geometry(log, setup, ChangedModel.changes(known.changes(), effects));
     List<Trials.Trial> both = new ArrayList<>(trials);
     both.addAll(Trials.of(there, sensor, Fold.ALL, effects));
     boolean sameRanges = effects.stream().allMatch(LevelCalibrator::leavesRanges);

@@ -8,7 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import simbad.gap.fit.Evidence;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.LevelWorlds;
@@ -146,8 +146,8 @@ class LevelCalibratorTest {
   }
 
   private static double nats(Hypothesis hypothesis, PingLog log) {
-    Evidence evidence = new Evidence(LevelWorlds.POST, hypothesis.changes(), log);
-    return Arrays.stream(evidence.logLikelihood(Hypothesis.NONE)).sum();
+    CalibratedLog given = new CalibratedLog(LevelWorlds.POST, hypothesis.changes(), log);
+    return Arrays.stream(given.logLikelihood(Hypothesis.NONE)).sum();
   }
 
   @Test

@@ -4,14 +4,14 @@ import java.util.List;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
-import simbad.sonar.predict.DiagnosedModel;
+import simbad.sonar.predict.ChangedModel;
 import simbad.sonar.scene.SensingSetup;
 
 /**
  * A log before a set-up, and what of the set-up was calibrated: asks of any hypothesis how probable
  * each reading is. Immutable, safe for use by several threads.
  */
-public final class Evidence {
+public final class CalibratedLog {
   /** Of every model: a reading that nothing explains must not decide a verdict alone. */
   private static final double BROAD = 1e-3;
 
@@ -30,13 +30,13 @@ public final class Evidence {
   private final double rangeWeight;
 
   /**
-   * Creates evidence.
+   * Puts a log before a set-up.
    *
    * @param setup as the simulator believes it
    * @param calibration what is different in the set-up without being an effect
    * @param log what was read
    */
-  public Evidence(SensingSetup setup, List<? extends Change> calibration, PingLog log) {
+  public CalibratedLog(SensingSetup setup, List<? extends Change> calibration, PingLog log) {
     this.setup = setup;
     this.calibration = List.copyOf(calibration);
     this.log = log;
@@ -52,7 +52,7 @@ public final class Evidence {
     }
   }
 
-  private Evidence(Evidence other, double echoWeight, double rangeWeight) {
+  private CalibratedLog(CalibratedLog other, double echoWeight, double rangeWeight) {
     setup = other.setup;
     calibration = other.calibration;
     log = other.log;
@@ -63,19 +63,19 @@ public final class Evidence {
   }
 
   /**
-   * Returns the same evidence for a set-up that is known to be off: what its readings have in
-   * common beyond it does not count as often as there are readings.
+   * Returns the same log for a set-up that is known to be off: what its readings have in common
+   * beyond it does not count as often as there are readings.
    *
    * @param echoes by how much sums of echoes vary more than by chance, at least 1
    * @param ranges the same of where ranges lie
    */
-  public Evidence divided(double echoes, double ranges) {
-    return new Evidence(this, 1 / echoes, 1 / ranges);
+  public CalibratedLog divided(double echoes, double ranges) {
+    return new CalibratedLog(this, 1 / echoes, 1 / ranges);
   }
 
-  /** Returns evidence of the same log that counts for as much, before another calibration. */
-  public Evidence calibrated(List<? extends Change> other) {
-    return new Evidence(new Evidence(setup, other, log), echoWeight, rangeWeight);
+  /** Returns the same log, which counts for as much, with another calibration. */
+  public CalibratedLog calibrated(List<? extends Change> other) {
+    return new CalibratedLog(new CalibratedLog(setup, other, log), echoWeight, rangeWeight);
   }
 
   /** Returns the set-up. */
@@ -94,17 +94,17 @@ public final class Evidence {
   }
 
   /** Returns the model of a hypothesis. */
-  public DiagnosedModel model(Hypothesis hypothesis) {
+  public ChangedModel model(Hypothesis hypothesis) {
     return model(hypothesis.changes());
   }
 
   /** Returns the model of some changes. */
-  public DiagnosedModel model(List<Change> changes) {
-    return new DiagnosedModel(setup, DiagnosedModel.changes(calibration, changes));
+  public ChangedModel model(List<Change> changes) {
+    return new ChangedModel(setup, ChangedModel.changes(calibration, changes));
   }
 
   /** Returns the geometry under a hypothesis; that of the set-up where nothing changes it. */
-  public Geometry geometry(DiagnosedModel model) {
+  public Geometry geometry(ChangedModel model) {
     long changing = model.changes().stream().filter(Geometry::dependsOn).count();
     long calibrated = calibration.stream().filter(Geometry::dependsOn).count();
     return changing == calibrated ? plain : model.geometry(log);
@@ -117,7 +117,7 @@ public final class Evidence {
    * @param geometry of the log under it
    * @param into takes a finite value for each ping
    */
-  public void logLikelihood(DiagnosedModel model, Geometry geometry, double[] into) {
+  public void logLikelihood(ChangedModel model, Geometry geometry, double[] into) {
     if (echoWeight != 1 || rangeWeight != 1) {
       weighed(model, geometry, into);
       return;
@@ -139,7 +139,7 @@ public final class Evidence {
     }
   }
 
-  private void weighed(DiagnosedModel model, Geometry geometry, double[] into) {
+  private void weighed(ChangedModel model, Geometry geometry, double[] into) {
     double[] echoes = new double[into.length];
     model.likelihood(geometry, into, echoes);
     double silent = -1;

@@ -12,14 +12,14 @@ import simbad.sonar.frame.Pose;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
 
-class EvidenceTest {
+class CalibratedLogTest {
   private static double[] silence(List<Double> distancesM) {
     List<ReadingRow> rows = new ArrayList<>();
     for (double distanceM : distancesM) {
       Pose facing = Pose.of(0, distanceM, Math.PI / 2);
       rows.add(new ReadingRow("r", "s", 0.05 * rows.size(), facing, NoEcho.NO_ECHO));
     }
-    return Worlds.evidence(rows).logLikelihood(Hypothesis.NONE);
+    return Worlds.given(rows).logLikelihood(Hypothesis.NONE);
   }
 
   /**

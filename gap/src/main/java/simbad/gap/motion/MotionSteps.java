@@ -15,7 +15,7 @@ import simbad.motion.forecast.Exertion;
  * Nothing is interpolated. What hangs together within some seconds must not stand on both sides of
  * a check: steps belong to blocks that are left out together.
  */
-final class MotionEvidence {
+final class MotionSteps {
   static final int FOLDS = 5;
   static final int COMPONENTS = 3;
 
@@ -72,11 +72,11 @@ final class MotionEvidence {
     }
   }
 
-  MotionEvidence(List<MotionRun> runs) {
+  MotionSteps(List<MotionRun> runs) {
     this(runs, List.of());
   }
 
-  private MotionEvidence(List<MotionRun> runs, List<Stretch> left) {
+  private MotionSteps(List<MotionRun> runs, List<Stretch> left) {
     this.runs = runs;
     this.left = left;
     for (int run = 0; run < runs.size(); run++) {
@@ -135,8 +135,8 @@ final class MotionEvidence {
   }
 
   /** Returns the same log without the steps that meet some stretches. */
-  MotionEvidence without(List<Stretch> stretches) {
-    return new MotionEvidence(runs, List.copyOf(stretches));
+  MotionSteps without(List<Stretch> stretches) {
+    return new MotionSteps(runs, List.copyOf(stretches));
   }
 
   private void weigh() {

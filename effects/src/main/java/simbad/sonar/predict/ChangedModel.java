@@ -23,7 +23,7 @@ import simbad.sonar.scene.SonarSpec;
  * {@link simbad.sonar.model.NominalModel} to the last bit. Immutable, safe for use by several
  * threads.
  */
-public final class DiagnosedModel {
+public final class ChangedModel {
   /** The step of a reading whose sensor has none: recordings write millimetres or finer. */
   private static final double FINEST_STEP_M = 1e-3;
 
@@ -43,7 +43,7 @@ public final class DiagnosedModel {
    * @param changes what is different in the world, in any order; of bursts, hysteresis and stale
    *     readings at most one each
    */
-  public DiagnosedModel(SensingSetup believed, List<? extends Change> changes) {
+  public ChangedModel(SensingSetup believed, List<? extends Change> changes) {
     this.believed = believed;
     this.changes = List.copyOf(changes);
     sensor = Geometry.changedSensor(believed.sensor(), changes);
