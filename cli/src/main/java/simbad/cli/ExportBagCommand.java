@@ -12,9 +12,9 @@ import simbad.gap.diagnosis.DataSetFolder;
 @Command(
     name = "bag",
     description = {
-      "Write a data set's readings as a recording of ROS 2: a folder of rosbag2 in MCAP, with a"
-          + " topic of sensor_msgs/msg/Range for each sensor, and where it was in /tf.",
-      "Ranges become numbers of 32 bits, as the message has them. More: docs/guide/bags.md."
+      "Write a data set's readings as a recording of ROS 2: a folder of rosbag2 in " + "MCAP.",
+      "Each sensor has a topic of sensor_msgs/msg/Range, and its places are in /tf.",
+      "Ranges become numbers of 32 bits, as in the message. Guide: " + "docs/guide/bags.md."
     },
     footer = {"", "Example: simbad export bag data/gap/angle-against-uniform --out my-bag"})
 final class ExportBagCommand extends Subcommand {
