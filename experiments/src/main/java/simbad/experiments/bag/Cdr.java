@@ -108,7 +108,7 @@ final class Cdr {
     for (int i = 0; i < numbers.length; i++) {
       numbers[i] = real();
       if (!Double.isFinite(numbers[i])) {
-        throw new IOException("has a pose that is no number");
+        throw new IOException("has a pose that is not a number");
       }
     }
     return Rigid.of(numbers);
