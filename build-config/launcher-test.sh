@@ -570,7 +570,7 @@ releases_a_commit() {
 simbad-sonar-1.2-sources.tar.gz simbad-sonar-1.2.cdx.json simbad-sonar-1.2.jar"
   check "release: the sums are right" sums_are_right
   FAKE_CHANGES=$' M a\n?? b\n' simbad release --out changed
-  check "release: says what differs from the commit" prints 'made of the commit 1234, without the 2 files that differ'
+  check "release: says what differs from the commit" prints 'made from the commit 1234, without the 2 files that differ'
   simbad release --out changed
   check "release: nothing is overwritten: status 2" status_is 2
   simbad release --jar-only --out jar
@@ -580,7 +580,7 @@ simbad-sonar-1.2-sources.tar.gz simbad-sonar-1.2.cdx.json simbad-sonar-1.2.jar"
   check "release --jar-only: without checks, SBOM and Javadoc" calls_not 'mvn.*makeBom'
   FAKE_CHANGES=$' M a\n' simbad release --jar-only --out jar2
   check "release --jar-only: of the commit where a file differs" calls 'git .*clone'
-  check "release --jar-only: and says so" prints 'made of the commit 1234, without the 1 file that differs'
+  check "release --jar-only: and says so" prints 'made from the commit 1234, without the 1 file that differs'
   FAKE_MAVEN=fail simbad release --out failed
   check "release: a failed build: status 1" status_is 1
   check "release: a failed build: Maven's line" prints '[ERROR] Foo.java:[3,4] cannot find symbol'
@@ -636,7 +636,7 @@ refuses_a_bad_release() {
   fake "$work/bin" git <<<'exit 128'
   simbad release --out x
   check "release: of no clone: status 1" status_is 1
-  check "release: of no clone: says so" prints 'is no git clone; a release is made of a commit'
+  check "release: of no clone: says so" prints 'is not a git clone; a release is made from a commit'
 }
 
 check_style() {

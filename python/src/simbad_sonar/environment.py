@@ -51,7 +51,7 @@ def _fleet(
     try:
         hearing = java_class("simbad.experiments.run.SensorKind").read(sensor)
         if not hearing.isPresent():
-            raise SonarError(f"sensor '{sensor}' is no name that `simbad run --help` lists", 2)
+            raise SonarError(f"sensor '{sensor}' is not a name that `simbad run --help` lists", 2)
         kind = hearing.get()
         if robot is not None:
             kind = kind.on(java_class("simbad.experiments.run.RobotKind").read(str(robot)))

@@ -28,7 +28,7 @@ record AuditSummary(String dataset, List<AuditFinding> audit, Path folder)
     }
     return dataset
         + ": "
-        + (audit.isEmpty() ? "the audit found nothing" : "audited, nothing was fitted");
+        + (audit.isEmpty() ? "the audit found nothing" : "audited only, nothing was fitted");
   }
 
   @Override

@@ -19,12 +19,12 @@ import simbad.sonar.format.TextFile;
 @Command(
     name = "batch",
     description = {
-      "Let robots circle obstacles in every combination, or a sample, of what a spec lists:"
-          + " obstacles, scenes, sensors, effects, controllers, speeds, seeds"
-          + " (docs/guide/batch.md).",
-      "Writes a row per run to results.csv in --out; a batch that was interrupted goes on with the"
-          + " same command.",
-      "In the end report.html says what the rows show, and which runs went wrong."
+      "Let robots circle obstacles, many runs in one call.",
+      "A spec lists obstacles, scenes, sensors, effects, controllers, speeds and "
+          + "seeds. Every combination is run, or a sample of them (docs/guide/batch.md).",
+      "Each run becomes a row of results.csv in --out. The same command continues a "
+          + "batch that was interrupted.",
+      "At the end report.html shows the errors, and the runs that went wrong."
     },
     footer = {
       "",
@@ -42,7 +42,7 @@ final class BatchCommand extends Subcommand {
       names = "--out",
       paramLabel = "DIR",
       required = true,
-      description = "A folder that does not exist yet, or the one of this batch.")
+      description = "A folder that does not exist yet, or the folder of this batch.")
   @SuppressWarnings("NullAway.Init")
   private Path out;
 
@@ -129,6 +129,6 @@ final class BatchCommand extends Subcommand {
         + runsAre(job.size())
         + " in "
         + out
-        + "; the same command goes on";
+        + "; the same command continues";
   }
 }

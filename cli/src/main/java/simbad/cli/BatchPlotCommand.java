@@ -21,11 +21,12 @@ import simbad.figures.plot.TuningPlot;
 @Command(
     name = "batch-plot",
     description = {
-      "Draw a batch's errors over a parameter of its controller: a curve for each sensor, with"
-          + " --curves for each sensor and value of a second parameter. Each is the mean over all"
-          + " else that the batch varied.",
-      "Dots are the settings to which each sensor leads, as the last sensor judges them: the least"
-          + " error, or, where the error is the same everywhere, the shortest time."
+      "Draw a batch's errors against a parameter of its controller.",
+      "Each sensor has a curve; with --curves it has one for each value of a second "
+          + "parameter. A curve is the mean over everything else that the batch varied.",
+      "A dot marks the setting that a sensor leads to: the one with the least error, "
+          + "or with the shortest time if the error is the same everywhere. Its height is "
+          + "the error of that setting with the last sensor."
     },
     footer = {
       "",
@@ -47,14 +48,15 @@ final class BatchPlotCommand extends Subcommand {
   @Option(
       names = "--curves",
       paramLabel = "PARAMETER",
-      description = "Another one; each of its values has a curve. Default: one curve per sensor.")
+      description =
+          "A second parameter; each of its values has a curve. Default: one curve per " + "sensor.")
   private @Nullable String curves;
 
   @Option(
       names = "--sensor",
       paramLabel = "SENSOR",
       split = ",",
-      description = "Draw these sensors only, as results.csv names them. Default: all.")
+      description = "Draw only these sensors, named as in results.csv. Default: all.")
   private List<String> chosen = List.of();
 
   @Option(names = "--out", paramLabel = "FILE", required = true, description = "*.png or *.svg")

@@ -29,9 +29,9 @@ import simbad.sonar.format.DataFormatException;
 @Command(
     name = "capture",
     description = {
-      "Sweep round an obstacle: at each bearing, from which distance on the echo is lost.",
-      "Every reading is on the disk before the next; after any interruption, simbad bench resume"
-          + " goes on."
+      "Measure an obstacle bearing by bearing: find the distance at which the echo " + "is lost.",
+      "Every reading is on the disk before the next one is taken. After any "
+          + "interruption, simbad bench resume continues."
     },
     footer = {
       "",
@@ -41,13 +41,13 @@ import simbad.sonar.format.DataFormatException;
 final class BenchCaptureCommand extends Subcommand {
   @Option(
       names = "--auto",
-      description = "Use the simulated board; the program moves the obstacle.")
+      description = "Use the simulated board. The program moves the obstacle.")
   private boolean auto;
 
   @Option(
       names = "--port",
       paramLabel = "PORT",
-      description = "Serial port of a real sensor; you move the obstacle.")
+      description = "Serial port of a real sensor. You move the obstacle.")
   private @Nullable Path port;
 
   @Mixin private SweptObstacle obstacle = new SweptObstacle();
@@ -56,7 +56,7 @@ final class BenchCaptureCommand extends Subcommand {
       names = "--out",
       paramLabel = "DIR",
       required = true,
-      description = "Folder for journal and data set: a new one, or an empty one.")
+      description = "Folder for the journal and the data set; new or empty.")
   private Path folder = Path.of("");
 
   @Option(
@@ -76,22 +76,22 @@ final class BenchCaptureCommand extends Subcommand {
       names = "--misses",
       paramLabel = "K",
       description =
-          "The echo counts as lost at a distance where at least K pings are missed."
-              + " Default: half of the pings.")
+          "The echo counts as lost where at least K pings are missed. Default: half of "
+              + "the pings.")
   private @Nullable Integer misses;
 
   @Option(
       names = "--step",
       paramLabel = "M",
-      description = "Step between the distances that are tried, metres. Default: ${DEFAULT-VALUE}.")
+      description = "Step between two distances, metres. Default: ${DEFAULT-VALUE}.")
   private double stepM = 0.02;
 
   @Option(
       names = "--mode",
       paramLabel = "MODE",
       description =
-          "How the board reports ranges: frame (microseconds), or thesis (steps of 2"
-              + " cm, not protected against a disturbed line). Default: frame.")
+          "How the board reports ranges: frame (microseconds), or thesis (steps of 2 cm, "
+              + "without a checksum). Default: frame.")
   private String mode = FirmwareMode.FRAME.word();
 
   @Mixin private SimulatedSensor sensor = new SimulatedSensor();

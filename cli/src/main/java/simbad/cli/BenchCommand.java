@@ -5,8 +5,10 @@ import picocli.CommandLine.Command;
 /** {@code simbad bench}: threshold tables from a real sensor, or from the simulated board. */
 @Command(
     name = "bench",
-    description =
-        "Capture threshold tables, or readings at given poses, over a serial line. docs/guide/bench.md says how.",
+    description = {
+      "Measure threshold tables, or readings at given poses, over a serial line.",
+      "Guide: docs/guide/bench.md."
+    },
     subcommands = {
       BenchPortsCommand.class,
       BenchCaptureCommand.class,

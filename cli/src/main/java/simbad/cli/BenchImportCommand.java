@@ -14,9 +14,10 @@ import simbad.sonar.format.TableFile;
 @Command(
     name = "import",
     description = {
-      "Make a table from a capture in the thesis's form: a number in steps of 2 cm for each bearing,"
-          + " one on a line, from bearing 0 all round.",
-      "The numbers tell the distance to the surface; that to the axis is added."
+      "Make a table from a capture in the thesis's form: one number per line, in "
+          + "steps of 2 cm, for each bearing from 0 all round.",
+      "The numbers are distances to the surface. The distance from the surface to "
+          + "the axis is added."
     },
     footer = {"", "Example: simbad bench import numbers.txt --obstacle angle --out mine.csv"})
 final class BenchImportCommand extends Subcommand {

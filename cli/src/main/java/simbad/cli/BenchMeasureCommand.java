@@ -30,8 +30,9 @@ import simbad.sonar.sensing.ReadingRow;
 @Command(
     name = "measure",
     description = {
-      "Take one reading at each pose of a file, such as next-experiment.csv of a diagnosis.",
-      "Every row is on the disk before the next; the same command again goes on where it ended."
+      "Take one reading at each pose of a file, such as a diagnosis' " + "next-experiment.csv.",
+      "Every row is on the disk before the next one. The same command continues "
+          + "where the last call ended."
     },
     footer = {
       "",
@@ -46,22 +47,26 @@ final class BenchMeasureCommand extends Subcommand {
   @Parameters(
       paramLabel = "POSES.csv",
       description =
-          "run,sensor,t_s,x_m,z_m,heading_deg in the frame of the scene; range_m ignored.")
+          "run,sensor,t_s,x_m,z_m,heading_deg in the frame of the scene. A column "
+              + "range_m is ignored.")
   private Path poses = Path.of("");
 
   @Option(
       names = "--out",
       paramLabel = "FILE",
       required = true,
-      description = "The readings: beside a scene.json they are a data set.")
+      description = "File for the readings. Together with a scene.json they are a data set.")
   private Path file = Path.of("");
 
-  @Option(names = "--port", paramLabel = "PORT", description = "Of a real sensor that you place.")
+  @Option(
+      names = "--port",
+      paramLabel = "PORT",
+      description = "Serial port of a real sensor. You place it.")
   private @Nullable Path port;
 
   @Option(
       names = "--auto",
-      description = "By the simulated board, before --obstacle at the origin, unturned.")
+      description = "Use the simulated board, with --obstacle at the origin and not turned.")
   private boolean auto;
 
   @Option(
@@ -75,7 +80,7 @@ final class BenchMeasureCommand extends Subcommand {
   @Option(
       names = "--temperature",
       paramLabel = "CELSIUS",
-      description = "Temperature of the air. Default: not known, 20 assumed.")
+      description = "Temperature of the air, degrees Celsius. Default: not known; 20 is assumed.")
   private @Nullable Double temperatureC;
 
   @Override
@@ -96,9 +101,9 @@ final class BenchMeasureCommand extends Subcommand {
             file,
             "row "
                 + (foreign.get() + 1)
-                + " is not of the pose that "
+                + " does not have the pose in "
                 + poses
-                + " has there, expected a file that is not there yet, or one to go on with");
+                + "; expected a new file, or the file of an earlier call");
       }
       int there = log.before().size();
       if (there < rows.size() && simulated.isPresent()) {
@@ -107,7 +112,9 @@ final class BenchMeasureCommand extends Subcommand {
         byHand(rows, log, ranging);
       }
     }
-    out().println(file + ": " + rows.size() + " rows; beside the scene.json they are a data set");
+    out()
+        .println(
+            file + ": " + rows.size() + " rows; together with the scene.json they are a data set");
   }
 
   private Ranging ranging() {
@@ -159,12 +166,12 @@ final class BenchMeasureCommand extends Subcommand {
   private void byHand(List<ReadingRow> rows, ReadingsLog log, Ranging ranging) throws Exception {
     out()
         .println("x to the right, z down the page, headings counter-clockwise from x, from above;");
-    out().println("the obstacles stand as in the scene. Enter reads, q ends.");
+    out().println("the obstacles stand as in the scene. Enter takes a reading, q ends.");
     if (isDriven(rows)) {
       out()
           .println(
-              "The poses follow each other as a robot drives. By hand each stands by itself: what"
-                  + " depends on the time between pings will not show.");
+              "The poses are those of a driving robot. Taken by hand, each reading stands "
+                  + "alone: an effect that depends on the time between pings does not show.");
     }
     BufferedReader in = BenchCaptureCommand.typed();
     try (SteadyRanger ranger = connected(Path.of(String.valueOf(port)))) {
@@ -213,7 +220,7 @@ final class BenchMeasureCommand extends Subcommand {
     String typed = in.readLine();
     if (typed == null || typed.strip().equals("q")) {
       throw new IOException(
-          "ended at row " + (row + 1) + " of " + of + "; the same command goes on there");
+          "ended at row " + (row + 1) + " of " + of + "; the same command continues there");
     }
   }
 }

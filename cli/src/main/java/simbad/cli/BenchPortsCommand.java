@@ -16,8 +16,8 @@ import simbad.bench.session.Ranger;
 @Command(
     name = "ports",
     description = {
-      "List this machine's serial ports and what answers there.",
-      "Pseudo-terminals, such as the simulated board's, are asked when they are named."
+      "List this machine's serial ports, and what answers at each.",
+      "A pseudo-terminal, such as the simulated board's, is not listed; name it to " + "ask it."
     },
     footer = {"", "Example: simbad bench ports /dev/ttyUSB0"})
 final class BenchPortsCommand extends Subcommand {

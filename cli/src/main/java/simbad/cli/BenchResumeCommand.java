@@ -24,8 +24,8 @@ import simbad.sonar.format.DataFormatException;
 @Command(
     name = "resume",
     description = {
-      "Go on with a capture that was interrupted, at the bearing where it stopped.",
-      "A last line that was torn is set aside in journal.txt.torn."
+      "Continue an interrupted capture at the bearing where it stopped.",
+      "If the last line was written only in part, it is moved to journal.txt.torn."
     },
     footer = {"", "Example: simbad bench resume angle-capture"})
 final class BenchResumeCommand extends Subcommand {
@@ -34,7 +34,7 @@ final class BenchResumeCommand extends Subcommand {
   @Option(
       names = "--port",
       paramLabel = "PORT",
-      description = "When the sensor is at another port now.")
+      description = "The sensor's port, if it is another one now.")
   private @Nullable Path port;
 
   @Mixin private WebOption web = new WebOption();
@@ -80,7 +80,8 @@ final class BenchResumeCommand extends Subcommand {
       return begun;
     }
     if (begun.of("port").isEmpty()) {
-      throw wrongUsage("--port: this capture was before the simulated board");
+      throw wrongUsage(
+          "--port: this capture was made with the simulated board, which needs no port");
     }
     return begun.with("port", port.toAbsolutePath().toString());
   }

@@ -21,9 +21,9 @@ import simbad.sonar.shape.ThresholdTable;
 @Command(
     name = "table",
     description = {
-      "Make the threshold table from a finished capture; simbad run takes it.",
-      "Columns besides bearing and threshold: a 95 %% interval, the furthest distances heard on the"
-          + " way out and in, the number of pings."
+      "Make a threshold table from a finished capture. simbad run takes such a table.",
+      "Besides bearing and threshold it has the 95 %% interval, the furthest "
+          + "distances heard on the way out and on the way in, and the number of pings."
     },
     footer = {
       "",
@@ -65,7 +65,7 @@ final class BenchTableCommand extends Subcommand {
     out()
         .printf(
             Locale.ROOT,
-            "%s: %d bearings, intervals %.1f cm wide in the mean%n",
+            "%s: %d bearings, mean width of the intervals %.1f cm%n",
             file,
             table.fits().size(),
             CM
@@ -98,7 +98,8 @@ final class BenchTableCommand extends Subcommand {
     out()
         .printf(
             Locale.ROOT,
-            "against %s: %.2f cm off in the mean, %.2f to %.2f cm; %d of %d within the interval%n",
+            "against %s: mean difference %.2f cm, %.2f to %.2f cm; %d of %d within the "
+                + "interval%n",
             other,
             CM * sum / size,
             CM * least,

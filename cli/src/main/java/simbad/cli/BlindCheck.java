@@ -84,7 +84,9 @@ final class BlindCheck {
       TextFile.write(file, text);
     } else if (!Files.readString(file).equals(text)) {
       throw DataFormatException.inFile(
-          file, "begun with other options or another program, expected the same or another --out");
+          file,
+          "was begun with other options or another program; use the same ones, or "
+              + "another --out");
     }
     log("begun, " + order.version() + ", java " + Runtime.version());
   }

@@ -23,16 +23,17 @@ import simbad.sonar.format.OneLine;
 @Command(
     name = "blind-check",
     description = {
-      "Check the diagnosis on data sets whose truth is withheld from it: one program draws truths,"
-          + " seals them by salted SHA-256 and writes data sets, another one diagnoses them in a"
-          + " folder that holds nothing else, a third verifies the seals and scores.",
-      "Called again with the same options and folder, it goes on where it ended."
+      "Check the diagnosis on data sets whose truth it never sees.",
+      "One program draws truths, seals them with salted SHA-256 and writes data sets. "
+          + "A second one diagnoses these in a folder that holds nothing else. A third one "
+          + "verifies the seals and scores the answers.",
+      "The same command continues where the last call ended."
     },
     footer = {
       "",
-      "Exit status 0 when all cases were answered, rightly or not; 1 when some were not, or the"
-          + " work failed; 2 for bad usage or input, such as a truth that is not the one that was"
-          + " sealed.",
+      "Exit status: 0 all cases were answered, right or wrong; 1 some were not, or "
+          + "the work failed; 2 bad usage or input, such as a truth that was changed after "
+          + "it was sealed.",
       "",
       "Example: simbad blind-check --out check",
       "Example: simbad blind-check --cases 1000 --seed 7 --off --out check-off",
@@ -59,8 +60,7 @@ final class BlindCheckCommand extends Subcommand {
       names = "--out",
       paramLabel = "DIR",
       required = true,
-      description =
-          "A folder for everything: one that does not exist yet, or that of a check begun.")
+      description = "A folder for everything: a new one, or the folder of a check that was begun.")
   private Path out = Path.of("");
 
   @Option(
@@ -81,13 +81,15 @@ final class BlindCheckCommand extends Subcommand {
       names = "--reference",
       paramLabel = "SHARE",
       description =
-          "Share of cases whose set-up is itself a little off and that come with a reference (level"
-              + " L2). Default: 0.3.")
+          "Share of cases with a set-up that is itself a little off, and with a "
+              + "reference (level L2). Default: 0.3.")
   private @Nullable Double reference;
 
   @Option(
       names = "--off",
-      description = "Every case has a set-up that is a little off, and a reference: --reference 1.")
+      description =
+          "Every case has a set-up that is a little off, and a reference; the same as "
+              + "--reference 1.")
   private boolean off;
 
   @Option(
@@ -96,8 +98,8 @@ final class BlindCheckCommand extends Subcommand {
       completionCandidates = EffectWords.class,
       split = ",",
       description =
-          "Leave-one-out: the diagnosis is not told of these effects, whose data it must then call"
-              + " unexplained. Two in five cases hold one.")
+          "Leave-one-out: the diagnosis does not know these effects and must call their "
+              + "data unexplained. Two of five cases hold one.")
   private List<String> withhold = List.of();
 
   @Option(
@@ -111,57 +113,62 @@ final class BlindCheckCommand extends Subcommand {
       names = "--effects",
       paramLabel = "EFFECT",
       split = ",",
-      description = "Draw only these effects, from the vocabulary or outside it.")
+      description = "Draw only these effects, known to the diagnosis or not.")
   private List<String> effects = List.of();
 
   @Option(
       names = "--rows",
       paramLabel = "MIN-MAX",
-      description = "Number of rows of a data set. Default: 2000-4500, of waves 700-2500.")
+      description = "Number of rows of a data set. Default: 2000-4500; with --level wave 700-2500.")
   private @Nullable String rows;
 
   @Option(
       names = "--sizes",
       paramLabel = "MIN-MAX",
       description =
-          "Sizes of what is put in, 1 for a practical one, whether it shows or not. Default: 0.5-2,"
-              + " where it shows.")
+          "Sizes of the effects that are put in; 1 is a practical size. With this option "
+              + "a case is kept even if its effect does not show. Default: 0.5-2, and the "
+              + "effect shows.")
   private @Nullable String sizes;
 
   @Option(
       names = "--benchmark",
       paramLabel = "PART",
       description =
-          "Draw a part of the benchmark SRB-1, L1, L2, L2w or motion, whose orders and bytes are"
-              + " frozen.")
+          "Draw a part of the benchmark SRB-1: L1, L2, L2w or motion. Its cases are "
+              + "fixed to the byte.")
   private @Nullable String benchmark;
 
   @Option(
       names = "--first",
       paramLabel = "N",
-      description = "With --benchmark: only the first N cases of the part, a sample by lot.")
+      description =
+          "With --benchmark: only the first N cases of the part. They are a random "
+              + "sample of it.")
   private @Nullable Integer first;
 
   @Option(
       names = "--foreign",
       paramLabel = "DIR",
       description =
-          "Draw nothing; take the data sets in this folder, each with truth.json and sealed.csv.")
+          "Draw nothing. Take the data sets in this folder, each with truth.json and "
+              + "sealed.csv.")
   private @Nullable Path foreign;
 
   @Option(
       names = "--level",
       paramLabel = "TEXT",
       description =
-          "Without --foreign: wave, for worlds of waves (level L2w), each with a reference. With"
-              + " --foreign: the level of independence, to stand beside every figure.")
+          "Without --foreign: wave, for worlds of waves (level L2w), each with a "
+              + "reference. With --foreign: the level of independence, which is printed beside "
+              + "every figure.")
   private @Nullable String level;
 
   @Option(
       names = "--motion",
       description =
-          "Draw robots that drive before a tracker, in place of sonars: levels M1 and, with a"
-              + " reference, M2.")
+          "Draw drives of robots that a tracker sees, not sonars: level M1, or M2 with a "
+              + "reference.")
   private boolean motion;
 
   @Option(
@@ -173,19 +180,19 @@ final class BlindCheckCommand extends Subcommand {
   @Option(
       names = "--limit",
       paramLabel = "S",
-      description = "Give a case up after so many seconds without an answer. Default: 600.")
+      description = "Give up a case after this many seconds without an answer. Default: 600.")
   private double limitS = 600;
 
   @Option(
       names = "--all-pages",
-      description = "Keep every case's report.html, not only those of wrong answers.")
+      description = "Keep every case's report.html. Default: only those of wrong answers.")
   private boolean allPages;
 
   @Option(
       names = "--audit-only",
       description =
-          "Diagnose nothing; count how often the audit warns of what is not there, and how often it"
-              + " finds the faults that are put into clean cases.")
+          "Diagnose nothing. Count the false warnings of the audit, and the faults it "
+              + "finds among those put into clean cases.")
   private boolean auditOnly;
 
   @ArgGroup private WorkersOption who = new WorkersOption();
@@ -198,7 +205,7 @@ final class BlindCheckCommand extends Subcommand {
     who.check(this);
     CheckOrder order = order();
     if (Files.exists(out) && !BlindCheck.mayStandIn(out)) {
-      throw wrongUsage("--out: " + out + " is not the folder of a check, nor empty");
+      throw wrongUsage("--out: " + out + " is neither empty nor the folder of a check");
     }
     BlindCheck check = new BlindCheck(out, order, out(), err());
     check.begin();
@@ -220,7 +227,7 @@ final class BlindCheckCommand extends Subcommand {
   private CheckOrder order() throws IOException {
     for (String word : withhold) {
       if (Definitions.find(word).isEmpty()) {
-        throw wrongUsage("--withhold: '" + word + "' is the name of no effect");
+        throw wrongUsage("--withhold: '" + word + "' is not the name of an effect");
       }
     }
     if (benchmark != null) {
@@ -240,7 +247,7 @@ final class BlindCheckCommand extends Subcommand {
             || !effects.isEmpty();
     if (drawing) {
       throw wrongUsage(
-          "--foreign: nothing is drawn then, of which the other options could say how");
+          "--foreign: nothing is drawn, so options that say what to draw do not go with " + "it");
     }
     if (level != null && !OneLine.isName(level)) {
       throw wrongUsage(
@@ -265,7 +272,7 @@ final class BlindCheckCommand extends Subcommand {
             || !withhold.isEmpty();
     if (drawing) {
       throw wrongUsage(
-          "--benchmark: its orders are frozen, expected no other option of what is drawn");
+          "--benchmark: its cases are fixed, expected no option that says what to draw");
     }
     String known =
         PARTS.stream()
@@ -282,7 +289,9 @@ final class BlindCheckCommand extends Subcommand {
     checkMotion();
     if (level != null && !level.equals(WAVE)) {
       throw wrongUsage(
-          "--level: of cases that are drawn it is known; expected " + WAVE + ", or --foreign");
+          "--level: the level of cases that are drawn is known; expected "
+              + WAVE
+              + ", or --foreign");
     }
     if (level != null && (off || reference != null)) {
       throw wrongUsage(
@@ -305,8 +314,8 @@ final class BlindCheckCommand extends Subcommand {
   private void checkMotion() {
     if (motion && (level != null || auditOnly || !withhold.isEmpty() || rows != null)) {
       throw wrongUsage(
-          "--motion: of sonars are --level, --rows, --withhold and --audit-only, expected none of"
-              + " them");
+          "--motion: --level, --rows, --withhold and --audit-only are for sonars, "
+              + "expected none of them");
     }
     if (!motion && seconds != null) {
       throw wrongUsage("--seconds: expected --motion with it");

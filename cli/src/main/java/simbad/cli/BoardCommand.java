@@ -28,8 +28,8 @@ import simbad.sonar.scene.SonarSpec;
 @Command(
     name = "board",
     description = {
-      "Run the ranger's real firmware in gpsim, before a simulated bench, and print the path of its"
-          + " serial port (19200 8N1).",
+      "Run the ranger's real firmware in gpsim, with a simulated bench in front of it.",
+      "Prints the path of its serial port (19200 8N1).",
       "Ends after --for, or with Ctrl-C."
     },
     footer = {
@@ -53,20 +53,21 @@ final class BoardCommand extends Subcommand {
   @Option(
       names = "--distance",
       paramLabel = "M",
-      description = "Without a script: to the obstacle's axis, metres. Default: 1.")
+      description = "Without a script: distance to the obstacle's axis, metres. Default: 1.")
   private @Nullable Double distanceM;
 
   @Option(
       names = "--clockwise",
       paramLabel = "DEG",
       description =
-          "Without a script: how far the obstacle is turned, seen from above. Default: 0.")
+          "Without a script: how far the obstacle is turned clockwise, seen from above. "
+              + "Default: 0.")
   private @Nullable Double clockwiseDeg;
 
   @Option(
       names = "--temperature",
       paramLabel = "CELSIUS",
-      description = "Without a script: temperature of the air. Default: 20.")
+      description = "Without a script: temperature of the air, degrees Celsius. Default: 20.")
   private @Nullable Double temperatureC;
 
   @Option(
@@ -81,7 +82,7 @@ final class BoardCommand extends Subcommand {
   @Option(
       names = "--sensor-file",
       paramLabel = "FILE",
-      description = "The sensor's figures. Default: data/sensors/srf04.json.")
+      description = "The sensor's file. Default: data/sensors/srf04.json.")
   private @Nullable Path sensorFile;
 
   @Option(names = "--seed", paramLabel = "N", description = "Seed of the noisy sensor. Default: 1.")
@@ -93,7 +94,10 @@ final class BoardCommand extends Subcommand {
       description = "Simulated seconds per real second; 0: as fast as possible. Default: 1.")
   private double pace = 1;
 
-  @Option(names = "--for", paramLabel = "S", description = "Stop after S simulated seconds.")
+  @Option(
+      names = "--for",
+      paramLabel = "S",
+      description = "Stop after this many simulated seconds.")
   private @Nullable Double endS;
 
   @Option(
@@ -146,8 +150,8 @@ final class BoardCommand extends Subcommand {
     }
     if (obstacle != null || distanceM != null || clockwiseDeg != null || temperatureC != null) {
       throw wrongUsage(
-          "--script says what stands there: not with --obstacle, --distance, --clockwise,"
-              + " --temperature");
+          "--script says where things stand; it does not go with --obstacle, --distance, "
+              + "--clockwise, --temperature");
     }
     return BoardScript.read(script, BoardCommand::target);
   }

@@ -114,7 +114,7 @@ final class CaptureRun {
         () -> {
           interrupted = true;
           err.println(
-              "bench: all readings are kept; go on with: simbad bench resume " + folder.path());
+              "bench: all readings are kept; to continue: simbad bench resume " + folder.path());
           atTheEnd.run();
         };
     Ending ending = Ending.with(farewell);
@@ -228,7 +228,7 @@ final class CaptureRun {
     out.println(
         state.doneCount() == bearings
             ? "now: simbad bench table " + folder.path() + " --out TABLE.csv"
-            : "go on with: simbad bench resume " + folder.path());
+            : "to continue: simbad bench resume " + folder.path());
     folder.writeDataSet(readings, obstacle, Catalogue.srf04());
   }
 }

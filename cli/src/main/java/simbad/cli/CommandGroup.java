@@ -8,6 +8,6 @@ abstract class CommandGroup extends Subcommand {
   @Override
   protected final void run() {
     usage(err());
-    throw wrongUsage("no command given");
+    throw wrongUsage("a command is missing");
   }
 }

@@ -35,7 +35,7 @@ record Commit(Path folder, String name) {
     try {
       return new Commit(clone, git(own(clone, "rev-parse", "-q", "--verify", "HEAD")).strip());
     } catch (IOException e) {
-      throw new IOException(clone + " is no git clone; a release is made of a commit", e);
+      throw new IOException(clone + " is not a git clone; a release is made from a commit", e);
     }
   }
 

@@ -12,7 +12,7 @@ import picocli.CommandLine.Spec;
     footer = {
       "",
       "Example: simbad completion > ~/.simbad-completion",
-      "then, here and in ~/.bashrc: source ~/.simbad-completion"
+      "Then type here, and write into ~/.bashrc: source ~/.simbad-completion"
     })
 final class CompletionCommand extends Subcommand {
   @Spec

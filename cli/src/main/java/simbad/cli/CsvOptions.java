@@ -36,35 +36,39 @@ final class CsvOptions {
     @Option(
         names = "--range",
         paramLabel = "COLUMNS",
-        description = "Column with the ranges; several as a,b or m1-m10.")
+        description = "Column with the ranges. Several columns: a,b or m1-m10.")
     private @Nullable String range;
 
     @Option(
         names = "--range-unit",
         paramLabel = "UNIT",
         description =
-            "cm, mm, m, in, ft; us, ms, s for the time of flight there and back. Default: as the column's"
-                + " name says.")
+            "cm, mm, m, in, ft; or us, ms, s for the time of flight there and back. "
+                + "Default: the unit in the column's name.")
     private @Nullable String rangeUnit;
 
     @Option(
         names = "--no-echo",
         paramLabel = "CODES",
-        description = "What stands for no echo, such as 0,765 or '>=400'; empty and NaN always do.")
+        description =
+            "Values that mean no echo, such as 0,765 or '>=400'. Empty cells and NaN "
+                + "always do.")
     private @Nullable String noEcho;
 
     @Option(
         names = "--wide",
         paramLabel = "repeats|sensors",
-        description = "What several range columns mean. Default: sensors, if --mount names them.")
+        description =
+            "Meaning of several range columns: sensors or repeats. Default: sensors if "
+                + "--mount names them.")
     private @Nullable String wide;
 
     @Option(
         names = "--time",
         paramLabel = COLUMN,
         description =
-            "Column with the times: numbers, times of day or dates. Without it no times"
-                + " are made up.")
+            "Column with the times: numbers, times of day or dates. Without it the data "
+                + "set has no times.")
     private @Nullable String time;
 
     @Option(names = "--time-unit", paramLabel = "UNIT", description = "s, ms, us, ns or min.")
@@ -73,13 +77,14 @@ final class CsvOptions {
     @Option(
         names = "--period",
         paramLabel = "TIME",
-        description = "Time from ping to ping, such as 60ms, where the log has no times.")
+        description = "Time from ping to ping, such as 60ms, if the log has no times.")
     private @Nullable String period;
 
     @Option(
         names = "--run",
         paramLabel = "COLUMNS",
-        description = "Columns that tell recordings apart. Default: each file is one recording.")
+        description =
+            "Columns whose values name the recording. Default: each file is one recording.")
     private @Nullable String run;
 
     @Option(
@@ -92,32 +97,32 @@ final class CsvOptions {
         names = "--placement",
         paramLabel = COLUMN,
         description =
-            "Column whose value stays the same while nothing is moved. Default:"
-                + " neighbouring rows at equal places.")
+            "Column whose value stays the same while nothing is moved. Default: "
+                + "neighbouring rows with equal places belong together.")
     private @Nullable String placement;
 
     @Option(
         names = "--temperature",
         paramLabel = "WHERE",
-        description = "Temperature of the air, Celsius.")
+        description = "Temperature of the air, degrees Celsius.")
     private @Nullable String temperature;
 
     @Option(
         names = "--gap-ms",
         paramLabel = "WHERE",
-        description = "Milliseconds from the previous ping to this one.")
+        description = "Column: milliseconds from the previous ping to this one.")
     private @Nullable String gap;
 
     @Option(
         names = "--pause-ms",
         paramLabel = "WHERE",
-        description = "Milliseconds from the previous echo to this ping.")
+        description = "Column: milliseconds from the previous echo to this ping.")
     private @Nullable String pause;
 
     @Option(
         names = "--only",
         paramLabel = "COLUMN=VALUE",
-        description = "Take only these rows; COLUMN=LEAST..MOST for numbers. May be repeated.")
+        description = "Take only these rows. For numbers: COLUMN=LEAST..MOST. May be repeated.")
     private @Nullable List<String> only;
 
     @Option(
@@ -133,8 +138,8 @@ final class CsvOptions {
         names = "--distance",
         paramLabel = "WHERE",
         description =
-            "A ladder: the true distance to a target that the sensor faces; 'header' where the"
-                + " columns' names say it.")
+            "The true distance to a target that the sensor faces (a ladder of distances). "
+                + "'header': the columns' names are the distances.")
     private @Nullable String distance;
 
     @Option(names = "--distance-unit", paramLabel = "UNIT", description = "m, cm, mm, in, ft.")
@@ -143,28 +148,34 @@ final class CsvOptions {
     @Option(
         names = "--distance-to",
         paramLabel = "surface|centre",
-        description = "Default: surface; centre, if it is turned.")
+        description =
+            "The distance is measured to the target's surface or to its centre. Default: "
+                + "surface; centre if the target is turned.")
     private @Nullable String distanceTo;
 
     @Option(
         names = "--moves",
         paramLabel = "sensor|target",
-        description = "What is moved on a ladder. Default: sensor.")
+        description =
+            "The sensor or the target is moved from distance to distance. Default: sensor.")
     private @Nullable String moves;
 
     @Option(
         names = "--bearing",
         paramLabel = "WHERE",
-        description = "With --distance: the bearing of the sensor, seen from the target.")
+        description = "With --distance: the bearing of the sensor as seen from the target.")
     private @Nullable String bearing;
 
-    @Option(names = "--x", paramLabel = "WHERE", description = "The sensor's place, to the right.")
+    @Option(names = "--x", paramLabel = "WHERE", description = "The sensor's place: to the right.")
     private @Nullable String x;
 
-    @Option(names = "--z", paramLabel = "WHERE", description = "The same, for z (down the page).")
+    @Option(names = "--z", paramLabel = "WHERE", description = "The sensor's place: down the page.")
     private @Nullable String z;
 
-    @Option(names = "--y", paramLabel = "WHERE", description = "In place of --z: up the page.")
+    @Option(
+        names = "--y",
+        paramLabel = "WHERE",
+        description = "The sensor's place: up the page, instead of --z.")
     private @Nullable String y;
 
     @Option(names = "--pose-unit", paramLabel = "UNIT", description = "Unit of all places.")
@@ -179,7 +190,7 @@ final class CsvOptions {
     @Option(
         names = "--heading",
         paramLabel = "WHERE",
-        description = "Direction in which the sensor, or the robot, looks. Default: to the target.")
+        description = "Direction in which the sensor or the robot looks. Default: to the target.")
     private @Nullable String heading;
 
     @Option(
@@ -212,28 +223,28 @@ final class CsvOptions {
     @Option(
         names = "--target-x",
         paramLabel = "WHERE",
-        description = "The target's place, where it is moved: x (to the right).")
+        description = "The target's place, if it is moved: x (to the right).")
     private @Nullable String targetX;
 
     @Option(
         names = "--target-z",
         paramLabel = "WHERE",
-        description = "The same, for z (down the page).")
+        description = "The target's place, if it is moved: z (down the page).")
     private @Nullable String targetZ;
 
     @Option(
         names = "--target-y",
         paramLabel = "WHERE",
-        description = "The same, for y (up the page), in place of z.")
+        description = "The target's place, if it is moved: y (up the page), instead of z.")
     private @Nullable String targetY;
 
     @Option(
         names = "--mount",
         paramLabel = "SENSOR=X,Z,TURN",
         description =
-            "The logged places are the robot's, and a sensor sits on it: so far forward,"
-                + " so far to the right, turned so far to the left, such as left=5cm,-8cm,90deg."
-                + " Repeat it for each sensor.")
+            "The places in the log are the robot's, and a sensor sits on it: forward, to "
+                + "the right, turned to the left, such as left=5cm,-8cm,90deg. Repeat it for "
+                + "each sensor.")
     private @Nullable List<String> mount;
 
     @Option(
@@ -255,15 +266,17 @@ final class CsvOptions {
         names = "--target",
         paramLabel = "SHAPE",
         description =
-            "board:1.2m, 'board:1.2m x 0.4m', round:30mm, square:25mm, a type (simbad table types),"
-                + " an outline's file; @X,Z,TURN behind it. Default on a ladder: board:1.2m.")
+            "board:1.2m, 'board:1.2m x 0.4m', round:30mm, square:25mm, a type (simbad "
+                + "table types) or the file of an outline. @X,Z,TURN after it says where it "
+                + "stands. Default with --distance: board:1.2m.")
     private @Nullable List<String> target;
 
     @Option(
         names = "--detection",
         paramLabel = "HOW",
         description =
-            "uniform:2.5m, a type's table, or TABLE.csv. Default: uniform, at the greatest range.")
+            "Where the target is heard: uniform:2.5m, a type's table, or TABLE.csv. "
+                + "Default: uniform, up to the greatest range.")
     private @Nullable String detection;
 
     @Option(
@@ -281,7 +294,7 @@ final class CsvOptions {
     @Option(
         names = "--min-range",
         paramLabel = "LENGTH",
-        description = "Least range that the sonar reports.")
+        description = "Smallest range that the sonar reports.")
     private @Nullable String minRange;
 
     @Option(
@@ -293,7 +306,7 @@ final class CsvOptions {
     @Option(
         names = "--resolution",
         paramLabel = "LENGTH",
-        description = "Step of the ranges. Default: as the log's digits say.")
+        description = "Step of the ranges. Default: what the digits in the log show.")
     private @Nullable String resolution;
 
     @Option(
@@ -311,13 +324,13 @@ final class CsvOptions {
     @Option(
         names = "--sound-speed",
         paramLabel = "M_PER_S",
-        description = "Speed of sound with which the ranges were computed. Default: the sonar's.")
+        description = "Speed of sound that the ranges were computed with. Default: the sonar's.")
     private @Nullable String soundSpeed;
 
     @Option(
         names = "--compensated",
         paramLabel = "true|false",
-        description = "Whether the sensor already corrects its ranges for the temperature.")
+        description = "Whether the sensor itself corrects its ranges for the temperature.")
     private @Nullable String compensated;
   }
 
@@ -335,7 +348,10 @@ final class CsvOptions {
         description = "Decimal mark of the numbers.")
     private @Nullable String decimal;
 
-    @Option(names = "--encoding", paramLabel = "NAME", description = "Such as latin1.")
+    @Option(
+        names = "--encoding",
+        paramLabel = "NAME",
+        description = "Encoding of the file, such as latin1.")
     private @Nullable String encoding;
 
     @Option(
@@ -344,7 +360,7 @@ final class CsvOptions {
         description = "Whether the first line holds the columns' names.")
     private @Nullable String header;
 
-    @Option(names = "--skip", paramLabel = "N", description = "Lines before the table.")
+    @Option(names = "--skip", paramLabel = "N", description = "Number of lines before the table.")
     private @Nullable String skip;
 
     @Option(
@@ -355,7 +371,7 @@ final class CsvOptions {
 
     @Option(
         names = "--skip-bad",
-        description = "Leave out rows that cannot be read, and count them.")
+        description = "Leave out rows that cannot be read, and say how many.")
     private boolean skipBad;
   }
 

@@ -26,11 +26,11 @@ import simbad.gap.diagnosis.DataSet;
     sortOptions = false,
     abbreviateSynopsis = true,
     description = {
-      "Make a data set from a recording of ROS 2: a folder of rosbag2, or a file in MCAP or SQLite,"
-          + " plain, in lz4 or zstd. Ranges are those of sensor_msgs/msg/Range; where the sensors"
-          + " were is taken from /tf, /tf_static and odometry.",
-      "All options of simbad dataset csv say more, or something else. docs/guide/bags.md goes"
-          + " through it."
+      "Make a data set from a recording of ROS 2: a folder of rosbag2, or a file in "
+          + "MCAP or SQLite, plain or packed with lz4 or zstd.",
+      "The ranges come from sensor_msgs/msg/Range, the sensors' places from /tf, "
+          + "/tf_static and odometry.",
+      "The options of simbad dataset csv add to this, or change it. Guide: " + "docs/guide/bags.md."
     },
     footer = {
       "",
@@ -56,28 +56,28 @@ final class DatasetBagCommand extends Subcommand {
 
   @Option(
       names = "--list",
-      description = "Print the topics and the frames of the recording, and make nothing.")
+      description = "Print the topics and the frames of the recording. Nothing is written.")
   private boolean list;
 
   @Option(
       names = "--topic",
       paramLabel = "TOPIC",
       split = ",",
-      description = "Take the ranges of these topics only. Default: of all.")
+      description = "Take only the ranges of these topics. Default: all topics.")
   private List<String> topics = List.of();
 
   @Option(
       names = "--fixed-frame",
       paramLabel = "FRAME",
-      description = "Frame in which places are told. Default: the root above the sensors.")
+      description = "Frame of the places. Default: the root above the sensors.")
   private @Nullable String fixedFrame;
 
   @Option(
       names = "--picture",
       paramLabel = "FILE",
       description =
-          "Draw what was understood, seen from above: where the sensors were, and the places that"
-              + " echoes tell of; *.svg or *.png.")
+          "Draw the data set, seen from above: where the sensors were, and where the "
+              + "echoes came from. *.svg or *.png")
   private @Nullable Path picture;
 
   @Mixin

@@ -76,8 +76,9 @@ final class DatasetCommand extends CommandGroup {
   @Command(
       name = "grid",
       description = {
-        "Readings round an obstacle as its threshold table decides them, before a scene that"
-            + " believes Simbad's original sensor: one range of 2.5 m for all bearings."
+        "Make a data set of simulated readings round an obstacle.",
+        "Its threshold table decides what is heard. The scene believes Simbad's original "
+            + "sensor: one range of 2.5 m for all bearings."
       },
       footer = {"", "Example: simbad dataset grid angle --out angle-against-uniform"})
   static final class Grid extends Maker {
@@ -87,13 +88,13 @@ final class DatasetCommand extends CommandGroup {
     @Option(
         names = "--seed",
         paramLabel = "N",
-        description = "Of the sensor's scatter. Default: ${DEFAULT-VALUE}.")
+        description = "Seed of the sensor's scatter. Default: ${DEFAULT-VALUE}.")
     private long seed = 1;
 
     @Option(
         names = "--sensor-file",
         paramLabel = "FILE",
-        description = "File with the sonar's figures. Default: data/sensors/srf04.json.")
+        description = "The sensor's file. Default: data/sensors/srf04.json.")
     private @Nullable Path sensorFile;
 
     @Override
@@ -107,8 +108,9 @@ final class DatasetCommand extends CommandGroup {
   @Command(
       name = "ladder",
       description = {
-        "A log of an HC-SR04 before a board at known distances: columns true_cm, reading_cm; set"
-            + " and note where they are asked for. docs/guide/diagnose.md says what is assumed."
+        "Read a log of an HC-SR04 in front of a board at known distances (a ladder).",
+        "Its columns are true_cm and reading_cm, and set and note if --set or --skip "
+            + "names them. Assumptions: docs/guide/diagnose.md."
       },
       footer = {
         "",
@@ -122,20 +124,21 @@ final class DatasetCommand extends CommandGroup {
     @Option(
         names = "--set",
         paramLabel = "NAME",
-        description = "Take only the rows of this set. Default: all rows.")
+        description = "Take only the rows with this value in column set. Default: all rows.")
     private @Nullable String set;
 
     @Option(
         names = "--skip",
         paramLabel = "NOTE",
-        description = "Leave out the rows with this note. Default: none is left out.")
+        description = "Leave out the rows with this value in column note. Default: none.")
     private @Nullable String skip;
 
     @Option(
         names = "--sound-speed",
         paramLabel = "M_PER_S",
         description =
-            "The speed of sound with which the log's author computed ranges. Default: ${DEFAULT-VALUE} (58 us/cm).")
+            "The speed of sound that the log's author computed ranges with. Default: "
+                + "${DEFAULT-VALUE} (58 us/cm).")
     private double soundSpeedMPerS = 344.83;
 
     @Override
@@ -155,8 +158,8 @@ final class DatasetCommand extends CommandGroup {
   @Command(
       name = "plotter",
       description = {
-        "A log of a MaxBotix sensor on a pen plotter before a ball: columns x, y (mm), ultra (cm)."
-            + " docs/guide/diagnose.md says what is assumed."
+        "Read a log of a MaxBotix sensor on a pen plotter in front of a ball.",
+        "Its columns are x, y (mm) and ultra (cm). Assumptions: docs/guide/diagnose.md."
       },
       footer = {
         "",
@@ -172,20 +175,22 @@ final class DatasetCommand extends CommandGroup {
         paramLabel = "X,Y",
         split = ",",
         required = true,
-        description = "Where on the plotter the ball is, mm.")
+        description = "The ball's place on the plotter, mm.")
     private double[] ball = {};
 
     @Option(
         names = "--distance",
         paramLabel = "MM",
         required = true,
-        description = "From the plotter's plane to the ball.")
+        description = "Distance from the plotter's plane to the ball.")
     private double distanceMm;
 
     @Option(
         names = "--backdrop",
         paramLabel = "MM",
-        description = "From the plotter's plane to the board behind. Default: no board.")
+        description =
+            "Distance from the plotter's plane to the board behind the ball. Default: no "
+                + "board.")
     private @Nullable Double backdropMm;
 
     @Override

@@ -19,10 +19,11 @@ import simbad.sonar.format.DataFormatException;
     sortOptions = false,
     abbreviateSynopsis = true,
     description = {
-      "Make a data set from a log of your own: a table of ranges with what is known of where sensor"
-          + " and target were. What is not said is guessed from the columns' names, asked for at a"
-          + " terminal, or assumed, and every assumption is written into scene.json.",
-      "docs/guide/own-log.md goes through it."
+      "Make a data set from a log of your own: a table of ranges, with the places of "
+          + "sensor and target as far as you know them.",
+      "What you do not say is guessed from the columns' names, asked for at a "
+          + "terminal, or assumed. Every assumption is written into scene.json.",
+      "Guide: docs/guide/own-log.md."
     },
     footer = {
       "",
@@ -41,7 +42,9 @@ final class DatasetCsvCommand extends DatasetCommand.Maker {
   @Parameters(
       paramLabel = "LOG.csv",
       arity = "1..*",
-      description = "The log, plain or gzip; several with the same columns are one.")
+      description =
+          "The log, plain or gzipped. Several files with the same columns are read as "
+              + "one log.")
   private List<String> logs = List.of();
 
   @Mixin
@@ -69,7 +72,7 @@ final class DatasetCsvCommand extends DatasetCommand.Maker {
       try {
         files.add(Path.of(log));
       } catch (InvalidPathException e) {
-        throw DataFormatException.inArgument("LOG.csv '" + log + "'", "is no name of a file");
+        throw DataFormatException.inArgument("LOG.csv '" + log + "'", "is not the name of a file");
       }
     }
     return files;

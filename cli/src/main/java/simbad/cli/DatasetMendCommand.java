@@ -16,10 +16,10 @@ import simbad.sonar.format.WholeFile;
 @Command(
     name = "mend",
     description = {
-      "Write a copy of a data set whose readings are in the format's units and axes; simbad diagnose"
-          + " says which options a data set needs.",
-      "They are applied in the order in which they stand here. Other columns stay as they are,"
-          + " comments are left out."
+      "Write a copy of a data set with its readings in the format's units and axes. "
+          + "simbad diagnose says which options a data set needs.",
+      "The options are applied in the order of this list. Other columns stay as they "
+          + "are; comments are left out."
     },
     footer = {
       "",
@@ -47,32 +47,32 @@ final class DatasetMendCommand extends Subcommand {
       description = "Which files to mend. Default: readings.csv and reference.csv.")
   private List<String> in = List.of(DataSetFolder.READINGS, DataSetFolder.REFERENCE);
 
-  @Option(names = "--drop-duplicates", description = "Leave one of rows that are alike.")
+  @Option(names = "--drop-duplicates", description = "Keep only one of several equal rows.")
   private boolean dropDuplicates;
 
   @Option(
       names = "--no-echo",
       paramLabel = "VALUE",
       split = ",",
-      description = "Values of range_m, as they stand there, that mean no echo.")
+      description = "Values of range_m in the file that mean no echo.")
   private List<String> noEcho = List.of();
 
   @Option(
       names = "--no-echo-above",
       paramLabel = "VALUE",
-      description = "All above this, as it stands there, mean no echo.")
+      description = "Values of range_m in the file above this one mean no echo.")
   private @Nullable Double noEchoAbove;
 
   @Option(names = "--scale", paramLabel = "F", description = "Multiply ranges.")
   private double scale = 1;
 
-  @Option(names = "--offset", paramLabel = "M", description = "Then add metres to them.")
+  @Option(names = "--offset", paramLabel = "M", description = "Then add this to ranges, metres.")
   private double offset;
 
   @Option(names = "--swap-xz", description = "Exchange x and z.")
   private boolean swap;
 
-  @Option(names = "--flip-x", description = "x points to the left.")
+  @Option(names = "--flip-x", description = "In the file, x points to the left.")
   private boolean flipX;
 
   @Option(names = "--flip-z", description = "In the file, z points up the page.")
@@ -81,13 +81,16 @@ final class DatasetMendCommand extends Subcommand {
   @Option(names = "--pose-scale", paramLabel = "F", description = "Multiply x and z.")
   private double poseScale = 1;
 
-  @Option(names = "--heading-radians", description = "Headings are in radians.")
+  @Option(names = "--heading-radians", description = "In the file, headings are in radians.")
   private boolean radians;
 
-  @Option(names = "--heading-clockwise", description = "Headings turn clockwise.")
+  @Option(names = "--heading-clockwise", description = "In the file, headings grow clockwise.")
   private boolean clockwise;
 
-  @Option(names = "--heading-offset", paramLabel = "DEG", description = "Then add degrees to them.")
+  @Option(
+      names = "--heading-offset",
+      paramLabel = "DEG",
+      description = "Then add this to headings, degrees.")
   private double headingOffset;
 
   @Option(names = "--time-scale", paramLabel = "F", description = "Multiply t_s.")
@@ -97,7 +100,8 @@ final class DatasetMendCommand extends Subcommand {
   protected void run() throws Exception {
     Mending mending = mending();
     if (mending.isNothing()) {
-      throw wrongUsage("nothing to mend, expected one of the options from --drop-duplicates on");
+      throw wrongUsage(
+          "nothing to mend; expected at least one of the options from --drop-duplicates " + "on");
     }
     for (String name : in) {
       if (!List.of(DataSetFolder.READINGS, DataSetFolder.REFERENCE).contains(name)) {

@@ -14,8 +14,9 @@ import simbad.motion.format.MotionFolder;
 @Command(
     name = "bag",
     description = {
-      "Make a motion folder from a recording of ROS 2: commands are those of geometry_msgs/msg/Twist"
-          + " or TwistStamped, places those of the robot's frame in /tf or an odometry."
+      "Make a motion folder from a recording of ROS 2.",
+      "The commands come from geometry_msgs/msg/Twist or TwistStamped, the places from "
+          + "the robot's frame in /tf or from odometry."
     },
     footer = {
       "",
@@ -44,13 +45,14 @@ final class DatasetMotionBagCommand extends Subcommand {
       names = "--robot-frame",
       paramLabel = "FRAME",
       description =
-          "The robot's frame. Default: the only one that moves and carries none that does.")
+          "The robot's frame. Default: the only moving frame that carries no other "
+              + "moving frame.")
   private @Nullable String robotFrame;
 
   @Option(
       names = "--fixed-frame",
       paramLabel = "FRAME",
-      description = "Frame in which places are told. Default: the root above the robot.")
+      description = "Frame of the places. Default: the root above the robot.")
   private @Nullable String fixedFrame;
 
   @Override

@@ -30,15 +30,16 @@ final class DatasetMotionCommand extends CommandGroup {
   @Command(
       name = "mrclam",
       description = {
-        "A log as the UTIAS data set of cooperative localization has it: time, speed, turn rate;"
-            + " and time, x, y (up the page), heading in radians. Files may be gzipped."
+        "Read a log in the form of the UTIAS data set of cooperative localization.",
+        "One file has time, speed and turn rate; the other has time, x, y (up the page) "
+            + "and heading in radians. Files may be gzipped."
       },
       footer = {
         "",
         "Example: simbad dataset motion mrclam my-odometry.txt my-track.txt --out my-robot"
       })
   static final class Mrclam extends Subcommand {
-    @Parameters(index = "0", paramLabel = "ODOMETRY", description = "What was commanded.")
+    @Parameters(index = "0", paramLabel = "ODOMETRY", description = "The commands.")
     private Path odometry = Path.of("");
 
     @Parameters(index = "1", paramLabel = "TRACK", description = "Where the robot was.")

@@ -22,9 +22,10 @@ import simbad.motion.format.MotionFolder;
     sortOptions = false,
     abbreviateSynopsis = true,
     description = {
-      "Make a motion folder from tables of your own: what the robot was told, and where it then was."
-          + " Columns are named by name or by number from 1; what is not said is guessed from the"
-          + " columns' names or assumed, and every assumption is printed."
+      "Make a motion folder from tables of your own: what the robot was told, and "
+          + "where it then was.",
+      "A column is given by its name or by its number from 1. What you do not say is "
+          + "guessed from the columns' names, or assumed. Every assumption is printed."
     },
     footer = {
       "",
@@ -42,7 +43,7 @@ final class DatasetMotionCsvCommand extends Subcommand {
       arity = "1..2",
       paramLabel = "COMMANDS.csv [TRACK.csv]",
       hideParamSyntax = true,
-      description = "What was commanded, and where the robot was; one file if it has both.")
+      description = "The commands, and where the robot was. One file is enough if it has both.")
   private List<String> files = List.of();
 
   @Option(
@@ -61,7 +62,7 @@ final class DatasetMotionCsvCommand extends Subcommand {
   @Option(
       names = "--track-time",
       paramLabel = "COLUMN",
-      description = "The same for the track, where it has another name.")
+      description = "The track's column with the times, if it has another name.")
   private @Nullable String trackTime;
 
   @Option(
@@ -73,7 +74,7 @@ final class DatasetMotionCsvCommand extends Subcommand {
   @Option(
       names = "--run",
       paramLabel = "COLUMN",
-      description = "Column that tells recordings apart. Default: one recording.")
+      description = "Column whose values name the recording. Default: one recording.")
   private @Nullable String run;
 
   @Option(
@@ -91,7 +92,7 @@ final class DatasetMotionCsvCommand extends Subcommand {
   @Option(
       names = "--left",
       paramLabel = "COLUMN",
-      description = "In place of --speed: speed of the left wheel's rim.")
+      description = "Instead of --speed: speed of the left wheel's rim.")
   private @Nullable String left;
 
   @Option(names = "--right", paramLabel = "COLUMN", description = "Speed of the right wheel's rim.")
@@ -100,7 +101,7 @@ final class DatasetMotionCsvCommand extends Subcommand {
   @Option(
       names = "--wheel-base",
       paramLabel = "LENGTH",
-      description = "Distance of the wheels, such as 20cm.")
+      description = "Distance between the wheels, such as 20cm.")
   private @Nullable String wheelBase;
 
   @Option(
@@ -121,7 +122,10 @@ final class DatasetMotionCsvCommand extends Subcommand {
   @Option(names = "--y", paramLabel = "COLUMN", description = "Column of the track: up the page.")
   private @Nullable String y;
 
-  @Option(names = "--z", paramLabel = "COLUMN", description = "In place of --y: down the page.")
+  @Option(
+      names = "--z",
+      paramLabel = "COLUMN",
+      description = "Column of the track: down the page, instead of --y.")
   private @Nullable String z;
 
   @Option(
@@ -133,7 +137,7 @@ final class DatasetMotionCsvCommand extends Subcommand {
   @Option(
       names = "--heading",
       paramLabel = "COLUMN",
-      description = "Column of the track: where the robot looks.")
+      description = "Column of the track: the robot's heading.")
   private @Nullable String heading;
 
   @Option(
@@ -163,28 +167,28 @@ final class DatasetMotionCsvCommand extends Subcommand {
   @Option(
       names = "--heading-sigma",
       paramLabel = "ANGLE",
-      description = "Standard deviation of its headings. Default: 0.1deg.")
+      description = "Standard deviation of the track's headings. Default: 0.1deg.")
   private @Nullable String headingSigma;
 
   @Option(
       names = "--clocks",
       paramLabel = "one|separate",
-      description = "Whether commands and track were timed by one clock. Default: one.")
+      description = "Whether one clock gave the times of commands and track. Default: one.")
   private @Nullable String clocks;
 
   @Option(
       names = "--separator",
       paramLabel = "WORD",
-      description = "comma, semicolon, tab, bar or blanks, where it is not recognized.")
+      description = "comma, semicolon, tab, bar or blanks, if it is not recognized.")
   private @Nullable String separator;
 
   @Option(
       names = "--decimal",
       paramLabel = "point|comma",
-      description = "Decimal mark of the numbers, where it is not recognized.")
+      description = "Decimal mark of the numbers, if it is not recognized.")
   private @Nullable String decimal;
 
-  @Option(names = "--skip", paramLabel = "N", description = "Lines before the table.")
+  @Option(names = "--skip", paramLabel = "N", description = "Number of lines before the table.")
   private @Nullable String skip;
 
   @Override

@@ -13,9 +13,10 @@ import simbad.demo.DemoManager;
 @Command(
     name = "demo",
     description = {
-      "Run a demo in the window; or, with --headless, as fast as possible, and"
-          + " print where all agents are at the end.",
-      "Demos use no random numbers: the same number of steps ends in the same places."
+      "Run a demo in the window.",
+      "With --headless it runs without a window, as fast as possible, and prints where "
+          + "all agents are at the end.",
+      "Demos use no random numbers: the same number of steps always gives the same " + "places."
     },
     footer = {
       "",
@@ -29,14 +30,14 @@ final class DemoCommand extends Subcommand {
       paramLabel = "NAME",
       arity = "0..1",
       description =
-          "One of --list; small letters and a name without Demo will do. Or an obstacle: its name,"
-              + " folder or table.")
+          "A name from --list; small letters, and a name without Demo, will do. Or an "
+              + "obstacle: its name, folder or table.")
   private String name = "";
 
   @Option(names = "--list", description = "Print the names of all demos.")
   private boolean list;
 
-  @Option(names = "--headless", description = "Without a window and a display.")
+  @Option(names = "--headless", description = "Without a window. No display is needed.")
   private boolean headless;
 
   @Option(
@@ -52,7 +53,7 @@ final class DemoCommand extends Subcommand {
       return;
     }
     if (name.isEmpty()) {
-      throw wrongUsage("NAME of a demo expected: one of " + String.join(", ", names()));
+      throw wrongUsage("expected the NAME of a demo: one of " + String.join(", ", names()));
     }
     if (steps != null && (steps < 1 || !headless)) {
       throw wrongUsage(

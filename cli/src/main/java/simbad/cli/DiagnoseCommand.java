@@ -48,19 +48,23 @@ import simbad.sonar.format.TextFile;
 @Command(
     name = "diagnose",
     description = {
-      "Say where simulated and real readings part, which unmodelled effect causes it, and how far"
-          + " the gap shrinks once that effect is in the simulator.",
-      "A data set is a folder with scene.json and readings.csv, and perhaps reference.csv; each"
-          + " gets a folder of its name in --out with diagnosis.json, model.json and report.html.",
-      "A motion folder has robot.json, commands.csv and track.csv; its diagnosis says how the robot's motion differs from what it was told.",
-      "A folder with both is a joint log: what shows in the readings and in the motion is one cause with one value.",
-      "Before anything is fitted the data are audited: units, axes, codes for no echo, clocks. Data"
-          + " of which no reading can be believed are not diagnosed."
+      "Say where simulated and real readings differ, which unmodelled effect causes "
+          + "the difference, and how far the gap shrinks with that effect in the simulator.",
+      "A data set is a folder with scene.json and readings.csv, and perhaps "
+          + "reference.csv. Its diagnosis is a folder of the same name in --out, with "
+          + "diagnosis.json, model.json and report.html.",
+      "A motion folder has robot.json, commands.csv and track.csv. Its diagnosis "
+          + "says how the robot's motion differs from what it was told.",
+      "A folder with all of these is a joint log. A cause that shows both in the "
+          + "readings and in the motion is named once, with one value.",
+      "The data are audited before anything is fitted: units, axes, codes for no "
+          + "echo, clocks. Data in which no reading can be believed are not diagnosed."
     },
     footer = {
       "",
-      "Exit status 0 when every data set was diagnosed, whatever the verdicts; 2 when one could not"
-          + " be read or was refused by the audit: the others are diagnosed all the same.",
+      "Exit status: 0 every data set was diagnosed, whatever the verdicts; 2 one "
+          + "could not be read, or the audit refused it. The others are diagnosed all the "
+          + "same.",
       "",
       "Example: simbad diagnose my-bench --out diagnoses",
       "Example: simbad diagnose data/gap/*/ --out diagnoses --json",
@@ -68,7 +72,10 @@ import simbad.sonar.format.TextFile;
       "Example: simbad diagnose my-bench --out diagnoses --corrected my-bench-scene.json"
     })
 final class DiagnoseCommand extends Subcommand {
-  @Parameters(paramLabel = "DATASET", arity = "1..*", description = "Folders with a data set each.")
+  @Parameters(
+      paramLabel = "DATASET",
+      arity = "1..*",
+      description = "Folders; each holds one data set.")
   private List<Path> folders = List.of();
 
   @Option(
@@ -88,9 +95,7 @@ final class DiagnoseCommand extends Subcommand {
   @Option(names = "--json", description = "Print one line of JSON per data set.")
   private boolean json;
 
-  @Option(
-      names = "--audit-only",
-      description = "Say whether the data can be what they are said to be; fit nothing.")
+  @Option(names = "--audit-only", description = "Only audit the data; fit nothing.")
   private boolean auditOnly;
 
   @Option(
@@ -211,12 +216,12 @@ final class DiagnoseCommand extends Subcommand {
   private void correct(Path file, CorrectedScene scene) throws IOException {
     TextFile.write(file, SceneWriter.text(scene.setup()));
     String put = words(scene.corrected());
-    notes.add(file + ": " + (put.isEmpty() ? "the scene as it was" : "corrected by " + put));
+    notes.add(file + ": " + (put.isEmpty() ? "the scene, unchanged" : "corrected for " + put));
     if (!scene.elsewhere().isEmpty()) {
       notes.add(
-          "no field of a scene says "
+          "a scene has no field for "
               + words(scene.elsewhere())
-              + ": predict and drive with model.json");
+              + ": use model.json to predict and to drive");
     }
   }
 
@@ -284,7 +289,7 @@ final class DiagnoseCommand extends Subcommand {
       effects.add(
           Definitions.find(word)
               .orElseThrow(
-                  () -> wrongUsage("--withhold: '" + word + "' is the name of no effect")));
+                  () -> wrongUsage("--withhold: '" + word + "' is not the name of an effect")));
     }
     return effects;
   }

@@ -16,10 +16,11 @@ import simbad.sonar.format.TextFile;
 @Command(
     name = "docs",
     description = {
-      "Write the project's guides as a folder of pages with a search, to be opened with any"
-          + " browser.",
-      "Or, with --figures, put the measured figures of docs/figures into README.md and draw"
-          + " docs/pictures/rooms.svg from the poms, and write CITATION.cff and codemeta.json from "
+      "Write the project's guides as a folder of pages with a search.",
+      "Any browser opens them.",
+      "With --figures it puts the measured figures of docs/figures into README.md, "
+          + "draws docs/pictures/rooms.svg from the poms, and writes CITATION.cff and "
+          + "codemeta.json from "
           + Publication.FILE
           + "."
     },
@@ -34,7 +35,7 @@ final class DocsCommand extends Subcommand {
     @Option(names = "--out", paramLabel = "DIR", description = "A folder that does not exist yet.")
     private @Nullable Path out;
 
-    @Option(names = "--figures", description = "Fill README.md's blocks and draw the rooms.")
+    @Option(names = "--figures", description = "Fill the blocks of README.md, and draw the rooms.")
     @SuppressWarnings("UnusedVariable") // Its being given is all: out is not, then.
     private boolean figures;
   }
@@ -67,6 +68,6 @@ final class DocsCommand extends Subcommand {
     if (!same) {
       TextFile.write(file, content);
     }
-    out().println(file + (same ? ": as it was" : ": written anew"));
+    out().println(file + (same ? ": unchanged" : ": written again"));
   }
 }

@@ -15,7 +15,7 @@ import simbad.cli.machine.SaidAlreadyException;
     description = {
       "Say what works on this machine, and what to install for the rest: Java, build, windows and"
           + " OpenGL, the simulated board, serial ports, tests.",
-      "Exit status 1 when not even the program itself can be built and run."
+      "Exit status 1 if the program itself cannot be built and run."
     },
     footer = {"", "Example: simbad doctor"})
 final class DoctorCommand extends Subcommand {

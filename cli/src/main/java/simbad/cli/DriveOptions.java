@@ -14,13 +14,13 @@ final class DriveOptions {
   @Option(
       names = "--sensor-file",
       paramLabel = "FILE",
-      description = "File with the sonar's figures. Default: data/sensors/srf04.json.")
+      description = "The sensor's file. Default: data/sensors/srf04.json.")
   private @Nullable Path sensorFile;
 
   @Option(
       names = "--speed",
       paramLabel = "M_PER_S",
-      description = "Of the robot. Default: ${DEFAULT-VALUE}.")
+      description = "Speed of the robot. Default: ${DEFAULT-VALUE}.")
   private double speedMPerS = RunSettings.THESIS_SPEED_M_PER_S;
 
   /** Returns the speed in metres per second, and refuses one that no run takes. */

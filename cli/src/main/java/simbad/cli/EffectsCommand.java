@@ -26,16 +26,18 @@ import simbad.sonar.scene.UniformDetection;
 @Command(
     name = "effects",
     description = {
-      "List the effects that a diagnosis can name, or explain some of them: what happens, what it"
-          + " stands for, and the forms with their parameters.",
-      "The forms are those before an SRF04 and one obstacle. Jars on the class path bring effects"
-          + " of their own."
+      "List the effects that a diagnosis can name: a line for each.",
+      "With names, explain these: what happens, what causes it, and the forms with "
+          + "their parameters.",
+      "A form is a formula for how the effect acts; at its neutral values it changes "
+          + "nothing. The forms shown are those for one SRF04 and one obstacle. Jars on "
+          + "the class path can bring more effects."
     },
     footer = {
       "",
       "Example: simbad effects",
       "Example: simbad effects gain early-timeout",
-      "An effect of your own: docs/guide/own-effect.md"
+      "How to add an effect of your own: docs/guide/own-effect.md"
     })
 final class EffectsCommand extends Subcommand {
   private static final List<String> SENSORS = List.of("sonar");
@@ -45,7 +47,7 @@ final class EffectsCommand extends Subcommand {
       paramLabel = "EFFECT",
       arity = "0..*",
       completionCandidates = EffectWords.class,
-      description = "What to explain. Default: a line for each.")
+      description = "Effects to explain. Default: list all.")
   private List<String> words = List.of();
 
   @Override
@@ -63,7 +65,7 @@ final class EffectsCommand extends Subcommand {
   private RuntimeException unknown(String word) {
     List<String> known = Definitions.effects().stream().map(Effect::word).toList();
     return wrongUsage(
-        "'" + word + "' is the name of no effect" + SimilarWords.suggestion(word, known));
+        "'" + word + "' is not the name of an effect" + SimilarWords.suggestion(word, known));
   }
 
   private void list(Definition definition) {
@@ -72,7 +74,7 @@ final class EffectsCommand extends Subcommand {
 
   private void explain(Definition definition) {
     out().println(definition.effect() + ": " + definition.happens());
-    out().println("  stands for: " + definition.cause());
+    out().println("  cause: " + definition.cause());
     SensingSetup setup = setup();
     List<Form> forms = definition.forms(setup, SENSORS);
     forms.forEach(form -> out().println("  form " + text(form)));

@@ -18,11 +18,11 @@ import simbad.sonar.format.DataFormatException;
 @Command(
     name = "bag",
     description = {
-      "Write the readings of a data set, or of a run, as a recording of ROS 2: a folder of rosbag2"
-          + " in MCAP, with a topic of sensor_msgs/msg/Range for each sensor, and where it was in"
-          + " /tf.",
-      "A run has readings where simbad run was called with --readings.",
-      "Ranges become numbers of 32 bits, as the message has them. More: docs/guide/bags.md."
+      "Write the readings of a data set or of a run as a recording of ROS 2: a folder of rosbag2"
+          + " in MCAP.",
+      "Each sensor has a topic of sensor_msgs/msg/Range, and its places are in /tf.",
+      "A run has readings if simbad run was called with --readings.",
+      "Ranges become numbers of 32 bits, as in the message. Guide: docs/guide/bags.md."
     },
     footer = {
       "",

@@ -24,11 +24,11 @@ import simbad.sonar.scene.SonarSpec;
 @Command(
     name = "c99",
     description = {
-      "Write what a sonar reads of an obstacle as one C99 header without allocation: the rule of"
-          + " detection shadows in whole numbers (no float, under 2 kB on an AVR) and in floats;"
-          + " or the level model, in both.",
-      "Of a diagnosis' folder the effects are folded in; one that has no form in C is refused by"
-          + " name. More: docs/guide/export.md."
+      "Write what a sonar reads from an obstacle as one C99 header.",
+      "It holds the rule of detection shadows, or the level model, in whole numbers "
+          + "(no float; under 2 kB on an AVR) and in floats. It allocates no memory.",
+      "Given a diagnosis' folder, it includes the diagnosed effects. An effect that "
+          + "cannot be written in C is refused by name. Guide: docs/guide/export.md."
     },
     footer = {
       "",
@@ -42,7 +42,7 @@ final class ExportC99Command extends Subcommand {
 
   @Parameters(
       paramLabel = "OBSTACLE|DIAGNOSIS",
-      description = ObstacleArgument.MEANING + "; or the folder of a diagnosis.")
+      description = ObstacleArgument.MEANING + " Or the folder of a diagnosis.")
   private String obstacle = "";
 
   @Option(names = "--out", paramLabel = "FILE", required = true, description = "A new file, *.h.")
@@ -53,28 +53,29 @@ final class ExportC99Command extends Subcommand {
       paramLabel = "WORD",
       defaultValue = "sonar",
       description =
-          "What all names in the header begin with: small letters, digits, underscores. Default:"
-              + " ${DEFAULT-VALUE}.")
+          "Beginning of all names in the header: small letters, digits, underscores. "
+              + "Default: ${DEFAULT-VALUE}.")
   private String name = "";
 
   @Option(
       names = "--sensor-file",
       paramLabel = "FILE",
       description =
-          "File of the sensor, whose cone and range are used. Default: data/sensors/srf04.json.")
+          "The sensor's file; its cone and range are used. Default: " + "data/sensors/srf04.json.")
   private @Nullable Path sensorFile;
 
   @Option(
       names = "--model",
       paramLabel = "MODEL",
       defaultValue = "shadow",
-      description = "shadow or level: what an obstacle is heard by. Default: ${DEFAULT-VALUE}.")
+      description =
+          "The model that decides what is heard: shadow or level. Default: " + "${DEFAULT-VALUE}.")
   private String model = "";
 
   @Option(
       names = "--obstacle",
       paramLabel = "LABEL",
-      description = "Which obstacle of a diagnosis' scene; needed where there are several.")
+      description = "The obstacle of a diagnosis' scene; needed if there are several.")
   private String label = "";
 
   @Override
@@ -95,7 +96,8 @@ final class ExportC99Command extends Subcommand {
 
   private String ofObstacle() throws Exception {
     if (!label.isEmpty()) {
-      throw wrongUsage("--obstacle: names one of a diagnosis' scene, and this is no diagnosis");
+      throw wrongUsage(
+          "--obstacle: names an obstacle of a diagnosis' scene, but this is not a " + "diagnosis");
     }
     ObstacleType type = ObstacleArgument.parse(obstacle);
     SonarSpec sensor = sensorFile == null ? Catalogue.srf04() : SensorFile.read(sensorFile);

@@ -5,7 +5,8 @@ import picocli.CommandLine.Command;
 /** {@code simbad export}: what was measured, for other programs. */
 @Command(
     name = "export",
-    description = "Write what was measured for other programs: as source code, or as a recording.",
+    description =
+        "Write what was measured in a form for other programs: source code, or a " + "recording.",
     subcommands = {ExportC99Command.class, ExportBagCommand.class},
     footer = {"", "Example: simbad export c99 angle --out angle.h"})
 final class ExportCommand extends CommandGroup {}

@@ -24,10 +24,13 @@ import simbad.sonar.format.DataFormatException;
 @Command(
     name = "fidelity",
     description = {
-      "Test whether a sensor model is faithful to threshold tables: detection map, trace round the"
-          + " obstacle, their errors, and a verdict.",
-      "Faithful: agrees with the table at 98 %% of the poses, 3 cm radial and 1 cm lateral error in"
-          + " the mean, every bearing reached. Exit status 0 whatever the verdict."
+      "Test whether a sensor model is faithful to threshold tables.",
+      "Prints the errors of its detection map and of a trace round each obstacle, and "
+          + "a verdict.",
+      "A model is faithful if it agrees with the table at 98 %% of the poses, its "
+          + "mean radial error is at most 3 cm, its mean lateral error at most 1 cm, the "
+          + "trace keeps 95 %% of the edge, and every bearing is reached. Exit status 0 "
+          + "whatever the verdict."
     },
     footer = {
       "",
@@ -53,7 +56,9 @@ final class FidelityCommand extends Subcommand {
   @Option(
       names = "--out",
       paramLabel = "DIR",
-      description = "Write traces, maps, errors and a page as simbad run does, the verdict first.")
+      description =
+          "Write traces, maps, errors and a page, as simbad run does. The page begins "
+              + "with the verdict.")
   private @Nullable Path out;
 
   @Override

@@ -19,8 +19,9 @@ final class ObstacleArgument {
 
   /** For help. */
   static final String MEANING =
-      "A type's name (simbad table types), TABLE.csv (with TABLE-outline.csv beside it, or for a"
-          + " one inch post), or a folder with outline.csv and table.csv.";
+      "The name of a type (simbad table types), a folder with outline.csv and "
+          + "table.csv, or TABLE.csv with TABLE-outline.csv beside it. A TABLE.csv without "
+          + "an outline counts as a round post of one inch.";
 
   private ObstacleArgument() {}
 

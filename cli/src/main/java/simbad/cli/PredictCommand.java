@@ -30,11 +30,13 @@ import simbad.sonar.sensing.ReadingRow;
 @Command(
     name = "predict",
     description = {
-      "Predict the readings at the poses of some rows: 19 quantiles per row, a no-echo counted as"
-          + " the scene's no_echo_m.",
-      "Rows may come in any order; the predictions keep it. A column range_m is ignored.",
-      "A diagnosis of motion predicts a motion folder: for each window of 0.5, 2 and 5 s the"
-          + " quantiles of the way along, across and of the turn, from the commands."
+      "Predict the readings at the poses of some rows: 19 quantiles per row.",
+      "A no-echo counts as the scene's no_echo_m.",
+      "Rows may come in any order; the predictions have the same order. A column "
+          + "range_m is ignored.",
+      "A diagnosis of motion predicts a motion folder from its commands: for each "
+          + "window of 0.5, 2 and 5 s the quantiles of the way along, the way across and "
+          + "the turn."
     },
     footer = {
       "",
@@ -55,8 +57,8 @@ final class PredictCommand extends Subcommand {
   @Parameters(
       paramLabel = "ROWS.csv",
       description =
-          "run,sensor,t_s,x_m,z_m,heading_deg and any further columns; of a diagnosis of motion a"
-              + " motion folder.")
+          "run,sensor,t_s,x_m,z_m,heading_deg and any further columns. For a diagnosis "
+              + "of motion: a motion folder.")
   private Path rows = Path.of("");
 
   @Option(
@@ -70,7 +72,8 @@ final class PredictCommand extends Subcommand {
       names = "--model",
       paramLabel = "nominal|diagnosed",
       description =
-          "nominal: the simulator as it is; diagnosed: with what was fitted. Default: diagnosed.")
+          "nominal: the simulator as it is; diagnosed: the simulator with what was "
+              + "fitted. Default: diagnosed.")
   private String model = "diagnosed";
 
   @Override

@@ -27,9 +27,10 @@ import simbad.sonar.format.TextFile;
 @Command(
     name = "program",
     description = {
-      "Run a program that was written for Simbad, unedited and without a window: what it opens as"
-          + " new Simbad(...) is stepped at full speed.",
-      "--trace FILE (only here it takes a file) writes where all agents were after each step."
+      "Run a program that was written for Simbad, unchanged and without a window.",
+      "Each world that it opens with new Simbad(...) is stepped at full speed.",
+      "--trace FILE writes where all agents were after each step. (Only in this "
+          + "command --trace takes a file.)"
     },
     footer = {
       "",
@@ -80,19 +81,21 @@ final class ProgramCommand extends Subcommand {
   @Option(
       names = "--compat",
       paramLabel = "SWITCHES",
-      description = "Habits of the original: 1.7, released-1.4, upstream, or switches' names.")
+      description =
+          "Behave as a version of the original did: 1.7, released-1.4, upstream, or the "
+              + "names of switches.")
   private String compat = "";
 
   @Option(
       names = "--compare",
       paramLabel = "SWITCHES",
-      description = "Run it a second time with these and say at which step the two part.")
+      description = "Run it a second time with these, and say at which step the two runs part.")
   private @Nullable String compare;
 
   @Option(
       names = "--picture",
       paramLabel = "every:N",
-      description = "Every N steps a picture of the first world from above, into --pictures.")
+      description = "Every N steps write a picture of the first world from above into --pictures.")
   private @Nullable String picture;
 
   @Option(
@@ -104,8 +107,8 @@ final class ProgramCommand extends Subcommand {
   @Option(
       names = "--window",
       description =
-          "In the window, for as long as it is open; no other option but --compat,"
-              + " --seed, --main and --class-path counts.")
+          "Run in the window, until it is closed. Only --compat, --seed, --main and "
+              + "--class-path go with it.")
   private boolean window;
 
   private @Nullable Path trace;
@@ -205,7 +208,7 @@ final class ProgramCommand extends Subcommand {
     out()
         .println(
             touched.isEmpty()
-                ? "no compatibility switch would have changed anything"
+                ? "no compatibility switch would have changed this run"
                 : touched.stream()
                     .collect(
                         Collectors.joining(", ", "depended on: ", "; see docs/compatibility.md")));

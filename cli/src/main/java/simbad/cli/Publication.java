@@ -189,6 +189,6 @@ record Publication(Map<String, String> values, String version) {
         + ": "
         + keys
         + (missing().size() == 1 ? " is" : " are")
-        + " empty, expected what a repository shall say of the project";
+        + " empty, expected what a repository says about the project";
   }
 }

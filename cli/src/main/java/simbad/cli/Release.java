@@ -109,7 +109,7 @@ final class Release {
         throw new UnpublishableException(
             "pom.xml: version "
                 + publication.version()
-                + " is no release, expected one without -SNAPSHOT");
+                + " is not a release, expected a version without -SNAPSHOT");
       }
       Path pom = source.resolve("pom.xml");
       String filled = publication.filled(Files.readString(pom));
@@ -131,7 +131,7 @@ final class Release {
   private Path clone(TemporaryFolder work) throws IOException, InterruptedException {
     if (changes > 0) {
       say.accept(
-          "made of the commit "
+          "made from the commit "
               + commit.name()
               + ", without the "
               + changes

@@ -11,9 +11,9 @@ import simbad.cli.machine.Launcher;
 @Command(
     name = "release",
     description = {
-      "Make a release of the current commit: one jar with everything, the sources, the Javadoc, an"
-          + " SBOM, the licences of all that it brings along, the changelog, checksums.",
-      "The same commit gives the same bytes. Files that differ from the commit have no part in it."
+      "Make a release of the current commit: one jar with everything, the sources, "
+          + "the Javadoc, an SBOM, the licences of all parts, the changelog and checksums.",
+      "The same commit gives the same bytes. Changes that are not committed are left " + "out."
     },
     footer = {
       "",
@@ -32,26 +32,27 @@ final class ReleaseCommand extends Subcommand {
 
   @Option(
       names = "--jar-only",
-      description = "Make simbad.jar and nothing else, quickly: for programs that use it.")
+      description = "Make only simbad.jar, quickly: for programs that use it.")
   private boolean jarOnly;
 
   @Option(
       names = "--publish",
       description =
-          "Make what a Maven repository takes instead, as a folder to be handed in. Needs gpg, and"
-              + " what "
+          "Make the folder that a Maven repository takes instead. Needs gpg, and what "
               + Publication.FILE
               + " asks for.")
   private boolean publish;
 
-  @Option(names = "--unsigned", description = "With --publish: without signatures, to look at it.")
+  @Option(
+      names = "--unsigned",
+      description = "With --publish: without signatures, for a look at it.")
   private boolean unsigned;
 
   @Option(
       names = "--stale-figures",
       description =
-          "Release although README.md shows figures that an older program measured. Without it such"
-              + " a release is refused.")
+          "Release even if README.md shows figures that an older program measured. "
+              + "Without this option such a release is refused.")
   private boolean staleFigures;
 
   @Override
@@ -86,7 +87,7 @@ final class ReleaseCommand extends Subcommand {
       throw new IOException(
           "figures in docs/figures are of an older program: "
               + String.join(", ", stale)
-              + "; measure them anew (docs/figures/measure --help), or say --stale-figures");
+              + "; measure them again (docs/figures/measure --help), or use --stale-figures");
     }
   }
 

@@ -15,8 +15,8 @@ import picocli.CommandLine.ScopeType;
     footer = {
       "",
       "Exit status: 0 done, 1 the work failed, 2 wrong usage or bad input.",
-      "SIMBAD_INSTALL=no in the environment: install nothing with apt, say what to type instead. Other"
-          + " settings: docs/guide/first-run.md.",
+      "With SIMBAD_INSTALL=no in the environment nothing is installed with apt; "
+          + "simbad says what to type instead. Other settings: docs/guide/first-run.md.",
       "",
       "Example: simbad COMMAND --help"
     })

@@ -33,8 +33,8 @@ import simbad.sonar.shape.ThresholdTable;
 @Command(
     name = "run",
     description = {
-      "Let a robot circle obstacles at the limit of detection, once per sensor, and compare its"
-          + " traces with the obstacles' threshold tables.",
+      "Let a robot circle obstacles at the limit of detection, once with each "
+          + "sensor, and compare its traces with the obstacles' threshold tables.",
       "Writes traces, errors, pictures and a page to --out."
     },
     footer = {
@@ -75,8 +75,9 @@ final class RunCommand extends Subcommand {
       names = "--robot",
       paramLabel = "ROBOT",
       description =
-          "Drive each sensor a second time on a robot that does not do exactly what it is told, and"
-              + " say what of the error comes from hearing and what from moving: "
+          "Drive each sensor a second time, on a robot that does not do exactly what it "
+              + "is told. Says how much of the error comes from hearing and how much from "
+              + "moving. Takes "
               + ROBOT
               + ".")
   private @Nullable String robot;
@@ -85,8 +86,8 @@ final class RunCommand extends Subcommand {
       names = "--wait",
       paramLabel = "S",
       description =
-          "Stand still for so many seconds after each step, until a robot that is late has done what"
-              + " it was told. Default: 0.")
+          "Stand still for this many seconds after each step, so that a late robot has "
+              + "done what it was told. Default: 0.")
   private double waitS;
 
   @Mixin private DriveOptions drive = new DriveOptions();
@@ -95,8 +96,8 @@ final class RunCommand extends Subcommand {
       names = "--start",
       paramLabel = "X,Z",
       description =
-          "Where the robot starts, metres, the obstacle at 0,0."
-              + " Default: on the bearing of the greatest threshold, half-way out.")
+          "Where the robot starts, in metres from the obstacle's axis. Default: on the "
+              + "bearing of the greatest threshold, half-way out.")
   private @Nullable String start;
 
   @Option(
@@ -186,7 +187,7 @@ final class RunCommand extends Subcommand {
           SensorKind.read(word)
               .orElseThrow(() -> wrongUsage("--sensor: " + SensorArgument.unknown(word)));
       if (!kinds.add(kind)) {
-        throw wrongUsage("--sensor: " + word + " stands twice");
+        throw wrongUsage("--sensor: " + word + " appears twice");
       }
     }
     List<SensorKind> all = new ArrayList<>(kinds);

@@ -63,7 +63,8 @@ final class SensorCommand extends CommandGroup {
   @Command(
       name = "plot",
       description =
-          "Draw a sensor's sensitivity over the angle off its axis beside the cone that stands for it.",
+          "Draw a sensor's sensitivity against the angle off its axis, and the cone that "
+              + "stands for it.",
       footer = {"", "Example: simbad sensor plot data/sensors/srf04.json --out srf04.svg"})
   static final class Plot extends Subcommand {
     @Parameters(paramLabel = "FILE", description = "A sensor's file with sensitivity_db.")

@@ -12,10 +12,7 @@ final class SimulatedSensor {
           "With --auto: the model that decides when the sensor hears: " + RuleArgument.NAMES + ".")
   private String word = "shadow";
 
-  @Option(
-      names = "--seed",
-      paramLabel = "N",
-      description = "With --auto: seed of the noisy sensor.")
+  @Option(names = "--seed", paramLabel = "N", description = "With --auto: seed of a noisy sensor.")
   private long seed = 1;
 
   /** As it was typed. */

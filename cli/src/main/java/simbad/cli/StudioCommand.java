@@ -23,15 +23,16 @@ import simbad.studio.folders.Folders;
 @Command(
     name = "studio",
     description = {
-      "Show a robot, its sonars and an obstacle live, on a page in the browser: play, step, scrub"
-          + " back, drag the robot or the obstacle, see what each sonar reads and why not.",
-      "With FOLDER also what lies in it: runs, batches, captures and diagnoses, with pictures that"
-          + " answer to the mouse, two beside each other.",
-      "It needs no display. More: docs/guide/studio.md."
+      "Show a robot, its sonars and an obstacle live on a page in the browser.",
+      "You can play, step, go back in time, and drag the robot or the obstacle. The "
+          + "page shows what each sonar reads, and why it hears nothing.",
+      "With FOLDER the page also shows the runs, batches, captures and diagnoses in "
+          + "it. Its pictures answer to the mouse; two can be shown beside each other.",
+      "The command itself needs no display. Guide: docs/guide/studio.md."
     },
     footer = {
       "",
-      "The page is for this computer only; its address holds a token. Ctrl-C ends it.",
+      "Only this computer can open the page; its address holds a token. Ctrl-C ends " + "it.",
       "",
       "Example: simbad studio",
       "Example: simbad studio diagnoses --data data/gap",
@@ -50,20 +51,20 @@ final class StudioCommand extends Subcommand {
       names = "--data",
       paramLabel = "FOLDER",
       description =
-          "Where the data sets of diagnoses are looked for besides; may be given several times.")
+          "A further folder in which to look for the data sets of diagnoses. May be " + "repeated.")
   private List<Path> data = new ArrayList<>();
 
   @Option(
       names = "--sensor",
       paramLabel = "diagnosed:DIR",
-      description = "A diagnosis' sensor to choose beside the others; may be given several times.")
+      description = "A diagnosed sensor that the page offers besides the others. May be repeated.")
   private List<String> diagnosed = new ArrayList<>();
 
   @Option(
       names = "--robot",
       paramLabel = "ROBOT",
       description = {
-        "A robot to choose that does not do exactly what it is told; may be given several times.",
+        "A diagnosed robot, or a robot.json, that the page offers. May be repeated.",
         RunCommand.ROBOT + "."
       })
   private List<String> robots = new ArrayList<>();
@@ -72,7 +73,7 @@ final class StudioCommand extends Subcommand {
       names = "--port",
       paramLabel = "N",
       defaultValue = "0",
-      description = "Port of the page; 0, which is the default, for any that is free.")
+      description = "Port of the page. Default: 0, which takes any free port.")
   private int port;
 
   @Override
@@ -113,7 +114,8 @@ final class StudioCommand extends Subcommand {
           SensorKind.read(word)
               .orElseThrow(() -> wrongUsage("--sensor: " + SensorArgument.unknown(word)));
       if (sensors.contains(kind)) {
-        throw wrongUsage("--sensor: '" + word + "' is there anyway, or named like another");
+        throw wrongUsage(
+            "--sensor: '" + word + "' is offered anyway, or has the name of another one");
       }
       sensors.add(kind);
     }

@@ -18,7 +18,7 @@ final class SweptObstacle {
   @Option(
       names = "--temperature",
       paramLabel = "CELSIUS",
-      description = "Temperature of the air. Default: not known, 20 assumed.")
+      description = "Temperature of the air, degrees Celsius. Default: not known; 20 is assumed.")
   private @Nullable Double temperatureC;
 
   /** As it was typed. */

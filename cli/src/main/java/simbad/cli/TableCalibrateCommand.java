@@ -12,16 +12,16 @@ import simbad.scattering.Receiver;
 @Command(
     name = "calibrate",
     description = {
-      "Fit the prediction's three figures anew to what the thesis says of its obstacles, and compare them"
-          + " with the figures that simbad table predict uses.",
-      "Exit status 1 when they are not the same. The method: docs/method/scattering.md."
+      "Fit the prediction's three figures again to what the thesis says about its " + "obstacles.",
+      "Compares them with the figures that simbad table predict uses.",
+      "Exit status 1 if they are not the same. The method: docs/method/scattering.md."
     },
     footer = {"", "Example: simbad table calibrate --without-angle"})
 final class TableCalibrateCommand extends Subcommand {
   @Option(
       names = "--without-angle",
       description =
-          "Without the angle's measured table: what simbad table predict --without-angle uses.")
+          "Leave out the angle's measured table, as for simbad table predict " + "--without-angle.")
   private boolean withoutAngle;
 
   @Override

@@ -89,8 +89,10 @@ final class TableCommand extends CommandGroup {
   @Command(
       name = "plot",
       description = {
-        "Draw a table as a polar plot, PNG or SVG by the ending of --out; a predicted or captured table is drawn with its uncertainty.",
-        "With --log, draw a robot's logged positions over it and print their errors."
+        "Draw a table as a polar plot.",
+        "The ending of --out says PNG or SVG. A predicted or captured table is drawn "
+            + "with its uncertainty.",
+        "With --log, draw a robot's logged positions over it, and print their errors."
       },
       footer = {
         "",
@@ -108,8 +110,8 @@ final class TableCommand extends CommandGroup {
         names = "--log",
         paramLabel = "LOG",
         description =
-            "Text with lines such as INFO: 0.025,-2.5 (java.util.logging): x and z in metres, the"
-                + " obstacle at 0,0. Other lines are passed over.")
+            "A text file with lines such as INFO: 0.025,-2.5 (java.util.logging): x and z "
+                + "in metres, the obstacle at 0,0. Other lines are ignored.")
     private @Nullable Path log;
 
     @Override
@@ -138,8 +140,8 @@ final class TableCommand extends CommandGroup {
       out()
           .printf(
               Locale.ROOT,
-              "radial error mean %s, RMS %s, max %s cm; beside the edge %s cm in the mean;"
-                  + " %d of %d bearings not crossed%n",
+              "radial error: mean %s, RMS %s, max %s cm; mean distance from the edge %s cm; "
+                  + "%d of %d bearings not crossed%n",
               RunSummary.centimetres(errors.meanM()),
               RunSummary.centimetres(errors.rmsM()),
               RunSummary.centimetres(errors.maxM()),
@@ -153,8 +155,10 @@ final class TableCommand extends CommandGroup {
   @Command(
       name = "reconstruct",
       description = {
-        "Compute the table of the square or round obstacle from what the thesis says of it.",
-        "It was plotted there but not published; the argument is in docs/decisions."
+        "Compute the table of the square or round obstacle from what the thesis says "
+            + "about it.",
+        "The thesis plots these tables but does not print their numbers. The reasoning "
+            + "is in docs/decisions."
       },
       footer = {"", "Example: simbad table reconstruct square --out square-25mm.csv"})
   static final class Reconstruct extends Subcommand {

@@ -39,7 +39,7 @@ final class TableCompareCommand extends Subcommand {
   @Parameters(
       index = "1",
       paramLabel = "B",
-      description = "The other table; it is read off at A's bearings.")
+      description = "The other table. It is compared at A's bearings.")
   private String second = "";
 
   @Option(
@@ -48,10 +48,10 @@ final class TableCompareCommand extends Subcommand {
       description = "Draw both in one picture, *.png or *.svg.")
   private @Nullable Path file;
 
-  @Option(names = "--bearings", description = "Print every bearing's thresholds and difference.")
+  @Option(names = "--bearings", description = "Print thresholds and difference at every bearing.")
   private boolean listed;
 
-  @Option(names = "--json", description = "Print one JSON object with all of it.")
+  @Option(names = "--json", description = "Print everything as one JSON object.")
   private boolean json;
 
   @Override
@@ -77,7 +77,7 @@ final class TableCompareCommand extends Subcommand {
     line("%s and %s, %d bearings", TableName.of(a), TableName.of(b), c.bearings().size());
     printLikeness(c);
     line(
-        "  second less first: mean %+.3f m, mean size %.3f m",
+        "  second minus first: mean %+.3f m, mean absolute %.3f m",
         c.meanDifferenceM(), c.meanAbsoluteDifferenceM());
     line(
         "  best: second turned by %s degrees%s, log-correlation %.3f",

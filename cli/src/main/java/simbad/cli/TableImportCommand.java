@@ -18,8 +18,9 @@ import simbad.sonar.format.TableDocument;
 @Command(
     name = "import",
     description = {
-      "Make a threshold table from somebody else's csv file: other column names, m, cm, mm or inches,"
-          + " any even spacing, rows in any order."
+      "Make a threshold table from any csv file.",
+      "Column names, unit (m, cm, mm or inches), even spacing and order of the rows "
+          + "may differ."
     },
     footer = {
       "",
@@ -28,7 +29,7 @@ import simbad.sonar.format.TableDocument;
           + " --out t.csv"
     })
 final class TableImportCommand extends Subcommand {
-  @Parameters(paramLabel = "FILE.csv", description = "With a header row.")
+  @Parameters(paramLabel = "FILE.csv", description = "A csv file with a header row.")
   private Path source = Path.of("");
 
   @Mixin private TableResult result = new TableResult();
@@ -37,19 +38,22 @@ final class TableImportCommand extends Subcommand {
       names = "--bearing",
       paramLabel = "COLUMN",
       description =
-          "Column with the bearings, in degrees. Default: bearing, angle, deg and the like.")
+          "Column with the bearings, in degrees. Default: a column with a name such as "
+              + "bearing, angle or deg.")
   private @Nullable String bearing;
 
   @Option(
       names = "--threshold",
       paramLabel = "COLUMN",
-      description = "Column with the thresholds. Default: threshold, distance, range and the like.")
+      description =
+          "Column with the thresholds. Default: a column with a name such as threshold, "
+              + "distance or range.")
   private @Nullable String threshold;
 
   @Option(
       names = "--unit",
       paramLabel = "UNIT",
-      description = "m, cm, mm or in. Default: what the column's name ends in, else m.")
+      description = "m, cm, mm or in. Default: the ending of the column's name, else m.")
   private TableImport.@Nullable Unit unit;
 
   @Option(names = "--clockwise", description = "Bearings grow clockwise as seen from above.")
@@ -68,7 +72,7 @@ final class TableImportCommand extends Subcommand {
       description = "One of: ${COMPLETION-CANDIDATES}.")
   private @Nullable Provenance provenance;
 
-  @Option(names = "--object", paramLabel = "TEXT", description = "What was measured.")
+  @Option(names = "--object", paramLabel = "TEXT", description = "The obstacle, in words.")
   private @Nullable String object;
 
   @Override

@@ -23,8 +23,9 @@ import simbad.sonar.shape.Outline;
     name = "predict",
     description = {
       "Predict a threshold table from a cross-section: rigid scattering at 40 kHz and the sonar equation.",
-      "OUTLINE is a csv file with a row per corner: x_m,z_m (or mm, cm), the axis of rotation at 0,0;"
-          + " or the name of an obstacle. What the model cannot do: docs/method/scattering.md."
+      "OUTLINE is the name of an obstacle, or a csv file with a row per corner: "
+          + "x_m,z_m (or mm, cm), the axis of rotation at 0,0. The limits of the model: "
+          + "docs/method/scattering.md."
     },
     footer = {
       "",
@@ -64,7 +65,8 @@ final class TablePredictCommand extends Subcommand {
       names = "--sensor-file",
       paramLabel = "FILE",
       description =
-          "File of the sensor, whose minimum and maximum range bound the table. Default: data/sensors/srf04.json.")
+          "The sensor's file; its minimum and maximum range bound the table. Default: "
+              + "data/sensors/srf04.json.")
   private @Nullable Path sensorFile;
 
   @Option(

@@ -83,7 +83,7 @@ final class TerminalOperator implements Operator {
 
   @Override
   public void pause() throws IOException {
-    out.print("paused; Enter goes on > ");
+    out.print("paused; Enter continues > ");
     out.flush();
     typed();
   }

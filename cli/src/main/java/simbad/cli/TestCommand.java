@@ -13,7 +13,7 @@ import picocli.CommandLine.Parameters;
     name = "test",
     description = {
       "Build everything and run all checks and tests, as continuous integration does.",
-      "With CI=true a skipped test counts as failed."
+      "With CI=true in the environment a skipped test counts as failed."
     },
     footer = {
       "",

@@ -7,16 +7,16 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "view",
     description = {
-      "Open the Simbad window with a demo that runs: a robot whose sonars follow the edge of an"
-          + " obstacle's detection shadow, unless another one is named.",
-      "Its menu has all demos."
+      "Open the Simbad window and run a demo.",
+      "Default: a robot follows the edge of an obstacle's detection shadow.",
+      "The window's menu has all demos."
     },
     footer = {"", "Example: simbad view", "Example: simbad view AvoidersDemo"})
 final class ViewCommand extends Subcommand {
   @Parameters(
       paramLabel = "DEMO",
       arity = "0..1",
-      description = "What it shows first, as simbad demo --list has it. Default: ${DEFAULT-VALUE}.")
+      description = "The first demo, a name from simbad demo --list. Default: ${DEFAULT-VALUE}.")
   private String name = "AngleDemo";
 
   @Override

@@ -18,7 +18,8 @@ final class WebOption {
       names = "--web",
       paramLabel = "[ADDRESS:]PORT",
       description =
-          "Show the capture on a page, on this computer; at another address it asks for a token.")
+          "Show the capture on a page, on this computer. At another address the page "
+              + "asks for a token.")
   private @Nullable String web;
 
   /** Shows a capture on the page that was asked for, if any. */

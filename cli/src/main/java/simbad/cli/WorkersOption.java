@@ -14,13 +14,14 @@ final class WorkersOption {
       names = "--jobs",
       paramLabel = "N",
       description =
-          "How many cases to work on at a time on this machine. Default: one for each core.")
+          "How many cases or runs this machine works on at a time. Default: one for each "
+              + "core.")
   private int jobs = Runtime.getRuntime().availableProcessors();
 
   @Option(
       names = "--spark",
       paramLabel = "MASTER",
-      description = "Let Apache Spark do the work: spark://HOST:PORT, or local[N].")
+      description = "Let Apache Spark do the work: spark://HOST:PORT or local[N].")
   private @Nullable String master;
 
   /** Refuses what cannot be, before any work is done. */

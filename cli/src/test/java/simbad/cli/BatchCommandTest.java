@@ -180,7 +180,8 @@ class BatchCommandTest {
     checkRefused(shell, 1, "24 of 48 runs failed; their rows say why");
     assertEquals(49, Files.readAllLines(folder.resolve("out/results.csv")).size());
     String page = Files.readString(folder.resolve("out/report.html"));
-    assertTrue(page.contains("<strong>48 runs</strong>: 24 failed, 12 did not get round"), page);
+    assertTrue(
+        page.contains("<strong>48 runs</strong>: 24 failed, 12 did not complete the round"), page);
     assertTrue(page.contains("<h2>Runs that went wrong: 36</h2>"), page);
     checkRefused(batch(spec, "out"), 1, "24 of 48 runs failed");
   }
@@ -189,7 +190,7 @@ class BatchCommandTest {
   void folderOfAnotherBatch_isRefused() throws IOException {
     assertEquals(0, batch(spec, "out").status());
     Path other = Files.writeString(folder.resolve("other.json"), SPEC + "\n");
-    checkRefused(batch(other, "out"), 2, "out/spec.json: is another spec than " + other);
+    checkRefused(batch(other, "out"), 2, "out/spec.json: is not the same spec as " + other);
     Path origin = folder.resolve("out/batch.json");
     String text = Files.readString(origin);
     Files.writeString(origin, text.replaceAll("\"version\": \"[^\"]*\"", "\"version\": \"0.0.1\""));

@@ -254,12 +254,12 @@ class BenchCommandTest {
               at("hand"));
       checkDone(first);
       assertTrue(first.out().contains("3 of 3 heard at 15.0 cm"), first.out());
-      assertTrue(first.out().contains("not done: there must be"), first.out());
-      assertTrue(first.out().contains("go on with: simbad bench resume"), first.out());
+      assertTrue(first.out().contains("not done: this bearing needs"), first.out());
+      assertTrue(first.out().contains("to continue: simbad bench resume"), first.out());
       Shell second = typing("15.5\nu\n", "bench", "resume", at("hand"), "--port", port.toString());
       checkDone(second);
       assertTrue(second.err().contains("3 readings are there, 0 of 72 bearings"), second.err());
-      assertTrue(second.out().contains("does not count any more"), second.out());
+      assertTrue(second.out().contains("no longer counts"), second.out());
       assertTrue(board.isRunning());
     }
     assertTrue(Files.readString(folder.resolve("hand/readings.csv")).contains("bearing 0"));

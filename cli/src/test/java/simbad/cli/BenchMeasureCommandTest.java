@@ -213,7 +213,7 @@ class BenchMeasureCommandTest {
         "nowhere.csv --auto --obstacle angle --out x.csv | nowhere.csv: no such file",
         "../README.md --auto --obstacle angle --out x.csv | README.md",
         "POSES --auto --obstacle angle --out ../README.md | README.md: does not begin with run",
-        "POSES --auto --obstacle angle --out OTHER | row 2 is not of the pose",
+        "POSES --auto --obstacle angle --out OTHER | row 2 does not have the pose",
         "POSES --auto --obstacle pots --out NEW | OBSTACLE 'pots'",
         "POSES --auto --obstacle angle --temperature 99 --out NEW | temperatureC = 99.0",
         "POSES --auto --obstacle angle --sensor ears --out NEW | --sensor: 'ears' is none"

@@ -148,7 +148,7 @@ class BlindCheckCommandTest {
     }
     Shell other = check("--foreign", arguments[1]);
     assertEquals(2, other.status());
-    assertTrue(other.err().contains("order.json: begun with other options"), other.err());
+    assertTrue(other.err().contains("order.json: was begun with other options"), other.err());
   }
 
   /** Files whose bytes differ from what they were. */
@@ -259,28 +259,28 @@ class BlindCheckCommandTest {
         "--reference 1.5 | --reference: 1.5 is not in [0, 1]",
         "--reference NaN | --reference: NaN is not in [0, 1]",
         "--off --reference 0.5 | --off and --reference exclude each other",
-        "--withhold ghosts | --withhold: 'ghosts' is the name of no effect",
+        "--withhold ghosts | --withhold: 'ghosts' is not the name of an effect",
         "--jobs 0 | --jobs: 0 is not at least 1",
         "--jobs 2 --spark local[2] | mutually exclusive",
         "--spark local[2] | --spark: Spark is not among this program's jars",
         "--limit 0 | --limit: 0.0 is not in (0, 1000000.0] s",
-        "--level L3 | --level: of cases that are drawn it is known",
-        "--foreign sets --cases 3 | --foreign: nothing is drawn then",
-        "--foreign sets --off | --foreign: nothing is drawn then",
+        "--level L3 | --level: the level of cases that are drawn is known",
+        "--foreign sets --cases 3 | --foreign: nothing is drawn",
+        "--foreign sets --off | --foreign: nothing is drawn",
         "--level wave --off | --level wave: every case has a reference",
         "--level wave --reference 0.5 | --level wave: every case has a reference",
         "--sizes 0-10 | --sizes: '0'",
         "--first 3 | --first: expected --benchmark with it",
         "--benchmark L9 | --benchmark: 'L9', expected L1, L2, L2w, motion",
-        "--motion --level wave | --motion: of sonars are --level",
-        "--motion --rows 300-400 | --motion: of sonars are --level",
+        "--motion --level wave | --motion: --level",
+        "--motion --rows 300-400 | --motion: --level",
         "--motion --seconds 9-10 | --seconds: '9'",
         "--seconds 60-90 | --seconds: expected --motion with it",
-        "--foreign sets --motion | --foreign: nothing is drawn then",
-        "--benchmark motion --motion | --benchmark: its orders are frozen",
+        "--foreign sets --motion | --foreign: nothing is drawn",
+        "--benchmark motion --motion | --benchmark: its cases are fixed",
         "--benchmark L1 --first 351 | --first: '351'",
         "--benchmark L1 --first 1 --seed 4 | --seed: not that of the second half",
-        "--benchmark L1 --cases 4 | --benchmark: its orders are frozen",
+        "--benchmark L1 --cases 4 | --benchmark: its cases are fixed",
         "--level wave --sizes 0-1 | --sizes: '0'",
         "--mix odd:1 | --mix: 'odd:1'",
         "--mix withheld:1 | --mix: withheld cases, expected --withheld",
@@ -304,7 +304,7 @@ class BlindCheckCommandTest {
     Files.writeString(out().resolve("theirs"), "kept");
     Shell shell = check();
     assertEquals(2, shell.status());
-    assertTrue(shell.err().contains("is not the folder of a check, nor empty"), shell.err());
+    assertTrue(shell.err().contains("is neither empty nor the folder of a check"), shell.err());
     assertEquals("kept", Files.readString(out().resolve("theirs")));
   }
 

@@ -116,7 +116,8 @@ class BoardCommandTest {
       value = {
         "--script nowhere.csv | nowhere.csv: no such file",
         "--script ../docs/protocol.csv | ../docs/protocol.csv:1: time_s: column is missing",
-        "--script x.csv --distance 1 | --script says what stands there: not with --obstacle",
+        "--script x.csv --distance 1 | --script says where things stand; it does not "
+            + "go with --obstacle",
         "--obstacle pots | OBSTACLE 'pots': is neither",
         "--distance -1 | --distance: -1.0 is out of range",
         "--temperature -60 | --temperature: -60.0 is not in",
@@ -139,7 +140,7 @@ class BoardCommandTest {
     Path file = Files.writeString(folder.resolve("mine"), "");
     Shell shell = Shell.simbad("board", "--link", file.toString(), "--for", "1");
     assertEquals(1, shell.status());
-    assertTrue(shell.err().contains("mine: is no link"), shell.err());
+    assertTrue(shell.err().contains("mine: exists and is not a link"), shell.err());
   }
 
   @Test

@@ -63,7 +63,7 @@ class DatasetBagCommandTest {
             picture.toString());
     assertEquals(0, shell.status(), shell.err());
     String svg = Files.readString(picture);
-    assertTrue(svg.contains("What was understood of drawn"), svg);
+    assertTrue(svg.contains("Sensors and echoes in drawn"), svg);
     assertEquals(2, bag(BAGS.resolve("post"), "--out", "x", "--picture", "x.doc").status());
   }
 
@@ -271,7 +271,7 @@ class DatasetBagCommandTest {
     "post, --topic, /radar, '--topic: ''/radar'' is not one of /sonar_front, /sonar_right'",
     "post, --fixed-frame, mars, --fixed-frame",
     "make.py, --sonar, srf04, is neither MCAP nor SQLite",
-    "none, --sonar, srf04, is no file and no folder"
+    "none, --sonar, srf04, is neither a file nor a folder"
   })
   void whatIsWrong_isSaidInALine(String name, String option, String value, String said) {
     Shell shell =

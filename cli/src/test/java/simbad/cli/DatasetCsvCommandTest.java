@@ -215,7 +215,7 @@ class DatasetCsvCommandTest {
     Files.write(second, cut);
     Shell said = type("" + second);
     assertEquals(2, said.status());
-    assertTrue(said.err().contains("second.csv.gz: is no whole gzip file"), said.err());
+    assertTrue(said.err().contains("second.csv.gz: is not a complete gzip file"), said.err());
   }
 
   /** A logger that was started again writes its header again. */
@@ -393,7 +393,7 @@ class DatasetCsvCommandTest {
             "t_s,d,r\n1,10,9\n1,10,9\n2,20,19\n",
             "--time t_s --distance d --range r --range-unit cm");
     assertFalse(data.readings().get(0).isTimed());
-    assertTrue(data.setup().details().assumptions().toString().contains("1.0 s stands twice"));
+    assertTrue(data.setup().details().assumptions().toString().contains("1.0 s appears twice"));
     DataSet paced = read(LADDER, "--period 50ms");
     assertEquals(0.1, paced.readings().get(2).timeS(), 1e-9);
     assertEquals(0.05, paced.setup().sensor().updatePeriodS());
@@ -472,7 +472,8 @@ class DatasetCsvCommandTest {
         "true_cm,reading_cm\\n1,2\\n | --pan 1 | --target: is missing: what the sensor looked at",
         "true_cm,reading_cm\\n1,2\\n | --range far | log.csv:1: far: column is missing; found 1 true_cm (1)",
         "true_cm,reading_cm\\n1,2\\n | --range 3 | log.csv:1: 3: column is missing",
-        "true_cm,reading_cm,reading_cm\\n1,2,3\\n | --range reading_cm | stands twice; say its number",
+        "true_cm,reading_cm,reading_cm\\n1,2,3\\n | --range reading_cm | appears "
+            + "twice; give its number",
         "true_cm,reading_cm\\n1,2\\n3,far\\n | '' | log.csv:3: reading_cm: 'far' is not a number of at least 0",
         "true_cm,reading_cm\\n1,-5\\n | '' | log.csv:2: reading_cm: '-5' is not a number of at least 0",
         "true_cm,reading_cm\\n1,1e300\\n | '' | log.csv:2: reading_cm: '1e300' is not",
@@ -484,18 +485,18 @@ class DatasetCsvCommandTest {
         "true_cm,reading_cm\\n1,\"2\\n3,4\\n | '' | log.csv:2: reading_cm: '2 3,4' is not a number",
         "true_cm,reading_cm\\n1,2\\n | --range-unit yard | --range-unit: 'yard' is not one of m, cm",
         "true_cm,reading_cm\\n1,2\\n | --target tree | --target: 'tree' is none of board:1.2m",
-        "true_cm,reading_cm\\n1,2\\n | --target board:1.2 | --target: '1.2' is no number with its unit",
-        "true_cm,reading_cm\\n1,2\\n | --target board:1km | --target: '1km' is no number with its unit",
+        "true_cm,reading_cm\\n1,2\\n | --target board:1.2 | --target: '1.2' is not a number with its unit",
+        "true_cm,reading_cm\\n1,2\\n | --target board:1km | --target: '1km' is not a number with its unit",
         "true_cm,reading_cm\\n1,2\\n | --sonar bat | --sonar: 'bat' is neither hc-sr04, srf04",
         "true_cm,reading_cm\\n1,2\\n | --max-range 1cm | --max-range: the least range of 0.02 m is not below",
-        "true_cm,reading_cm\\n1,2\\n | --max-range 4 | --max-range: '4' is no number with its unit",
+        "true_cm,reading_cm\\n1,2\\n | --max-range 4 | --max-range: '4' is not a number with its unit",
         "true_cm,reading_cm\\n1,2\\n | --cone 500deg | --cone: 500.0 degrees is not in (0, 180]",
         "true_cm,reading_cm\\n1,2\\n | --sound-speed 3 | --sound-speed: '3' is not in [100.0, 2000.0]",
         "true_cm,reading_cm\\n1,2\\n | --separator bean | --separator: 'bean' is not one of comma",
-        "true_cm,reading_cm\\n1,2\\n | --encoding morse | --encoding: 'morse' is no encoding",
+        "true_cm,reading_cm\\n1,2\\n | --encoding morse | --encoding: 'morse' is not an encoding",
         "true_cm,reading_cm\\n1,2\\n | --skip -1 | --skip: '-1' is not in [0.0, 1000000.0]",
         "true_cm,reading_cm\\n1,2\\n | --only true_cm | --only: 'true_cm' is not COLUMN=VALUE",
-        "true_cm,reading_cm\\n1,2\\n | --only true_cm=7 | log.csv: has no row that is taken",
+        "true_cm,reading_cm\\n1,2\\n | --only true_cm=7 | log.csv: no row is left to " + "read",
         "true_cm,reading_cm\\n1,2\\n | --origin 1 | --origin: '1' is not X,Z",
         "true_cm,reading_cm\\n1,2\\n | --mount left | --mount: 'left' is not SENSOR=X,Z,TURN",
         "true_cm,reading_cm\\n1,2\\n | --time true_cm | --time-unit: is missing: s, ms, us",
@@ -504,9 +505,9 @@ class DatasetCsvCommandTest {
         "true_cm,reading_cm\\n1,2\\n | --x 1 --distance true_cm --bearing 1deg --target 'board:1m@1,2,3,4'"
             + " | --target: '1,2,3,4' is not X,Z,TURN",
         "true_cm,reading_cm\\n1,2\\n | --target board:1m --target board:2m | overlaps board; @X,Z,TURN",
-        "true_cm,reading_cm\\n1,2\\n | --scene none.json | --scene: 'none.json' is no file",
-        "true_cm,reading_cm\\n1,2\\n | --scene none.json --cone 3deg | --cone: stands beside --scene",
-        "true_cm,reading_cm\\n1,2\\n | --no-echo >=far | --no-echo: '>=far' is no number",
+        "true_cm,reading_cm\\n1,2\\n | --scene none.json | --scene: 'none.json' is not a file",
+        "true_cm,reading_cm\\n1,2\\n | --scene none.json --cone 3deg | --cone: does not go with --scene",
+        "true_cm,reading_cm\\n1,2\\n | --no-echo >=far | --no-echo: '>=far' is not a number",
         "x,r_cm\\n1,2\\n | --x x --range r_cm --target board:1m | --z: is missing: a place is --x with --z"
       })
   void badInput_isOneLine(String text, String options, String problem) throws Exception {
@@ -571,7 +572,8 @@ class DatasetCsvCommandTest {
     Shell said = type("true_cm,reading\n10,9.8\n20,1270\n30,0\n", "--range-unit cm");
     assertEquals(0, said.status(), said.err());
     assertTrue(said.err().contains("note: 1 range beyond the sonar's 4.0 m"), said.err());
-    assertTrue(said.err().contains("note: 1 range of 0: --no-echo 0"), said.err());
+    assertTrue(
+        said.err().contains("note: 1 range of 0; if 0 means no echo: --no-echo 0"), said.err());
   }
 
   @Test

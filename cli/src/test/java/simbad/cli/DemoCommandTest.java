@@ -69,7 +69,7 @@ class DemoCommandTest {
     "square_demo, SquareDemo"
   })
   void unknownName_isToldWhatIsNear(String name, String near) {
-    checkRefused("NAME '" + name + "' is no demo, did you mean", "demo", name, "--headless");
+    checkRefused("NAME '" + name + "' is not a demo, did you mean", "demo", name, "--headless");
     assertTrue(Shell.simbad("view", name).err().contains(near));
     assertEquals(2, Shell.simbad("view", name).status());
   }
@@ -84,7 +84,7 @@ class DemoCommandTest {
 
   @Test
   void wrongUsage_isRefused() {
-    checkRefused("NAME of a demo expected: one of BaseDemo, ", "demo", "--headless");
+    checkRefused("expected the NAME of a demo: one of BaseDemo, ", "demo", "--headless");
     checkRefused("--steps: 0 is not in", "demo", "LineDemo", "--headless", "--steps", "0");
     checkRefused("--steps needs --headless", "demo", "LineDemo", "--steps", "10");
     checkRefused("--steps", "demo", "LineDemo", "--headless", "--steps", "many");

@@ -71,7 +71,7 @@ class DiagnoseCommandTest {
     Path corrected = folder.resolve("corrected.json");
     Shell shell = diagnose(bench, "--corrected", corrected);
     assertEquals(0, shell.status(), shell.err());
-    assertTrue(shell.out().contains(corrected + ": corrected by dropout"), shell.out());
+    assertTrue(shell.out().contains(corrected + ": corrected for dropout"), shell.out());
     double missed =
         new ObjectMapper().readTree(corrected.toFile()).at("/sensor/miss_rate").asDouble();
     assertEquals(0.4, missed, 0.1);
@@ -89,8 +89,8 @@ class DiagnoseCommandTest {
     Path corrected = folder.resolve("corrected.json");
     Shell shell = diagnose(data("bench", 0.05), "--corrected", corrected);
     assertEquals(0, shell.status(), shell.err());
-    assertTrue(shell.out().contains(corrected + ": the scene as it was"), shell.out());
-    assertTrue(shell.out().contains("no field of a scene says range-offset"), shell.out());
+    assertTrue(shell.out().contains(corrected + ": the scene, unchanged"), shell.out());
+    assertTrue(shell.out().contains("a scene has no field for range-offset"), shell.out());
   }
 
   @Test

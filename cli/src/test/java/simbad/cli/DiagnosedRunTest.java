@@ -73,7 +73,7 @@ class DiagnosedRunTest {
   }
 
   private static double ratio(String text) {
-    Matcher matcher = Pattern.compile("at (\\d\\.\\d+) of its distance").matcher(text);
+    Matcher matcher = Pattern.compile("at (\\d\\.\\d+) times its distance").matcher(text);
     assertTrue(matcher.find(), text);
     return Double.parseDouble(matcher.group(1));
   }
@@ -115,7 +115,7 @@ class DiagnosedRunTest {
     assertEquals(0, shell.status(), shell.err());
     assertEquals(1, ratio(shell.out()), 0.011, shell.out());
     String page = Files.readString(folder.resolve("out/report.html"));
-    assertTrue(page.contains("obstacle-turn/only:plate is about an obstacle that is not"), page);
+    assertTrue(page.contains("obstacle-turn/only:plate belongs to an obstacle that is not"), page);
   }
 
   @Test
@@ -155,6 +155,6 @@ class DiagnosedRunTest {
     Path diagnosis = diagnosis("d", GAIN.formatted("0.8"));
     Shell shell = run("out", "diagnosed:" + diagnosis + ",diagnosed:" + diagnosis);
     assertEquals(2, shell.status());
-    assertTrue(shell.err().contains("stands twice"), shell.err());
+    assertTrue(shell.err().contains("appears twice"), shell.err());
   }
 }

@@ -37,7 +37,7 @@ class EffectsCommandTest {
     Shell shell = Shell.simbad("effects", "gian");
     assertEquals(2, shell.status());
     assertTrue(
-        shell.err().startsWith("simbad effects: 'gian' is the name of no effect"), shell.err());
+        shell.err().startsWith("simbad effects: 'gian' is not the name of an effect"), shell.err());
     assertTrue(shell.err().contains("gain"), shell.err());
   }
 }

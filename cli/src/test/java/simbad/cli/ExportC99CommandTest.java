@@ -59,7 +59,7 @@ class ExportC99CommandTest {
 
     assertEquals(0, run.status(), run.err());
     String text = Files.readString(header());
-    assertTrue(text.contains("folded in: gain/factor"), text);
+    assertTrue(text.contains("included: gain/factor"), text);
     assertTrue(text.contains("sonar_read_next(sonar_memory *memory, sonar_pose at)"), text);
     assertFalse(text.contains("@"), "a place that was not filled");
   }
@@ -80,7 +80,7 @@ class ExportC99CommandTest {
     Shell run = export("round", "--name", "1st");
 
     assertEquals(2, run.status());
-    assertTrue(run.err().contains("name '1st' is no beginning of names in C"), run.err());
+    assertTrue(run.err().contains("name '1st' cannot begin names in C"), run.err());
   }
 
   @Test

@@ -27,10 +27,9 @@ class FidelityCommandTest {
         shell
             .out()
             .matches(
-                "round, shadow: faithful\n"
-                    + "  agrees at (100|99\\.\\d+).* of 39,366 poses; radial error \\d\\.\\d\\d cm in the mean;"
-                    + " 0\\.\\d\\d cm beside the edge in the mean; 0 bearings not reached\n"
-                    + "written to .*out \\(open .*report.html\\)\n"),
+                "round, shadow: faithful\n  agrees at (100|99\\.\\d+).* of 39,366 poses; mean "
+                    + "radial error \\d\\.\\d\\d cm; mean distance from the edge 0\\.\\d\\d cm; 0 "
+                    + "bearings not reached\nwritten to .*out \\(open .*report.html\\)\n"),
         shell.out());
     assertTrue(Files.exists(out.resolve("round/map.csv")));
     assertTrue(Files.exists(out.resolve("round/trace.csv")));
@@ -40,7 +39,7 @@ class FidelityCommandTest {
     assertTrue(page.contains("<td>at most 3 cm</td>"), page);
     assertFalse(page.contains("<strong>missed"), page);
     assertFalse(page.contains("reduction"), page);
-    assertTrue(page.contains("Radial error by bearing, logarithmic."), page);
+    assertTrue(page.contains("radial error by bearing, logarithmic."), page);
   }
 
   /** Title and verdict stand before the first picture, the first note and the table of errors. */

@@ -136,7 +136,7 @@ final class GuideReading implements AutoCloseable {
     Optional<GuideRule> rule = use(rule(line));
     boolean isProgram = line.startsWith(PROGRAM + " ");
     assertTrue(
-        isProgram || rule.isPresent(), "'" + line + "' is no command of simbad, and not listed");
+        isProgram || rule.isPresent(), "'" + line + "' is not a command of simbad, and not listed");
     if (isProgram) {
       lastNamed = line;
       parse(line);

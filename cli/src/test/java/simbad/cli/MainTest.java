@@ -176,7 +176,8 @@ class MainTest {
         () -> assertTrue(outcome.err().contains(help), outcome.err()),
         () ->
             assertEquals(
-                name + ": no command given (see " + name + " --help)", said.get(said.size() - 1)));
+                name + ": a command is missing (see " + name + " --help)",
+                said.get(said.size() - 1)));
   }
 
   /** Not the help of something else. */

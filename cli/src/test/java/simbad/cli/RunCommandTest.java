@@ -242,7 +242,7 @@ class RunCommandTest {
       assertEquals(1, row.get("map_agreement").asDouble());
     }
     String page = Files.readString(folder.resolve("out/report.html"));
-    assertTrue(page.contains("did not get round: 4 of 4 bearings"), page);
+    assertTrue(page.contains("did not complete its round: 4 of 4 bearings"), page);
   }
 
   @Test

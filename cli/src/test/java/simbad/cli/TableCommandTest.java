@@ -126,7 +126,7 @@ class TableCommandTest {
     List<String> lines = shell.out().lines().toList();
     assertEquals(log + ": 3611 positions, 1 other lines", lines.get(0));
     assertTrue(
-        lines.get(1).startsWith("radial error mean 10.00, RMS 10.00, max 10.00 cm"), lines.get(1));
+        lines.get(1).startsWith("radial error: mean 10.00, RMS 10.00, max 10.00 cm"), lines.get(1));
     assertTrue(lines.get(1).endsWith("0 of 72 bearings not crossed"), lines.get(1));
     assertTrue(Files.readString(file).contains("<svg"));
   }

@@ -118,11 +118,11 @@ class TableImportCommandTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "phi,distance/0,1/120,1/240,1 | no column is known to hold the bearing",
-        "angle,far/0,1/120,1/240,1 | no column is known to hold the threshold",
+        "phi,distance/0,1/120,1/240,1 | no column has a known name for the bearing",
+        "angle,far/0,1/120,1/240,1 | no column has a known name for the threshold",
         "angle,distance/0,1/120,1/250,1 | bench.csv:4: angle: found 250 where 3 even steps",
         "angle,distance/10,1/130,1/250,1 | where 3 even steps of a full turn from 0 have 0",
-        "angle,distance/0,1/120,1/120,1 | stands twice",
+        "angle,distance/0,1/120,1/120,1 | appears twice",
         "angle,distance/0,1/180,1 | 2 bearings, expected at least 3",
         "angle,distance/0,1/120,x/240,1 | bench.csv:3: distance: 'x' is not a distance",
         "angle,distance/0,1/120,250/240,1 | '250' is not a distance in [0, 100.0] m",

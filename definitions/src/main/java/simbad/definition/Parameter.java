@@ -23,7 +23,7 @@ public record Parameter(
   public Parameter {
     number(name + ": neutral", neutral);
     if (!(low < high)) {
-      throw new IllegalArgumentException(name + ": [" + low + ", " + high + "] is no interval");
+      throw new IllegalArgumentException(name + ": [" + low + ", " + high + "] is not an interval");
     }
     tries = List.copyOf(tries);
     for (double value : tries) {

@@ -89,7 +89,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
   private static String left(GapGain gain) {
     return String.format(
         Locale.ROOT,
-        "a gap of %.2f cm is left where the diagnosed model expects %.2f cm from scatter",
+        "a gap of %.2f cm is left, but the diagnosed model expects only %.2f cm from " + "scatter",
         100 * gain.afterM(),
         100 * gain.floorM());
   }
@@ -149,7 +149,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
   private static String unsure(Set<Effect> tie, double probability) {
     return String.format(
         Locale.ROOT,
-        "%s is likely, at %.0f %%, but not so likely that it can be named (%.0f %%)",
+        "%s is likely (%.0f %%), but not likely enough to be named (%.0f %% is needed)",
         words(List.copyOf(tie), " or "),
         Math.floor(100 * probability),
         100 * SURE_NAME);
@@ -169,8 +169,8 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
         ? ""
         : String.format(
             Locale.ROOT,
-            "%s takes up a little of anything, and the gap of another log may be as large as"
-                + " before: it shrinks by %.0f %% (95 %% interval %.0f to %.0f %%)",
+            "%s can take up a little of any difference, and in another log the gap may be "
+                + "as large as before: it shrinks by %.0f %% (95 %% interval %.0f to %.0f %%)",
             words(soaking, " + "),
             100 * weighed.gain().shrinkage(),
             100 * shrink.low(),
@@ -184,8 +184,8 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
   private static String noHalves(GapGain gain) {
     int rows = gain.before().observedM().length;
     if (rows >= 2 * Blocks.LEAST_ROWS) {
-      return "all readings are of one moment; an effect is tested on another stretch of time than"
-          + " it was fitted on";
+      return "all readings have the same time, but an effect is fitted on one stretch of "
+          + "time and tested on another";
     }
     return String.format(
         Locale.ROOT,
@@ -216,8 +216,8 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
         ? ""
         : String.format(
             Locale.ROOT,
-            "no effect was found, but at one place of the log lies %.0f %% of the gap, more than"
-                + " chance puts there (q = %.1g)",
+            "no effect was found, but one place of the log has %.0f %% of the gap, more "
+                + "than chance gives (q = %.1g)",
             100 * sure.get(0).shareOfGap(),
             sure.get(0).qValue());
   }
@@ -228,7 +228,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
                 one ->
                     String.format(
                         Locale.ROOT,
-                        "%s of %s stands at the end of what was searched (%s, from %s to %s)",
+                        "%s of %s is at the end of the range that was searched (%s, from %s to %s)",
                         one.parameter(),
                         one.effect(),
                         number(one.value()),

@@ -65,7 +65,7 @@ class ConclusionTest {
   @Test
   void noneNeverStandsBesideAPlaceThatIsNoChance() {
     isUndecided(
-        "at one place of the log lies 58 % of the gap, more than chance puts there (q = 0.0004)",
+        "one place of the log has 58 % of the gap, more than chance gives (q = 0.0004)",
         of(weighed(Hypothesis.NONE, 0.019, 0.01), 0.1, place(4e-4)));
   }
 
@@ -100,7 +100,7 @@ class ConclusionTest {
   void whatIsNotKnown_decidesBetweenExplainedAndUnexplained() {
     assertEquals(Verdict.EXPLAINED, of(weighed(OFFSET, 0.01, 0.01), 0.2).verdict());
     isUndecided(
-        "range-offset is likely, at 50 %, but not so likely that it can be named (80 %)",
+        "range-offset is likely (50 %), but not likely enough to be named (80 % is needed)",
         of(weighed(OFFSET, 0.01, 0.01), 0.5));
     assertEquals(Verdict.UNEXPLAINED, of(weighed(OFFSET, 0.01, 0.01), 0.51).verdict());
     assertEquals(Verdict.UNEXPLAINED, of(weighed(Hypothesis.NONE, 0.01, 0.01), 0.51).verdict());
@@ -111,7 +111,7 @@ class ConclusionTest {
   void whatIsHardlyLikely_isNotNamed() {
     Hypothesis gain = Worlds.effect(Effect.GAIN, "factor", 0.8);
     Hypothesis both = OFFSET.and(gain.forms().get(0), 0.8);
-    isUndecided("gain is likely, at", of(two(both, 13, OFFSET), 0.01));
+    isUndecided("gain is likely (", of(two(both, 13, OFFSET), 0.01));
     assertEquals(Verdict.EXPLAINED, of(two(both, 14, OFFSET), 0.01).verdict());
   }
 
@@ -139,7 +139,7 @@ class ConclusionTest {
     Conclusion left = of(weighed(OFFSET, 0.021, 0.01), 0.1);
     assertEquals(Verdict.UNEXPLAINED, left.verdict());
     assertEquals(
-        "a gap of 2.10 cm is left where the diagnosed model expects 1.00 cm from scatter",
+        "a gap of 2.10 cm is left, but the diagnosed model expects only 1.00 cm from " + "scatter",
         left.reason());
     assertEquals(
         Optional.of(new Conclusion(Verdict.PARTLY, left.reason(), List.of())),
@@ -156,7 +156,7 @@ class ConclusionTest {
   void allOfTheSetIsSure_nothingIsKnownToStandBesideIt() {
     Weighed offset = weighed(OFFSET, 0.01, 0.01);
     Conclusion hardly = of(offset, 0.201);
-    isUndecided("range-offset is likely, at 79 %, but not so likely that it can be named", hardly);
+    isUndecided("range-offset is likely (79 %), but not likely enough to be named", hardly);
     assertEquals(Optional.empty(), partly(hardly, offset, 0.201));
   }
 
@@ -168,7 +168,8 @@ class ConclusionTest {
     Conclusion partly = partly(of(weighed, 0.3), weighed, 0.3).orElseThrow();
     assertEquals(Verdict.PARTLY, partly.verdict());
     assertEquals(
-        "gain is likely, at 70 %, but not so likely that it can be named (80 %)", partly.reason());
+        "gain is likely (70 %), but not likely enough to be named (80 % is needed)",
+        partly.reason());
   }
 
   @Test
@@ -182,8 +183,8 @@ class ConclusionTest {
         conclusion
             .reason()
             .startsWith(
-                "offset_m of range-offset stands at the end of what was searched (1.000, from"
-                    + " -1.000 to 1.000)"),
+                "offset_m of range-offset is at the end of the range that was searched (1.000, "
+                    + "from -1.000 to 1.000)"),
         conclusion.reason());
   }
 }

@@ -149,7 +149,7 @@ class DiagnoserTest {
     Diagnosis diagnosis = new Diagnoser(1, Set.of()).diagnose(multiplied("p005", 9));
     assertEquals(Verdict.UNEXPLAINED, diagnosis.verdict());
     assertEquals(Effect.SOUND_SPEED, diagnosis.atBound().get(0).effect());
-    assertTrue(diagnosis.reason().contains("stands at the end of what was searched"));
+    assertTrue(diagnosis.reason().contains("is at the end of the range that was searched"));
   }
 
   @Test

@@ -92,7 +92,7 @@ public final class ObstacleFiles {
           table,
           "its greatest threshold, "
               + greatestM
-              + " m, lies within the outline: "
+              + " m, is inside the outline: "
               + outline
               + " reaches "
               + metres(reachM)
@@ -150,7 +150,7 @@ public final class ObstacleFiles {
     try (Stream<Path> entries = Files.list(folder)) {
       return entries.sorted().toList();
     } catch (IOException e) {
-      throw DataFormatException.inFile(folder, "is no folder that can be read");
+      throw DataFormatException.inFile(folder, "is not a folder that can be read");
     }
   }
 

@@ -78,7 +78,7 @@ class ObstacleFilesTest {
     DataFormatException fault =
         assertThrows(
             DataFormatException.class, () -> ObstacleFiles.scan(folder.resolve("nowhere")));
-    assertTrue(String.valueOf(fault.getMessage()).contains("is no folder that can be read"));
+    assertTrue(String.valueOf(fault.getMessage()).contains("is not a folder that can be read"));
   }
 
   /** A table within the body, and one that was made for another size. */

@@ -61,7 +61,8 @@ public final class Board implements AutoCloseable {
 
   private static void refuseFile(Path link) throws IOException {
     if (Files.exists(link) && !Files.isSymbolicLink(link)) {
-      throw new IOException(link + ": is no link that a serial port could take the place of");
+      throw new IOException(
+          link + ": exists and is not a link, so the serial port's link cannot replace it");
     }
     Path folder = link.getParent();
     if (folder == null || !Files.isDirectory(folder)) {

@@ -44,7 +44,8 @@ public record CapturedTable(TableDocument document, List<ThresholdFit> fits) {
           text.file(),
           String.format(
               Locale.ROOT,
-              "%d of %d bearings are done, the next is %.4g degrees; go on with simbad bench resume",
+              "%d of %d bearings are done, the next is %.4g degrees; to continue: simbad "
+                  + "bench resume",
               state.doneCount(),
               plan.bearings(),
               plan.bearingDeg(missing.getAsInt())));

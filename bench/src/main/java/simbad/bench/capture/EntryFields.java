@@ -55,7 +55,7 @@ final class EntryFields {
       case "done" -> new Entry.Done(bearing(read, 0, bearings));
       case "undone" -> new Entry.Undone(bearing(read, 0, bearings));
       case "repeated" -> new Entry.Repeated(bearing(read, 0, bearings));
-      default -> throw new JournalFieldException("kind", "'" + kind + "' is no kind of entry");
+      default -> throw new JournalFieldException("kind", "'" + kind + "' is not a kind of entry");
     };
   }
 

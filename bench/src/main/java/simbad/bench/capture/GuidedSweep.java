@@ -108,7 +108,9 @@ public final class GuidedSweep {
     boolean lost = levels.stream().anyMatch(plan::isLost);
     boolean heard = levels.stream().anyMatch(level -> !plan.isLost(level));
     if (!lost || !heard) {
-      operator.say("not done: there must be a distance where it is heard and one where it is lost");
+      operator.say(
+          "not done: this bearing needs a distance where the echo is heard and one where "
+              + "it is lost");
       return;
     }
     recorder.record(new Entry.Done(bearing));
@@ -125,7 +127,7 @@ public final class GuidedSweep {
     }
     recorder.record(new Entry.Undone(at));
     chosen = OptionalInt.of(at);
-    operator.say("the last distance does not count any more");
+    operator.say("the last distance no longer counts");
   }
 
   private void repeat(OptionalDouble bearingDeg) throws IOException {
@@ -137,7 +139,7 @@ public final class GuidedSweep {
     }
     recorder.record(new Entry.Repeated(at));
     chosen = OptionalInt.of(at);
-    operator.say("nothing of this bearing counts any more: take it anew");
+    operator.say("the readings of this bearing no longer count: measure it again");
   }
 
   private void pause() throws IOException {
@@ -197,8 +199,8 @@ public final class GuidedSweep {
     operator.say(
         String.format(
             Locale.ROOT,
-            "not taken: axis at %.1f cm, but %.1f cm read to the surface; type it again (the same"
-                + " is then believed)",
+            "not taken: axis at %.1f cm, but the sensor reads %.1f cm to the surface; type "
+                + "the distance again (if you repeat it, it is believed)",
             CM * distanceM,
             CM * contradictionM.getAsDouble()));
     return true;

@@ -151,7 +151,7 @@ public final class Journal implements Closeable {
    */
   public void append(List<Entry> entries) throws IOException {
     if (failed) {
-      throw new IOException(file + ": nothing is written any more after it failed once");
+      throw new IOException(file + ": writing failed before, so nothing more is written");
     }
     StringBuilder text = new StringBuilder();
     for (Entry entry : entries) {

@@ -100,6 +100,6 @@ final class JournalReader {
   }
 
   private DataFormatException noJournal() {
-    return DataFormatException.inFile(file, "is no journal of a capture");
+    return DataFormatException.inFile(file, "is not a journal of a capture");
   }
 }

@@ -19,7 +19,7 @@ public record SweepView(SweepPlan plan, SweepState state, int bearing, Optional<
     String turn =
         bearing == 0
             ? "Place the obstacle with its mark towards the sensor: bearing 0 degrees."
-            : "Turn it clockwise, seen from above, to bearing %s degrees: %s on from the one before."
+            : "Turn it clockwise, seen from above, to bearing %s degrees, %s after the one before."
                 .formatted(degrees(bearing), degrees(1));
     String progress =
         String.format(
@@ -32,7 +32,7 @@ public record SweepView(SweepPlan plan, SweepState state, int bearing, Optional<
     return List.of(
         progress,
         turn,
-        "Threshold here so far: " + estimate(),
+        "Threshold at this bearing so far: " + estimate(),
         "Move it away until the echo is lost, then back until it is there again.",
         "At each place type the distance from the sensor to the AXIS OF ROTATION in cm",
         "(not to its surface, as the reading is).",
@@ -48,7 +48,7 @@ public record SweepView(SweepPlan plan, SweepState state, int bearing, Optional<
     List<Level> levels = state.levels(bearing);
     List<Level> lost = levels.stream().filter(plan::isLost).toList();
     if (levels.isEmpty()) {
-      return "nothing taken yet";
+      return "no reading yet";
     } else if (lost.isEmpty()) {
       return "not lost yet";
     } else if (lost.size() == levels.size()) {

@@ -78,12 +78,12 @@ public final class ThesisCapture {
     OptionalInt steps = ThesisLine.steps(line);
     if (steps.isEmpty()) {
       throw DataFormatException.inField(
-          file, number, "number", "'" + line + "' is no number of steps of 2 cm");
+          file, number, "number", "'" + line + "' is not a number of steps of 2 cm");
     }
     OptionalDouble echoUs = ThesisLine.echoUs(steps.getAsInt());
     if (echoUs.isEmpty()) {
       throw DataFormatException.inField(
-          file, number, "number", line + " steps are the sensor's 36 ms of no echo");
+          file, number, "number", line + " steps are 36 ms, which means no echo");
     }
     return ranging.rangeM(echoUs.getAsDouble());
   }

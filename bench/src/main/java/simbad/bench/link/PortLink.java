@@ -58,7 +58,7 @@ public final class PortLink implements SerialLink {
       throw new IOException(path + ": there is no such port; ports here: " + listed());
     }
     if (Files.isDirectory(path) || Files.isRegularFile(path)) {
-      throw new IOException(path + ": is no serial port; ports here: " + listed());
+      throw new IOException(path + ": is not a serial port; ports here: " + listed());
     }
     if (!Files.isReadable(path) || !Files.isWritable(path)) {
       throw new IOException(path + ": no permission; " + remedy(path));
@@ -71,17 +71,17 @@ public final class PortLink implements SerialLink {
     try {
       port = SerialPort.getCommPort(path.toString());
     } catch (SerialPortInvalidPortException e) {
-      throw new IOException(path + ": is no serial port; ports here: " + listed(), e);
+      throw new IOException(path + ": is not a serial port; ports here: " + listed(), e);
     }
     port.setComPortParameters(BAUD, DATA_BITS, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
     port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, SLICE_MS, 0);
     if (!port.openPort(0)) {
       if (port.getLastErrorCode() == NOT_A_TERMINAL) {
-        throw new IOException(path + ": is no serial port; ports here: " + listed());
+        throw new IOException(path + ": is not a serial port; ports here: " + listed());
       }
       throw new IOException(
           path
-              + ": cannot be opened, most likely because another program holds it (error "
+              + ": cannot be opened; most likely another program holds it (error "
               + port.getLastErrorCode()
               + ")");
     }
@@ -100,7 +100,7 @@ public final class PortLink implements SerialLink {
       if (port.permissions().contains(PosixFilePermission.GROUP_READ)
           && port.permissions().contains(PosixFilePermission.GROUP_WRITE)) {
         String group = port.group().getName();
-        return "your user must be in the group %s (sudo usermod -aG %s USER; then log in anew)"
+        return "your user must be in the group %s (sudo usermod -aG %s USER; then log in again)"
             .formatted(group, group);
       }
       return "only its owner, %s, may open it".formatted(port.owner().getName());

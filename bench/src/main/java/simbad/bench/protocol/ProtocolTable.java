@@ -118,6 +118,6 @@ public final class ProtocolTable {
         .filter(entry -> entry.kind() == Kind.COMMAND && entry.word().equals(word))
         .map(entry -> (byte) entry.code().charAt(0))
         .findFirst()
-        .orElseThrow(() -> new IllegalArgumentException("word = " + word + " is no command"));
+        .orElseThrow(() -> new IllegalArgumentException("word = " + word + " is not a command"));
   }
 }

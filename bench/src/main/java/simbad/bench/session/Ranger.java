@@ -91,8 +91,8 @@ public final class Ranger implements AutoCloseable {
     while (!answersInTurn(deadline)) {
       if (deadline.isOver()) {
         throw new Disturbance(
-            "nobody answers who says that it is a ranger; is it switched on, at 19200 baud, with"
-                + " this project's firmware (./simbad flash-info)?");
+            "no ranger answers; is the board switched on, at 19200 baud, with this "
+                + "project's firmware (./simbad flash-info)?");
       }
     }
   }
@@ -154,7 +154,7 @@ public final class Ranger implements AutoCloseable {
     for (Optional<String> line = next(now); line.isPresent(); line = next(now)) {
       FrameLine said = parse(line.get());
       if (said instanceof FrameLine.Ping ping) {
-        throw new Disturbance("ping " + ping.sequence() + " came that nobody asked for");
+        throw new Disturbance("ping " + ping.sequence() + " came without a question");
       }
       refuse(said);
     }

@@ -151,7 +151,7 @@ class BoardTest {
             IOException.class,
             () ->
                 Board.start(TestBoard.KIT, new BoardSetup(file, 1), (number, timeS) -> List.of()));
-    assertTrue(String.valueOf(fault.getMessage()).contains("notes.txt: is no link"));
+    assertTrue(String.valueOf(fault.getMessage()).contains("notes.txt: exists and is not a link"));
     assertEquals("mine", Files.readString(file));
   }
 

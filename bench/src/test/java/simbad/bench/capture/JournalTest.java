@@ -120,7 +120,7 @@ class JournalTest {
     twice.add(3, lines.get(3));
     checkDamaged(twice, ":5: line: damaged");
     checkDamaged(List.of("bearing_deg,threshold_m", "0,1"), "damaged");
-    checkDamaged(List.of(), "is no journal");
+    checkDamaged(List.of(), "is not a journal");
   }
 
   /** Well summed up, but no capture wrote it: who computes checksums can write anything. */
@@ -168,7 +168,7 @@ class JournalTest {
         "undone, -1, `bearing: '-1' is not a whole number`",
         "repeated, x, `bearing: 'x' is not a whole number`",
         "note, 5, `note: is missing`",
-        "sung, 5, `kind: 'sung' is no kind of entry`"
+        "sung, 5, `kind: 'sung' is not a kind of entry`"
       })
   void lastLineThatSaysNothing_isNamed(String kind, String field, String message) throws Exception {
     List<String> lines = new ArrayList<>(Files.readAllLines(written()));
@@ -244,7 +244,7 @@ class JournalTest {
       IOException fault = assertThrows(IOException.class, () -> journal.append(List.of(taken(1))));
       assertTrue(String.valueOf(fault.getMessage()).contains("full: cannot be written"));
       IOException again = assertThrows(IOException.class, () -> journal.append(List.of(taken(1))));
-      assertTrue(String.valueOf(again.getMessage()).contains("nothing is written any more"));
+      assertTrue(String.valueOf(again.getMessage()).contains("nothing more is written"));
     }
   }
 

@@ -212,7 +212,7 @@ class SweepTest {
     }
     checkTable();
     String said = String.join("\n", typist.said);
-    assertTrue(said.contains("not done: there must be"), said);
+    assertTrue(said.contains("not done: this bearing needs"), said);
     assertTrue(said.contains("LOST at 0.32"), said);
     assertTrue(said.contains("4 of 4 heard at 98.0 cm"), said);
     assertTrue(said.contains("AXIS OF ROTATION"), said);
@@ -246,7 +246,8 @@ class SweepTest {
     String said = String.join("\n", typist.said);
     assertTrue(
         said.contains(
-            "not taken: axis at 400.0 cm, but 27.9 cm read to the surface; type it again"),
+            "not taken: axis at 400.0 cm, but the sensor reads 27.9 cm to the surface; "
+                + "type the distance again"),
         said);
   }
 

@@ -46,8 +46,8 @@ class ThesisCaptureTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "49;x;3 | numbers.txt:2: number: 'x' is no number",
-        "49;48;305 | numbers.txt:3: number: 305 steps are the sensor's 36 ms",
+        "49;x;3 | numbers.txt:2: number: 'x' is not a number",
+        "49;48;305 | numbers.txt:3: number: 305 steps are 36 ms",
         "49;48 | numbers.txt: 2 numbers, expected",
         "49;-1;2 | numbers.txt:2: number: '-1'"
       })

@@ -32,9 +32,9 @@ class PortLinkTest extends SerialLinkContract {
   @Test
   void portThatIsNone_isSaid() throws Exception {
     checkRefused(Path.of("/dev/ttyNOWHERE"), "/dev/ttyNOWHERE: there is no such port; ports here");
-    checkRefused(Files.writeString(folder.resolve("notes"), "x"), "notes: is no serial port");
-    checkRefused(folder, "is no serial port");
-    checkRefused(Path.of("/dev/null"), "/dev/null: is no serial port");
+    checkRefused(Files.writeString(folder.resolve("notes"), "x"), "notes: is not a serial port");
+    checkRefused(folder, "is not a serial port");
+    checkRefused(Path.of("/dev/null"), "/dev/null: is not a serial port");
   }
 
   @Test

@@ -104,7 +104,7 @@ public final class Doctor {
         finding(
             "denied",
             "serial",
-            port + ": for the right to it type: " + line + ", then log in anew");
+            port + ": for the right to it type: " + line + ", then log in again");
       }
     }
     if (ports.isEmpty()) {

@@ -78,7 +78,7 @@ public final class BeamMisalignmentEffect implements Definition {
         ? text(
             "turn the sensor %.1f degrees to the %s",
             Math.abs(degrees), degrees > 0 ? "right" : "left")
-        : "straighten the sensor that looks aside";
+        : "straighten the sensor that looks to one side";
   }
 
   @Override

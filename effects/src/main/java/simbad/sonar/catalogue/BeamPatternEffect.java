@@ -26,7 +26,7 @@ public final class BeamPatternEffect implements Definition {
 
   @Override
   public String happens() {
-    return "off the axis the threshold is shorter";
+    return "thresholds are shorter off the axis";
   }
 
   @Override
@@ -91,6 +91,6 @@ public final class BeamPatternEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "give the sensor its beam off the axis: thresholds there are shorter";
+    return "give the sensor a beam pattern: thresholds are shorter off the axis";
   }
 }

@@ -32,7 +32,7 @@ public final class BeamWidthEffect implements Definition {
 
   @Override
   public String cause() {
-    return "another transducer than the sheet says, a housing or a tube in front of it";
+    return "a transducer that differs from the data sheet, a housing or a tube in front " + "of it";
   }
 
   @Override
@@ -78,10 +78,10 @@ public final class BeamWidthEffect implements Definition {
   public String remedy(FittedValues values) {
     return values.has("aperture_factor")
         ? text(
-            "let sensor.level.aperture_radius_m be %.2f times as large",
+            "make sensor.level.aperture_radius_m %.2f times as large",
             values.value("aperture_factor"))
         : text(
-            "let cone_half_angle_deg be %.1f",
+            "set cone_half_angle_deg to %.1f",
             Math.toDegrees(values.sensor().coneHalfAngleRad()) + values.value("added_deg"));
   }
 

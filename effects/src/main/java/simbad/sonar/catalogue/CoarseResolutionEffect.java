@@ -74,6 +74,6 @@ public final class CoarseResolutionEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return text("let the sensor's resolution_m be %.4g", values.value("step_m"));
+    return text("set the sensor's resolution_m to %.4g", values.value("step_m"));
   }
 }

@@ -116,7 +116,7 @@ public final class CrosstalkEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "let no two sonars ping at one time, and take the median of three readings";
+    return "never let two sonars ping at the same time, and take the median of three " + "readings";
   }
 
   @Override

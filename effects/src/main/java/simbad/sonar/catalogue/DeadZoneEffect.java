@@ -68,6 +68,6 @@ public final class DeadZoneEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return text("let min_range_m be %.3f", values.value("end_m"));
+    return text("set min_range_m to %.3f", values.value("end_m"));
   }
 }

@@ -28,7 +28,7 @@ public final class DropoutEffect implements Definition {
 
   @Override
   public String happens() {
-    return "echoes are missed, whatever the geometry";
+    return "echoes are missed at random, wherever the obstacle is";
   }
 
   @Override
@@ -75,7 +75,7 @@ public final class DropoutEffect implements Definition {
   @Override
   public String remedy(FittedValues values) {
     return text(
-        "let the sensor's miss_rate be %.2g, or ping again where nothing is heard",
+        "set the sensor's miss_rate to %.2g, or ping again when nothing is heard",
         values.value("share"));
   }
 

@@ -40,7 +40,7 @@ public final class EarlyTimeoutEffect implements Definition {
 
   @Override
   public String cause() {
-    return "a time-out in the program, a receiver that stops to listen early";
+    return "a time-out in the program, a receiver that stops listening early";
   }
 
   @Override
@@ -95,7 +95,7 @@ public final class EarlyTimeoutEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return text("let max_range_m be %.2f, or wait longer for the echo", values.value("start_m"));
+    return text("set max_range_m to %.2f, or wait longer for the echo", values.value("start_m"));
   }
 
   @Override

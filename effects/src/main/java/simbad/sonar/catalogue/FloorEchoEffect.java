@@ -32,12 +32,12 @@ public final class FloorEchoEffect implements Definition {
 
   @Override
   public String happens() {
-    return "the floor answers at a fixed range when nothing nearer does";
+    return "the floor sends back an echo from a fixed range when nothing nearer does";
   }
 
   @Override
   public String briefly() {
-    return "the floor answers when nothing nearer does";
+    return "the floor sends back an echo when nothing nearer does";
   }
 
   @Override
@@ -81,7 +81,7 @@ public final class FloorEchoEffect implements Definition {
   @Override
   public String remedy(FittedValues values) {
     return text(
-        "raise or tilt the sensor: something answers at %.2f m whatever stands there",
+        "raise the sensor or tilt it up: an echo comes from %.2f m, whatever is there",
         values.value("range_m"));
   }
 

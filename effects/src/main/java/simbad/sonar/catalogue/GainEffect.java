@@ -43,7 +43,7 @@ public final class GainEffect implements Definition {
 
   @Override
   public String cause() {
-    return "a supply voltage that sags, dirt or ageing of the transducer, another amplification";
+    return "a low supply voltage, dirt on the transducer or its ageing, another " + "amplification";
   }
 
   @Override
@@ -110,7 +110,8 @@ public final class GainEffect implements Definition {
   public String remedy(FittedValues values) {
     return values.has("gain_db")
         ? text(
-            "restore the sensor's drive voltage, or calibrate anew: echoes are %.1f dB too %s",
+            "restore the sensor's drive voltage, or calibrate again: echoes are %.1f dB "
+                + "too %s",
             Math.abs(values.value("gain_db")), values.value("gain_db") < 0 ? "weak" : "strong")
         : text(
             "multiply all thresholds by %.2f, or restore the sensor's drive voltage",

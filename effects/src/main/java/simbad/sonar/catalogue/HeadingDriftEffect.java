@@ -115,7 +115,7 @@ public final class HeadingDriftEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "correct the heading's drift, or reset it from time to time";
+    return "correct the drift of the heading, or reset the heading from time to time";
   }
 
   @Override

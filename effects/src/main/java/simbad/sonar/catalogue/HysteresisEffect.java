@@ -23,12 +23,12 @@ public final class HysteresisEffect implements Definition {
 
   @Override
   public String happens() {
-    return "an obstacle is picked up at a shorter distance than it is lost at";
+    return "an obstacle is found at a shorter distance than the one at which it is lost";
   }
 
   @Override
   public String briefly() {
-    return "picked up at a shorter distance than lost at";
+    return "an obstacle is found nearer than it is lost";
   }
 
   @Override

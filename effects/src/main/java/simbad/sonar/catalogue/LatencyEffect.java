@@ -65,7 +65,7 @@ public final class LatencyEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "stamp readings with the time of the ping, not with that of their arrival";
+    return "stamp readings with the time of the ping, not with the time of their arrival";
   }
 
   @Override

@@ -46,17 +46,17 @@ public final class MultipathEffect implements Definition {
 
   @Override
   public String happens() {
-    return "some echoes arrive by a longer way than the direct one";
+    return "some echoes take a longer way than the direct one, so they read too long";
   }
 
   @Override
   public String briefly() {
-    return "some echoes arrive by a longer way";
+    return "some echoes take a longer way than the direct one";
   }
 
   @Override
   public String cause() {
-    return "walls, corners or the floor beside the way, which send the sound round";
+    return "walls, corners or the floor beside the direct way, which reflect the sound";
   }
 
   @Override
@@ -126,7 +126,7 @@ public final class MultipathEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "cover or move what reflects beside the way, and take the least of readings";
+    return "cover or move what reflects the sound, and take the smallest of a few readings";
   }
 
   @Override

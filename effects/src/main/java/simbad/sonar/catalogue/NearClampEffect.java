@@ -27,17 +27,17 @@ public final class NearClampEffect implements Definition {
 
   @Override
   public String happens() {
-    return "ranges below a least value are reported as that value";
+    return "ranges below a smallest value are reported as that value";
   }
 
   @Override
   public String briefly() {
-    return "short ranges are reported as one least value";
+    return "short ranges are reported as one smallest value";
   }
 
   @Override
   public String cause() {
-    return "a sensor or a driver that reports no less than its minimum range";
+    return "a sensor or a driver that never reports less than its minimum range";
   }
 
   @Override
@@ -79,8 +79,6 @@ public final class NearClampEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return text(
-        "take readings of %.3f m for nearer than that, not for a distance",
-        values.value("least_m"));
+    return text("read %.3f m as 'this near or nearer', not as a distance", values.value("least_m"));
   }
 }

@@ -32,7 +32,7 @@ public final class ObstacleOffsetEffect implements Definition {
 
   @Override
   public String cause() {
-    return "an obstacle that was measured wrong or knocked";
+    return "an obstacle whose place was measured wrongly, or that was knocked";
   }
 
   @Override

@@ -34,7 +34,7 @@ public final class ObstacleTurnEffect implements Definition {
 
   @Override
   public String cause() {
-    return "an obstacle that was put up at another angle or knocked";
+    return "an obstacle that was set up at another angle, or knocked";
   }
 
   @Override
@@ -76,7 +76,7 @@ public final class ObstacleTurnEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return text("turn the obstacle's turn_deg by %+.1f", values.value("turn_deg"));
+    return text("change the obstacle's turn_deg by %+.1f", values.value("turn_deg"));
   }
 
   @Override

@@ -30,12 +30,12 @@ public final class OdometryScaleEffect implements Definition {
 
   @Override
   public String happens() {
-    return "distances travelled are believed too long or too short";
+    return "the robot believes that it travels farther, or less far, than it does";
   }
 
   @Override
   public String cause() {
-    return "a wheel diameter or a step length that is wrong, slip";
+    return "a wrong wheel diameter or step length, slip";
   }
 
   /** Where readings carry a robot's pose, that was reckoned, and the sensors are on the robot. */
@@ -78,7 +78,7 @@ public final class OdometryScaleEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "calibrate the odometry's way: it is off by a factor";
+    return "calibrate the odometry: distances are off by a factor";
   }
 
   @Override

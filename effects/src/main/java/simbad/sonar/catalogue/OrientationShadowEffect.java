@@ -36,7 +36,8 @@ public final class OrientationShadowEffect implements Definition {
 
   @Override
   public String happens() {
-    return "the threshold depends on the bearing where it was believed uniform";
+    return "the threshold depends on the bearing, but it was believed to be the same all "
+        + "round";
   }
 
   @Override

@@ -29,17 +29,17 @@ public final class PlacementErrorEffect implements Definition {
 
   @Override
   public String happens() {
-    return "each placement is a little elsewhere than believed, by its own amount";
+    return "each placement is a little off, by an amount of its own";
   }
 
   @Override
   public String briefly() {
-    return "each placement is a little elsewhere than believed";
+    return "each placement is a little off";
   }
 
   @Override
   public String cause() {
-    return "a tape or a ruler that was read in passing";
+    return "a tape or a ruler that was read without care";
   }
 
   @Override
@@ -68,7 +68,7 @@ public final class PlacementErrorEffect implements Definition {
   @Override
   public String remedy(FittedValues values) {
     return text(
-        "place things to better than %.1f cm, or give pose_sigma_m",
+        "place things more exactly than %.1f cm, or give pose_sigma_m",
         100 * values.value("deviation_m"));
   }
 

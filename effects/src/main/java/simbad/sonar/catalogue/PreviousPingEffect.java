@@ -42,7 +42,7 @@ public final class PreviousPingEffect implements Definition {
 
   @Override
   public String happens() {
-    return "an echo of the ping before is taken for one of this ping";
+    return "an echo of the previous ping is taken for one of this ping";
   }
 
   @Override
@@ -190,7 +190,7 @@ public final class PreviousPingEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "wait longer between pings, until the echoes of the one before have died";
+    return "wait longer between pings, until the echoes of the previous one have died away";
   }
 
   @Override

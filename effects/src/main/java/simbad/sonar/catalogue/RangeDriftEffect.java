@@ -43,7 +43,7 @@ public final class RangeDriftEffect implements Definition {
 
   @Override
   public String cause() {
-    return "electronics, a clock or the air round the sensor that warm up";
+    return "electronics, a clock or air that warms up";
   }
 
   @Override

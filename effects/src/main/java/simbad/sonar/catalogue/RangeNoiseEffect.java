@@ -85,7 +85,7 @@ public final class RangeNoiseEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "let the sensor's range_noise_m be what is fitted here, or average readings";
+    return "set the sensor's range_noise_m to the value fitted here, or average readings";
   }
 
   @Override

@@ -86,7 +86,7 @@ public final class RangeOffsetEffect implements Definition {
   public String remedy(FittedValues values) {
     double offset = values.value("offset_m");
     return text(
-        offset < 0 ? "add %.1f cm to every reading" : "take %.1f cm from every reading",
+        offset < 0 ? "add %.1f cm to every reading" : "subtract %.1f cm from every reading",
         100 * Math.abs(offset));
   }
 

@@ -82,7 +82,8 @@ public final class RangeWalkEffect implements Definition {
   @Override
   public String remedy(FittedValues values) {
     return text(
-        "take up to %.1f cm from the readings of weak echoes, or time the peak of the echo",
+        "subtract up to %.1f cm from the readings of weak echoes, or time the peak of "
+            + "the echo",
         100 * values.value("at_edge_m"));
   }
 }

@@ -71,7 +71,7 @@ public final class StaleReadingEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "report a missed echo as such: do not repeat the reading before";
+    return "report a missed echo as no echo: do not repeat the last reading";
   }
 
   @Override

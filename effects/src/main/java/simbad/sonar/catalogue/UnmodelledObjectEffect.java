@@ -47,17 +47,17 @@ public final class UnmodelledObjectEffect implements Definition {
 
   @Override
   public String happens() {
-    return "something that is not in the scene answers from a fixed place";
+    return "something that is not in the scene sends back echoes from a fixed place";
   }
 
   @Override
   public String briefly() {
-    return "something that is not in the scene answers";
+    return "something that is not in the scene sends back echoes";
   }
 
   @Override
   public String cause() {
-    return "furniture, a wall, a post, a cable, somebody who stands there";
+    return "furniture, a wall, a post, a cable, a person";
   }
 
   @Override
@@ -147,7 +147,7 @@ public final class UnmodelledObjectEffect implements Definition {
   @Override
   public String remedy(FittedValues values) {
     return text(
-        "look at x = %.2f m, z = %.2f m, and put what stands there into the scene",
+        "look at x = %.2f m, z = %.2f m, and put what is there into the scene",
         values.value("x_m"), values.value("z_m"));
   }
 

@@ -27,12 +27,13 @@ public final class VerticalBeamEffect implements Definition {
 
   @Override
   public String happens() {
-    return "the target is over or under the beam, or the floor's corner answers";
+    return "the target is above or below the beam, or the corner at the floor sends back "
+        + "the echo";
   }
 
   @Override
   public String briefly() {
-    return "what answers is over or under the sensor's axis";
+    return "what sends back the echo is above or below the sensor's axis";
   }
 
   @Override
@@ -63,7 +64,8 @@ public final class VerticalBeamEffect implements Definition {
   @Override
   public String remedy(FittedValues values) {
     return text(
-        "bring sensor and target to one height: what answers is %.0f cm over or under the axis",
+        "bring sensor and target to one height: the echo comes from %.0f cm above or "
+            + "below the axis",
         100 * values.value("height_m"));
   }
 }

@@ -82,6 +82,8 @@ public final class WrapEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return text("use a wider number: readings begin again after %.3f m", values.value("modulus_m"));
+    return text(
+        "use a number with more bits: readings start again from 0 after %.3f m",
+        values.value("modulus_m"));
   }
 }

@@ -52,10 +52,10 @@ public record FittedModel(
   private static void check(Form form, boolean calibrates, List<Form> before) {
     if (form.of().isEmpty() != calibrates) {
       throw new IllegalArgumentException(
-          form + (calibrates ? " is no calibration" : " is no form of an effect"));
+          form + (calibrates ? " is not a calibration" : " is not a form of an effect"));
     }
     if (before.contains(form)) {
-      throw new IllegalArgumentException(form + " stands twice");
+      throw new IllegalArgumentException(form + " appears twice");
     }
     before.add(form);
   }

@@ -113,7 +113,7 @@ public final class ModelFile {
                             + effect.map(Effect::word).orElse("the set-up")
                             + " before this scene and these sensors"));
     if (before.contains(form)) {
-      throw name.fault(form + " stands twice");
+      throw name.fault(form + " appears twice");
     }
     before.add(form);
     return new FittedForm(form, values(form, item.field("parameters")));
@@ -125,7 +125,7 @@ public final class ModelFile {
       if (!names.contains(found)) {
         throw parameters
             .field(found)
-            .fault("is no parameter of " + form + ": " + String.join(", ", names));
+            .fault("is not a parameter of " + form + ": " + String.join(", ", names));
       }
     }
     List<Double> values = new ArrayList<>();

@@ -113,9 +113,9 @@ class ModelFileTest {
       value = {
         "sonar-model/1 | sonar-model/2 | 2: format | \"sonar-model/2\" is not \"sonar-model/1\"",
         "\"sensors\": [\"left\", \"right\"], | . | 1: sensors | is missing",
-        "[\"left\", \"right\"] | [\"left\", 5] | 3: sensors.1 | 5 is no text",
+        "[\"left\", \"right\"] | [\"left\", 5] | 3: sensors.1 | 5 is not a text",
         "\"gain\" | \"gian\" | 11: changes.0.effect | \"gian\" is not the name of an effect",
-        "\"gain\" | 5 | 11: changes.0.effect | 5 is no text",
+        "\"gain\" | 5 | 11: changes.0.effect | 5 is not a text",
         "\"effect\": \"gain\", | . | 11: changes.0.effect | is missing",
         "\"form\": \"factor\", | . | 11: changes.0.form | is missing",
         "\"factor\", | \"actor\", | 11: changes.0.form | \"actor\" is not a form of gain",
@@ -123,14 +123,14 @@ class ModelFileTest {
         "\"tails\" | \"heads\" | 5: setup.0.form | \"heads\" is not a form of the set-up",
         "threshold:post | threshold:pole | 6: setup.1.form | is not a form of the set-up",
         "{\"factor\": 0.8} | {} | 11: changes.0.parameters.factor | is missing",
-        "{\"factor\": 0.8} | [] | 11: changes.0.parameters | [] is no object",
+        "{\"factor\": 0.8} | [] | 11: changes.0.parameters | [] is not an object",
         "\"factor\": 0.8 | \"factor\": 8 | 11: changes.0.parameters.factor | 8 is not a number in [",
         "\"factor\": 0.8 | \"factor\": \"infinity\" | 11: changes.0.parameters.factor | is not a number",
-        "\"factor\": 0.8 | \"factor\": 0.8, \"f\": 1 | 11: changes.0.parameters.f | is no parameter of",
+        "\"factor\": 0.8 | \"factor\": 0.8, \"f\": 1 | 11: changes.0.parameters.f | is not a parameter of",
         "\"infinity\" | \"infinite\" | 13: changes.1.parameters.start_m | is not a number in",
         "\"share\": 0.25 | \"share\": -1 | 5: setup.0.parameters.share | -1 is not a number in [0.0",
-        "\"changes\": [ | \"changes\": 5, \"c\": [ | 10: changes | is no list",
-        "\"setup\": [ | \"setup\": {}, \"c\": [ | 4: setup | {} is no list"
+        "\"changes\": [ | \"changes\": 5, \"c\": [ | 10: changes | is not a list",
+        "\"setup\": [ | \"setup\": {}, \"c\": [ | 4: setup | {} is not a list"
       })
   void field_spoiled_isNamed(String piece, String instead, String where, String part)
       throws Exception {
@@ -154,7 +154,7 @@ class ModelFileTest {
     String gain =
         "{\"effect\": \"gain\", \"form\": \"factor\", \"parameters\": {\"factor\": 0.8}},";
     String twice = Samples.MODEL.replace(gain, gain + "\n" + gain);
-    checkFault(twice, ":12: changes.1.form: ", "gain/factor stands twice");
+    checkFault(twice, ":12: changes.1.form: ", "gain/factor appears twice");
   }
 
   @Test
@@ -187,12 +187,13 @@ class ModelFileTest {
     Refusal.check(() -> new FittedForm(gain, List.of(9.0)), "factor = 9.0 is not in [0.2");
     List<FittedForm> none = List.of();
     Refusal.check(
-        () -> new FittedModel(setup, List.of(), List.of(fitted), none), "is no calibration");
+        () -> new FittedModel(setup, List.of(), List.of(fitted), none), "is not a calibration");
     Refusal.check(
-        () -> new FittedModel(setup, List.of(), none, List.of(fitted, fitted)), "stands twice");
+        () -> new FittedModel(setup, List.of(), none, List.of(fitted, fitted)), "appears twice");
     FittedForm tails = new FittedForm(SetupForms.all(setup).get(1), List.of(0.1, 0.1));
     Refusal.check(
-        () -> new FittedModel(setup, List.of(), none, List.of(tails)), "is no form of an effect");
+        () -> new FittedModel(setup, List.of(), none, List.of(tails)),
+        "is not a form of an effect");
   }
 
   @Test

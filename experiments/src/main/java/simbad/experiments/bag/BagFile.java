@@ -93,7 +93,7 @@ final class BagFile {
 
   private static byte[] head(Path file) throws IOException {
     if (!Files.isRegularFile(file)) {
-      throw new IOException("is no file and no folder");
+      throw new IOException("is neither a file nor a folder");
     }
     try (InputStream stream = Files.newInputStream(file)) {
       return stream.readNBytes(HEAD);

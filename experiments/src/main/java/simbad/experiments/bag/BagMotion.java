@@ -70,7 +70,7 @@ public record BagMotion(MotionData data, List<String> notes) {
     List<TrackPose> track = track(transforms, robot, fixed, startNs);
     if (track.isEmpty()) {
       throw DataFormatException.inFile(
-          recording.file(), "tells nowhere where '" + robot + "' was in '" + fixed + "'");
+          recording.file(), "has no place of '" + robot + "' in '" + fixed + "'");
     }
     Robot exact = Robot.EXACT_UNICYCLE;
     MotionData data =
@@ -147,7 +147,7 @@ public record BagMotion(MotionData data, List<String> notes) {
     notes.add(
         track.size() + " places of '" + robot + "' in '" + fixed + "', x right, y up the page");
     if (transforms.isByOdometry(robot)) {
-      notes.add("they are an odometry's: what the robot believes, not where it was");
+      notes.add("they come from odometry: where the robot believes it was, not where it was");
     }
     notes.add(
         String.format(

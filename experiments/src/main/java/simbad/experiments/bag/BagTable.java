@@ -94,7 +94,7 @@ public record BagTable(String text, Map<String, List<String>> settings, List<Str
       }
       if (rows == 0) {
         throw fault(
-            "has no range whose sensor's place is known: "
+            "has no range from a sensor with a known place: "
                 + placeless
                 + " without a pose in '"
                 + fixed
@@ -119,15 +119,15 @@ public record BagTable(String text, Map<String, List<String>> settings, List<Str
         String frame = Recording.frame(range.frame());
         if (!recording.transforms().knows(frame)) {
           throw fault(
-              "says nowhere where the sensor's frame '"
+              "does not say where the sensor's frame '"
                   + frame
-                  + "' is: expected it in /tf_static, /tf or an odometry");
+                  + "' is: expected it in /tf_static, /tf or odometry");
         }
         List<String> way = recording.transforms().upwards(frame);
         roots.add(way.get(way.size() - 1));
       }
       if (roots.size() > 1) {
-        throw fault("has sensors below " + roots + ", which nothing joins");
+        throw fault("has sensors below " + roots + ", and nothing connects these");
       }
       return roots.iterator().next();
     }
@@ -214,7 +214,7 @@ public record BagTable(String text, Map<String, List<String>> settings, List<Str
     private List<String> notes(String fixed) {
       List<String> notes = new ArrayList<>();
       notes.add(
-          "places are told in the frame '" + fixed + "', seen from above: x right, y up the page");
+          "places are given in the frame '" + fixed + "', seen from above: x right, y up the page");
       note(notes, RangeMessage.Meaning.NOTHING, "without an echo (+infinity, or beyond max_range)");
       note(
           notes,
@@ -226,7 +226,7 @@ public record BagTable(String text, Map<String, List<String>> settings, List<Str
       }
       if (ranges.stream().map(r -> List.of(r.leastM(), r.mostM(), r.fieldRad())).distinct().count()
           > 1) {
-        notes.add("the messages differ in their limits; those of the first stand in the scene");
+        notes.add("the messages have different limits; the scene has those of the first message");
       }
       return notes;
     }

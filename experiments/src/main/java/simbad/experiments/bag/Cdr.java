@@ -111,7 +111,7 @@ final class Cdr {
     for (int i = 0; i < numbers.length; i++) {
       numbers[i] = real();
       if (!Double.isFinite(numbers[i])) {
-        throw new IOException("has a pose that is no number");
+        throw new IOException("has a pose that is not a number");
       }
       if (Math.abs(numbers[i]) > FARTHEST) {
         throw new IOException("has a pose with " + numbers[i] + ", expected at most " + FARTHEST);

@@ -177,7 +177,7 @@ final class Mcap {
         new FramedLZ4CompressorInputStream(new ByteArrayInputStream(packed))) {
       return stream.readNBytes(size + 1);
     } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
-      throw new IOException("a chunk that is no lz4 frame", e);
+      throw new IOException("a chunk that is not an lz4 frame", e);
     }
   }
 
@@ -188,7 +188,7 @@ final class Mcap {
           new ZstdDecompressor().decompress(packed, 0, packed.length, plain, 0, plain.length);
       return made == size ? plain : Arrays.copyOf(plain, made);
     } catch (RuntimeException e) {
-      throw new IOException("a chunk that is no zstd frame", e);
+      throw new IOException("a chunk that is not a zstd frame", e);
     }
   }
 

@@ -100,7 +100,7 @@ public final class Recording {
       numbers[i] = cdr.real();
     }
     if (!Double.isFinite(numbers[0]) || !Double.isFinite(numbers[5])) {
-      throw new IOException("has a speed that is no number");
+      throw new IOException("has a speed that is not a number");
     }
     twists.add(new TwistMessage(message.topic(), stampNs, numbers[0], numbers[5]));
   }

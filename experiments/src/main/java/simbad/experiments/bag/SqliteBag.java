@@ -46,7 +46,7 @@ final class SqliteBag {
         }
       }
     } catch (SQLException e) {
-      throw new IOException("is no recording in SQLite: " + e.getMessage(), e);
+      throw new IOException("is not a recording in SQLite: " + e.getMessage(), e);
     }
   }
 }

@@ -69,7 +69,7 @@ public final class BatchFolder {
     if (!TextFile.read(folder.resolve(SPEC)).equals(text)) {
       throw DataFormatException.inFile(
           folder.resolve(SPEC),
-          "is another spec than " + specFile + ", expected the same or another --out");
+          "is not the same spec as " + specFile + "; use that spec, or another --out");
     }
     if (!origin.text("version").equals(version)) {
       throw origin
@@ -95,7 +95,7 @@ public final class BatchFolder {
         texts.put(folder.relativize(file).toString().replace('\\', '/'), TextFile.read(file));
       }
     } catch (IOException e) {
-      throw DataFormatException.inFile(folder, "is no folder that can be read");
+      throw DataFormatException.inFile(folder, "is not a folder that can be read");
     }
     return texts;
   }

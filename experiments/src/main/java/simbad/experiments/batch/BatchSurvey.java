@@ -157,7 +157,7 @@ public record BatchSurvey(long runs, long wrongRuns, List<Group> groups, List<Wr
       }
       if (!row.getField("closed").equals("true")) {
         unclosed++;
-        return "did not get round";
+        return "did not complete the round";
       }
       String kept = row.getField("edge_kept");
       if (!follows(row) || kept.isEmpty() || Double.parseDouble(kept) >= EdgeKept.LEAST_SHARE) {

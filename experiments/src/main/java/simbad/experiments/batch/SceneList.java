@@ -76,7 +76,7 @@ final class SceneList {
     Path name = InputPlace.name(where, where.text());
     SensingSetup setup = SceneFile.read(place.of(SCENES, position, name));
     if (setup.scene().obstacles().isEmpty()) {
-      throw where.fault("has no obstacle, expected one to circle");
+      throw where.fault("has no obstacle, but a robot needs one to circle");
     }
     return BatchScene.of(String.valueOf(name.normalize().getFileName()), setup);
   }

@@ -20,7 +20,7 @@ final class SpecFields {
       if (!List.of(known).contains(name)) {
         throw object
             .field(name)
-            .fault("is no field here, expected one of " + String.join(", ", known));
+            .fault("is not a field here, expected one of " + String.join(", ", known));
       }
     }
   }
@@ -45,7 +45,7 @@ final class SpecFields {
     for (JsonInput item : value.isList() ? filled(value) : List.of(value)) {
       double number = item.number(valid, expected);
       if (numbers.contains(number)) {
-        throw item.fault(number + " stands twice");
+        throw item.fault(number + " appears twice");
       }
       numbers.add(number);
     }
@@ -58,7 +58,7 @@ final class SpecFields {
     Set<Long> before = new HashSet<>();
     for (JsonInput item : filled(list)) {
       if (!before.add(item.whole())) {
-        throw item.fault(item.whole() + " stands twice");
+        throw item.fault(item.whole() + " appears twice");
       }
       numbers.add(item.whole());
     }

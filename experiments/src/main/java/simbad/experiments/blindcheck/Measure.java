@@ -62,7 +62,7 @@ public record Measure(
                   Figures::classMean),
               new Measure(
                   "probability of the truth",
-                  "mean probability of what is so",
+                  "mean probability given to the truth",
                   Unit.AREA,
                   OptionalDouble.empty(),
                   Figures::probabilityOfTruth),
@@ -103,7 +103,7 @@ public record Measure(
               fault("all wrong", "all cases: wrong, by the table"),
               share("singles called explained", "one effect: called explained"),
               share("singles detected", "one effect: not called none"),
-              share("singles named exactly, of detected", "of these: named by the very name"),
+              share("singles named exactly, of detected", "of these: named exactly"),
               share("singles family right, of detected", "of these: a name of the same stage"),
               share("singles truth in named set, of detected", "of these: among names and ties"),
               share("pairs called explained", "two effects: called explained"),

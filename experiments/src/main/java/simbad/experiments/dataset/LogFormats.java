@@ -34,7 +34,8 @@ final class LogFormats {
       return name.map(Charset::forName);
     } catch (IllegalArgumentException e) {
       throw LogSettings.fault(
-          "encoding", "'" + name.orElse("") + "' is no encoding, expected such as UTF-8, latin1");
+          "encoding",
+          "'" + name.orElse("") + "' is not an encoding, expected for example UTF-8, latin1");
     }
   }
 

@@ -69,7 +69,7 @@ final class LogGuess {
     boolean two = log.names().size() == 2;
     if (named.isPresent() || two || log.names().size() == 1) {
       int column = named.orElse(two ? (isNamed(TRUE, 1) ? 0 : 1) : 0);
-      assumptions.add("The ranges stand in column " + shown(column) + " (--range).");
+      assumptions.add("The ranges are in column " + shown(column) + " (--range).");
       return word(column);
     }
     return ask("range", "which column holds the sensor's readings", log.shown());
@@ -89,7 +89,7 @@ final class LogGuess {
     boolean two = log.names().size() == 2 && ranges.size() == 1;
     if (named.isPresent() || two) {
       int column = named.orElse(two ? 1 - ranges.get(0) : 0);
-      assumptions.add("The true distances stand in column " + shown(column) + " (--distance).");
+      assumptions.add("The true distances are in column " + shown(column) + " (--distance).");
       return word(column);
     }
     return ask(
@@ -103,7 +103,7 @@ final class LogGuess {
         settings.has("distance")
             && Stream.of("x", "bearing", "pan", "target-turn", "heading").noneMatch(settings::has);
     if (ladder) {
-      assumptions.add("The target is a board of 1.2 m, squarely before the sensor (--target).");
+      assumptions.add("The target is a board of 1.2 m that faces the sensor (--target).");
       return "board:1.2m";
     }
     return ask(

@@ -94,7 +94,7 @@ public final class LogImport {
       String word = settings.find("scene").orElse("");
       Optional<Path> file = LogSettings.findFile(word);
       if (file.isEmpty()) {
-        throw LogSettings.fault("scene", "'" + word + "' is no file");
+        throw LogSettings.fault("scene", "'" + word + "' is not a file");
       }
       SensingSetup scene = SceneFile.read(file.get());
       return new LogImport(settings, logs, assumptions, scene.sensor())
@@ -130,7 +130,7 @@ public final class LogImport {
             "sound-speed",
             "mount")) {
       if (settings.has(option)) {
-        throw LogSettings.fault(option, "stands beside --scene, which says it");
+        throw LogSettings.fault(option, "does not go with --scene, which says the same");
       }
     }
   }
@@ -154,7 +154,7 @@ public final class LogImport {
       }
     }
     if (taken.rows().isEmpty()) {
-      throw logs.get(0).fault("has no row that is taken" + why(taken));
+      throw logs.get(0).fault("no row is left to read" + why(taken));
     }
     List<ReadingRow> rows = rows(taken);
     SensingSetup believed = scene.isPresent() ? scene.get() : setup(targets, mounts);
@@ -181,7 +181,7 @@ public final class LogImport {
     if (taken.poseless() > 0) {
       assumptions.add(
           Assumptions.counted(taken.poseless(), "row")
-              + " left out: nothing is said of where something was.");
+              + " left out: they do not say where sensor or target was.");
     }
     Optional<ReadingRow> repeated = LoggedPlacements.findRepeatedTime(rows);
     boolean far = rows.stream().anyMatch(row -> Math.abs(row.timeS()) > GREATEST_S);
@@ -192,16 +192,16 @@ public final class LogImport {
       assumptions.add(
           "Times are left out: "
               + repeated.get().timeS()
-              + " s stands twice for one run and sensor, so they do not order the readings.");
+              + " s appears twice for one run and sensor, so the times do not order the "
+              + "readings.");
       rows = LoggedPlacements.untimed(rows);
     } else if (!rows.get(0).isTimed()) {
-      assumptions.add("The readings have no times; nothing that remembers can be diagnosed.");
+      assumptions.add("The readings have no times, so no effect with a memory can be diagnosed.");
     }
     List<ReadingRow> named = LoggedPlacements.named(rows);
     if (!named.equals(rows)) {
       assumptions.add(
-          "Neighbouring rows at equal poses were taken without anything being moved"
-              + " (--placement).");
+          "Nothing was moved between neighbouring rows with equal poses (--placement).");
     }
     return named;
   }
@@ -267,8 +267,8 @@ public final class LogImport {
     double stepM = Resolution.stepM(logs, settings.find("range").orElse(""), unit);
     assumptions.add(
         stepM > 0
-            ? "Ranges come in steps of " + stepM + " m, as they stand in the log (--resolution)."
-            : "Ranges are not rounded to steps worth speaking of (--resolution).");
+            ? "Ranges come in steps of " + stepM + " m, as in the log (--resolution)."
+            : "The steps of the ranges are too small to matter (--resolution).");
     return stepM;
   }
 

@@ -101,7 +101,7 @@ final class LogLines {
     } catch (CsvParseException | IOException e) {
       Throwable cause = e.getCause();
       String reason = cause == null ? "" : ": " + cause.getMessage();
-      throw DataFormatException.inFile(file, "is no table: " + e.getMessage() + reason);
+      throw DataFormatException.inFile(file, "is not a table: " + e.getMessage() + reason);
     }
     return lines;
   }

@@ -61,7 +61,7 @@ final class LogPoses {
         figures.length("x", "pose-unit", LEAST).map(is -> is.from(origin(0)));
     if (settings.has("bearing")) {
       if (distance.isEmpty()) {
-        throw LogSettings.fault(DISTANCE, "is missing: --bearing wants the distance as well");
+        throw LogSettings.fault(DISTANCE, "is missing: --bearing needs the distance as well");
       }
       return new PoseRule.Round(
           distance.get(), figures.angle("bearing").orElseThrow(), frontM("centre"));
@@ -104,7 +104,7 @@ final class LogPoses {
     Optional<LogNumber> number = LogNumber.find(name, log.decimalComma());
     if (number.isEmpty()) {
       throw LogSettings.fault(
-          DISTANCE, "header: the column's name '" + name + "' is no distance such as 30cm");
+          DISTANCE, "header: the column's name '" + name + "' is not a distance such as 30cm");
     }
     Optional<Unit> own = number.get().unit();
     Unit unit = own.isPresent() ? own.get() : figures.unit("distance-unit", Unit.Kind.LENGTH);
@@ -118,7 +118,7 @@ final class LogPoses {
     }
     double front = target.frontM();
     if (!settings.has("distance-to") && front != 0) {
-      assumptions.add("Distances count to the target's " + to + " (--distance-to).");
+      assumptions.add("Distances are measured to the target's " + to + " (--distance-to).");
     }
     return to.equals("surface") ? front : 0;
   }
@@ -126,7 +126,7 @@ final class LogPoses {
   /** What is down the page under one name, or up under another. */
   private Optional<LoggedFigure> down(String down, String up) throws DataFormatException {
     if (settings.has(down) && settings.has(up)) {
-      throw LogSettings.fault(up, "stands beside --" + down + ", expected one of them");
+      throw LogSettings.fault(up, "does not go with --" + down + ", expected one of them");
     }
     Optional<LoggedFigure> below = figures.length(down, "pose-unit", LEAST);
     return below.isPresent()

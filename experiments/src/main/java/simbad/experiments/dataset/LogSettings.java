@@ -101,7 +101,7 @@ public final class LogSettings {
           option,
           "'"
               + text
-              + "' is no number with its unit, such as 30"
+              + "' is not a number with its unit, such as 30"
               + Unit.words(kind).split(",", 2)[0]
               + " ("
               + Unit.words(kind)

@@ -87,9 +87,7 @@ final class LogSummary {
     }
     long zero = echoes(range -> range == 0);
     if (zero > 0) {
-      notes.add(
-          Assumptions.counted(zero, "range")
-              + " of 0: --no-echo 0, if that says that no echo came");
+      notes.add(Assumptions.counted(zero, "range") + " of 0; if 0 means no echo: --no-echo 0");
     }
     if (!taken.bad().isEmpty()) {
       notes.add(
@@ -100,7 +98,7 @@ final class LogSummary {
     if (taken.poseless() > 0) {
       notes.add(
           Assumptions.counted(taken.poseless(), "row")
-              + " left out that say nothing of where something was");
+              + " left out: they do not say where sensor or target was");
     }
     return notes;
   }

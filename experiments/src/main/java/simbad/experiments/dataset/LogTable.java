@@ -182,7 +182,7 @@ final class LogTable {
 
   DataFormatException twice(String column) {
     return DataFormatException.inField(
-        file, headerLine, column, "stands twice; say its number: " + shown());
+        file, headerLine, column, "appears twice; give its number: " + shown());
   }
 
   /** The columns with their numbers and the first of what stands in them. */

@@ -62,7 +62,7 @@ final class LogText {
       }
       return bytes;
     } catch (IOException e) {
-      throw DataFormatException.inFile(file, "is no whole gzip file: " + e.getMessage());
+      throw DataFormatException.inFile(file, "is not a complete gzip file: " + e.getMessage());
     }
   }
 
@@ -123,7 +123,7 @@ final class LogText {
     long unreadable = text.chars().limit(length).filter(LogText::isUnreadable).count();
     if (unreadable > MOST_UNREADABLE * length) {
       throw DataFormatException.inFile(
-          file, "is no text: " + unreadable + " of " + length + " characters are none");
+          file, "is not text: " + unreadable + " of " + length + " characters cannot be read");
     }
   }
 

@@ -91,14 +91,14 @@ public final class MotionImport {
     for (Map.Entry<String, List<TrackPose>> run : track.entrySet()) {
       List<Command> ofRun = commands.get(run.getKey());
       if (ofRun == null) {
-        throw seen.fault("has the run '" + run.getKey() + "', of which no command is known");
+        throw seen.fault("has the run '" + run.getKey() + "', but there are no commands for it");
       }
       runs.add(new MotionRun(run.getKey(), ofRun, run.getValue()));
     }
     double sigmaM = settings.findMeasure("track-sigma", Unit.Kind.LENGTH).orElse(0.001);
     double sigmaDeg = settings.findMeasure("heading-sigma", Unit.Kind.ANGLE).orElse(0.1);
-    assume("track-sigma", "The track is good to a millimetre (--track-sigma).");
-    assume("heading-sigma", "Its headings are good to 0.1 degrees (--heading-sigma).");
+    assume("track-sigma", "The track is exact to a millimetre (--track-sigma).");
+    assume("heading-sigma", "Its headings are exact to 0.1 degrees (--heading-sigma).");
     boolean separate = settings.word("clocks", "one", "separate").equals("separate");
     assume("clocks", "Commands and track have one clock (--clocks separate).");
     Robot robot =
@@ -195,7 +195,8 @@ public final class MotionImport {
             : Optional.empty();
     if (unit.isEmpty() && settings.has(unitOption)) {
       throw LogSettings.fault(
-          unitOption, "'" + word + "' is no such rate, expected such as " + usual.word() + "/s");
+          unitOption,
+          "'" + word + "' is not such a rate; expected for example " + usual.word() + "/s");
     }
     if (unit.isEmpty()) {
       assumptions.add("'" + name + "' is in " + usual.word() + "/s (--" + unitOption + ").");

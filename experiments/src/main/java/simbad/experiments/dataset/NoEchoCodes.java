@@ -57,7 +57,8 @@ record NoEchoCodes(List<DoublePredicate> numbers, List<String> words) {
       String plain = code.strip().toLowerCase(Locale.ROOT);
       Optional<LogNumber> number = LogNumber.find(plain.replaceFirst("^[<>]=", ""), false);
       if (number.isEmpty() && plain.matches("[<>].*")) {
-        throw LogSettings.fault("no-echo", "'" + plain + "' is no number, expected such as >=400");
+        throw LogSettings.fault(
+            "no-echo", "'" + plain + "' is not a number, expected such as >=400");
       }
       words.add(plain);
       number.ifPresent(is -> numbers.add(test(plain, is.value())));

@@ -50,7 +50,7 @@ record RangeRule(Unit unit, double soundSpeedMPerS, NoEchoCodes codes) {
   private String hint() {
     return codes.equals(NoEchoCodes.NONE)
         ? ""
-        : " (--no-echo names what stands for no echo, --skip-bad leaves such rows out)";
+        : " (--no-echo names values that mean no echo, --skip-bad leaves such rows out)";
   }
 
   private double rangeM(LogNumber number) {

@@ -44,7 +44,11 @@ final class DiagnosisWords {
     String in = folded.folded().isEmpty() ? "none" : String.join(", ", folded.folded());
     String out = folded.leftOut().isEmpty() ? "none" : String.join(", ", folded.leftOut());
     return SonarHeader.line(
-            " * Of a diagnosis; folded in: " + in + "; only scatter, left out: " + out + ".")
+            " * From a diagnosis. Effects included: "
+                + in
+                + ". Left out, since they only scatter: "
+                + out
+                + ".")
         + "\n * "
         + name
         + "_read_next reads with all of them; what it remembers is in "

@@ -96,7 +96,7 @@ public final class FoldedDiagnosis {
         .forEach(this::take);
   }
 
-  private static final String NO_FORM = "that has no form in C";
+  private static final String NO_FORM = "that cannot be written in C";
 
   /** Tells whether the sensor hears by the level law: a {@link LevelHeader} holds it. */
   public boolean isLevel() {

@@ -87,8 +87,8 @@ public final class SonarHeader {
       throw new IllegalArgumentException(
           "name '"
               + name
-              + "' is no beginning of names in C: small letters, digits and"
-              + " underscores, a letter first, 31 at most");
+              + "' cannot begin names in C; expected a small letter, then small letters, "
+              + "digits or underscores, 31 at most");
     }
   }
 

@@ -103,13 +103,13 @@ public record FidelityVerdict(List<LimitCheck> checks) {
 
   private static String radialWords(OptionalDouble mean) {
     return mean.isPresent()
-        ? text("radial error %.2f cm in the mean", CM * mean.getAsDouble())
+        ? text("mean radial error %.2f cm", CM * mean.getAsDouble())
         : NO_BEARING;
   }
 
   private static String lateralWords(RunResult result) {
     return result.hasLateralErrors()
-        ? text("%.2f cm beside the edge in the mean", CM * result.errors().lateralMeanM())
+        ? text("mean distance from the edge %.2f cm", CM * result.errors().lateralMeanM())
         : NO_TRACE;
   }
 

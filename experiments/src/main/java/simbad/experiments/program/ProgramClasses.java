@@ -110,7 +110,7 @@ record ProgramClasses(
           manifest == null ? null : manifest.getMainAttributes().getValue(Name.MAIN_CLASS);
       return main == null ? "" : main.strip();
     } catch (ZipException e) {
-      throw DataFormatException.inFile(file, "is no jar");
+      throw DataFormatException.inFile(file, "is not a jar");
     }
   }
 

@@ -83,7 +83,10 @@ public record ErrorParts(
     if (mean.isEmpty()) {
       return "none (no bearing was reached)";
     }
-    String missed = result.trace().isClosed() ? "" : " (not once round: " + unreached(result) + ")";
+    String missed =
+        result.trace().isClosed()
+            ? ""
+            : " (the round was not completed: " + unreached(result) + ")";
     return String.format(Locale.ROOT, "%.2f cm%s", 100 * mean.getAsDouble(), missed);
   }
 

@@ -110,8 +110,8 @@ public record TraceMove(RunResult result, String against, Radii radii) {
   public String sentence() {
     return String.format(
         Locale.ROOT,
-        "%s, %s: the robot's way lies %.1f cm %s than %s on average, at %.2f of its distance"
-            + " (%d of %d bearings)",
+        "%s, %s: on average the robot drives %.1f cm %s than %s, at %.2f "
+            + "times its distance (%d of %d bearings)",
         result.sensor().word(),
         result.type().name(),
         100 * Math.abs(radii.moveM()),

@@ -108,7 +108,7 @@ public record TableImport(
     }
     throw DataFormatException.inFile(
         csv.file(),
-        "no column is known to hold the "
+        "no column has a known name for the "
             + what
             + "; found "
             + String.join(", ", csv.columns())
@@ -151,7 +151,7 @@ public record TableImport(
       double bearing = deg >= TURN_DEG - SAME_DEG ? 0 : deg;
       boolean fullTurn = row == csv.size() - 1 && bearing == 0 && rows.containsKey(0.0);
       if (!fullTurn && rows.put(bearing, row) != null) {
-        throw csv.fault(row, column, "bearing " + csv.text(row, column) + " stands twice");
+        throw csv.fault(row, column, "bearing " + csv.text(row, column) + " appears twice");
       }
     }
     return rows;

@@ -36,7 +36,7 @@ class BatchSpecTest {
           {}|spec.json:1: format: is missing
           {'format': 'simbad-batch/2'}|spec.json:1: format: "simbad-batch/2" is not "simbad-batch/1"
           {'format': 'simbad-batch/1'}|spec.json:1: JSON: neither obstacles nor scenes, expected at least one
-          {'format': 'simbad-batch/1', 'obstacles': 3}|spec.json:1: obstacles: 3 is no list
+          {'format': 'simbad-batch/1', 'obstacles': 3}|spec.json:1: obstacles: 3 is not a list
           """)
   void wholeSpec_isRefused(String text, String message) throws Exception {
     assertEquals(message, complaint(text));
@@ -48,25 +48,25 @@ class BatchSpecTest {
       quoteCharacter = '`',
       textBlock =
           """
-          'sensor': ['shadow']|sensor: is no field here, expected one of format, obstacles, scenes, sensors, sensor_files, effects, controllers, speeds_m_per_s, seeds, sample, traces
+          'sensor': ['shadow']|sensor: is not a field here, expected one of format, obstacles, scenes, sensors, sensor_files, effects, controllers, speeds_m_per_s, seeds, sample, traces
           'seeds': []|seeds: is empty, expected at least one
           'sensors': []|sensors: is empty, expected at least one
           'effects': []|effects: is empty, expected at least one
-          'seeds': [1, 2, 1]|seeds.2: 1 stands twice
+          'seeds': [1, 2, 1]|seeds.2: 1 appears twice
           'seeds': [1.5]|seeds.0: 1.5 is not a whole number of 64 bits
           'seeds': {'from': 1}|seeds.count: is missing
           'seeds': {'from': 1, 'count': 0}|seeds.count: 0 is not a whole number of at least 1
           'seeds': {'from': 2, 'count': 9223372036854775807}|seeds.count: the last seed is beyond 64 bits
-          'seeds': {'from': 1, 'count': 2, 'step': 2}|seeds.step: is no field here, expected one of from, count
+          'seeds': {'from': 1, 'count': 2, 'step': 2}|seeds.step: is not a field here, expected one of from, count
           'speeds_m_per_s': [0]|speeds_m_per_s.0: 0 is not a speed in (0, 1.0] m/s
-          'speeds_m_per_s': [0.1, 0.1]|speeds_m_per_s.1: 0.1 stands twice
+          'speeds_m_per_s': [0.1, 0.1]|speeds_m_per_s.1: 0.1 appears twice
           'sensors': ['sonar']|sensors.0: "sonar" is not one of original, ray, shadow, overlap, noisy, level, level-noisy, diagnosed:DIR
           'sensors': ['diagnosed:']|sensors.0: "diagnosed:" is not the name of a file or folder
           'controllers': [{'parameters': {}}]|controllers.0.name: is missing
           'controllers': [{'name': 'x'}]|controllers.0.name: "x" is not the name of a controller: edge-follower, moody
-          'controllers': [{'name': 'moody', 'parameters': {'mod': 1}}]|controllers.0.parameters.mod: is no field here, expected one of mood
+          'controllers': [{'name': 'moody', 'parameters': {'mod': 1}}]|controllers.0.parameters.mod: is not a field here, expected one of mood
           'controllers': [{'name': 'moody', 'parameters': {'mood': 4}}]|controllers.0.parameters.mood: 4 is not a number in [0.0, 3.0]
-          'controllers': [{'name': 'moody', 'parameters': {'mood': [1, 1]}}]|controllers.0.parameters.mood.1: 1.0 stands twice
+          'controllers': [{'name': 'moody', 'parameters': {'mood': [1, 1]}}]|controllers.0.parameters.mood.1: 1.0 appears twice
           'sensors': ['noisy'], 'effects': [[{'effect': 'gain'}]]|effects.0.0.form: is missing
           'sensors': ['noisy'], 'effects': [[{'effect': 'gain', 'form': 'factor', 'parameters': {'factor': 9}}]]|effects.0.0.parameters.factor: 9 is not a number in [0.2, 3.0]
           'sensors': ['ray'], 'effects': [[{'effect': 'dropout', 'form': 'single', 'parameters': {'share': 0.1}}]]|sensors.0: effects act on the nominal model, so on the sensors shadow and noisy only

@@ -42,7 +42,7 @@ class BatchSurveyTest {
         survey.groups().get(1));
     assertEquals(0, survey.groups().get(0).lost(), "the original sensor follows no edge");
     assertEquals(
-        List.of("edge kept: 0.94", "did not get round", "failed: no <b>"),
+        List.of("edge kept: 0.94", "did not complete the round", "failed: no <b>"),
         survey.wrong().stream().map(BatchSurvey.Wrong::what).toList());
     assertEquals("e, angle 5, 0.1 m/s, seed 2", survey.wrong().get(0).settings());
   }

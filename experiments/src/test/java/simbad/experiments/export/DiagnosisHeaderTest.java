@@ -175,7 +175,8 @@ class DiagnosisHeaderTest {
                 new FoldedDiagnosis(model("gain/factor 0.9, range-noise/constant 0.02"), ""), "s")
             .text("test");
     assertTrue(
-        text.contains("folded in: gain/factor; only scatter, left out: range-noise/constant"));
+        text.contains(
+            "included: gain/factor. Left out, since they only scatter: range-noise/constant"));
   }
 
   @ParameterizedTest

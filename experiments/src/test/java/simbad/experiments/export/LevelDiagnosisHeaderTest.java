@@ -209,7 +209,8 @@ class LevelDiagnosisHeaderTest {
             assertThrows(IllegalArgumentException.class, () -> new FoldedDiagnosis(model, ""))
                 .getMessage());
     assertTrue(message.contains("effect " + effect.replaceFirst(" .*", "")), message);
-    assertTrue(message.endsWith("that has no form in C where the sensor hears by the level law"));
+    assertTrue(
+        message.endsWith("that cannot be written in C where the sensor hears by the level law"));
   }
 
   @Test
@@ -218,8 +219,7 @@ class LevelDiagnosisHeaderTest {
     assertTrue(folded.isLevel());
     String text = new LevelHeader(folded, "s").text("test");
     assertTrue(
-        text.contains(
-            "folded in: setup/level, setup/strength:angle, setup/path:angle, gain/level;"),
+        text.contains("included: setup/level, setup/strength:angle, setup/path:angle, gain/level."),
         text);
     assertTrue(text.contains("s_read_next(s_memory *memory, s_pose at)"));
   }

@@ -37,7 +37,7 @@ final class BatchPage {
     own.addPanels();
     own.addTable();
     own.addWrong();
-    own.page.section("What this was made of");
+    own.page.section("Files and program");
     own.page.soft("Program ", version, ". All rows are in results.csv, the spec in spec.json.");
     return own.page.html();
   }
@@ -49,7 +49,7 @@ final class BatchPage {
   private void addVerdict() {
     Html runs = Html.strong(survey.runs() == 1 ? "1 run" : survey.runs() + " runs");
     if (survey.wrongRuns() == 0) {
-      page.verdict(runs, ": all went round, and nothing went wrong.");
+      page.verdict(runs, ": all completed their round, and nothing went wrong.");
     } else {
       page.missed(
           runs,
@@ -57,9 +57,9 @@ final class BatchPage {
           sum(Group::failed),
           " failed, ",
           sum(Group::unclosed),
-          " did not get round, ",
+          " did not complete the round, ",
           sum(Group::lost),
-          " got round and did not keep the edge.");
+          " completed the round but did not keep the edge.");
     }
   }
 
@@ -101,8 +101,8 @@ final class BatchPage {
     survey.groups().stream().limit(MOST_GROUPS).forEach(group -> add(table, group));
     page.section("By obstacle and sensor").table(table);
     page.soft(
-        "mean: of the runs' mean radial errors |r - T|; max: the greatest of all. Edge not kept: less"
-            + " than 95\u00a0% of it has a place of the trace within 5 cm.");
+        "mean: mean of the runs' mean radial errors |r - T|; max: the greatest of all. "
+            + "Edge not kept: the trace came within 5 cm of less than 95\u00a0% of the edge.");
   }
 
   private static void add(Table table, Group group) {
@@ -139,7 +139,7 @@ final class BatchPage {
                     shortened(one.what())));
     page.table(table);
     if (survey.wrong().size() < survey.wrongRuns()) {
-      page.soft("The first " + survey.wrong().size() + " stand here, all in results.csv.");
+      page.soft("The first " + survey.wrong().size() + " are listed here; all are in results.csv.");
     }
   }
 

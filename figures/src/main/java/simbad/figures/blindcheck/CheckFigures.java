@@ -34,7 +34,8 @@ final class CheckFigures {
   private static PagePicture reliability(
       String title, Figures figures, StatedProbabilities calibration) {
     String words = title + "; " + figures.part() + "; n = " + calibration.claims();
-    AgreementGraph graph = new AgreementGraph(words, "probability stated", "share that was so", 0);
+    AgreementGraph graph =
+        new AgreementGraph(words, "probability stated", "share that was true", 0);
     Table table = Table.of("#stated", "#cases", "#so", "#share", "#95\u00a0% interval");
     for (StatedProbabilities.Bin bin : calibration.bins()) {
       String interval = Numbers.percent(bin.low()) + " to " + Numbers.percent(bin.high());
@@ -53,7 +54,8 @@ final class CheckFigures {
             figures.part()
                 + "; n = "
                 + calibration.claims()
-                + ". Cases of like probability, with 95\u00a0% intervals.")
+                + ". Each point is a group of cases with similar probability; bars are 95\u00a0% "
+                + "intervals.")
         .with("As a table", table);
   }
 
@@ -84,7 +86,7 @@ final class CheckFigures {
     return new PagePicture(
         "Shrinkage of the gap",
         graph.html(),
-        words + ". Cases with something named or left unexplained.");
+        words + ". Only cases with a named effect, or with a gap that is unexplained.");
   }
 
   private static double least(List<Spot> claims) {

@@ -23,9 +23,10 @@ final class CheckPage {
     Html.strong("L2"),
     " besides, other physics in the set-up; ",
     Html.strong("L2w"),
-    " echoes with a wave form and a receiver, and a user who calibrates; L3 a physical log. L1 finds"
-        + " faults of the program; only L2 and L3 tell how it will do elsewhere, and where they"
-        + " differ L2 is the one to believe. Robots that drive are ",
+    " echoes with a wave form and a receiver, and a user who calibrates; L3 a "
+        + "physical log. L1 finds faults of the program. Only L2 and L3 show how well "
+        + "the diagnosis does elsewhere; where L1 and L2 differ, believe L2. For robots "
+        + "that drive the levels are ",
     Html.strong("M1"),
     ", independent code and a robot as it is believed to be, and ",
     Html.strong("M2"),
@@ -78,9 +79,9 @@ final class CheckPage {
         .ifPresent(right -> addHeadline(part, right));
     if (!order.withheld().isEmpty()) {
       page.note(
-          "The diagnosis was not told of ",
+          "The diagnosis did not know ",
           String.join(", ", order.withheld()),
-          ": such data must be called unexplained.");
+          ": it must call such data unexplained.");
     }
     long unanswered = scores.cases().stream().filter(one -> !one.has("verdict")).count();
     if (unanswered > 0) {
@@ -93,9 +94,10 @@ final class CheckPage {
 
   private void addHeadline(String part, Estimate right) {
     page.verdict(
-        "Of data sets whose truth was sealed before the diagnosis, ",
+        "The truth of each data set was sealed before the diagnosis. Data sets with "
+            + "the right verdict: ",
         Html.strong(right.counted()),
-        " got the right verdict: ",
+        ", ",
         Measure.percent(right.value()),
         " (95\u00a0% interval ",
         Measure.percent(right.low()),
@@ -151,10 +153,11 @@ final class CheckPage {
   }
 
   private void addCalibration() {
-    page.section("Are its probabilities to be believed?");
+    page.section("Can its probabilities be believed?");
     page.say(
-        "Of what it says with 80\u00a0%, four fifths should be so: points belong on the diagonal."
-            + " Ten groups of as many cases each; calibration.csv has them all.");
+        "What it says with a probability of 80\u00a0% should be true four times in "
+            + "five. Then the points are on the diagonal. There are ten groups with equally "
+            + "many cases; calibration.csv has them all.");
     for (String part : scores.parts()) {
       List<PagePicture> pictures = new ArrayList<>();
       diagnosis(part)
@@ -178,10 +181,10 @@ final class CheckPage {
   private void addKinds() {
     page.section("Right, cautious, wrong");
     page.say(
-        "Cautious: undecided, or the names are there and something is said to be left; it claims"
-            + " nothing that is not so.");
+        "Cautious: the verdict is undecided, or the right effects are named and the "
+            + "diagnosis says that something is left. It claims nothing false.");
     scores.parts().forEach(part -> addCounts(part, "standings"));
-    page.section("What was taken for what");
+    page.section("Kinds of cases and verdicts");
     scores.parts().forEach(part -> addCounts(part, "kinds"));
   }
 
@@ -189,8 +192,9 @@ final class CheckPage {
     String part = scores.parts().get(0);
     page.section("Effects and names");
     page.say(
-        "What was at work alone, down; what was said, across. Names in brackets the diagnosis does"
-            + " not have. Several at once are in confusion.csv.");
+        "Rows: the one effect that was at work. Columns: what the diagnosis said. It "
+            + "does not know the names in brackets. Cases with several effects are in "
+            + "confusion.csv.");
     diagnosis(part)
         .map(figures -> ConfusionTable.alone(figures.figures().path("confusion")))
         .ifPresent(
@@ -214,9 +218,9 @@ final class CheckPage {
     }
     Table table = Table.of("case", "level", "at work", "said", "#probability of the verdict");
     wrong.stream().limit(MOST_WRONG).forEach(one -> addWrong(table, one));
-    page.add(Page.folded("Each case, with its diagnosis", table.html()));
+    page.add(Page.folded("All of them, with links to the diagnoses", table.html()));
     if (wrong.size() > MOST_WRONG) {
-      page.soft("The first " + MOST_WRONG + " stand here, all in cases.csv.");
+      page.soft("These are the first " + MOST_WRONG + "; all are in cases.csv.");
     }
   }
 
@@ -235,7 +239,10 @@ final class CheckPage {
     String part = scores.parts().get(0);
     page.section("By effect, the worst first");
     page.say(
-        "Alone and named and explained; in brackets: called unexplained. These are ", part, ".");
+        "Cases with this effect alone that were explained by its name; for a name in "
+            + "brackets, cases called unexplained. All cases of: ",
+        part,
+        ".");
     List<Html> lines = new ArrayList<>();
     diagnosis(part)
         .ifPresent(
@@ -264,7 +271,7 @@ final class CheckPage {
   }
 
   private void addOrigin() {
-    page.section("How this was made");
+    page.section("Settings and files");
     page.list(
         List.of(
             Html.code(order.command()),
@@ -272,10 +279,11 @@ final class CheckPage {
             Html.of("commitments: ", scores.commitments()),
             Html.of("all answers, SHA-256 ", Html.code(scores.answersSha256())),
             Html.of(
-                "Intervals: Wilson's for shares, Hanley and McNeil's for AUROC, bootstrap elsewhere."
-                    + " A calibration error of few cases is above nought by chance alone."),
+                "Intervals: Wilson's for shares, Hanley and McNeil's for AUROC, bootstrap "
+                    + "elsewhere. With few cases a calibration error is above zero by chance alone."),
             Html.of(
-                "Baseline: names the largest sort of residual. Oracle: the world's own answer, and"
-                    + " its own forecast of the sealed rows.")));
+                "Baseline: a trivial rule that names an effect by the largest kind of "
+                    + "residual. Oracle: the world's own answer, and its own forecast of the sealed "
+                    + "rows.")));
   }
 }

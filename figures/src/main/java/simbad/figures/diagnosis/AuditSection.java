@@ -20,7 +20,7 @@ final class AuditSection {
         AuditWords.mendingCommand(dataset, findings)
             .map(command -> Html.styled("p", "soft", "A mended copy: ", Html.code(command)))
             .orElse(Html.NONE);
-    page.add(Page.panel("audit", "What is wrong with the data", items, mending));
+    page.add(Page.panel("audit", "Problems in the data", items, mending));
   }
 
   private static Html item(AuditFinding finding) {
@@ -49,7 +49,7 @@ final class AuditSection {
 
   private static Html verdict(List<AuditFinding> findings) {
     if (findings.isEmpty()) {
-      return said("Nothing found:", " these data can be what they are said to be.");
+      return said("Nothing found:", " nothing speaks against these data.");
     }
     return Audit.refuses(findings)
         ? said("Not diagnosed:", " as they stand, these data cannot be believed.")

@@ -76,8 +76,8 @@ final class DiagnosisPage {
         Html.key("before"),
         " simulator as it is \u00a0 ",
         Html.key("after"),
-        " diagnosed model. The figures show all rows, the fitted ones too; the sizes above are of"
-            + " held-out rows only.");
+        " diagnosed model. The pictures show all rows, also those used for the fit. "
+            + "The gaps above are from held-out rows only, which the fit never saw.");
     List<PagePicture> pictures = new ArrayList<>();
     List<Obstacle> obstacles = data.setup().scene().obstacles();
     for (int i = 0; i < Math.min(MOST_MAPS, obstacles.size()); i++) {
@@ -86,7 +86,7 @@ final class DiagnosisPage {
     addGraphs(pictures);
     page.pictures(pictures);
     if (obstacles.size() > MOST_MAPS) {
-      page.soft("Maps are drawn of the first " + MOST_MAPS + " obstacles only.");
+      page.soft("Only the first " + MOST_MAPS + " obstacles have maps.");
     }
   }
 
@@ -106,13 +106,13 @@ final class DiagnosisPage {
         new PagePicture(
             "Before" + round,
             map.draw("Gap before" + round, row -> row.before().gapCm(), scale),
-            "Mean gap by bearing and distance, in the obstacle's own frame. Dashed: the threshold"
-                + " that the simulator believes."));
+            "Mean gap by bearing and distance, in the obstacle's own frame. Dashed line: "
+                + "the threshold that the simulator believes."));
     pictures.add(
         new PagePicture(
                 "After" + round,
                 map.draw("Gap after" + round, row -> row.after().gapCm(), scale),
-                "The same under the diagnosed model, in the same colours.")
+                "The same with the diagnosed model, in the same colours.")
             .with("Both by bearing, as a table", map.table()));
   }
 
@@ -131,7 +131,10 @@ final class DiagnosisPage {
           pictures,
           "By time",
           GapGraph.of(
-              "time since the run's begin, s", 0.5, rows, row -> OptionalDouble.of(row.timeS())));
+              "time since the start of the run, s",
+              0.5,
+              rows,
+              row -> OptionalDouble.of(row.timeS())));
       addGraph(
           pictures,
           "By speed",
@@ -144,7 +147,8 @@ final class DiagnosisPage {
     graph.ifPresent(
         drawing ->
             pictures.add(
-                new PagePicture(heading, drawing, "Bins of fewer than three rows are left out.")));
+                new PagePicture(
+                    heading, drawing, "Bins with fewer than three rows are left out.")));
   }
 
   private void residuals() {
@@ -154,9 +158,9 @@ final class DiagnosisPage {
         new PagePicture(
             "Ranks",
             ResidualGraph.ranks(rows),
-            "Where each reading lies in its forecast, a no-echo behind all ranges. Forecasts that"
-                + " hold give the dashed line; a heap at 1 means echoes that did not come or came"
-                + " too late."));
+            "The rank of each reading in its forecast; a no-echo ranks above all ranges. "
+                + "Right forecasts give the dashed line. A heap at 1 means that echoes did not "
+                + "come, or came too late."));
     ResidualGraph.ranges(rows)
         .ifPresent(
             drawing ->
@@ -164,24 +168,24 @@ final class DiagnosisPage {
                     new PagePicture(
                         "Ranges",
                         drawing,
-                        "Echoes that were read, less the median of those expected. A shift is a"
-                            + " wrong range, a second heap another way or another object.")));
+                        "Range of each echo minus the median that was expected. A shift means wrong "
+                            + "ranges. A second heap means another way of the sound, or another object.")));
     page.pictures(pictures);
   }
 
   private void effects() {
-    page.section("What was fitted");
+    page.section("Fitted values");
     new Tables(page).parameters(diagnosis);
     if (diagnosis.calibration().size() > 0) {
       page.say(
-          "The set-up itself was calibrated on the reference readings before: ",
+          "Before the fit, the set-up was calibrated on the reference readings: ",
           diagnosis.calibration().forms().size(),
           " forms, in ",
           DiagnosisJson.FILE,
           ".");
     }
     diagnosis.setupError().ifPresent(this::setupError);
-    page.section("What these data could not have shown");
+    page.section("Effects that these data could not show");
     new Tables(page).undetectable(diagnosis.undetectable());
   }
 
@@ -189,18 +193,18 @@ final class DiagnosisPage {
     page.say(
         "The sensor is taken to hear by the ",
         diagnosis.model().word(),
-        " law. On readings of the reference that it was not fitted on it is ",
+        " law. On reference readings that were not used for its fit it is ",
         Numbers.number(error.gapCm()),
-        " cm off, where it expects ",
+        " cm off; it expects ",
         Numbers.number(error.expectedCm()),
-        " cm; evidence counts for less by as much as blocks of these readings vary more than"
-            + " chance.");
+        " cm. Blocks of these readings vary more than chance; evidence is reduced "
+            + "accordingly.");
   }
 
   private void next() {
     page.section("What to measure next");
     if (diagnosis.nextExperiment().isEmpty()) {
-      page.say("Nothing is tied: no further measurement is needed to tell effects apart.");
+      page.say("There is no tie: no further measurement is needed to tell effects apart.");
       return;
     }
     NextExperiment next = diagnosis.nextExperiment().get();
@@ -211,36 +215,37 @@ final class DiagnosisPage {
         next.poses().size(),
         " poses of ",
         Html.code(DiagnosisJson.POSES),
-        " beside this page: they are expected to bring ",
+        " in this page's folder. They are expected to bring ",
         Numbers.number(next.expectedLogOdds()),
-        " nats of evidence, whichever of them is true.");
+        " nats of evidence (a factor of 2.7 each), whichever effect is true.");
     page.pictures(
         List.of(
             new PagePicture(
                 "Poses to measure at",
                 PosePlan.of(next.poses(), data.setup().scene()),
-                "Seen from above; each dot is a ping, its line points where the sensor looks.")));
+                "Seen from above. Each dot is a ping; its line shows where the sensor looks.")));
   }
 
   private void tried() {
-    page.section("What was tried");
+    page.section("Sets of effects that were tried");
     new Tables(page).tried(diagnosis.tried());
     int effects = Definitions.effects().size();
     int all = effects * (effects - 1) / 2;
     long pairs = diagnosis.tried().stream().filter(one -> one.effects().size() == 2).count();
     page.soft(
         diagnosis.tried().size(),
-        " sets are scored on rows they were not fitted on (",
+        " sets of effects were scored on rows that were not used for their fit (",
         pairs,
         " of ",
         all,
-        " pairs), above the simulator as it is; the best stand here, all in ",
+        " pairs). A score is the evidence against the simulator as it is. The best "
+            + "sets are listed here; all are in ",
         DiagnosisJson.FILE,
-        ". Sets that are not there were ruled out before, by fits that were worse.");
+        ". Other sets were ruled out earlier, because their fits were worse.");
   }
 
   private void origin(DiagnosisProvenance provenance) {
-    page.section("What this was made of");
+    page.section("Files and program");
     List<Html> items = new ArrayList<>();
     items.add(Html.of("program ", provenance.version(), ", seed ", provenance.seed()));
     String reference =
@@ -253,8 +258,8 @@ final class DiagnosisPage {
         .forEach((name, hash) -> items.add(Html.of(name, ", SHA-256 ", Html.code(hash))));
     page.list(items);
     page.soft(
-        "A gap is twice the mean pinball loss of 19 predicted quantiles of the reading (the"
-            + " continuous ranked probability score by quantiles), a no-echo counted as ",
+        "A gap is twice the mean pinball loss of 19 predicted quantiles of the reading "
+            + "(the continuous ranked probability score by quantiles). A no-echo counts as ",
         Numbers.number(data.setup().noEchoM()),
         "\u00a0m.");
   }

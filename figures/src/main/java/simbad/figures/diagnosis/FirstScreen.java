@@ -106,9 +106,9 @@ final class FirstScreen {
       bar.add(Html.placed("span", "fill " + style, grow));
       words.add(Html.of(Html.key(style), "\u00a0", words(entry), "; "));
     }
-    words.add(Html.of("with 95\u00a0% intervals. The parts add up to the gap before."));
+    words.add(Html.of("in brackets 95\u00a0% intervals. The parts add up to the gap before."));
     return Html.of(
-        Html.styled("h3", "soft", "What the gap before is made of, in cm"),
+        Html.styled("h3", "soft", "Parts of the gap before, in cm"),
         Html.styled("div", "budget", Html.all(bar)),
         Html.styled("p", "soft", Html.all(words)));
   }
@@ -140,8 +140,8 @@ final class FirstScreen {
 
   private String shrinks(GapFigures gap) {
     if (diagnosis.explanation().isEmpty()) {
-      return "No effect was put into the simulator, so the gap after is the gap before. The floor is"
-          + " the scatter that the simulator itself expects.";
+      return "No effect was put into the simulator, so the gap after equals the gap before. "
+          + "The floor is the gap that the simulator expects from scatter alone.";
     }
     return "The gap shrinks by "
         + Numbers.percent(gap.shrink())
@@ -151,7 +151,8 @@ final class FirstScreen {
         + Numbers.percent(gap.shrinkCi95().high())
         + ", the line on the bar), measured on "
         + gap.rowsHeldOut()
-        + " rows that the fit never saw. The floor is the scatter that the diagnosed model expects.";
+        + " rows that were not used for the fit. The floor is the gap that the diagnosed "
+        + "model expects from scatter alone.";
   }
 
   /** The interval of the shrinkage as one of the gap after it, for the gap before it is fixed. */
@@ -167,7 +168,7 @@ final class FirstScreen {
     }
     Place place = diagnosis.where().get(0);
     page.say(
-        Html.strong("Where most of it lies:"),
+        Html.strong("Largest part of the gap:"),
         " ",
         PlaceWords.words(place),
         ": ",

@@ -38,7 +38,7 @@ final class JointPage {
       DiagnosisProvenance provenance) {
     String name = log.data().name();
     String verdict = diagnosis.verdict().word();
-    Page page = new Page(name + ": " + verdict, "What is heard and how it moves: " + name);
+    Page page = new Page(name + ": " + verdict, "What the robot hears and how it moves: " + name);
     JointPage own = new JointPage(page, diagnosis);
     own.answer();
     List<AuditFinding> audit = new ArrayList<>(diagnosis.sensing().audit());
@@ -51,7 +51,7 @@ final class JointPage {
     page.say(
         Html.strong(diagnosis.motion().verdict().word()), ": ", diagnosis.motion().headline(), ".");
     MotionPage.add(page, diagnosis.motion());
-    page.section("What all of this was made of");
+    page.section("Files and program");
     List<Html> files = new ArrayList<>();
     files.add(Html.of("program ", provenance.version(), ", seed ", provenance.seed()));
     provenance
@@ -79,7 +79,7 @@ final class JointPage {
   /** What either half says of each value that both may show. */
   private void shared() {
     if (diagnosis.shared().isEmpty()) {
-      page.say("Nothing shows that a tracker and a sonar would both see.");
+      page.say("No cause shows both to the tracker and to the sonar.");
       return;
     }
     page.section("One cause, one value");

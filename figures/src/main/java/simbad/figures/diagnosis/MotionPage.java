@@ -27,8 +27,9 @@ public final class MotionPage {
   private static final Shown MILLIMETRES = new Shown(1000, "\u00a0mm");
   private static final Shown DEGREES = new Shown(Math.toDegrees(1), "°");
   private static final String LIMITS =
-      "Probabilities weigh sets of effects by how well they foretell stretches of this log that were"
-          + " not fitted. Intervals hold for this log: another day differs by more.";
+      "Probabilities compare sets of effects by how well they forecast stretches of "
+          + "this log that were not used for the fit. Intervals hold for this log; another "
+          + "day can differ by more.";
 
   private final Page page;
 
@@ -69,7 +70,7 @@ public final class MotionPage {
   }
 
   private void origin(MotionDiagnosis diagnosis, DiagnosisProvenance provenance) {
-    page.section("What this was made of");
+    page.section("Files and program");
     page.soft(
         "Program ",
         provenance.version(),
@@ -79,14 +80,14 @@ public final class MotionPage {
   }
 
   private void effects(MotionDiagnosis diagnosis) {
-    page.section("What is at work");
+    page.section("Effects at work");
     page.add(Page.panel("", "Probability", probabilities(diagnosis)));
     if (diagnosis.findings().isEmpty()) {
       page.say("No effect is named.");
     }
     diagnosis.findings().forEach(this::effect);
     List<Object> rest = new ArrayList<>();
-    rest.add("Something without a name: ");
+    rest.add("Something unknown: ");
     rest.add(Numbers.probability(diagnosis.unknownProbability()) + ".");
     for (MotionFinding other : possible(diagnosis)) {
       rest.add(" Perhaps " + other.effect() + ": ");
@@ -114,7 +115,7 @@ public final class MotionPage {
 
   private void next(MotionDiagnosis.NextDrive next) {
     page.say(
-        "The drive of ",
+        "Driving the commands of ",
         Html.code(MotionFiles.NEXT),
         " would tell ",
         String.join(" from ", next.separates()),
@@ -140,14 +141,14 @@ public final class MotionPage {
         ".",
         finding.ties().isEmpty()
             ? ""
-            : " This log does not tell it from " + String.join(", ", finding.ties()) + ".");
+            : " This log cannot tell it from " + String.join(", ", finding.ties()) + ".");
   }
 
   private void gap(MotionDiagnosis.Gap gap) {
     page.section("How well the models forecast");
     page.say(
-        "Continuous ranked probability score of forecasts, on stretches of the log that were not"
-            + " fitted. Over all it shrinks by ",
+        "Continuous ranked probability score of forecasts, on stretches of the log "
+            + "that were not used for the fit. In total it shrinks by ",
         Numbers.percent(gap.shrink()),
         " (95\u00a0% interval ",
         Numbers.percent(gap.shrinkCi95().low()),
@@ -186,7 +187,7 @@ public final class MotionPage {
   }
 
   private void budget(List<MotionDiagnosis.Part> budget) {
-    page.section("What the gap is made of");
+    page.section("Parts of the gap");
     Table table = Table.of("part", "#share of the gap before", "#95\u00a0% interval");
     for (MotionDiagnosis.Part part : budget) {
       table.row(
@@ -201,8 +202,8 @@ public final class MotionPage {
     if (hidden.isEmpty()) {
       return;
     }
-    page.section("What this log could not have shown");
-    Table table = Table.of("effect", "parameter", "#least size that would have shown");
+    page.section("Effects that this log could not show");
+    Table table = Table.of("effect", "parameter", "#smallest size that would have shown");
     for (MotionDiagnosis.Hidden one : hidden) {
       table.row(
           one.effect(),
@@ -227,8 +228,8 @@ public final class MotionPage {
   private void places(List<MotionPlace> places) {
     page.section("Where the gap lies");
     page.say(
-        "Scores of forecasts over half a second, each component in units of its mean before; q is"
-            + " the share of false finds.");
+        "Scores of forecasts over half a second. Each component is in units of its "
+            + "mean before. q is the expected share of false finds.");
     Table table =
         Table.of(
             "slice", "#from", "#to", "#windows", "#share of the gap", "#before", "#after", "#q");

@@ -48,7 +48,7 @@ final class ResidualGraph {
     AxisScale x = AxisScale.over(-reach, reach, 6);
     double most = Math.max(max(shares(before, x)), max(shares(after, x)));
     Graph graph = new Graph("Residuals of the ranges", x, AxisScale.over(0, most, 4));
-    graph.axes("reading less expected echo, cm (beyond: last bins)", "share of echoes, %");
+    graph.axes("reading minus expected echo, cm (end bins: beyond)", "share of echoes, %");
     AxisScale bins = new AxisScale(x.low(), x.high(), (x.high() - x.low()) / RANGE_BINS);
     bars(graph, bins, shares(before, x), shares(after, x), 1);
     return Optional.of(graph.html());

@@ -28,8 +28,8 @@ final class Tables {
   void places(List<Place> places) {
     if (places.isEmpty()) {
       page.say(
-          "No slice of bearing, distance, angle, obstacle, sensor, run, time or speed has a gap"
-              + " larger than elsewhere.");
+          "The gap is not larger in any slice of bearing, distance, angle, obstacle, "
+              + "sensor, run, time or speed than elsewhere.");
       return;
     }
     Table table =
@@ -46,8 +46,9 @@ final class Tables {
     }
     page.table(table);
     page.soft(
-        "Found on one half of the data, confirmed and measured on the other; q is the share of"
-            + " false finds among places with such a q or less. Places overlap.");
+        "Each place was found on one half of the data, then confirmed and measured on "
+            + "the other half. q is the expected share of false finds among all places with "
+            + "this q or a smaller one. Places overlap.");
   }
 
   /** Of what is concluded or at least possible. */
@@ -61,7 +62,7 @@ final class Tables {
                         || diagnosis.explanation().contains(finding.effect()))
             .toList();
     if (shown.isEmpty()) {
-      page.say("No effect is probable enough for its parameters to mean something.");
+      page.say("No effect is probable enough for its values to mean something.");
     }
     shown.forEach(this::parameters);
   }
@@ -104,7 +105,7 @@ final class Tables {
       page.say("Every effect would have shown in these data.");
       return;
     }
-    Table table = Table.of("effect", "parameter", "#would have shown from");
+    Table table = Table.of("effect", "parameter", "#would have shown from this size on");
     for (Undetectable one : undetectable) {
       table.row(
           one.effect().word(),

@@ -55,11 +55,11 @@ final class VerdictWords {
         Html.strong(
             Names.list(diagnosis.explanation()),
             diagnosis.explanation().size() == 1 ? " is" : " are",
-            " at work, and something else is too"),
+            " at work, and something else too"),
         ": ",
         shrinkage(diagnosis),
         expected(diagnosis.gap()),
-        diagnosis.reason().isEmpty() ? "" : " Beside it, " + diagnosis.reason() + ".");
+        diagnosis.reason().isEmpty() ? "" : " Also: " + diagnosis.reason() + ".");
   }
 
   private static String expected(GapFigures gap) {
@@ -76,9 +76,9 @@ final class VerdictWords {
     return Html.of(
         Html.strong(
             leavesGap(diagnosis.gap())
-                ? "There is a gap, and no effect that has a name here accounts for it"
-                : "The readings differ from what the simulator expects in a way that no effect with"
-                    + " a name here accounts for"),
+                ? "There is a gap, and no known effect accounts for it"
+                : "The readings differ from what the simulator expects, and no known effect "
+                    + "accounts for the difference"),
         withinFigures(diagnosis.gap()),
         ".",
         diagnosis.reason().isEmpty() ? "" : " What happens: " + diagnosis.reason() + ".");
@@ -87,7 +87,7 @@ final class VerdictWords {
   private static Html nearest(Diagnosis diagnosis) {
     return Html.of(
         Html.strong("No named effect accounts for the gap."),
-        diagnosis.explanation().size() == 1 ? " Nearest comes " : " Nearest come ",
+        diagnosis.explanation().size() == 1 ? " The nearest is " : " The nearest are ",
         Names.list(diagnosis.explanation()),
         ": ",
         shrinkage(diagnosis),
@@ -101,8 +101,8 @@ final class VerdictWords {
   private static String remains(GapFigures gap) {
     return leavesGap(gap)
         ? "But that model expects only " + Numbers.centimetres(gap.floorCm()) + " from scatter."
-        : "The size of what is left is what that model expects from scatter, but the readings"
-            + " spread otherwise than it says.";
+        : "What is left is as large as that model expects from scatter, but the readings "
+            + "spread in another way than it says.";
   }
 
   /** Whether what is left is plainly more than the model expects of itself. */
@@ -113,7 +113,7 @@ final class VerdictWords {
   private static String withinFigures(GapFigures gap) {
     return " (the gap is "
         + Numbers.centimetres(gap.beforeCm())
-        + ", of which the model expects "
+        + "; the model expects "
         + Numbers.centimetres(gap.floorCm())
         + " from scatter alone)";
   }
@@ -137,7 +137,7 @@ final class VerdictWords {
     if (diagnosis.verdict() != Verdict.UNDECIDED
         && diagnosis.unknownProbability() >= WORTH_SAYING) {
       page.say(
-          "That something without a name here is at work has a probability of ",
+          "The probability that something unknown is at work is ",
           Numbers.probability(diagnosis.unknownProbability()),
           ".");
     }

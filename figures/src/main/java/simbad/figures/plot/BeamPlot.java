@@ -113,7 +113,7 @@ public record BeamPlot(
     List<double[]> points = bothSides().stream().filter(p -> p[1] >= FLOOR_DB).toList();
     PlotLook line = PlotLook.of(SeriesRole.SHADOW);
     return new PlotCurve(
-        "points of the sensor's file",
+        "points from the sensor's file",
         points.stream().mapToDouble(p -> p[0]).toArray(),
         points.stream().mapToDouble(p -> p[1]).toArray(),
         new PlotLook(line.colour(), PlotInk.round(DOT), line.depth()),

@@ -42,12 +42,12 @@ public final class LogPicture {
     }
     List<PolarSeries> series = new ArrayList<>();
     series.add(points("where the sensors were", SeriesRole.OTHER, places));
-    series.add(points("a range ahead of them, of each echo", SeriesRole.ORIGINAL, echoes));
+    series.add(points("where each echo came from, straight ahead", SeriesRole.ORIGINAL, echoes));
     for (Obstacle obstacle : data.setup().scene().obstacles()) {
       series.add(outline(obstacle, series.size()));
     }
     return new PolarPlot(
-            new Caption("What was understood of " + data.name(), source), series, List.of())
+            new Caption("Sensors and echoes in " + data.name(), source), series, List.of())
         .figure();
   }
 

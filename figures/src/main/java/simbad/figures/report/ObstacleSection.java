@@ -88,11 +88,11 @@ final class ObstacleSection {
     page.note(
         "With the ",
         result.sensor().word(),
-        " sensor the robot did not get round: ",
+        " sensor the robot did not complete its round: ",
         result.errors().unreachedBearings(),
         " of ",
         result.errors().radialM().size(),
-        " bearings were never reached. Its errors are over the others.");
+        " bearings were never reached. Its errors are those of the other bearings.");
   }
 
   /** Thin rays pass a post between them; a sensor of short range does not hear far places. */
@@ -113,11 +113,11 @@ final class ObstacleSection {
     List<FittedForm> idle = result.idleForms();
     if (!idle.isEmpty()) {
       page.note(
-          "Of the ",
+          "In the model of the ",
           result.sensor().word(),
-          " sensor's model ",
+          " sensor, ",
           idle.stream().map(one -> one.form().toString()).collect(joining(", ")),
-          " is about an obstacle that is not in this world, and changes nothing in it.");
+          " belongs to an obstacle that is not in this world, so it changes nothing here.");
     }
   }
 
@@ -144,8 +144,8 @@ final class ObstacleSection {
     }
     Html words =
         Html.of(
-            "Above the table's lobes and the robots' ways over them: where a way passes below a lobe,"
-                + " it was cut off. ",
+            "Above: the table's lobes and the robots' ways. Where a way is below a lobe, "
+                + "the robot cut the lobe off. ",
             errorCaption(),
             keys.html());
     return new PagePicture(
@@ -155,7 +155,7 @@ final class ObstacleSection {
 
   /** Says of the picture only what is on it. */
   private String errorCaption() {
-    return "Below: Radial error by bearing"
+    return "Below: the radial error by bearing"
         + (RunPictures.errorPlot(results).isLogarithmic() ? ", logarithmic" : "")
         + ". Where the edge runs nearly along a bearing, a small distance from the edge is a large"
         + " radial error.";
@@ -183,10 +183,10 @@ final class ObstacleSection {
     return new PagePicture(
         "Where the " + result.sensor().word() + " belt disagrees",
         DisagreementView.of(result),
-        "At how many of "
+        "The number of headings, out of "
             + DetectionMap.HEADINGS
-            + " random headings the belt and the table disagree; 0 is agreement. A sensor nearer than"
-            + " its least range hears nothing.");
+            + " random ones, at which the belt and the table disagree; 0 means that they "
+            + "agree everywhere. A sensor nearer than its smallest range hears nothing.");
   }
 
   private void files() {

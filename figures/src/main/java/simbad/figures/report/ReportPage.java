@@ -135,10 +135,11 @@ final class ReportPage {
     int lines = ErrorWords.MEANINGS.size() - (isCompared ? 0 : 1);
     page.soft(
         String.join(" ", ErrorWords.MEANINGS.subList(0, lines)).replaceAll(";$", "."),
-        " The radial error of a bearing is the mean over all crossings of it; it is harsh where the"
-            + " edge runs nearly along the bearing. A lobe that was cut off shows in what was kept of"
-            + " the edge and in the distance from it. Map agrees: the share of places and headings at"
-            + " which the belt hears the obstacle exactly where the table says.");
+        " The radial error of a bearing is the mean over all crossings of that "
+            + "bearing. It is large where the edge runs nearly along the bearing, even if "
+            + "the robot is near the edge. If the robot cut off a lobe, less of the edge is "
+            + "kept and the distance from the edge is large. Map agrees: the share of places "
+            + "and headings at which belt and table agree whether the obstacle is heard.");
   }
 
   /** Without an original sensor there is nothing to be smaller than. */
@@ -192,7 +193,7 @@ final class ReportPage {
     }
     hashes.forEach(
         (name, hash) -> items.add(Html.of(name, "/table.csv, SHA-256 ", Html.code(hash))));
-    page.section("How this was made").list(items);
+    page.section("Settings and files").list(items);
   }
 
   private static Html robot(RunOrigin origin) {
@@ -201,9 +202,9 @@ final class ReportPage {
         SensorKind.SONARS,
         " sonars at its centre, all round; ",
         origin.settings().speedMPerS(),
-        " m/s, in bends at most ",
+        " m/s, in curves at most ",
         Tuning.BEND_SPEED_M_PER_S,
-        " m/s, steps of 0.05 s; slower is nearer");
+        " m/s, steps of 0.05 s; a slower robot stays nearer to the edge");
   }
 
   private static Html sonar(SonarSpec sonar) {

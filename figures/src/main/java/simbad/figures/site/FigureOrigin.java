@@ -48,7 +48,7 @@ public record FigureOrigin(String figure, String commit, String date, List<Strin
   private static FigureOrigin of(String line, String place) throws IOException {
     String[] cells = line.split(",", -1);
     if (cells.length != COLUMNS || !cells[1].matches("[0-9a-f]{7,40}")) {
-      throw new IOException(place + ": \"" + line + "\" is no row of " + HEADER);
+      throw new IOException(place + ": \"" + line + "\" is not a row of " + HEADER);
     }
     return new FigureOrigin(cells[0], cells[1], cells[2], List.of(cells[3].split(" ", -1)));
   }

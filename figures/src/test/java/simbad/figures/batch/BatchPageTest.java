@@ -20,7 +20,9 @@ class BatchPageTest {
   @Test
   void goodBatch_saysSo() {
     String page = BatchPage.of(new BatchSurvey(7, 0, List.of(GOOD), List.of()), "1");
-    assertTrue(page.contains("<strong>7 runs</strong>: all went round, and nothing went wrong."));
+    assertTrue(
+        page.contains(
+            "<strong>7 runs</strong>: all completed their round, and nothing went wrong."));
     assertTrue(page.contains("<h3>a&lt;b&gt;</h3>"), page);
     assertTrue(page.contains("<td class=\"n\">1.23</td>"), page);
   }
@@ -33,7 +35,7 @@ class BatchPageTest {
             1_000_000, 5000, Collections.nCopies(5000, GOOD), Collections.nCopies(200, WRONG));
     String page = BatchPage.of(huge, "1");
     assertTrue(page.length() < 300_000, page.length() + " characters");
-    assertTrue(page.contains("The first 200 stand here, all in results.csv."));
+    assertTrue(page.contains("The first 200 are listed here; all are in results.csv."));
     assertEquals(page, BatchPage.of(huge, "1"));
   }
 }

@@ -27,10 +27,9 @@ class CheckPageTest {
   @Test
   void firstScreen_answers() {
     String words = PAGE.replaceAll("<[^>]*>", "").replace("&nbsp;", " ").replace('\u00a0', ' ');
-    assertTrue(
-        words.contains("36 of 40 got the right verdict: 90 % (95 % interval 72 % to 100 %)"));
+    assertTrue(words.contains("36 of 40, 90 % (95 % interval 72 % to 100 %)"));
     assertTrue(words.contains("Independence: " + SampleScores.ALL));
-    assertTrue(words.contains("The diagnosis was not told of gain"));
+    assertTrue(words.contains("The diagnosis did not know gain"));
     assertTrue(words.contains("1 case has no answer. It counts as wrong"));
   }
 

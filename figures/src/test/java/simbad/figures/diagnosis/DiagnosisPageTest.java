@@ -41,10 +41,10 @@ class DiagnosisPageTest {
         "gain accounts for the gap: with it in the simulator the gap shrinks from 178.80 cm to 60.25"
             + " cm, by 66 %. The diagnosed model itself expects a gap of 51.50 cm from scatter.",
         "These data cannot tell gain from absorption.",
-        "something without a name here is at work has a probability of 3 %",
+        "The probability that something unknown is at work is 3 %",
         "(95 % interval 61 % to 70 %, the line on the bar), measured on 1500 rows",
-        "Where most of it lies: bearing 100 to 170°, distance from 0.5 m: missed echo, 41 % of the"
-            + " gap, 420.00 cm before and 90.00 cm after.",
+        "Largest part of the gap: bearing 100 to 170°, distance from 0.5 m: missed "
+            + "echo, 41 % of the gap, 420.00 cm before and 90.00 cm after.",
         "factor 0.5 0.45 to 0.55",
         "loss_per_m 0.123 1/m not known from these data",
         "dead-zone end_m 0.06 m",
@@ -100,9 +100,9 @@ class DiagnosisPageTest {
     String page = words(Samples.page(Samples.without(Verdict.NONE, DATA), DATA));
     assertTrue(
         page.contains("No gap beyond chance: these readings are what the simulator expects"));
-    assertTrue(page.contains("Nothing is tied"));
-    assertTrue(page.contains("No effect is probable enough for its parameters to mean something"));
-    assertFalse(page.contains("something without a name here is at work has"), page);
+    assertTrue(page.contains("There is no tie"));
+    assertTrue(page.contains("No effect is probable enough for its values to mean something"));
+    assertFalse(page.contains("that something unknown is at work is"), page);
   }
 
   @Test
@@ -111,16 +111,16 @@ class DiagnosisPageTest {
     String page = words(Samples.page(none, DATA));
     assertTrue(
         page.contains(
-            "The readings differ from what the simulator expects in a way that no effect with a name"
-                + " here accounts for (the gap is 2.00 cm"),
+            "The readings differ from what the simulator expects, and no known effect accounts for the"
+                + " difference (the gap is 2.00 cm"),
         page);
-    assertTrue(page.contains("probability of 97 %"));
+    assertTrue(page.contains("at work is 97 %"));
     GapFigures large = new GapFigures(20, 9, 9, 2, 0, none.gap().shrinkCi95());
     String drifts =
         words(Samples.page(as(Verdict.UNEXPLAINED, "it drifts", List.of(), large), DATA));
     assertTrue(drifts.contains("What happens: it drifts."), drifts);
     String much = words(Samples.page(as(Verdict.UNEXPLAINED, "", List.of(), large), DATA));
-    assertTrue(much.contains("There is a gap, and no effect that has a name here accounts for it"));
+    assertTrue(much.contains("There is a gap, and no known effect accounts for it"));
   }
 
   /** What comes nearest is not said to be at work, and no gap is left where after is the floor. */
@@ -131,14 +131,14 @@ class DiagnosisPageTest {
     String page = words(Samples.page(as(Verdict.UNEXPLAINED, "", names, left), DATA));
     assertTrue(
         page.contains(
-            "No named effect accounts for the gap. Nearest come gain and absorption: with them in"
+            "No named effect accounts for the gap. The nearest are gain and absorption: with them in"
                 + " the simulator the gap shrinks from 178.80 cm to 60.25 cm, by 66 %. But that model"
                 + " expects only 51.50 cm from scatter."),
         page);
     assertFalse(page.contains("at work, but"), page);
     GapFigures floor = new GapFigures(1500, 178.8, 51.6, 51.5, 0.71, left.shrinkCi95());
     String same = words(Samples.page(as(Verdict.UNEXPLAINED, "", names, floor), DATA));
-    assertTrue(same.contains("what is left is what that model expects from scatter, but"), same);
+    assertTrue(same.contains("is left is as large as that model expects from scatter, but"), same);
     String bound = "power of gain stands at the end";
     String reason = words(Samples.page(as(Verdict.UNEXPLAINED, bound, names, left), DATA));
     assertTrue(reason.contains("by 66 %. But power of gain stands at the end."), reason);

@@ -82,14 +82,14 @@ class MotionPageTest {
     assertTrue(page.contains("<strong>explained</strong>: the gap shrinks by 40 %."));
     assertTrue(page.contains("speed-scale (97&nbsp;%)"));
     assertTrue(page.contains("0.94 to 0.96"));
-    assertTrue(page.contains("does not tell it from wheel-scale."));
+    assertTrue(page.contains("cannot tell it from wheel-scale."));
     assertTrue(page.contains("<td class=\"n\">4.00&nbsp;mm</td><td class=\"n\">2.00&nbsp;mm</td>"));
     assertTrue(page.contains("<code>speed_m_s</code>"));
     assertTrue(page.contains("would tell speed-scale from wheel-scale"));
     assertTrue(page.contains("Perhaps dead-band: 12&nbsp;%"));
     assertTrue(page.contains("track.csv from row 8 on: two holes."));
     assertTrue(page.contains("<td>turn-bias</td>"));
-    assertTrue(page.contains("What the gap is made of"));
+    assertTrue(page.contains("Parts of the gap"));
   }
 
   @Test

@@ -12,7 +12,7 @@ import org.knowm.xchart.XYSeries;
 
 class BeamPlotTest {
   private static final String LINE = "sensitivity";
-  private static final String DOTS = "points of the sensor's file";
+  private static final String DOTS = "points from the sensor's file";
   private static final String CONE = "cone that stands for it";
 
   private static Map<String, XYSeries> series(List<Double> deg, List<Double> db) {

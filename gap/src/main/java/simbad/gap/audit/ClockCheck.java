@@ -41,16 +41,16 @@ final class ClockCheck {
     }
     if (!same.isEmpty()) {
       add(
-          Say.rows(same.size()) + " that stand in the file twice",
+          Say.rows(same.size()) + " that are in the file twice",
           same,
-          "leave one of each",
+          "keep one of each",
           "--drop-duplicates");
     }
     if (!other.isEmpty()) {
       add(
-          "t_s stands still at " + Say.rows(other.size()) + ", which says not which was first",
+          "t_s stays at " + Say.rows(other.size()) + ", so the order of these rows is unknown",
           other,
-          "write more decimals of t_s, or name another run",
+          "write more decimals of t_s, or give the rows another run name",
           "");
     }
   }
@@ -84,7 +84,7 @@ final class ClockCheck {
               File.READINGS,
               "t_s goes back at " + Say.rows(rows.size()) + " of a file in the order of time",
               rows.stream().sorted().toList(),
-              "name another run where the clock began anew",
+              "give the rows another run name where the clock started again",
               "",
               Severity.WARN));
     }

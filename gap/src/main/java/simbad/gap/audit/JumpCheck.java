@@ -111,7 +111,7 @@ final class JumpCheck {
             + " m"
             + (isByte ? ": 256 us of flight, a timer's byte read while it turns over" : ""),
         view.inFile(IntStream.of(hits)),
-        isByte ? "read the timer's high byte again when the low one was near its end" : "",
+        isByte ? "read the timer's high byte again if the low byte was near its end" : "",
         "",
         isByte ? Severity.WARN : Severity.NOTE);
   }

@@ -75,7 +75,7 @@ final class PoseCheck {
         new int[0],
         moves
             ? "write where the sensor was for each reading"
-            : "readings from one pose tell hardly anything apart",
+            : "readings from one pose can hardly tell effects apart",
         moves ? Severity.WARN : Severity.NOTE);
   }
 

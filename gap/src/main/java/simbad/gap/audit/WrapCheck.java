@@ -76,7 +76,7 @@ final class WrapCheck {
             + Say.number(period)
             + " m, and none longer: ranges start again from 0 there",
         view.inFile(IntStream.of(hits)),
-        "let the program count further (more bits), or leave these rows out",
+        "let the program count with more bits, or leave these rows out",
         "",
         Severity.WARN);
   }

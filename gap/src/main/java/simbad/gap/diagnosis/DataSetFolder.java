@@ -77,7 +77,7 @@ public final class DataSetFolder {
     }
     if (!Files.isDirectory(folder)) {
       throw DataFormatException.inFile(
-          folder, "is no folder, expected one with " + SCENE + " and " + READINGS);
+          folder, "is not a folder, expected one with " + SCENE + " and " + READINGS);
     }
     Path reference = folder.resolve(REFERENCE);
     SensingSetup setup = SceneFile.read(folder.resolve(SCENE));

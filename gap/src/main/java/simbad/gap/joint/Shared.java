@@ -39,20 +39,22 @@ public record Shared(
               + value(tracked)
               + ") and not heard in the poses that the robot reckoned ("
               + value(heard)
-              + "): the robot knows how far it goes, and the drive does not do what it is told"
+              + "): the robot knows how far it goes, but the drive does not do what it is told"
           : effect.word()
               + " is heard by the sonar ("
               + value(heard)
               + ") and not seen by the tracker ("
               + value(tracked)
-              + "): the robot goes as it is told, and its reckoning is wrong";
+              + "): the robot goes as it is told, but it reckons its poses wrongly";
     }
     String who =
         isTracked && isHeard
             ? "seen by the tracker and heard by the sonar (as " + effect.word() + ")"
             : isTracked
-                ? "seen by the tracker; the readings leave it open"
-                : "heard by the sonar (as " + effect.word() + "); the track leaves it open";
+                ? "seen by the tracker; the readings neither confirm nor exclude it"
+                : "heard by the sonar (as "
+                    + effect.word()
+                    + "); the track neither confirms nor excludes it";
     return name + " is one cause, " + who + ": " + parameter + " = " + value(together());
   }
 

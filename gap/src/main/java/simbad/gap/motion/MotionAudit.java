@@ -78,7 +78,8 @@ public final class MotionAudit {
           AuditCheck.TRACK_CLOCK,
           back.size() + " rows have an earlier time than the row before",
           back,
-          "rows are taken in order of time; if a clock was set back, give what follows another run",
+          "rows are read in order of time; if a clock was set back, give the rows after "
+              + "it another run name",
           Severity.NOTE);
     }
     if (!twice.isEmpty()) {
@@ -86,7 +87,7 @@ public final class MotionAudit {
           AuditCheck.TRACK_CLOCK,
           twice.size() + " rows have the time of another row and another pose",
           twice,
-          "give two recordings two names in the column run, or drop one of each pair",
+          "give two recordings two names in column run, or drop one row of each pair",
           Severity.WARN);
     }
   }
@@ -113,8 +114,8 @@ public final class MotionAudit {
             AuditCheck.TRACK_CLOCK,
             String.format(
                 Locale.ROOT,
-                "the track of run '%s' lies between %.3f and %.3f s, its commands between %.3f and"
-                    + " %.3f s",
+                "the track of run '%s' goes from %.3f to %.3f s, its commands from %.3f to "
+                    + "%.3f s",
                 run.getKey(),
                 begins,
                 ends,

@@ -146,11 +146,11 @@ record MotionConclusion(
     return switch (verdict()) {
       case NONE -> "no gap beyond chance";
       case UNEXPLAINED -> "something that no named effect accounts for: " + unknown.words();
-      case UNDECIDED -> "this log does not tell which effects are at work; the likeliest: " + names;
+      case UNDECIDED -> "this log cannot tell which effects are at work; the most likely: " + names;
       case PARTLY ->
           names
               + ", and something else ("
-              + (unknown.isLikely() ? unknown.words() : "a value stands at its bound")
+              + (unknown.isLikely() ? unknown.words() : "a value is at its bound")
               + "); "
               + shrinks;
       case EXPLAINED -> names + "; " + shrinks;

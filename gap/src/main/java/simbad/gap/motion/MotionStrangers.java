@@ -44,10 +44,10 @@ final class MotionStrangers {
     TIME("it changes with time"),
     HEADING("it depends on the heading"),
     SIZE("it does not grow in proportion to the command"),
-    SIDE("it differs from one side to the other, or forth and back"),
+    SIDE("left differs from right, or forwards from backwards"),
     PLACE("it depends on the place"),
-    RIPPLE("it comes again after a certain way, as if a wheel were out of round"),
-    RESPONSE("it follows commands otherwise than any name says");
+    RIPPLE("it comes again after a certain distance, as if a wheel were not round"),
+    RESPONSE("it depends on the commands in a way that no named effect describes");
 
     private final String words;
 

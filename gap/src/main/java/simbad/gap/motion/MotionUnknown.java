@@ -67,6 +67,6 @@ record MotionUnknown(List<MotionStrangers.Trace> traces, double events) {
   String words() {
     return trace()
         .map(trace -> trace.kind().words())
-        .orElse("it is far off now and then, either way");
+        .orElse("now and then it is far off, in either direction");
   }
 }

@@ -100,7 +100,7 @@ final class NoiseFindings {
             MotionForms.MOTION_NOISE,
             NormalChance.ofLogOdds(nats),
             parameter("along_sigma_m", sigma, half),
-            "let the way of half a second scatter by %.2g m"));
+            "let the distance driven in half a second scatter by %.2g m"));
   }
 
   /** Tells whether scatter goes with motion itself rather than with changes of the command. */

@@ -135,8 +135,8 @@ final class TrackCheck {
       wrong = "times look like milliseconds, or positions like kilometres";
       suggestion = "divide t_s by 1000, or multiply x_m and z_m by 1000";
     } else if (factor > 20 || factor < 0.01) {
-      wrong = "the way is no robot's";
-      suggestion = "look at units and at whether commands and track are of one drive";
+      wrong = "no robot moves like this";
+      suggestion = "check the units, and that commands and track belong to one drive";
     }
     if (!wrong.isEmpty()) {
       String what =
@@ -231,7 +231,7 @@ final class TrackCheck {
               "the way goes %.0f degrees to the left of the heading",
               Math.toDegrees(turned)),
           row,
-          "add that to heading_deg; a diagnosis finds it as a capture-offset",
+          "add that to heading_deg; the diagnosis calls it capture-offset",
           Severity.WARN);
     }
   }
@@ -271,7 +271,7 @@ final class TrackCheck {
           AuditCheck.TRACK_JUMP,
           jumped.size() + " poses are far from the one before and the one after",
           jumped,
-          "leave them out; a heading that was averaged over its wrap looks so too",
+          "leave them out; a heading that was averaged across 360 degrees looks like " + "this too",
           Severity.WARN);
     }
   }
@@ -296,9 +296,11 @@ final class TrackCheck {
       add(
           AuditCheck.TRACK_STILL,
           String.format(
-              Locale.ROOT, "the track stands for %.1f s while the robot is told to go", seconds),
+              Locale.ROOT,
+              "the track does not move for %.1f s while the robot is told to drive",
+              seconds),
           rows,
-          "leave out rows that repeat what the tracker saw last",
+          "leave out rows that only repeat the tracker's last value",
           Severity.WARN);
     }
   }

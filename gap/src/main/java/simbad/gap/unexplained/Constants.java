@@ -90,7 +90,7 @@ public record Constants(
 
   private static double number(JsonNode parent, String field) {
     if (!parent.path(field).isNumber()) {
-      throw new IllegalArgumentException(field + ": " + parent.path(field) + " is no number");
+      throw new IllegalArgumentException(field + ": " + parent.path(field) + " is not a number");
     }
     return parent.get(field).doubleValue();
   }

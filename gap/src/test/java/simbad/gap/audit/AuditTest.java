@@ -355,7 +355,7 @@ class AuditTest {
   void clock_thatStandsStill() {
     List<ReadingRow> still =
         each(LADDER, (i, row) -> i == 9 ? timed(row, LADDER.get(8).timeS()) : row);
-    assertTrue(only(Logs.BOARD, still).what().startsWith("t_s stands still at 1 row"));
+    assertTrue(only(Logs.BOARD, still).what().startsWith("t_s stays at 1 row"));
     List<ReadingRow> twice = new ArrayList<>(LADDER);
     twice.add(40, LADDER.get(39));
     assertEquals("--drop-duplicates", only(Logs.BOARD, twice).mend());

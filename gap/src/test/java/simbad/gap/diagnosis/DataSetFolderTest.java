@@ -65,7 +65,7 @@ class DataSetFolderTest {
         folder.resolve("readings.csv"), "run,sensor,t_s,x_m,z_m,heading_deg,range_m\n");
     refused("readings.csv", "has no rows");
     folder = folder.resolve("readings.csv");
-    refused("is no folder");
+    refused("is not a folder");
     folder = folder.resolveSibling("nowhere");
     refused("nowhere: no such folder");
   }

@@ -41,7 +41,7 @@ class RemediesTest {
   @Test
   void numbers_areThoseOfTheFit() {
     assertEquals("add 0.9 cm to every reading", remedy(Effect.RANGE_OFFSET, "constant", -0.009));
-    assertEquals("let cone_half_angle_deg be 17.5", remedy(Effect.BEAM_WIDTH, "cone", -2.5));
+    assertEquals("set cone_half_angle_deg to 17.5", remedy(Effect.BEAM_WIDTH, "cone", -2.5));
     assertEquals(
         "turn the sensor 3.0 degrees to the right", remedy(Effect.BEAM_MISALIGNMENT, "all", 3));
     assertEquals(

@@ -14,7 +14,7 @@ record CaptureOffset(double forwardM, double leftM, double headingRad) implement
               MotionParameter.smooth("forward_m", -1, 1, 0, 0.005),
               MotionParameter.smooth("left_m", -1, 1, 0, 0.005)),
           p -> new CaptureOffset(p[0], p[1], 0),
-          "the tracked point lies %s m before the robot's centre",
+          "the tracked point is %s m ahead of the robot's centre",
           false);
   static final MotionForm HEADING =
       new MotionForm(
@@ -23,7 +23,7 @@ record CaptureOffset(double forwardM, double leftM, double headingRad) implement
           List.of(
               MotionParameter.smooth("heading_rad", -3.2, 3.2, 0, 0.01).tried(0, 1.6, -1.6, 3.1)),
           p -> new CaptureOffset(0, 0, p[0]),
-          "take %s rad from the tracker's heading",
+          "subtract %s rad from the tracker's heading",
           false);
 
   @Override

@@ -21,7 +21,7 @@ final class DeadBand {
                   .inSteps()
                   .tried(use -> CommandUse.between(use.turns(), TRIES))),
           p -> new CommandChange(v -> cut(v, p[0]), w -> cut(w, p[1])),
-          "commands below %s m/s do nothing: do not give them",
+          "commands below %s m/s do nothing: do not use them",
           false);
 
   /** What friction takes away is missing from larger commands, too. */
@@ -33,7 +33,7 @@ final class DeadBand {
               MotionParameter.smooth("dead_band_m_s", 0, 1, 0, 0.01).tried(0.01, 0.05),
               MotionParameter.smooth("dead_band_rad_s", 0, 3, 0, 0.03).tried(0.03, 0.1)),
           p -> new CommandChange(v -> less(v, p[0]), w -> less(w, p[1])),
-          "of every speed %s m/s are missing: command so much more",
+          "every speed is %s m/s too low: command that much more",
           false);
 
   private DeadBand() {}
@@ -45,7 +45,7 @@ final class DeadBand {
         "dead-band: wheels",
         List.of(SPEED.tried(use -> CommandUse.between(use.rims(), TRIES))),
         p -> new RimChange(wheelBaseM, rim -> cut(rim, p[0])),
-        "speeds of a wheel below %s m/s do nothing: do not command them",
+        "wheel speeds below %s m/s do nothing: do not use them",
         false);
   }
 

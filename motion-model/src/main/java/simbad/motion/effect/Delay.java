@@ -21,7 +21,7 @@ record Delay(double lateS) implements MotionChange {
               MotionParameter.smooth("offset_s", -5, 5, 0, 0.02)
                   .tried(0.05, -0.05, 0.2, -0.2, 0.5, -0.5, 1, -1, 2, -2, 4, -4)),
           p -> new Delay(p[0]),
-          "take %s s from the track's times",
+          "subtract %s s from the track's times",
           true);
 
   @Override

@@ -18,7 +18,7 @@ import java.util.regex.Pattern;
  * from 0. Every fault names the file, its line and the column.
  */
 public final class CsvTable {
-  private static final String DECIMAL_POINT = " (numbers take a decimal point, no comma)";
+  private static final String DECIMAL_POINT = " (a number has a decimal point, not a comma)";
   private static final Pattern OTHER_SEPARATOR = Pattern.compile("[;\\t|]");
 
   /**
@@ -113,7 +113,7 @@ public final class CsvTable {
     }
     for (String field : row.getFields()) {
       if (columns.contains(field.strip())) {
-        throw DataFormatException.inField(file, headerLine, field.strip(), "column stands twice");
+        throw DataFormatException.inField(file, headerLine, field.strip(), "column appears twice");
       }
       columns.add(field.strip());
     }

@@ -103,7 +103,7 @@ public final class JsonInput {
   /** Returns a field of an object. */
   public JsonInput field(String name) throws DataFormatException {
     if (!node.isObject()) {
-      throw fault(node + " is no object");
+      throw fault(node + " is not an object");
     }
     if (!node.has(name)) {
       throw fault(name, "is missing");
@@ -119,7 +119,7 @@ public final class JsonInput {
   /** Returns the items of a list. */
   public List<JsonInput> items() throws DataFormatException {
     if (!node.isArray()) {
-      throw fault(node + " is no list");
+      throw fault(node + " is not a list");
     }
     List<JsonInput> items = new ArrayList<>();
     for (int i = 0; i < node.size(); i++) {
@@ -141,7 +141,7 @@ public final class JsonInput {
   /** Returns the names of the fields of an object. */
   public List<String> names() throws DataFormatException {
     if (!node.isObject()) {
-      throw fault(node + " is no object");
+      throw fault(node + " is not an object");
     }
     List<String> names = new ArrayList<>();
     node.fieldNames().forEachRemaining(names::add);
@@ -156,7 +156,7 @@ public final class JsonInput {
   /** Returns a text of at most {@value OneLine#LONGEST_TEXT} characters. */
   public String text() throws DataFormatException {
     if (!node.isTextual()) {
-      throw fault(node + " is no text");
+      throw fault(node + " is not a text");
     }
     String text = node.textValue();
     if (text.length() > OneLine.LONGEST_TEXT) {

@@ -113,7 +113,7 @@ final class LevelFields {
       if (!names.contains(name)) {
         throw object
             .field(name)
-            .fault("is no field here, expected some of " + String.join(", ", names));
+            .fault("is not a field here, expected some of " + String.join(", ", names));
       }
     }
   }

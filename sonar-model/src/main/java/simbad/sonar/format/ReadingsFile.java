@@ -153,7 +153,7 @@ public final class ReadingsFile {
             row,
             "t_s",
             csv.text(row, "t_s")
-                + " stands in line "
+                + " is in line "
                 + csv.line(before)
                 + " already, for the same run and sensor");
       }

@@ -89,7 +89,7 @@ public final class TableFile {
       double expected = row * spacing;
       double found = bearing(csv, row);
       if (row > 0 && Math.abs(found - bearing(csv, row - 1)) < SAME_BEARING_DEG) {
-        throw csv.fault(row, BEARING, "bearing " + degrees(found) + " stands twice");
+        throw csv.fault(row, BEARING, "bearing " + degrees(found) + " appears twice");
       }
       if (!(Math.abs(found - expected) < SAME_BEARING_DEG)) {
         throw csv.fault(

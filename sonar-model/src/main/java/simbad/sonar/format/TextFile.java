@@ -47,7 +47,7 @@ public final class TextFile {
     }
     if (!Files.isRegularFile(file)) {
       // A pipe may never end, a device never does.
-      throw DataFormatException.inFile(file, "is no regular file");
+      throw DataFormatException.inFile(file, "is not a regular file");
     }
     if (!Files.isReadable(file)) {
       throw DataFormatException.inFile(file, "cannot be read: permission denied");

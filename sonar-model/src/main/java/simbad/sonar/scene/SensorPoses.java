@@ -36,7 +36,8 @@ public final class SensorPoses {
       }
       if (isMoved(row) && setup.scene().obstacles().size() != 1) {
         return Optional.of(
-            "obstacle_x_m, obstacle_z_m, obstacle_turn_deg: want a scene of one obstacle, found "
+            "obstacle_x_m, obstacle_z_m, obstacle_turn_deg: expected a scene with one "
+                + "obstacle, found "
                 + setup.scene().obstacles().size());
       }
     }

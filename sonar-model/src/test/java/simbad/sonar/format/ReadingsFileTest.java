@@ -81,7 +81,8 @@ class ReadingsFileTest {
         "-0.25 | 1e300 | 2: z_m | '1e300' is not a finite number of at most",
         "0.42 | 1e999 | 2: range_m | '1e999' is not a range",
         "0.42 | no echo | 2: range_m | 'no echo' is not a range",
-        "0.42 | 0,42 | 2: range_m | 8 fields in the row, expected 7 (numbers take a decimal point",
+        "0.42 | 0,42 | 2: range_m | 8 fields in the row, expected 7 (a number has a "
+            + "decimal point",
         "0.00 | x | 2: t_s | 'x' is not a finite number",
         "0.00 | '' | 2: t_s | '' is not a finite number",
         "-0.25 | 1e999 | 2: z_m | '1e999' is not a finite number",
@@ -131,7 +132,7 @@ class ReadingsFileTest {
         Faults.file(
             directory,
             HEADER + "a,s,0.5,0,0,0,1\na,t,0.5,0,0,0,1\nb,s,0.5,0,0,0,1\na,s,0.50,0,0,0,1\n");
-    Faults.check(ReadingsFile::read, file, ":5: t_s: ", "0.50 stands in line 2 already");
+    Faults.check(ReadingsFile::read, file, ":5: t_s: ", "0.50 is in line 2 already");
   }
 
   @Test

@@ -85,7 +85,7 @@ class SceneFileTest {
         "\"x_m\": 1.5 | \"x_m\": 1,5 | 20: JSON | expecting",
         "\"x_m\": 1.5 | \"x_m\": 1.5, \"x_m\": 2 | 20: JSON | Duplicate field 'x_m'",
         "\"x_m\": 1.5, | \"x_m\": 1.5 | 21: JSON | expecting comma",
-        "\"name\": \"post\" | \"name\": 5 | 19: obstacles.0.name | 5 is no text",
+        "\"name\": \"post\" | \"name\": 5 | 19: obstacles.0.name | 5 is not a text",
         "\"turn_deg\": 0 | \"turn_deg\": true | 31: obstacles.1.turn_deg | true is not",
         "[1, 1], [-1, 1], [0, -1] | [1, 1], [-1, 1] | 32: obstacles.1.outline_m | 2 points",
         "[1, 1], [-1, 1], [0, -1] | [1, 1], [1, 1], [1, 1] | 32: obstacles.1.outline_m | all lie",
@@ -97,13 +97,13 @@ class SceneFileTest {
         "[1, 1], [-1, 1] | [1, 1], [-1, 1, 2] | 32: obstacles.1.outline_m.1 | [-1,1,2] is not a"
             + " point",
         "[1, 1], [-1, 1] | [1, 1], [-1, \"1\"] | 32: obstacles.1.outline_m.1.1 | \"1\" is not",
-        "[1, 1], [-1, 1] | [1, 1], 7 | 32: obstacles.1.outline_m.1 | 7 is no list",
+        "[1, 1], [-1, 1] | [1, 1], 7 | 32: obstacles.1.outline_m.1 | 7 is not a list",
         "\"table\" | \"mesh\" | 24: obstacles.0.detection | \"mesh\" is not \"table\" or"
             + " \"uniform\"",
         "\"detection\": \"uniform\", | . | 27: obstacles.1.detection | is missing",
         "\"thresholds_m\": [1, 2, 3, 0] | \"a\": 1 | 18: obstacles.0.thresholds_m | is missing",
         "[1, 2, 3, 0] | [1, 2] | 25: obstacles.0.thresholds_m | 2 values, expected at least 3",
-        "[1, 2, 3, 0] | 7 | 25: obstacles.0.thresholds_m | is no list",
+        "[1, 2, 3, 0] | 7 | 25: obstacles.0.thresholds_m | is not a list",
         "[1, 2, 3, 0] | [1, 2, -3] | 25: obstacles.0.thresholds_m.2 | -3 is not a distance in",
         "[1, 2, 3, 0] | [1, 2000] | 25: obstacles.0.thresholds_m | 2 values",
         "[1, 2, 3, 0] | [1, 2000, 1] | 25: obstacles.0.thresholds_m.1 | 2000 is not a distance",
@@ -112,9 +112,9 @@ class SceneFileTest {
         "\"uniform_range_m\": 2 | \"b\": 2 | 27: obstacles.1.uniform_range_m | is missing",
         "\"miss_rate\": 0.02 | \"miss_rate\": 2 | 13: sensor.miss_rate | 2 is not a share in [0,"
             + " 1]",
-        "\"sensor\": { | \"sensor\": 5, \"s\": { | 4: sensor | is no object",
-        "\"obstacles\": [ | \"obstacles\": 5, \"o\": [ | 17: obstacles | is no list",
-        "\"obstacles\": [ | \"obstacles\": [7, | 17: obstacles.0 | is no object"
+        "\"sensor\": { | \"sensor\": 5, \"s\": { | 4: sensor | is not an object",
+        "\"obstacles\": [ | \"obstacles\": 5, \"o\": [ | 17: obstacles | is not a list",
+        "\"obstacles\": [ | \"obstacles\": [7, | 17: obstacles.0 | is not an object"
       })
   void field_spoiled_isNamed(String piece, String instead, String where, String part)
       throws Exception {
@@ -157,7 +157,7 @@ class SceneFileTest {
   @ParameterizedTest
   @ValueSource(strings = {"[]", "5", "null", "\"scene\"", "true"})
   void anotherKindOfJson_isRefused(String text) throws Exception {
-    check(text, ":1: JSON: ", "is no object");
+    check(text, ":1: JSON: ", "is not an object");
   }
 
   @Test

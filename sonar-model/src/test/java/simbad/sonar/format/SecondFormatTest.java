@@ -139,7 +139,7 @@ class SecondFormatTest {
         "\"x_m\" : 0.05 | \"x_m\" : \"front\" | 22: sensors.left.x_m | is not a finite number",
         "\"temperature_compensated\" : true | \"temperature_compensated\" : 1 |"
             + " 16: sensor.temperature_compensated | is not true or false",
-        "\"The board is 1.2 m wide.\" | 7 | 27: assumptions.0 | is no text"
+        "\"The board is 1.2 m wide.\" | 7 | 27: assumptions.0 | is not a text"
       })
   void field_spoiled_isNamed(String piece, String instead, String field, String part)
       throws Exception {

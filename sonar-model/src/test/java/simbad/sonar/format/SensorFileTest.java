@@ -75,7 +75,7 @@ class SensorFileTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "name | 5 | 2 | 5 is no text",
+        "name | 5 | 2 | 5 is not a text",
         "cone_half_angle_deg | 0 | 3 | 0 is not an angle in (0, 180] degrees",
         "cone_half_angle_deg | 180.1 | 3 | 180.1 is not an angle in (0, 180] degrees",
         "cone_half_angle_deg | 1e-323 | 3 | is not an angle in (0, 180] degrees",

@@ -64,8 +64,8 @@ class TableFileFaultTest {
         "0 90 180 270 359 | 6 | found 359, expected 360",
         "0 90 180 270 360 | 6 | '360' is not a bearing in [0, 360) degrees",
         "0 100 200 300 | 5 | 4 rows in steps of 100 degrees",
-        "0 90 90 270 | 4 | bearing 90 stands twice",
-        "0 0 90 180 | 3 | bearing 0 stands twice",
+        "0 90 90 270 | 4 | bearing 90 appears twice",
+        "0 0 90 180 | 3 | bearing 0 appears twice",
         "10 100 190 280 | 2 | found 10, expected 0",
         "270 180 90 0 | 2 | bearings fall; write the rows from bearing 0 upwards",
         "0 270 180 90 | 4 | found 180, expected 540",
@@ -89,7 +89,7 @@ class TableFileFaultTest {
 
   @Test
   void columns_twice() throws Exception {
-    check("bearing_deg,threshold_m,threshold_m\n0,1,1\n", ":1: threshold_m: ", "stands twice");
+    check("bearing_deg,threshold_m,threshold_m\n0,1,1\n", ":1: threshold_m: ", "appears twice");
   }
 
   @Test
@@ -160,7 +160,7 @@ class TableFileFaultTest {
   void deviceInsteadOfAFile(String device) {
     assertTimeoutPreemptively(
         Duration.ofSeconds(20),
-        () -> Faults.check(TableFile::read, Path.of(device), ": ", "is no regular file"));
+        () -> Faults.check(TableFile::read, Path.of(device), ": ", "is not a regular file"));
   }
 
   /** A file that is there and may be opened, but not read: as root, too. */

@@ -153,7 +153,7 @@ public final class Folders {
             .orElseThrow(
                 () ->
                     DataFormatException.inArgument(
-                        "path", "'" + name + "' is no run, batch, capture or diagnosis"));
+                        "path", "'" + name + "' is not a run, batch, capture or diagnosis"));
     ObjectNode root = JsonText.MAPPER.createObjectNode();
     root.put("path", name).put("kind", kind.word());
     switch (kind) {

@@ -26,8 +26,8 @@ final class JsonText {
         return node;
       }
     } catch (JsonProcessingException e) {
-      throw DataFormatException.inFile(file, "is no JSON: " + e.getOriginalMessage());
+      throw DataFormatException.inFile(file, "is not JSON: " + e.getOriginalMessage());
     }
-    throw DataFormatException.inFile(file, "is no JSON object");
+    throw DataFormatException.inFile(file, "is not a JSON object");
   }
 }

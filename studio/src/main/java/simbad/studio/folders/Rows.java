@@ -37,7 +37,7 @@ final class Rows {
         each.take(rows.new Row(row));
       }
     } catch (CsvParseException | UncheckedIOException | IOException e) {
-      throw DataFormatException.inFile(file, "is no csv file: " + e.getMessage());
+      throw DataFormatException.inFile(file, "is not a csv file: " + e.getMessage());
     }
   }
 
@@ -67,7 +67,7 @@ final class Rows {
       } catch (NumberFormatException e) {
         // Said below.
       }
-      throw fault(column, "'" + text + "' is no number");
+      throw fault(column, "'" + text + "' is not a number");
     }
 
     private DataFormatException fault(String column, String problem) {

@@ -37,7 +37,7 @@ final class Shelf {
   static Shelf of(Path folder) throws DataFormatException {
     if (!Files.isDirectory(folder)) {
       throw DataFormatException.inFile(
-          folder, Files.exists(folder) ? "is no folder" : "no such folder");
+          folder, Files.exists(folder) ? "is not a folder" : "no such folder");
     }
     try {
       return new Shelf(folder.toRealPath());

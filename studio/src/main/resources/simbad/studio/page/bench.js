@@ -81,7 +81,7 @@ function tell(state) {
   put("bearing", state.bearing_deg + "\u00b0");
   const last = (state.levels || []).slice(-1)[0];
   put("level", last ? (last[3] ? "LOST at " : "at ") + (last[0] * 100).toFixed(1) + " cm to the axis: "
-    + last[2] + " of " + last[1] + " heard" : "nothing taken at this bearing yet", last && last[3] ? "line alarm" : "line");
+    + last[2] + " of " + last[1] + " heard" : "no reading at this bearing yet", last && last[3] ? "line alarm" : "line");
   const done = state.done === state.bearings;
   put("progresstext", state.done + " of " + state.bearings + " bearings, " + state.pings + " pings" + (done ? "" : left(state)));
   document.getElementById("progress").value = state.done / state.bearings;

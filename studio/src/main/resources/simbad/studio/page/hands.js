@@ -76,5 +76,5 @@ $('seed').addEventListener('change', () => { live.scene.seed = Number($('seed').
 $('reset').addEventListener('click', () => { delete live.scene.start; live.scene.moves = []; live.now = 0; change(0); });
 $('copy').addEventListener('click', async () => {
   try { await navigator.clipboard.writeText($('line').textContent); $('linenote').textContent = 'Copied.'; }
-  catch { getSelection().selectAllChildren($('line')); $('linenote').textContent = 'Marked: copy it by key.'; }
+  catch { getSelection().selectAllChildren($('line')); $('linenote').textContent = 'The line is selected: copy it with the keyboard.'; }
 });

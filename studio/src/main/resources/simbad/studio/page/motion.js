@@ -20,7 +20,7 @@ function gap(diagnosis, both) {
   }
   const csv = () => csvText(['horizon_s', 'component', 'before', 'after'], horizons.flatMap(h => PARTS.map(([key]) => [h.horizon_s, key, h[key].before, h[key].after])));
   const shrink = (diagnosis.gap || {}).shrink_ci95 || [null, null];
-  section.append(el('p', { class: 'note' }, 'Over all it shrinks by ' + percent((diagnosis.gap || {}).shrink) + ' (95 % interval ' + percent(shrink[0]) + ' to ' + percent(shrink[1]) + ').'),
+  section.append(el('p', { class: 'note' }, 'In total it shrinks by ' + percent((diagnosis.gap || {}).shrink) + ' (95 % interval ' + percent(shrink[0]) + ' to ' + percent(shrink[1]) + ').'),
     el('div', { class: 'bar' }, el('button', { type: 'button', onclick: () => giveText('forecasts.csv', csv(), 'text/csv') }, 'Save csv')));
   return section;
 }

@@ -13,7 +13,7 @@ export function svgOf(index) {
 export function saved() { return JSON.stringify({ ...live.scene, beside: live.beside }, null, 2) + '\n'; }
 export function opened(text) {
   const read = JSON.parse(text);
-  if (read.format !== FORMAT || !Array.isArray(read.moves)) throw new Error('it is no scene of format ' + FORMAT);
+  if (read.format !== FORMAT || !Array.isArray(read.moves)) throw new Error('it is not a scene of format ' + FORMAT);
   if (!live.catalogue.obstacles.some(o => o.name === read.obstacle)) throw new Error("there is no obstacle '" + read.obstacle + "'");
   for (const name of [read.sensor, read.beside || read.sensor])
     if (!sensorOf(name)) throw new Error("there is no sensor '" + name + "'");

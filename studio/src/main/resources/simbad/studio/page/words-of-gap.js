@@ -28,7 +28,7 @@ export function gapBars(gap, most) {
   const shrink = gap.shrink_ci95 || [null, null];
   return el('section', {}, el('h3', {}, 'Gap on rows that the fit never saw, cm'), el('div', { class: 'bars' },
     bar('before', gap.before_cm / scale, number(gap.before_cm, 2), 'before'), bar('after', gap.after_cm / scale, number(gap.after_cm, 2), 'after'), bar('floor', gap.floor_cm / scale, number(gap.floor_cm, 2), 'floor')),
-  el('p', { class: 'note' }, 'It shrinks by ' + percent(gap.shrink) + ' (95 % interval ' + percent(shrink[0]) + ' to ' + percent(shrink[1]) + '), of ' + gap.rows_held_out + ' rows.'));
+  el('p', { class: 'note' }, 'It shrinks by ' + percent(gap.shrink) + ' (95 % interval ' + percent(shrink[0]) + ' to ' + percent(shrink[1]) + '), measured on ' + gap.rows_held_out + ' rows.'));
 }
 export function budget(entries) {
   const all = entries.reduce((sum, one) => sum + Math.max(0, one.cm), 0);
@@ -36,7 +36,7 @@ export function budget(entries) {
   const style = (one, i) => one.what === 'rest' ? 'unknown' : one.what === 'floor' ? 'floor' : 'effect' + Math.min(2, i);
   const name = one => one.what === 'rest' ? 'not explained' : one.what === 'floor' ? 'scatter (floor)' : one.what;
   const part = (one, i) => { const made = el('span', { class: 'fill ' + style(one, i) }); made.style.flexGrow = Math.max(0, one.cm) / all; return made; };
-  return el('section', {}, el('h3', {}, 'What the gap before is made of, cm'), el('div', { class: 'budget', 'aria-hidden': 'true' }, entries.map(part)),
+  return el('section', {}, el('h3', {}, 'Parts of the gap before, cm'), el('div', { class: 'budget', 'aria-hidden': 'true' }, entries.map(part)),
     el('ul', { class: 'legend' }, entries.map((one, i) => el('li', {}, el('i', { class: 'block ' + style(one, i) }), name(one) + ' ' + number(one.cm, 2) + ' (' + number(one.ci95[0], 2) + ' to ' + number(one.ci95[1], 2) + ')'))));
 }
 const LEAST = 0.01, MOST_VALUES = 6;

@@ -12,14 +12,14 @@ export function words() {
     + start + ' --speed ' + live.scene.speed_m_per_s + ' --seed ' + live.scene.seed + ' --out run';
   const notes = [];
   if (sensors.some(s => sensorOf(s).diagnosed)) notes.push('DIR is the folder of the diagnosis.');
-  if (live.scene.robot) notes.push('With --robot each sensor is driven twice: on the exact robot, and on ' + live.scene.robot + ' (DIR is its diagnosis\u2019 folder; of a file its name stands there).');
+  if (live.scene.robot) notes.push('With --robot each sensor is driven twice: on the exact robot, and on ' + live.scene.robot + ' (DIR is the folder of its diagnosis; for a robot.json write the name of the file).');
   if (live.scene.moves.length) notes.push('The command does not know the moves by hand (' + live.scene.moves.length + '); the saved scene does.');
-  $('linenote').textContent = notes.join(' ') || 'The same start, controller and seed: the same trace.';
+  $('linenote').textContent = notes.join(' ') || 'This command has the same start, controller and seed, so it gives the same trace.';
   $('meaning').textContent = live.scene.sensor + ': ' + sensorOf(live.scene.sensor).meaning + (live.beside ? '. ' + live.beside + ': ' + sensorOf(live.beside).meaning : '')
     + '. Table of ' + live.scene.obstacle + ': ' + typeNow().provenance + '.';
   $('second').hidden = !live.beside;
   $('views').classList.toggle('two', Boolean(live.beside));
-  $('whyhead').textContent = 'Why not' + (live.beside ? ' (' + live.scene.sensor + ')' : '');
+  $('whyhead').textContent = 'Why no echo' + (live.beside ? ' (' + live.scene.sensor + ')' : '');
 }
 export function why(code) {
   if (code >= 100) return code === 1090 ? 'over 99 dB too weak' : ((code - 100) / 10).toFixed(1) + ' dB too weak';
