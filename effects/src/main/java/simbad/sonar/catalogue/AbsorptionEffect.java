@@ -1,5 +1,7 @@
 package simbad.sonar.catalogue;
 
+import static simbad.sonar.effect.FittedValues.text;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -76,6 +78,14 @@ public final class AbsorptionEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "shorten the far thresholds, or log the air's temperature and humidity";
+    return values.has("added_db_per_m")
+        ? text(
+            "log the air's temperature and humidity: it takes %+.2f dB for each metre more than"
+                + " was believed",
+            values.value("added_db_per_m"))
+        : text(
+            "shorten the far thresholds, by about %.0f %% for each metre, or log the air's"
+                + " temperature and humidity",
+            100 * values.value("loss_per_m"));
   }
 }

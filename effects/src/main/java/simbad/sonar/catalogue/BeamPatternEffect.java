@@ -1,6 +1,7 @@
 package simbad.sonar.catalogue;
 
 import static java.lang.Math.toRadians;
+import static simbad.sonar.effect.FittedValues.text;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -91,6 +92,13 @@ public final class BeamPatternEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "give the sensor a beam pattern: thresholds are shorter off the axis";
+    return values.has("aperture_factor")
+        ? text(
+            "let sensor.level.aperture_radius_m be %.2f times as large",
+            values.value("aperture_factor"))
+        : text(
+            "give the sensor a beam pattern: off the axis thresholds are shorter, with a width of"
+                + " %.1f degrees",
+            values.value("width_deg"));
   }
 }

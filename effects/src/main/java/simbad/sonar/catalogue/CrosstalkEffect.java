@@ -1,5 +1,7 @@
 package simbad.sonar.catalogue;
 
+import static simbad.sonar.effect.FittedValues.text;
+
 import java.util.List;
 import java.util.Set;
 import simbad.definition.Effect;
@@ -116,7 +118,10 @@ public final class CrosstalkEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "never let two sonars ping at the same time, and take the median of three " + "readings";
+    return text(
+        "never let two sonars ping at the same time, and take the median of three readings:"
+            + " %.0f %% of the pings hear another sonar",
+        100 * values.value("share"));
   }
 
   @Override

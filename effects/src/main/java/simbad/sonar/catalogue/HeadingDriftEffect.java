@@ -1,6 +1,7 @@
 package simbad.sonar.catalogue;
 
 import static java.lang.Math.toRadians;
+import static simbad.sonar.effect.FittedValues.text;
 
 import java.util.List;
 import java.util.Map;
@@ -29,6 +30,16 @@ public final class HeadingDriftEffect implements Definition {
 
   private static final Parameter DRIFT =
       Parameter.of("rate_deg_s", 0, -5, 5, -1, -0.3, -0.1, 0.1, 0.3, 1);
+
+  /** How much it is by the parameter that tells it; a form has one of them. */
+  private static final Map<String, String> IN_WORDS =
+      Map.of(
+          "rate_deg_s", "%+.3f degrees each second",
+          "rate_deg_m", "%+.2f degrees each metre",
+          "turn_deg", "%+.1f degrees in the end",
+          "bias_rad_s", "%+.4f rad each second",
+          "turn_factor", "%.3f times the turn",
+          "turn_rad_per_m", "%+.3f rad each metre");
 
   @Override
   public Effect effect() {
@@ -115,7 +126,13 @@ public final class HeadingDriftEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "correct the drift of the heading, or reset the heading from time to time";
+    String drift =
+        IN_WORDS.entrySet().stream()
+            .filter(entry -> values.has(entry.getKey()))
+            .map(entry -> text(entry.getValue(), values.value(entry.getKey())))
+            .findFirst()
+            .orElseThrow();
+    return text("correct the heading, or reset it from time to time: it is off by %s", drift);
   }
 
   @Override

@@ -1,5 +1,7 @@
 package simbad.sonar.catalogue;
 
+import static simbad.sonar.effect.FittedValues.text;
+
 import java.util.List;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
@@ -58,6 +60,12 @@ public final class HysteresisEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "measure thresholds both ways, towards the obstacle and away from it";
+    String apart =
+        values.has("gap")
+            ? text("%.0f %%", 100 * values.value("gap"))
+            : text("%.2f m", values.value("pick_up_m"));
+    return text(
+        "measure thresholds both ways, towards the obstacle and away from it: they are %s apart",
+        apart);
   }
 }

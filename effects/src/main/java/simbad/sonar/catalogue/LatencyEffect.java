@@ -1,5 +1,7 @@
 package simbad.sonar.catalogue;
 
+import static simbad.sonar.effect.FittedValues.text;
+
 import java.util.List;
 import java.util.Set;
 import simbad.definition.Effect;
@@ -65,7 +67,12 @@ public final class LatencyEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "stamp readings with the time of the ping, not with the time of their arrival";
+    String late =
+        values.has("delay_s")
+            ? text("%.3f s", values.value("delay_s"))
+            : text("%.1f pings", values.value("pings"));
+    return text(
+        "stamp readings with the time of the ping, not of their arrival, which is %s later", late);
   }
 
   @Override

@@ -1,5 +1,7 @@
 package simbad.sonar.catalogue;
 
+import static simbad.sonar.effect.FittedValues.text;
+
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
@@ -126,7 +128,16 @@ public final class MultipathEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "cover or move what reflects the sound, and take the smallest of a few readings";
+    String longer =
+        values.has("mean_extra_m")
+            ? text("by %.2f m on average", values.value("mean_extra_m"))
+            : values.has("extra_m")
+                ? text("by %.2f m", values.value("extra_m"))
+                : text("%.2f times as far", values.value("factor"));
+    return text(
+        "cover or move what reflects beside the way, and take the least of some readings:"
+            + " %.0f %% of the echoes read too far, %s",
+        100 * values.value("share"), longer);
   }
 
   @Override

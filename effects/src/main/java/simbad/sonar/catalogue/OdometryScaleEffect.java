@@ -1,9 +1,12 @@
 package simbad.sonar.catalogue;
 
+import static simbad.sonar.effect.FittedValues.text;
+
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.definition.Trait;
@@ -78,7 +81,13 @@ public final class OdometryScaleEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "calibrate the odometry: distances are off by a factor";
+    double factor =
+        Stream.of("factor", "speed_factor", "wheel_factor")
+            .filter(values::has)
+            .mapToDouble(values::value)
+            .findFirst()
+            .orElseThrow();
+    return text("calibrate the odometry: multiply the way that it reckons by %.3f", factor);
   }
 
   @Override

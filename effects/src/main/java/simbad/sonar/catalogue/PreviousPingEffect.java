@@ -1,5 +1,7 @@
 package simbad.sonar.catalogue;
 
+import static simbad.sonar.effect.FittedValues.text;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -190,7 +192,10 @@ public final class PreviousPingEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "wait longer between pings, until the echoes of the previous one have died away";
+    return text(
+        "wait longer between pings, until the echoes of the one before have died:"
+            + " %.0f %% of the pings hear them",
+        100 * values.value("share"));
   }
 
   @Override

@@ -1,5 +1,7 @@
 package simbad.sonar.catalogue;
 
+import static simbad.sonar.effect.FittedValues.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -85,7 +87,14 @@ public final class RangeNoiseEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "set the sensor's range_noise_m to the value fitted here, or average readings";
+    return values.has("deviation_m")
+        ? text(
+            "take the median of a few readings: %.0f %% of them scatter by %.3f m",
+            100 * values.value("share"), values.value("deviation_m"))
+        : text(
+            "take the mean of some readings, or let the sensor's range_noise_m grow:"
+                + " readings scatter by %.3f m more",
+            values.value("added_m"));
   }
 
   @Override

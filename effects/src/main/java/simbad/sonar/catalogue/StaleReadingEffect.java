@@ -1,5 +1,7 @@
 package simbad.sonar.catalogue;
 
+import static simbad.sonar.effect.FittedValues.text;
+
 import java.util.List;
 import java.util.Set;
 import simbad.definition.Effect;
@@ -71,7 +73,13 @@ public final class StaleReadingEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "report a missed echo as no echo: do not repeat the last reading";
+    String held =
+        values.has("hold_s")
+            ? text("for up to %.2f s", values.value("hold_s"))
+            : values.has("pings")
+                ? text("for up to %.0f pings", values.value("pings"))
+                : text("in %.0f %% of the pings", 100 * values.value("chance"));
+    return text("report a missed echo as such: the reading before is repeated %s", held);
   }
 
   @Override

@@ -1,5 +1,7 @@
 package simbad.sonar.catalogue;
 
+import static simbad.sonar.effect.FittedValues.text;
+
 import java.util.List;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
@@ -61,6 +63,9 @@ public final class WaveHopEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return "raise the echo's level, or take the least of a few readings";
+    return text(
+        "raise the echo's level, or take the least of a few readings: %.0f %% of the echoes read"
+            + " %.1f mm too far",
+        100 * values.value("share"), 1000 * values.value("step_m"));
   }
 }

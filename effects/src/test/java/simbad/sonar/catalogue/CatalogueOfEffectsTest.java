@@ -119,7 +119,15 @@ class CatalogueOfEffectsTest {
       }
       String remedy = definition.remedy(new FittedValues(values, SENSOR));
       assertFalse(remedy.isEmpty() || remedy.contains("NaN") || remedy.endsWith("."), remedy);
+      assertTrue(
+          manyOrNone(form) || remedy.chars().anyMatch(Character::isDigit),
+          form.effect().word() + " " + form.name() + ": " + remedy);
     }
+  }
+
+  /** A table has no one number, nor has what no parameter tells. */
+  private static boolean manyOrNone(Form form) {
+    return form.parameters().size() > 5 || form.parameters().isEmpty();
   }
 
   /** What a definition of a jar has, which says no more than it must. */
