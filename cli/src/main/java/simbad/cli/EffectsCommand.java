@@ -26,7 +26,7 @@ import simbad.sonar.scene.UniformDetection;
 @Command(
     name = "effects",
     description = {
-      "List the effects that a diagnosis can name: a line for each.",
+      "List the effects of a sensor that a diagnosis can name: a line for each.",
       "With names, explain these: what happens, what causes it, and the forms with "
           + "their parameters.",
       "A form is a formula for how the effect acts; at its neutral values it changes "
@@ -37,7 +37,8 @@ import simbad.sonar.scene.UniformDetection;
       "",
       "Example: simbad effects",
       "Example: simbad effects gain early-timeout",
-      "How to add an effect of your own: docs/guide/own-effect.md"
+      "Effects of a robot's motion: docs/guide/motion.md. An effect of your own: "
+          + "docs/guide/own-effect.md"
     })
 final class EffectsCommand extends Subcommand {
   private static final List<String> SENSORS = List.of("sonar");

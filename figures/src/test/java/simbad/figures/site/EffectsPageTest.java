@@ -16,6 +16,7 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
+import simbad.motion.effect.MotionForms;
 import simbad.obstacles.Catalogue;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
@@ -49,6 +50,22 @@ class EffectsPageTest {
       String happens = Definitions.of(Definitions.find(row.group(1)).orElseThrow()).happens();
       assertTrue(row.group(2).startsWith(happens), row.group(1) + ": " + happens);
     }
+  }
+
+  /** The guide names every effect of motion, and no other. */
+  @Test
+  void guideOfMotion_namesEveryEffect() throws IOException {
+    Set<String> named = new TreeSet<>();
+    String guide = Files.readString(Path.of("..", "docs", "guide", "motion.md"));
+    String table = guide.substring(guide.indexOf("## The effects of motion"));
+    table = table.substring(0, table.indexOf("## What comes out"));
+    Pattern.compile("(?m)^\\| `([a-z-]+)` \\|")
+        .matcher(table)
+        .results()
+        .forEach(row -> named.add(row.group(1)));
+    Set<String> known = new TreeSet<>(Set.of(MotionForms.MOTION_NOISE, MotionForms.SLIP));
+    MotionForms.ALL.forEach(form -> known.add(form.effect()));
+    assertEquals(known, named);
   }
 
   /** Of two obstacles and two transducers, since some forms are of one among several. */

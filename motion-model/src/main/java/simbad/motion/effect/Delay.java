@@ -11,7 +11,7 @@ record Delay(double lateS) implements MotionChange {
           "actuation-latency",
           List.of(MotionParameter.smooth("latency_s", 0, 2, 0, 0.02).tried(0.05, 0.15, 0.4)),
           p -> new Delay(p[0]),
-          "let commands act %s s late",
+          "delay commands by %s s",
           false);
   static final MotionForm CLOCKS =
       new MotionForm(

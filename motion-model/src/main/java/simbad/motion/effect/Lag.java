@@ -31,7 +31,8 @@ record Lag(
               TURN,
               MotionParameter.smooth("braking_factor", 0.05, 20, 1, NO_LIMIT).tried(0.4, 1, 2.5)),
           p -> new Lag(p[0], p[1], p[2], NO_LIMIT, NO_LIMIT),
-          "let the speed follow commands with a time constant of %s s, another in braking",
+          "let the speed follow commands with a time constant of %s s, and with a "
+              + "different one while braking",
           false);
   static final MotionForm ACCELERATION =
       new MotionForm(

@@ -42,7 +42,7 @@ record Scale(double speedFactor, double perMPerS, double turnFactor, double perR
               MotionParameter.smooth("speed_factor", 0.2, 5, 1, 0.01),
               MotionParameter.smooth("speed_factor_per_m_s", -5, 5, 0, 0.05)),
           p -> new Scale(p[0], p[1], 1, 0),
-          "multiply commanded speeds by %s, and by more or less with the speed itself",
+          "multiply commanded speeds by %s; the factor changes with the speed",
           false);
 
   static final MotionForm TURN_GROWING =
@@ -53,7 +53,7 @@ record Scale(double speedFactor, double perMPerS, double turnFactor, double perR
               MotionParameter.smooth("turn_factor", 0.2, 5, 1, 0.01),
               MotionParameter.smooth("turn_factor_per_rad_s", -2, 2, 0, 0.02)),
           p -> new Scale(1, 0, p[0], p[1]),
-          "multiply commanded turn rates by %s, and by more or less with the rate itself",
+          "multiply commanded turn rates by %s; the factor changes with the rate",
           false);
 
   @Override

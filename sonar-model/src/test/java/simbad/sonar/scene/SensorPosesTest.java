@@ -110,7 +110,7 @@ class SensorPosesTest {
         new MovedObstacle(OptionalDouble.of(1), OptionalDouble.empty(), OptionalDouble.empty());
     List<ReadingRow> rows = List.of(row("s", Pose.of(0, 0, 0), moved));
     SensingSetup two = setup(Map.of(), Placement.IDENTITY, new Placement(3, 3, 0));
-    assertTrue(SensorPoses.problem(two, rows).orElseThrow().contains("scene of one obstacle"));
+    assertTrue(SensorPoses.problem(two, rows).orElseThrow().contains("a scene with one obstacle"));
     SensingSetup mounted = setup(Map.of("left", Placement.IDENTITY), Placement.IDENTITY);
     assertTrue(
         SensorPoses.problem(mounted, rows).orElseThrow().contains("'s' has no mount in the scene"));
