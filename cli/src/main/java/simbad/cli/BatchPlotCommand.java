@@ -49,7 +49,7 @@ final class BatchPlotCommand extends Subcommand {
       names = "--curves",
       paramLabel = "PARAMETER",
       description =
-          "A second parameter; each of its values has a curve. Default: one curve per " + "sensor.")
+          "A second parameter; each of its values has a curve. Default: one curve per sensor.")
   private @Nullable String curves;
 
   @Option(

@@ -29,7 +29,7 @@ import simbad.sonar.format.DataFormatException;
 @Command(
     name = "capture",
     description = {
-      "Measure an obstacle bearing by bearing: find the distance at which the echo " + "is lost.",
+      "Measure an obstacle bearing by bearing: find the distance at which the echo is lost.",
       "Every reading is on the disk before the next one is taken. After any "
           + "interruption, simbad bench resume continues."
     },

@@ -247,7 +247,7 @@ final class BlindCheckCommand extends Subcommand {
             || !effects.isEmpty();
     if (drawing) {
       throw wrongUsage(
-          "--foreign: nothing is drawn, so options that say what to draw do not go with " + "it");
+          "--foreign: nothing is drawn, so options that say what to draw do not go with it");
     }
     if (level != null && !OneLine.isName(level)) {
       throw wrongUsage(

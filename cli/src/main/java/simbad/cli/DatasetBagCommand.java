@@ -30,7 +30,7 @@ import simbad.gap.diagnosis.DataSet;
           + "MCAP or SQLite, plain or packed with lz4 or zstd.",
       "The ranges come from sensor_msgs/msg/Range, the sensors' places from /tf, "
           + "/tf_static and odometry.",
-      "The options of simbad dataset csv add to this, or change it. Guide: " + "docs/guide/bags.md."
+      "The options of simbad dataset csv add to this, or change it. Guide: docs/guide/bags.md."
     },
     footer = {
       "",

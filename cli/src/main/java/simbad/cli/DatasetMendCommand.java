@@ -101,7 +101,7 @@ final class DatasetMendCommand extends Subcommand {
     Mending mending = mending();
     if (mending.isNothing()) {
       throw wrongUsage(
-          "nothing to mend; expected at least one of the options from --drop-duplicates " + "on");
+          "nothing to mend; expected at least one of the options from --drop-duplicates on");
     }
     for (String name : in) {
       if (!List.of(DataSetFolder.READINGS, DataSetFolder.REFERENCE).contains(name)) {

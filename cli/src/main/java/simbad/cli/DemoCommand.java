@@ -16,7 +16,7 @@ import simbad.demo.DemoManager;
       "Run a demo in the window.",
       "With --headless it runs without a window, as fast as possible, and prints where "
           + "all agents are at the end.",
-      "Demos use no random numbers: the same number of steps always gives the same " + "places."
+      "Demos use no random numbers: the same number of steps always gives the same places."
     },
     footer = {
       "",

@@ -69,7 +69,7 @@ final class ExportC99Command extends Subcommand {
       paramLabel = "MODEL",
       defaultValue = "shadow",
       description =
-          "The model that decides what is heard: shadow or level. Default: " + "${DEFAULT-VALUE}.")
+          "The model that decides what is heard: shadow or level. Default: ${DEFAULT-VALUE}.")
   private String model = "";
 
   @Option(

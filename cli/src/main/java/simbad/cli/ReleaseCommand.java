@@ -13,7 +13,7 @@ import simbad.cli.machine.Launcher;
     description = {
       "Make a release of the current commit: one jar with everything, the sources, "
           + "the Javadoc, an SBOM, the licences of all parts, the changelog and checksums.",
-      "The same commit gives the same bytes. Changes that are not committed are left " + "out."
+      "The same commit gives the same bytes. Changes that are not committed are left out."
     },
     footer = {
       "",

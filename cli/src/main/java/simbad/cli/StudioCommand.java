@@ -32,7 +32,7 @@ import simbad.studio.folders.Folders;
     },
     footer = {
       "",
-      "Only this computer can open the page; its address holds a token. Ctrl-C ends " + "it.",
+      "Only this computer can open the page; its address holds a token. Ctrl-C ends it.",
       "",
       "Example: simbad studio",
       "Example: simbad studio diagnoses --data data/gap",
@@ -51,7 +51,7 @@ final class StudioCommand extends Subcommand {
       names = "--data",
       paramLabel = "FOLDER",
       description =
-          "A further folder in which to look for the data sets of diagnoses. May be " + "repeated.")
+          "A further folder in which to look for the data sets of diagnoses. May be repeated.")
   private List<Path> data = new ArrayList<>();
 
   @Option(

@@ -496,7 +496,7 @@ class DatasetCsvCommandTest {
         "true_cm,reading_cm\\n1,2\\n | --encoding morse | --encoding: 'morse' is not an encoding",
         "true_cm,reading_cm\\n1,2\\n | --skip -1 | --skip: '-1' is not in [0.0, 1000000.0]",
         "true_cm,reading_cm\\n1,2\\n | --only true_cm | --only: 'true_cm' is not COLUMN=VALUE",
-        "true_cm,reading_cm\\n1,2\\n | --only true_cm=7 | log.csv: no row is left to " + "read",
+        "true_cm,reading_cm\\n1,2\\n | --only true_cm=7 | log.csv: no row is left to read",
         "true_cm,reading_cm\\n1,2\\n | --origin 1 | --origin: '1' is not X,Z",
         "true_cm,reading_cm\\n1,2\\n | --mount left | --mount: 'left' is not SENSOR=X,Z,TURN",
         "true_cm,reading_cm\\n1,2\\n | --time true_cm | --time-unit: is missing: s, ms, us",

@@ -89,7 +89,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
   private static String left(GapGain gain) {
     return String.format(
         Locale.ROOT,
-        "a gap of %.2f cm is left, but the diagnosed model expects only %.2f cm from " + "scatter",
+        "a gap of %.2f cm is left, but the diagnosed model expects only %.2f cm from scatter",
         100 * gain.afterM(),
         100 * gain.floorM());
   }

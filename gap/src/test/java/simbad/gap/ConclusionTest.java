@@ -139,7 +139,7 @@ class ConclusionTest {
     Conclusion left = of(weighed(OFFSET, 0.021, 0.01), 0.1);
     assertEquals(Verdict.UNEXPLAINED, left.verdict());
     assertEquals(
-        "a gap of 2.10 cm is left, but the diagnosed model expects only 1.00 cm from " + "scatter",
+        "a gap of 2.10 cm is left, but the diagnosed model expects only 1.00 cm from scatter",
         left.reason());
     assertEquals(
         Optional.of(new Conclusion(Verdict.PARTLY, left.reason(), List.of())),

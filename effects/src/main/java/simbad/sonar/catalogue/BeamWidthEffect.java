@@ -32,7 +32,7 @@ public final class BeamWidthEffect implements Definition {
 
   @Override
   public String cause() {
-    return "a transducer that differs from the data sheet, a housing or a tube in front " + "of it";
+    return "a transducer that differs from the data sheet, a housing or a tube in front of it";
   }
 
   @Override

@@ -43,7 +43,7 @@ public final class GainEffect implements Definition {
 
   @Override
   public String cause() {
-    return "a low supply voltage, dirt on the transducer or its ageing, another " + "amplification";
+    return "a low supply voltage, dirt on the transducer or its ageing, another amplification";
   }
 
   @Override

@@ -34,7 +34,7 @@ public final class ErrorWords {
   /** What they mean, in lines as wide as a console. */
   public static final List<String> MEANINGS =
       List.of(
-          "mean, RMS, max: radial error |r - T| over the bearings; beside: mean distance " + "from",
+          "mean, RMS, max: radial error |r - T| over the bearings; beside: mean distance from",
           "the shadow's edge; edge kept: share of the edge that the trace came within 5 "
               + "cm of;",
           "from edge: greatest distance in cm from the edge to the trace;",

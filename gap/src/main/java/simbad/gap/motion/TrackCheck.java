@@ -271,7 +271,7 @@ final class TrackCheck {
           AuditCheck.TRACK_JUMP,
           jumped.size() + " poses are far from the one before and the one after",
           jumped,
-          "leave them out; a heading that was averaged across 360 degrees looks like " + "this too",
+          "leave them out; a heading that was averaged across 360 degrees looks like this too",
           Severity.WARN);
     }
   }
