@@ -100,7 +100,10 @@ public final class RangeDriftEffect implements Definition {
   @Override
   public String remedy(FittedValues values) {
     return !values.has("settling_s")
-        ? "calibrate the ranges again from time to time, or let the sensor warm up first"
+        ? text(
+            "calibrate the ranges again from time to time, or let the sensor warm up first: they"
+                + " change by %+.4f m each minute",
+            60 * values.value("rate_m_s"))
         : text(
             "let the sensor warm up for %.0f s before you measure", 3 * values.value("settling_s"));
   }
