@@ -116,7 +116,7 @@ class MotionDiagnoserTest {
         world(51, "heading", d -> d.slope = 0.1),
         world(52, "time", d -> d.sag = 0.15),
         world(53, "now and then", d -> d.dropped = 0.1),
-        world(56, "one side", d -> d.oneSided = 0.05));
+        world(56, "left differs from right", d -> d.oneSided = 0.05));
   }
 
   @ParameterizedTest(name = "{0} {1}")
