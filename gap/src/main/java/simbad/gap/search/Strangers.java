@@ -17,10 +17,13 @@ import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.score.Placements;
 import simbad.gap.score.Probabilities;
+import simbad.gap.unexplained.SetupScores;
 import simbad.sonar.change.LevelDrift;
 import simbad.sonar.change.LevelScatter;
+import simbad.sonar.change.RangeSwing;
 import simbad.sonar.check.Checks;
 import simbad.sonar.effect.Form;
+import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.LevelChange;
 import simbad.sonar.ping.PingLog;
 
@@ -33,6 +36,7 @@ import simbad.sonar.ping.PingLog;
 public final class Strangers {
   private static final double MOST_SCATTER_DB = 20;
   private static final double MOST_DB = 30;
+  private static final double MOST_SWING_M = 0.5;
 
   /** Beyond, in natural logarithms, one is sure. */
   private static final double MOST_NATS = 50;
@@ -110,6 +114,7 @@ public final class Strangers {
    */
   public Found against(Hypothesis named, double worthNats, double temperature) {
     double own = nats(polished(new Fitter(given, Fold.ALL), named));
+    Optional<Swinging.Found> swing = swing(named);
     List<Claim> claims = new ArrayList<>();
     rests(named, worthNats)
         .forEach(
@@ -119,6 +124,7 @@ public final class Strangers {
                   .map(claim -> claim.less(costNats))
                   .forEachOrdered(claims::add);
               wandering(rest).map(claim -> claim.less(costNats)).forEach(claims::add);
+              swing.map(found -> swinging(rest, found).less(costNats)).ifPresent(claims::add);
             });
     double odds = 0;
     Claim most = new Claim(Double.NEGATIVE_INFINITY, "");
@@ -167,6 +173,45 @@ public final class Strangers {
         .orElse(List.of())
         .stream()
         .map(curve -> new Claim(curve.nats() - ofValues(rest), curve.what()));
+  }
+
+  /** The likeliest swing beside a set, if the log is long enough for any. */
+  private Optional<Swinging.Found> swing(Hypothesis named) {
+    Geometry geometry = given.geometry(given.model(named));
+    return new Swinging(
+            SetupScores.perMetre(named, given::logLikelihood), geometry::sinceStartS, durationS)
+        .likeliest();
+  }
+
+  /** Ranges that swing beside some effects, with a period that all of them left over. */
+  private Claim swinging(Hypothesis rest, Swinging.Found found) {
+    RangeSwing likeliest = found.swing();
+    double periodS = likeliest.periodS();
+    Form form =
+        new Form(
+            Optional.empty(),
+            "range-swing",
+            List.of(metres("sine_m"), metres("cosine_m")),
+            v -> new RangeSwing(v[0], v[1], periodS));
+    double[] start = {
+      form.parameters().get(0).clamp(likeliest.sineM()),
+      form.parameters().get(1).clamp(likeliest.cosineM())
+    };
+    Fitter fitter = new Fitter(given, Fold.ALL);
+    Fit far = fitter.refine(rest.and(form, start), rest.size(), 60);
+    Fit fit = polished(fitter, far.hypothesis());
+    double[] values = fit.hypothesis().valuesOf(rest.forms().size());
+    return new Claim(
+        nats(fit) - found.choiceNats() - Probabilities.NATS_PER_VALUE,
+        String.format(
+            Locale.ROOT,
+            "readings swing to and fro by %.1f cm, once in %.2f s",
+            100 * Math.hypot(values[0], values[1]),
+            periodS));
+  }
+
+  private static Parameter metres(String name) {
+    return Parameter.of(name, 0, -MOST_SWING_M, MOST_SWING_M, 0.01);
   }
 
   /** A table has too many values for it: it stays as it was read off the log. */

@@ -16,6 +16,7 @@ import simbad.gap.fixture.LevelWorlds;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.change.LevelDrift;
 import simbad.sonar.change.LevelScatter;
+import simbad.sonar.change.RangeSwing;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.ping.Change;
@@ -31,6 +32,9 @@ class StrangersTest {
   private static final double WORTH_NATS = 20;
   private static final Form DROPOUT =
       Forms.find(Effect.DROPOUT, "single", LevelWorlds.POST, List.of("s")).orElseThrow();
+
+  private static final Form NOISE =
+      Forms.find(Effect.RANGE_NOISE, "constant", LevelWorlds.POST, List.of("s")).orElseThrow();
 
   /** Asks of a log in which something was changed. */
   private static Strangers.Found found(Hypothesis truth, Hypothesis named) {
@@ -68,6 +72,17 @@ class StrangersTest {
     Strangers.Found none = found(with(new LevelDrift(0, -4, -9, durationS)), Hypothesis.NONE);
     assertTrue(none.share() < 0.1, none::toString);
     assertTrue(none.what().startsWith("the strength of echoes drifts"), none::toString);
+  }
+
+  @Test
+  void readingsThatSwing_areNotNone_norNoise() {
+    Hypothesis truth = with(new RangeSwing(0.02, 0.01, 0.9));
+    Strangers.Found none = found(truth, Hypothesis.NONE);
+    assertTrue(none.share() < 0.1, none::toString);
+    assertTrue(none.what().startsWith("readings swing to and fro by 2."), none::toString);
+    assertTrue(none.what().endsWith("once in 0.90 s"), none::toString);
+    Strangers.Found noise = found(truth, Hypothesis.NONE.and(NOISE, 0.015));
+    assertTrue(noise.share() < 0.1, noise::toString);
   }
 
   /** Foam on one side of the post: no effect makes echoes fainter from there alone. */
