@@ -49,17 +49,6 @@ public record RangeDrift(double shiftM, double share, double settlingS) implemen
     return 1;
   }
 
-  /** As at the first ping. */
-  @Override
-  public double meanM(double rangeM) {
-    return rangeM;
-  }
-
-  @Override
-  public double rangeM(double meanM) {
-    return meanM;
-  }
-
   /** Ranges times a factor, then longer by an amount. */
   private record Line(double factor, double shiftM) implements RangeChange {
     @Override

@@ -22,16 +22,6 @@ public record RangeNoise(double addedM, double addedPerM) implements RangeChange
   }
 
   @Override
-  public double meanM(double rangeM) {
-    return rangeM;
-  }
-
-  @Override
-  public double rangeM(double meanM) {
-    return meanM;
-  }
-
-  @Override
   public double deviationM(double rangeM, double deviationM) {
     double growing = addedPerM * rangeM;
     double added = addedM * addedM + growing * growing;

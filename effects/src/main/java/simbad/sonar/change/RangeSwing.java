@@ -36,15 +36,4 @@ public record RangeSwing(double sineM, double cosineM, double periodS) implement
   public int order() {
     return 1;
   }
-
-  /** As without it: a time is what makes it. */
-  @Override
-  public double meanM(double rangeM) {
-    return rangeM;
-  }
-
-  @Override
-  public double rangeM(double meanM) {
-    return meanM;
-  }
 }

@@ -57,15 +57,4 @@ public record RangeWalk(double atEdgeM, double fallDb) implements RangeChange {
   public int order() {
     return 1;
   }
-
-  /** With nothing in the cone. */
-  @Override
-  public double meanM(double rangeM) {
-    return rangeM;
-  }
-
-  @Override
-  public double rangeM(double meanM) {
-    return meanM;
-  }
 }

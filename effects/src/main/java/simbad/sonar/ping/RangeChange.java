@@ -16,18 +16,23 @@ public non-sealed interface RangeChange extends Change {
   int order();
 
   /**
-   * Returns the range that is read on average.
+   * Returns the range that is read on average; by default the range itself.
    *
    * @param rangeM metres
    */
-  double meanM(double rangeM);
+  default double meanM(double rangeM) {
+    return rangeM;
+  }
 
   /**
-   * Returns the range that is read as another on average: undoes {@link #meanM}.
+   * Returns the range that is read as another on average: undoes {@link #meanM}, and has to be
+   * overridden with it.
    *
    * @param meanM metres
    */
-  double rangeM(double meanM);
+  default double rangeM(double meanM) {
+    return meanM;
+  }
 
   /**
    * Returns the standard deviation of the range.

@@ -23,6 +23,7 @@ import simbad.sonar.change.LevelScatter;
 import simbad.sonar.change.RangeSwing;
 import simbad.sonar.check.Checks;
 import simbad.sonar.effect.Form;
+import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.LevelChange;
 import simbad.sonar.ping.PingLog;
@@ -186,32 +187,19 @@ public final class Strangers {
   /** Ranges that swing beside some effects, with a period that all of them left over. */
   private Claim swinging(Hypothesis rest, Swinging.Found found) {
     RangeSwing likeliest = found.swing();
-    double periodS = likeliest.periodS();
     Form form =
         new Form(
             Optional.empty(),
             "range-swing",
-            List.of(metres("sine_m"), metres("cosine_m")),
-            v -> new RangeSwing(v[0], v[1], periodS));
-    double[] start = {
-      form.parameters().get(0).clamp(likeliest.sineM()),
-      form.parameters().get(1).clamp(likeliest.cosineM())
-    };
-    Fitter fitter = new Fitter(given, Fold.ALL);
-    Fit far = fitter.refine(rest.and(form, start), rest.size(), 60);
-    Fit fit = polished(fitter, far.hypothesis());
-    double[] values = fit.hypothesis().valuesOf(rest.forms().size());
-    return new Claim(
-        nats(fit) - found.choiceNats() - Probabilities.NATS_PER_VALUE,
-        String.format(
-            Locale.ROOT,
-            "readings swing to and fro by %.1f cm, once in %.2f s",
-            100 * Math.hypot(values[0], values[1]),
-            periodS));
+            List.of(metres("sine_m", likeliest.sineM()), metres("cosine_m", likeliest.cosineM())),
+            v -> new RangeSwing(v[0], v[1], likeliest.periodS()));
+    // The period is a value, too.
+    return fitted(rest, form).less(found.choiceNats() + Probabilities.NATS_PER_VALUE);
   }
 
-  private static Parameter metres(String name) {
-    return Parameter.of(name, 0, -MOST_SWING_M, MOST_SWING_M, 0.01);
+  private static Parameter metres(String name, double start) {
+    double within = Math.max(-MOST_SWING_M, Math.min(MOST_SWING_M, start));
+    return Parameter.of(name, 0, -MOST_SWING_M, MOST_SWING_M, within);
   }
 
   /** A table has too many values for it: it stays as it was read off the log. */
@@ -230,11 +218,19 @@ public final class Strangers {
 
   private static String words(Hypothesis set) {
     int last = set.forms().size() - 1;
-    if (set.forms().get(last).with(set.valuesOf(last)) instanceof LevelScatter scatter) {
+    Change change = set.forms().get(last).with(set.valuesOf(last));
+    if (change instanceof LevelScatter scatter) {
       return String.format(
           Locale.ROOT,
           "echoes get stronger and weaker from ping to ping, by %.1f dB more than the set-up's do",
           scatter.scatterDb());
+    }
+    if (change instanceof RangeSwing swing) {
+      return String.format(
+          Locale.ROOT,
+          "readings swing to and fro by %.1f cm, once in %.2f s",
+          100 * swing.amplitudeM(),
+          swing.periodS());
     }
     double[] drift = set.valuesOf(last);
     return String.format(
