@@ -94,7 +94,7 @@ public final class BeamPatternEffect implements Definition {
   public String remedy(FittedValues values) {
     return values.has("aperture_factor")
         ? text(
-            "let sensor.level.aperture_radius_m be %.2f times as large",
+            "make sensor.level.aperture_radius_m %.2f times as large",
             values.value("aperture_factor"))
         : text(
             "give the sensor a beam pattern: off the axis thresholds are shorter, with a width of"

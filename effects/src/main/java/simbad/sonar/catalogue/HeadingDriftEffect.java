@@ -34,12 +34,12 @@ public final class HeadingDriftEffect implements Definition {
   /** How much it is by the parameter that tells it; a form has one of them. */
   private static final Map<String, String> IN_WORDS =
       Map.of(
-          "rate_deg_s", "%+.3f degrees each second",
-          "rate_deg_m", "%+.2f degrees each metre",
-          "turn_deg", "%+.1f degrees in the end",
-          "bias_rad_s", "%+.4f rad each second",
-          "turn_factor", "%.3f times the turn",
-          "turn_rad_per_m", "%+.3f rad each metre");
+          "rate_deg_s", "true less believed heading is %+.3f degrees for each second",
+          "rate_deg_m", "true less believed heading is %+.2f degrees for each metre",
+          "turn_deg", "true less believed heading is %+.1f degrees in the end",
+          "bias_rad_s", "true less believed heading is %+.4f rad for each second",
+          "turn_factor", "it turns %.3f times as far as is believed",
+          "turn_rad_per_m", "true less believed heading is %+.3f rad for each metre");
 
   @Override
   public Effect effect() {
@@ -132,7 +132,7 @@ public final class HeadingDriftEffect implements Definition {
             .map(entry -> text(entry.getValue(), values.value(entry.getKey())))
             .findFirst()
             .orElseThrow();
-    return text("correct the heading, or reset it from time to time: it is off by %s", drift);
+    return text("correct the heading, or reset it from time to time: %s", drift);
   }
 
   @Override

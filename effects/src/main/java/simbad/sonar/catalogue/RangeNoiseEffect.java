@@ -92,7 +92,7 @@ public final class RangeNoiseEffect implements Definition {
             "take the median of a few readings: %.0f %% of them scatter by %.3f m",
             100 * values.value("share"), values.value("deviation_m"))
         : text(
-            "take the mean of some readings, or let the sensor's range_noise_m grow:"
+            "take the mean of some readings, or raise the sensor's range_noise_m:"
                 + " readings scatter by %.3f m more",
             values.value("added_m"));
   }
