@@ -64,6 +64,8 @@ END
   fake "$1/bin" java <<'END'
 for argument; do
   case $argument in
+    # Nothing is missing, as far as the program itself would see.
+    simbad.cli.machine.OnTheSpot) exit ;;
     -XX:DumpLoadedClassList=*) touch "${argument#*=}"; exit ;;
     -XX:SharedArchiveFile=*) [[ $* == *-Xshare:dump* ]] && { touch "${argument#*=}"; exit; } ;;
   esac
@@ -86,10 +88,12 @@ case " \$* " in
   *' simbad.cli.machine.OnTheSpot '*) exec "$real_java/bin/java" "\$@" ;;
 esac
 options=()
-while [[ \$1 != -jar ]]; do
+while [[ \$1 != -jar && \$1 != -cp ]]; do
   [[ \$1 != -Dsimbad.* && \$1 != -Djava.* ]] || options+=("\$1")
   shift
 done
+# The main class, where one is named.
+[[ \$1 == -jar ]] || shift
 # Another account cannot write what the agent measures.
 agent=()
 [[ -z "$agent" || \$EUID != $EUID ]] || agent=("$agent")
@@ -113,10 +117,11 @@ fi
 root=$PWD
 while (($# > 0)); do
   [[ $1 == -f ]] && root=${2%/pom.xml}
+  [[ $1 == -Dspark.home=* ]] && spark=${1#*=}
   shift
 done
-mkdir -p "$root/cli/target/lib" "$root/cluster/target/spark/jars"
-touch "$root/cluster/target/cluster.jar" "$root/cluster/target/spark/jars/s.jar"
+mkdir -p "$root/cli/target/lib"
+[[ -z ${spark:-} ]] || { mkdir -p "$spark/jars" && cp "$FAKE_WORK/spark.jar" "$spark/cluster.jar"; }
 touch "$root/cli/target/cli.jar" "$root/cli/target/lib/a.jar"
 mkdir -p "$root/cli/target/licences" "$root/target/reports/apidocs"
 touch "$root/cli/target"/{simbad.jar,bom.json,licences/THIRD-PARTY.txt} "$root/target/reports/apidocs/index.html"
@@ -181,22 +186,77 @@ calls_not() { ! calls "$1"; }
 says_nothing() { prints_not 'simbad: '; }
 builds() { [[ -e $project/cli/target/launcher/stamp ]]; }
 
+# A jar for the place of Spark's, whose class stands before the program's own: it prints what it is started with.
+fake_spark() {
+  mkdir -p "$work/spark/simbad/cli"
+  cat >"$work/spark/simbad/cli/SparkProcess.java" <<'END'
+package simbad.cli;
+public class SparkProcess {
+  public static void main(String[] words) {
+    System.out.println("with Spark: " + String.join(" ", words));
+    System.out.println("class path: " + System.getProperty("java.class.path") + ":");
+    System.out.println("option: " + System.getProperty("fake.option") + " " + System.getProperty("simbad.home"));
+    System.exit(words[1].startsWith("fail") ? 42 : 0);
+  }
+}
+END
+  "$real_java/bin/javac" -d "$work/spark" "$work/spark/simbad/cli/SparkProcess.java"
+  "$real_java/bin/jar" --create --file "$work/spark.jar" -C "$work/spark" simbad
+  echo '-Dfake.option="as it is"' >"$project/cluster/src/main/java-options"
+}
+
+# The program says that it needs Spark; the launcher, called back, builds it.
 adds_spark_where_it_is_asked_for() {
   new_project
+  real_jdk "$work/jvm/jdk-17"
+  fake_spark
   simbad batch spec.json --out x
-  check "a batch has no Spark" prints_not 'spark'
+  check "a batch has no Spark" prints_not 'with Spark'
   check "nor is it built" calls_not 'mvn.*cluster'
-  simbad batch spec.json --out x --spark=local[2]
+  simbad batch --spark --help
+  check "help does without" calls_not 'mvn.*cluster'
+  simbad batch spec.json --out x --spark
+  check "wrong usage does without" prints "Missing required parameter for option '--spark'"
+  (umask 077 && simbad batch spec.json --out x '--spark=local[2]' && [[ $status == 0 ]] && prints 'building for Spark')
   check "Spark is built when it is asked for" calls 'mvn.*-pl cluster'
-  check "its options come before the class path" prints 'spark/java-options>'
-  check "its jars come first" prints '/spark/jars/*:'
   simbad batch spec.json --out x --spark 'local[2]'
   check "and once" calls_not mvn
-  simbad batch --spark --help
-  check "help does without" prints_not 'spark/java-options'
-  simbad blind-check --out x --spark 'local[2]'
-  check "the withheld check has it as well" prints 'spark/java-options>'
+  check "it is done with Spark" prints 'with Spark: batch spec.json --out x --spark local[2]'
+  check "with its options for Java, and the program's" prints "option: as it is $project"
+  check "its jars come first" prints "class path: $(spark_of_build)/cluster.jar:"
+  check "then those of the build" prints "/cli.jar:"
+  simbad batch fail.json --out x --spark 'local[2]'
+  check "its exit status passes through" status_is 42
+  simbad --trace blind-check --out x --spark 'local[2]'
+  check "the withheld check has it as well" prints 'with Spark: --trace blind-check'
+  local own_classes="$work/spark.jar"
+  simbad batch spec.json --out x --spark 'local[2]'
+  check "the user's classes come last" prints ":$work/spark.jar:"$'\n'
+  own_classes=
+  check "for all accounts" test -z "$(find "$(spark_of_build)" ! -perm -o+r)"
+  read_only_with_spark
+  FAKE_MAVEN=fail simbad batch spec.json --out x --spark 'local[2]'
+  check "Spark that cannot be built: status 1" status_is 1
+  check "Spark that cannot be built: Maven's line, and no other" test "$(wc -l <<<"$output")" = 3
+  testing=1 simbad batch spec.json --out x --spark 'local[2]'
+  check "nor is Spark built inside the tests" prints 'cannot build while the tests run'
 }
+
+# The program itself, which another account could not read where its classes are in somebody's home.
+read_only_with_spark() {
+  if ((EUID == 0)); then read_only_mount || return; else as_another_account; fi
+  simbad batch spec.json --out x --spark 'local[2]'
+  check "read-only: has Spark where it is built in" prints 'with Spark: '
+  as_the_owner
+  rm -r "$(spark_of_build)"
+  if ((EUID == 0)); then read_only_mount; else as_another_account; fi
+  simbad batch spec.json --out x --spark 'local[2]'
+  check "read-only: no Spark where it is not" prints 'Spark is not built in'
+  check "read-only: who could build it" prints "let $(id -un) type the command once"
+  as_the_owner
+}
+
+spark_of_build() { echo "$project"/cli/target/launcher/build-*/spark; }
 
 compiles_once_for_a_second() {
   new_project
@@ -214,8 +274,6 @@ adds_the_users_classes() {
   simbad table types
   check "the user's jar and folder follow the program" prints "/cli.jar:mine.jar:$work/my classes>"
   check "the main class is named" prints $'argument <simbad.cli.Main>\nargument <table>\nargument <types>'
-  simbad batch spec.json --out x --spark
-  check "Spark gets them too" prints "/*:mine.jar:$work/my classes>"
   own_classes=
   simbad table types
   check "without any the jar is run" prints $'argument <-jar>\n'
@@ -306,8 +364,6 @@ finds_the_command_behind_an_option() {
   new_project
   simbad --trace view
   check "--trace view: arrives as typed" prints $'argument <--trace>\nargument <view>'
-  simbad --trace batch spec.json --out x --spark
-  check "--trace batch --spark: has Spark" prints 'spark/java-options>'
   simbad --trace table predict square
   check "--trace table predict: without the second compiler" prints TieredStopAtLevel
   simbad bench --trace resume x
@@ -370,8 +426,6 @@ runs_for_another_account() {
   check "another account: without Maven" calls_not mvn
   simbad test
   check "another account: cannot test there" prints 'test: builds in'
-  simbad batch spec.json --out x --spark
-  check "another account: no Spark where its owner had none" prints 'Spark is not built in'
   as_the_owner
   echo change >>"$project/cli/src/main/java/deep/A.java"
   as_another_account
@@ -412,14 +466,17 @@ runs_a_copy_as_built() {
   rm -rf "$work/copy"
 }
 
+# Makes the project read-only in the next calls; false where this account may mount nothing.
+read_only_mount() {
+  unshare -m true 2>/dev/null || return
+  # shellcheck disable=SC2016 # for the other shell to expand
+  account=(unshare -m bash -c 'mount --bind -o ro "$0" "$0" && "$@"' "$project")
+}
+
 runs_from_a_read_only_mount() {
   new_clone
   simbad run
-  if ! unshare -m true 2>/dev/null; then
-    return
-  fi
-  # shellcheck disable=SC2016 # for the other shell to expand
-  account=(unshare -m bash -c 'mount --bind -o ro "$0" "$0" && "$@"' "$project")
+  read_only_mount || return
   from=/ simbad run
   check "read-only: runs from any folder" status_is 0
   check "read-only: without a word" says_nothing
@@ -457,7 +514,8 @@ installs_with_apt() {
   fake_apt
   simbad run
   check "no root, no sudo: status 1" status_is 1
-  check "no root, no sudo: the line to type" prints 'sudo apt-get update && sudo apt-get install -y --no-install-recommends maven openjdk-21-jdk-headless'
+  check "no root, no sudo: the line to type" prints \
+    'sudo apt-get update && sudo apt-get install -y --no-install-recommends openjdk-21-jdk-headless maven libfontconfig1 libfreetype6 fonts-dejavu-core'
   check "no root, no sudo: nothing installed" calls_not apt-get
   fake "$work/tools" sudo <<<'exit 1'
   simbad run
@@ -468,9 +526,10 @@ shift
 exec "$@"
 END
   simbad run
-  check "sudo: installs" calls 'apt-get .*install -y --no-install-recommends maven openjdk-21-jdk-headless'
+  check "sudo: installs" calls \
+    'apt-get .*install -y --no-install-recommends openjdk-21-jdk-headless maven libfontconfig1 libfreetype6 fonts-dejavu-core'
   check "sudo: what and why is said" prints \
-    'installing with apt to build the program: maven openjdk-21-jdk-headless (with SIMBAD_INSTALL=no'
+    'installing with apt to build the program: openjdk-21-jdk-headless maven libfontconfig1 libfreetype6 fonts-dejavu-core (with SIMBAD_INSTALL=no'
   check "sudo: then runs" status_is 0
   rm -r "$work/jvm" "$work/tools/mvn" "$work/tools/sudo"
   FAKE_UID=0 simbad run
@@ -482,7 +541,8 @@ END
   echo change >>"$project/pom.xml"
   install=no FAKE_UID=0 simbad run
   check "told not to: status 1" status_is 1
-  check "told not to: the line to type, of root" prints 'missing here to build the program; please type: apt-get update && apt-get install -y --no-install-recommends maven openjdk-21-jdk-headless'
+  check "told not to: the line to type, of root" prints \
+    'missing here to build the program; please type: apt-get update && apt-get install -y --no-install-recommends openjdk-21-jdk-headless maven libfontconfig1 libfreetype6 fonts-dejavu-core'
   check "told not to: nothing is installed" calls_not apt-get
 }
 
@@ -504,6 +564,7 @@ shows_progress_on_a_terminal() {
   check "terminal: Maven says what it fetches" calls_not 'mvn .*-ntp'
   check "terminal: Maven's status counts" status_is 1
   fake_apt
+  real_jdk "$work/jvm/jdk-17"
   rm "$work/tools/mvn"
   simbad_at_a_terminal run
   check "terminal: what is installed is said before, the progress seen" prints \
@@ -553,7 +614,7 @@ tells_what_works() {
   check "doctor: and not renewed" calls_not mvn
   rm -r "${work:?}/jvm" "$work/tools/mvn"
   simbad doctor
-  check "doctor: without Java it still answers" prints 'missing  java'
+  check "doctor: without Java it still answers" prints 'missing here to build the program'
   check "doctor: names what to install" prints 'maven'
   check "doctor: nothing can be built, status 1" status_is 1
 }

@@ -50,7 +50,9 @@ final class BatchCommand extends Subcommand {
 
   @Override
   protected void run() throws Exception {
-    who.check(this);
+    if (who.isDoneElsewhere(this)) {
+      return;
+    }
     try {
       drive(job(TextFile.read(spec)));
     } catch (AccessDeniedException e) {

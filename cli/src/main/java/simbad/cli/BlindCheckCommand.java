@@ -202,7 +202,9 @@ final class BlindCheckCommand extends Subcommand {
     if (!(limitS > 0 && limitS <= MOST_LIMIT_S)) {
       throw wrongUsage("--limit: " + limitS + " is not in (0, " + MOST_LIMIT_S + "] s");
     }
-    who.check(this);
+    if (who.isDoneElsewhere(this)) {
+      return;
+    }
     CheckOrder order = order();
     if (Files.exists(out) && !BlindCheck.mayStandIn(out)) {
       throw wrongUsage("--out: " + out + " is neither empty nor the folder of a check");

@@ -25,6 +25,10 @@ record JavaProgram(List<String> command) {
   private static final List<String> NOT_FOR_CHILDREN =
       List.of("-Dsimbad.terminal", "-Dspark.", "--add-");
 
+  /** The archive is of other jars, and there is nothing left that the launcher could add. */
+  private static final List<String> NOT_WITH_SPARK =
+      List.of("-XX:SharedArchiveFile", "-Dsimbad.launcher");
+
   JavaProgram {
     command = List.copyOf(command);
   }
@@ -35,14 +39,39 @@ record JavaProgram(List<String> command) {
    */
   static JavaProgram standing() {
     List<String> command = new ArrayList<>(List.of(java()));
-    for (String option : ManagementFactory.getRuntimeMXBean().getInputArguments()) {
-      if (NOT_FOR_CHILDREN.stream().noneMatch(option::startsWith)) {
-        command.add(option);
-      }
-    }
+    command.addAll(optionsWithout(NOT_FOR_CHILDREN));
     command.add("-XX:ActiveProcessorCount=1");
     command.addAll(List.of("-cp", classPath(), StandingMain.class.getName()));
     return new JavaProgram(command);
+  }
+
+  /**
+   * This very program as the process {@link SparkProcess}, with the options that this Java was
+   * started with.
+   *
+   * @param spark folder of Spark in the folder of the program's jars
+   * @param ownClasses the user's own jars and folders
+   */
+  static JavaProgram withSpark(Path spark, String ownClasses) {
+    List<String> command = new ArrayList<>(List.of(java(), "@" + spark.resolve("java-options")));
+    command.addAll(optionsWithout(NOT_WITH_SPARK));
+    // Spark's libraries come first: of those that both have, it takes no other versions.
+    List<String> classPath = new ArrayList<>();
+    classPath.add(spark.resolve("cluster.jar").toString());
+    classPath.add(spark.resolve("jars").resolve("*").toString());
+    classPath.add(spark.resolveSibling("*").toString());
+    if (!ownClasses.isEmpty()) {
+      classPath.add(ownClasses);
+    }
+    String entries = String.join(File.pathSeparator, classPath);
+    command.addAll(List.of("-cp", entries, SparkProcess.class.getName()));
+    return new JavaProgram(command);
+  }
+
+  private static List<String> optionsWithout(List<String> beginnings) {
+    return ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
+        .filter(option -> beginnings.stream().noneMatch(option::startsWith))
+        .toList();
   }
 
   /**

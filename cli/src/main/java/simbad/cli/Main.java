@@ -20,17 +20,23 @@ public final class Main {
    * @param arguments the command line
    */
   public static void main(String... arguments) {
+    PrintWriter err = utf8(FileDescriptor.err);
+    Interruption interruption = Interruption.announcedOn(err);
+    int status = runInThisProcess(err, arguments);
+    interruption.noLongerPossible();
+    System.exit(status);
+  }
+
+  /** Runs one command as the work of this process, which ends with the status afterwards. */
+  static int runInThisProcess(PrintWriter err, String... arguments) {
     // Numbers and results look the same wherever the user lives.
     Locale.setDefault(Locale.ROOT);
     WindowsAllowed.noneUnlessAsked();
-    PrintWriter out = utf8(FileDescriptor.out);
-    PrintWriter err = utf8(FileDescriptor.err);
-    Interruption interruption = Interruption.announcedOn(err);
     Ending tidying = Ending.with(TemporaryFolder::closeAll);
+    PrintWriter out = utf8(FileDescriptor.out);
     int status = OwnClasses.areThere(err) ? run(out, err, arguments) : ExitStatus.BAD_INPUT;
     tidying.close();
-    interruption.noLongerPossible();
-    System.exit(status);
+    return status;
   }
 
   /**

@@ -26,11 +26,16 @@ final class OwnClasses {
     if (Launcher.ofThisProcess().isEmpty()) {
       return true;
     }
-    Optional<String> missing = missing(System.getenv().getOrDefault(VARIABLE, ""));
+    Optional<String> missing = missing(named());
     missing.ifPresent(
         entry ->
             err.println("simbad: " + VARIABLE + ": " + entry + ": there is no such jar or folder"));
     return missing.isEmpty();
+  }
+
+  /** The user's class path, empty where there is none. */
+  static String named() {
+    return System.getenv().getOrDefault(VARIABLE, "");
   }
 
   /** The first entry of a class path that is not there. */

@@ -2,6 +2,7 @@ package simbad.cli;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
@@ -61,6 +62,20 @@ abstract class Subcommand implements Callable<Integer> {
    */
   protected final void complain(Exception fault) {
     status = Math.max(status, Complaints.of(spec.commandLine()).about(fault));
+  }
+
+  /**
+   * Has the exit status be that of another process, which did the work.
+   *
+   * @param other its exit status
+   */
+  protected final void endAs(int other) {
+    status = other;
+  }
+
+  /** Returns the command line that this runs for, as it was typed. */
+  protected final List<String> words() {
+    return spec.root().commandLine().getParseResult().originalArgs();
   }
 
   /**

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ServiceLoader;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
+import simbad.cli.machine.Launcher;
 import simbad.experiments.workers.Cluster;
 import simbad.experiments.workers.LocalWorkers;
 import simbad.experiments.workers.Workers;
@@ -24,14 +25,27 @@ final class WorkersOption {
       description = "Let Apache Spark do the work: spark://HOST:PORT or local[N].")
   private @Nullable String master;
 
-  /** Refuses what cannot be, before any work is done. */
-  void check(Subcommand command) {
+  /**
+   * Refuses what cannot be, before any work is done. Where Spark is asked for and is not among this
+   * program's jars, a process that has it does the whole command.
+   *
+   * @return whether such a process did it
+   */
+  boolean isDoneElsewhere(Subcommand command) throws IOException, InterruptedException {
     if (jobs < 1) {
       throw command.wrongUsage("--jobs: " + jobs + " is not at least 1");
     }
-    if (master != null && cluster() == null) {
-      throw command.wrongUsage("--spark: Spark is not among this program's jars; ./simbad adds it");
+    if (master == null || cluster() != null) {
+      return false;
     }
+    Launcher launcher =
+        Launcher.ofThisProcess()
+            .orElseThrow(
+                () ->
+                    command.wrongUsage(
+                        "--spark: Spark is not among this program's jars; ./simbad adds it"));
+    command.endAs(SparkProcess.run(launcher, command.words(), command.err()));
+    return true;
   }
 
   /**

@@ -3,17 +3,19 @@ package simbad.cli.machine;
 import java.io.IOException;
 
 /** Processes that do a part of the work in the sight of the user. */
-final class Children {
+public final class Children {
   private Children() {}
 
   /**
-   * Starts a process and waits for its end. It is ended, with those that it started, when this one
-   * is told to end.
+   * Starts a process and waits for its end. When this one is told to end, it ends that one first,
+   * with those that it started.
    *
    * @param builder what to start
    * @return its exit status
+   * @throws IOException if it cannot be started
+   * @throws InterruptedException if the thread is interrupted meanwhile
    */
-  static int run(ProcessBuilder builder) throws IOException, InterruptedException {
+  public static int run(ProcessBuilder builder) throws IOException, InterruptedException {
     Process process = builder.start();
     Thread atEnd = new Thread(() -> end(process.toHandle()));
     Runtime.getRuntime().addShutdownHook(atEnd);
@@ -30,5 +32,6 @@ final class Children {
   private static void end(ProcessHandle process) {
     process.descendants().forEach(ProcessHandle::destroy);
     process.destroy();
+    process.onExit().join();
   }
 }

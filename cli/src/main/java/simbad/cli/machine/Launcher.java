@@ -23,6 +23,11 @@ public record Launcher(Path script) {
     return script == null ? Optional.empty() : Optional.of(new Launcher(Path.of(script)));
   }
 
+  /** Returns the folder with the jars that this process runs. */
+  public Path build() {
+    return Path.of(System.getProperty("simbad.build", ""));
+  }
+
   /** Returns the folder of the project. */
   public Path project() {
     return Objects.requireNonNull(script.toAbsolutePath().getParent(), "a file lies in a folder");

@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * What the launcher compiles and starts where the program is not built: {@code doctor} and {@code
- * test}.
+ * What the launcher compiles and starts where the program is not built: {@code doctor}, {@code
+ * test}, and what is needed before a build.
  */
 public final class OnTheSpot {
   private static final int FAILED = 1;
@@ -19,7 +19,7 @@ public final class OnTheSpot {
   private OnTheSpot() {}
 
   /**
-   * Runs one of the two and exits.
+   * Does one of them and exits.
    *
    * @param words the command line
    */
@@ -57,6 +57,10 @@ public final class OnTheSpot {
     Machine machine = Machine.here(launcher.project());
     if (words.get(0).equals("doctor")) {
       return Doctor.examine(machine, System.out::println) ? 0 : FAILED;
+    }
+    if (words.get(0).equals("need")) {
+      Launcher.need(Purpose.of(words.get(1)));
+      return 0;
     }
     TestRun tests = TestRun.of(words.subList(1, words.size()));
     Launcher.need(Purpose.TEST);

@@ -30,6 +30,11 @@ public enum Purpose {
     return why;
   }
 
+  /** Returns the one of a name in the list of packages. */
+  static Purpose of(String word) {
+    return valueOf(word.toUpperCase(Locale.ROOT));
+  }
+
   /** Returns its name in the list of packages. */
   String word() {
     return name().toLowerCase(Locale.ROOT);
