@@ -1,5 +1,7 @@
 package simbad.architecture;
 
+import java.lang.reflect.Proxy;
+import java.lang.reflect.Type;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -31,8 +33,7 @@ import simbad.sonar.shape.DetectionShadow;
 
 /**
  * NaN comes in by no public constructor and by no factory. The rooms sonar-model, effects,
- * definitions and gap have tests of their own; cli and studio have no such door. The rooms of
- * blind-world are a program, which nothing else calls.
+ * definitions and gap have tests of their own; cli and studio have no such door.
  */
 class RoomDoorsTest {
   private static Samples samples() {
@@ -101,5 +102,51 @@ class RoomDoorsTest {
   @Test
   void figures() throws Exception {
     DoorWalk.refusesNan(AxisScale.class, samples(), 12);
+  }
+
+  /** The program that nothing here calls: its classes are known to this test by their names. */
+  @Test
+  void blindWorld() throws Exception {
+    DoorWalk.refusesNan(blind("Main"), blindSamples(), 50);
+  }
+
+  private static Samples blindSamples() throws Exception {
+    Object corner = made("world.Point", 0.0, 0.0);
+    List<Object> corners =
+        List.of(corner, made("world.Point", 0.1, 0.0), made("world.Point", 0.0, 0.1));
+    Type[] outline =
+        blind("wave.Outline")
+            .getMethod("covered", List.class, List.class)
+            .getGenericParameterTypes();
+    Object shadow = made("world.Shadow", List.of(1.0));
+    Object sensor =
+        made("world.Sensor", "sonar", 0.3, 0.1, 3.0, 0.1, 340.0, 0.0, 0.0, 0.0, 0.1, 0.1);
+    Object obstacle = made("world.Obstacle", "post", corner, 0.0, corners, shadow);
+    Object pose = made("world.Pose", 1.0, 1.0, 0.0);
+    Object row = made("world.Row", "run", "front", 0.0, pose);
+    Class<?>[] repeated = {blind("world.Repeats")};
+    Object repeats =
+        Proxy.newProxyInstance(
+            repeated[0].getClassLoader(), repeated, (proxy, method, seed) -> new double[2]);
+    double[] none = {};
+    Object commands = made("motion.Commands", none, none, none);
+    Object drive = made("motion.Outing$Run", "drive", commands, none, 1.0, pose);
+    return new Samples()
+        .with(outline[0], corners)
+        .with(outline[1], List.of(0.5, 0.5, 0.5))
+        .with(blind("world.Shadow"), shadow)
+        .with(blind("world.Scene"), made("world.Scene", 4.0, sensor, List.of(obstacle)))
+        .with(blind("world.Recording"), made("world.Recording", List.of(row)))
+        .with(blind("world.Repeats"), repeats)
+        .with(blind("motion.Commands"), commands)
+        .with(blind("motion.Outing"), made("motion.Outing", List.of(drive)));
+  }
+
+  private static Class<?> blind(String name) throws ClassNotFoundException {
+    return Class.forName("simbad.blindworld." + name);
+  }
+
+  private static Object made(String name, Object... arguments) throws Exception {
+    return blind(name).getConstructors()[0].newInstance(arguments);
   }
 }

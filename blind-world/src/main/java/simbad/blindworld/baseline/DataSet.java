@@ -30,20 +30,24 @@ public final class DataSet {
     for (JsonObject obstacle : json.objects("obstacles")) {
       obstacles.add(obstacle(obstacle));
     }
-    return new Scene(json.number("no_echo_m"), sensor(json.object("sensor")), obstacles);
+    try {
+      return new Scene(json.number("no_echo_m"), sensor(json.object("sensor")), obstacles);
+    } catch (IllegalArgumentException e) {
+      throw new FormatException(file + ", " + e.getMessage());
+    }
   }
 
   private static Obstacle obstacle(JsonObject json) throws FormatException {
     Point place = new Point(json.number("x_m"), json.number("z_m"));
     double turn = Math.toRadians(json.number("turn_deg"));
     List<Point> outline = new ArrayList<>();
-    for (List<Double> xz : json.numberLists("outline_m")) {
-      if (xz.size() != 2) {
-        throw new FormatException(json.where() + ", outline_m: expected pairs");
-      }
-      outline.add(new Point(xz.get(0), xz.get(1)));
-    }
     try {
+      for (List<Double> xz : json.numberLists("outline_m")) {
+        if (xz.size() != 2) {
+          throw new FormatException(json.where() + ", outline_m: expected pairs");
+        }
+        outline.add(new Point(xz.get(0), xz.get(1)));
+      }
       Shadow shadow =
           json.text("detection").equals("table")
               ? new Shadow(json.numbers("thresholds_m"))

@@ -3,6 +3,7 @@ package simbad.blindworld.effect;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.random.RandomGenerator;
+import simbad.blindworld.check.Checks;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Recording;
 import simbad.blindworld.world.Scene;
@@ -34,7 +35,7 @@ public final class Circumstances {
     this.recording = recording;
     this.driven = driven;
     this.random = random;
-    this.strength = strength;
+    this.strength = Checks.notNegative("strength", strength);
     this.distancesM = heard(scene, recording);
   }
 

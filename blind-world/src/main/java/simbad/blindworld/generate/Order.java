@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
+import simbad.blindworld.check.Checks;
 
 /**
  * What to generate.
@@ -36,6 +37,12 @@ public record Order(
 
   /** Least and most size of an effect, 1 for a practical one; drawn log-uniform between. */
   public record Sizes(double least, double most) {
+    /** Refuses what is no such thing. */
+    public Sizes {
+      Checks.positive("least size", least);
+      Checks.positive("greatest size", most);
+    }
+
     /** One of them, log-uniform. */
     double draw(SplittableRandom random) {
       double log = Math.log(least);
@@ -48,6 +55,7 @@ public record Order(
 
   /** Copies the collections. */
   public Order {
+    Checks.share("share of references", referenceShare);
     mix = Map.copyOf(mix);
     effects = List.copyOf(effects);
     withheld = List.copyOf(withheld);

@@ -2,6 +2,7 @@ package simbad.blindworld.motion;
 
 import java.util.Arrays;
 import java.util.function.UnaryOperator;
+import simbad.blindworld.check.Checks;
 
 /**
  * Speeds as they are told to a robot, each held until the next; before the first it stands.
@@ -17,6 +18,12 @@ public final class Commands {
 
   /** Speeds at one moment. */
   public record Speeds(double vMPerS, double wRadPerS) {
+    /** Refuses what is no such thing. */
+    public Speeds {
+      Checks.finite("speed", vMPerS);
+      Checks.finite("turn rate", wRadPerS);
+    }
+
     /** Standing still. */
     public static final Speeds ZERO = new Speeds(0, 0);
 
@@ -46,6 +53,9 @@ public final class Commands {
     if (timesS.length != speeds.length || timesS.length != turns.length) {
       throw new IllegalArgumentException("commands: columns of unequal length");
     }
+    Checks.numbers("times", timesS);
+    Checks.numbers("speeds", speeds);
+    Checks.numbers("turn rates", turns);
     for (int i = 1; i < timesS.length; i++) {
       if (!(timesS[i] >= timesS[i - 1])) {
         throw new IllegalArgumentException("commands: times that fall, expected rising ones");

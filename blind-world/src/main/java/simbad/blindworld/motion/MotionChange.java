@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.random.RandomGenerator;
+import simbad.blindworld.check.Checks;
 
 /**
  * Something that makes a robot move, or a tracker see, otherwise than the simulator believes.
@@ -84,6 +85,7 @@ public record MotionChange(
 
   /** Commands that all act late by the same time. */
   public static MotionChange latency(double byS) {
+    Checks.finite("latency", byS);
     return heard(Stage.TIME, (commands, random) -> commands.later(byS));
   }
 }

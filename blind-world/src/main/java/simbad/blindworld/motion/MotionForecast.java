@@ -3,6 +3,7 @@ package simbad.blindworld.motion;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import simbad.blindworld.check.Checks;
 import simbad.blindworld.file.Decimals;
 
 /** The 19 quantiles q05..q95 of what each window will show: along, across and turn. */
@@ -23,6 +24,11 @@ public final class MotionForecast {
 
   /** By window and component, rising. */
   public MotionForecast(double[][][] quantiles) {
+    for (double[][] window : quantiles) {
+      for (double[] component : window) {
+        Checks.numbers("quantile", component);
+      }
+    }
     this.quantiles = quantiles.clone();
   }
 

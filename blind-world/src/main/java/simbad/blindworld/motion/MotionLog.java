@@ -23,6 +23,14 @@ public record MotionLog(Outing outing, Track track) {
   /** What a robot.json says. */
   public static Robot robot(Path file) throws IOException, FormatException {
     JsonObject json = JsonObject.read(file);
+    try {
+      return robot(json);
+    } catch (IllegalArgumentException e) {
+      throw new FormatException(file + ", " + e.getMessage());
+    }
+  }
+
+  private static Robot robot(JsonObject json) throws FormatException {
     boolean differential = json.text("kinematics").equals("differential");
     return new Robot(
         differential ? json.number("wheel_radius_m") : 0,

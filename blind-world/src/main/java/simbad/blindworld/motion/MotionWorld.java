@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
+import simbad.blindworld.check.Checks;
 
 /**
  * A robot with everything that is at work in it. Speeds are constant over steps of a fiftieth of a
@@ -25,7 +26,12 @@ public final class MotionWorld {
    * @param scatter its standard deviations
    * @param tails 0 for Gaussian; else the share of frames that scatter three times as much
    */
-  public record Seeing(Robot.Scatter scatter, double tails) {}
+  public record Seeing(Robot.Scatter scatter, double tails) {
+    /** Refuses what is no such thing. */
+    public Seeing {
+      Checks.share("share of tails", tails);
+    }
+  }
 
   /**
    * A robot with changes.

@@ -3,6 +3,7 @@ package simbad.blindworld.motion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import simbad.blindworld.check.Checks;
 import simbad.blindworld.world.Pose;
 
 /** A log to be made: what is told in each run, and when the tracker looks. */
@@ -39,8 +40,8 @@ public record Outing(List<Run> runs) {
     public Run(String name, Commands commands, double[] framesS, double endS, Pose start) {
       this.name = name;
       this.commands = commands;
-      this.framesS = framesS.clone();
-      this.endS = endS;
+      this.framesS = Checks.numbers("frames", framesS).clone();
+      this.endS = Checks.finite("end", endS);
       this.start = start;
     }
 

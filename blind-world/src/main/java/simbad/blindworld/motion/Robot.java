@@ -1,5 +1,7 @@
 package simbad.blindworld.motion;
 
+import simbad.blindworld.check.Checks;
+
 /**
  * What the simulator believes of a robot: robot.json.
  *
@@ -17,6 +19,11 @@ public record Robot(
     Beliefs beliefs,
     Scatter tracker,
     boolean separateClocks) {
+  /** Refuses what is no such thing. */
+  public Robot {
+    Checks.notNegative("wheel radius", wheelRadiusM);
+    Checks.notNegative("wheel base", wheelBaseM);
+  }
 
   /**
    * How commands are believed to act; 0 for at once, infinite for no limit.
@@ -28,6 +35,14 @@ public record Robot(
    */
   public record Beliefs(
       double latencyS, double timeConstantS, double maxSpeedMPerS, double maxTurnRadPerS) {
+    /** Refuses what is no such thing. */
+    public Beliefs {
+      Checks.notNegative("latency", latencyS);
+      Checks.notNegative("time constant", timeConstantS);
+      Checks.limit("greatest speed", maxSpeedMPerS);
+      Checks.limit("greatest turn rate", maxTurnRadPerS);
+    }
+
     /** At once and without limits. */
     public static final Beliefs NONE =
         new Beliefs(0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
@@ -40,6 +55,12 @@ public record Robot(
    * @param headingRad of the heading
    */
   public record Scatter(double positionM, double headingRad) {
+    /** Refuses what is no such thing. */
+    public Scatter {
+      Checks.notNegative("scatter of places", positionM);
+      Checks.notNegative("scatter of headings", headingRad);
+    }
+
     /** A tracker that is always right. */
     public static final Scatter NONE = new Scatter(0, 0);
   }

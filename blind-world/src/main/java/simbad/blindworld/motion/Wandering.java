@@ -1,6 +1,7 @@
 package simbad.blindworld.motion;
 
 import java.util.random.RandomGenerator;
+import simbad.blindworld.check.Checks;
 
 /** Gaussian noise of variance 1 that hangs together over a while; a value for each step. */
 public final class Wandering {
@@ -11,6 +12,7 @@ public final class Wandering {
 
   /** With a correlation time; begun as it goes on. */
   public Wandering(double constantS, RandomGenerator random) {
+    Checks.notNegative("correlation time", constantS);
     keep = constantS > 0 ? StrictMath.exp(-MotionWorld.STEP_S / constantS) : 0;
     fresh = Math.sqrt(1 - keep * keep);
     this.random = random;

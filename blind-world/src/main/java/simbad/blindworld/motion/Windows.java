@@ -2,6 +2,7 @@ package simbad.blindworld.motion;
 
 import java.util.ArrayList;
 import java.util.List;
+import simbad.blindworld.check.Checks;
 
 /**
  * The stretches of a track that are forecast: 0.5, 2 and 5 s from every half second at which it is
@@ -28,6 +29,11 @@ public final class Windows {
    * @param to index of the frame at its end
    */
   public record Window(int run, double beginS, int horizon, int from, int to) {
+    /** Refuses what is no such thing. */
+    public Window {
+      Checks.finite("begin", beginS);
+    }
+
     /** How long it is. */
     public double horizonS() {
       return HORIZONS_S[horizon];

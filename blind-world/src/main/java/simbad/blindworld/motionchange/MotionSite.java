@@ -1,6 +1,7 @@
 package simbad.blindworld.motionchange;
 
 import java.util.random.RandomGenerator;
+import simbad.blindworld.check.Checks;
 import simbad.blindworld.motion.Commands;
 import simbad.blindworld.motion.Outing;
 import simbad.blindworld.motion.Robot;
@@ -23,7 +24,7 @@ public final class MotionSite {
     this.outing = outing;
     this.typical = outing.runs().get(0).commands();
     this.random = random;
-    this.size = size;
+    this.size = Checks.notNegative("size", size);
   }
 
   Robot robot() {

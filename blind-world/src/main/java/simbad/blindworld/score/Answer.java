@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import simbad.blindworld.check.Checks;
 import simbad.blindworld.world.Forecast;
 
 /**
@@ -36,13 +37,27 @@ public record Answer(
    * @param probability that it is at work
    * @param ties what these data cannot tell from it
    */
-  public record Named(String name, double probability, List<String> ties) {}
+  public record Named(String name, double probability, List<String> ties) {
+    /** Refuses what is no such thing. */
+    public Named {
+      Checks.share("probability", probability);
+    }
+  }
 
   /** A shrinkage with its 95 % interval. */
-  public record Shrink(double value, double low, double high) {}
+  public record Shrink(double value, double low, double high) {
+    /** Refuses what is no such thing. */
+    public Shrink {
+      Checks.number("shrinkage", value);
+      Checks.number("shrinkage, low", low);
+      Checks.number("shrinkage, high", high);
+    }
+  }
 
   /** Copies the lists. */
   public Answer {
+    Checks.share("probability of the unknown", unknownProbability);
+    Checks.number("gap", motionGap);
     explanation = List.copyOf(explanation);
     effects = List.copyOf(effects);
   }

@@ -3,6 +3,7 @@ package simbad.blindworld.score;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import simbad.blindworld.check.Checks;
 
 /**
  * What was at work in a case.
@@ -40,9 +41,12 @@ public record Truth(
 
   /** Copies the collections. */
   public Truth {
+    Checks.number("nominal gap", nominalCm);
+    Checks.number("oracle's gap", oracleCm);
+    Checks.number("standard errors", z);
     effects = List.copyOf(effects);
     strange = Set.copyOf(strange);
-    countedM = List.copyOf(countedM);
+    countedM = Checks.numbers("readings", countedM);
     accept = List.copyOf(accept);
   }
 

@@ -1,6 +1,7 @@
 package simbad.blindworld.wave;
 
 import java.util.Arrays;
+import simbad.blindworld.check.Checks;
 
 /**
  * What is sent, and what two resonances make of it.
@@ -13,6 +14,11 @@ import java.util.Arrays;
  */
 public record Burst(
     double frequencyHz, int cycles, Resonance sender, Resonance receiver, double delayS) {
+  /** Refuses what is no such thing. */
+  public Burst {
+    Checks.positive("frequency", frequencyHz);
+    Checks.finite("delay", delayS);
+  }
 
   /** After so many cycles an echo is over. */
   private static final int MOST_CYCLES = 160;
@@ -26,6 +32,11 @@ public record Burst(
    * @param quality frequency over bandwidth
    */
   public record Resonance(double frequencyHz, double quality) {
+    /** Refuses what is no such thing. */
+    public Resonance {
+      Checks.positive("frequency", frequencyHz);
+      Checks.positive("quality", quality);
+    }
 
     /** The pole of its envelope beside a carrier, in 1/s: decay, and beat. */
     Complex pole(double carrierHz) {

@@ -1,5 +1,7 @@
 package simbad.blindworld.wave;
 
+import simbad.blindworld.check.Checks;
+
 /**
  * The timer behind the receiver, as its user reads it.
  *
@@ -9,6 +11,13 @@ package simbad.blindworld.wave;
  * @param resolutionM in which ranges are given; 0 is no rounding
  */
 public record Counter(double soundSpeedMPerS, double lateS, double tickS, double resolutionM) {
+  /** Refuses what is no such thing. */
+  public Counter {
+    Checks.positive("speed of sound", soundSpeedMPerS);
+    Checks.finite("lateness", lateS);
+    Checks.notNegative("tick", tickS);
+    Checks.notNegative("resolution", resolutionM);
+  }
 
   /** The range that a time of detection gives before it is rounded, at least 0. */
   public double rangeM(double tS) {

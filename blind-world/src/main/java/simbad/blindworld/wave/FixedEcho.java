@@ -1,5 +1,6 @@
 package simbad.blindworld.wave;
 
+import simbad.blindworld.check.Checks;
 import simbad.blindworld.world.Pose;
 
 /**
@@ -10,6 +11,12 @@ import simbad.blindworld.world.Pose;
  * @param restlessDb by which that scatters from ping to ping
  */
 public record FixedEcho(double distanceM, double excessDb, double restlessDb) implements Reflector {
+  /** Refuses what is no such thing. */
+  public FixedEcho {
+    Checks.notNegative("distance", distanceM);
+    Checks.finite("excess", excessDb);
+    Checks.notNegative("restlessness", restlessDb);
+  }
 
   @Override
   public Trace arrivals(Pose pose, Medium medium, double tS) {

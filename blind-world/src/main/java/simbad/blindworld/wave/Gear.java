@@ -1,5 +1,7 @@
 package simbad.blindworld.wave;
 
+import simbad.blindworld.check.Checks;
+
 /**
  * A sonar.
  *
@@ -9,6 +11,10 @@ package simbad.blindworld.wave;
  * @param levelDb of what it sends and amplifies; 0 is a pressure of 1 at 1 m before it
  */
 public record Gear(Burst burst, Pistons pistons, Receiver receiver, double levelDb) {
+  /** Refuses what is no such thing. */
+  public Gear {
+    Checks.finite("level", levelDb);
+  }
 
   /**
    * Transmitter and receiver.
@@ -20,6 +26,13 @@ public record Gear(Burst burst, Pistons pistons, Receiver receiver, double level
    */
   public record Pistons(
       double senderRadiusM, double receiverRadiusM, double axisRad, double receiverAxisRad) {
+    /** Refuses what is no such thing. */
+    public Pistons {
+      Checks.notNegative("sender's radius", senderRadiusM);
+      Checks.notNegative("receiver's radius", receiverRadiusM);
+      Checks.finite("axis", axisRad);
+      Checks.finite("receiver's axis", receiverAxisRad);
+    }
 
     /** Both pistons larger by a factor. */
     public Pistons scaled(double factor) {
@@ -50,6 +63,15 @@ public record Gear(Burst burst, Pistons pistons, Receiver receiver, double level
    */
   public record Receiver(
       double floor, double start, double decayS, double armS, double timeoutS, double noise) {
+    /** Refuses what is no such thing. */
+    public Receiver {
+      Checks.notNegative("floor", floor);
+      Checks.notNegative("start", start);
+      Checks.positive("decay", decayS);
+      Checks.notNegative("time until it listens", armS);
+      Checks.positive("time-out", timeoutS);
+      Checks.notNegative("noise", noise);
+    }
 
     /** The threshold at a time after the trigger. */
     public double thresholdAt(double tS) {

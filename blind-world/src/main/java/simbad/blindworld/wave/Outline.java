@@ -2,6 +2,7 @@ package simbad.blindworld.wave;
 
 import java.util.ArrayList;
 import java.util.List;
+import simbad.blindworld.check.Checks;
 import simbad.blindworld.world.Point;
 
 /**
@@ -81,6 +82,7 @@ public final class Outline {
 
   /** A polygon each of whose faces sends back a share of the pressure that meets it. */
   public static Outline covered(List<Point> corners, List<Double> shares) {
+    shares.forEach(share -> Checks.share("share of sound", share));
     double area = 0;
     boolean left = false;
     boolean right = false;
@@ -98,6 +100,7 @@ public final class Outline {
 
   /** A round one. */
   public static Outline round(double radiusM) {
+    Checks.positive("radius", radiusM);
     int count = Math.max(24, (int) Math.ceil(2 * Math.PI * radiusM / ELEMENT_M));
     List<Point> corners = new ArrayList<>();
     for (int i = 0; i < count; i++) {

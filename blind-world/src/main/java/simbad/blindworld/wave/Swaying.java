@@ -1,5 +1,6 @@
 package simbad.blindworld.wave;
 
+import simbad.blindworld.check.Checks;
 import simbad.blindworld.world.Pose;
 
 /**
@@ -12,6 +13,12 @@ import simbad.blindworld.world.Pose;
  */
 public record Swaying(Target target, double swingXM, double swingZM, double periodS)
     implements Reflector {
+  /** Refuses what is no such thing. */
+  public Swaying {
+    Checks.finite("swing", swingXM);
+    Checks.finite("swing", swingZM);
+    Checks.positive("period", periodS);
+  }
 
   @Override
   public Trace arrivals(Pose pose, Medium medium, double tS) {

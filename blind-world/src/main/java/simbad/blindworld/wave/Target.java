@@ -1,5 +1,6 @@
 package simbad.blindworld.wave;
 
+import simbad.blindworld.check.Checks;
 import simbad.blindworld.world.Point;
 import simbad.blindworld.world.Pose;
 
@@ -21,7 +22,7 @@ public final class Target implements Reflector {
     this.outline = outline;
     this.upright = upright;
     this.place = place;
-    this.turnRad = turnRad;
+    this.turnRad = Checks.finite("turn", turnRad);
   }
 
   /** The same target moved by so much. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
+import simbad.blindworld.check.Checks;
 import simbad.blindworld.world.Pose;
 import simbad.blindworld.world.Recording;
 import simbad.blindworld.world.Repeats;
@@ -47,6 +48,7 @@ public final class WaveWorld {
 
     /** Copies the list. */
     public Parts {
+      Checks.notNegative("scatter", scatterDb);
       reflectors = List.copyOf(reflectors);
     }
 

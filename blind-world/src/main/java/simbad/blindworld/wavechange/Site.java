@@ -3,6 +3,7 @@ package simbad.blindworld.wavechange;
 import java.util.Arrays;
 import java.util.List;
 import java.util.random.RandomGenerator;
+import simbad.blindworld.check.Checks;
 import simbad.blindworld.effect.Circumstances;
 import simbad.blindworld.wave.Alteration;
 import simbad.blindworld.wave.Target;
@@ -36,7 +37,8 @@ public record Site(
 
   /** Copies the list. */
   public Site {
-    heardM = List.copyOf(heardM);
+    Checks.notNegative("size", size);
+    heardM = Checks.numbers("readings", heardM);
   }
 
   /** Echoes of a set of readings, rising. */

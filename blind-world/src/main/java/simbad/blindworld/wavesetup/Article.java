@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import simbad.blindworld.check.Checks;
 import simbad.blindworld.wave.Outline;
 import simbad.blindworld.wave.Upright;
 import simbad.blindworld.world.Point;
@@ -38,6 +39,7 @@ public record Article(String kind, List<Point> corners, Outline outline, double 
 
   /** Copies the corners. */
   public Article {
+    Checks.positive("height", heightM);
     corners = List.copyOf(corners);
   }
 

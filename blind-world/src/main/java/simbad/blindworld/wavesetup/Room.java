@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import simbad.blindworld.check.Checks;
 import simbad.blindworld.wave.Air;
 import simbad.blindworld.wave.Burst;
 import simbad.blindworld.wave.Counter;
@@ -43,9 +44,11 @@ public record Room(
 
   /** Copies the lists. */
   public Room {
+    Checks.notNegative("height of the sonar", mountHeightM);
+    Checks.positive("greatest range", maxRangeM);
     articles = List.copyOf(articles);
     targets = List.copyOf(targets);
-    turnsRad = List.copyOf(turnsRad);
+    turnsRad = Checks.numbers("turns", turnsRad);
   }
 
   /** A room drawn at random. */

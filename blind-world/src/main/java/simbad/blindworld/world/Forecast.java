@@ -2,6 +2,7 @@ package simbad.blindworld.world;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import simbad.blindworld.check.Checks;
 import simbad.blindworld.file.Decimals;
 
 /** The 19 quantiles q05..q95 of each row's reading, no-echo counted as the scene says. */
@@ -14,6 +15,9 @@ public final class Forecast {
 
   /** A forecast with 19 rising quantiles for each row. */
   public Forecast(double[][] quantilesM) {
+    for (double[] row : quantilesM) {
+      Checks.numbers("quantile", row);
+    }
     this.quantilesM = quantilesM.clone();
   }
 
@@ -31,6 +35,7 @@ public final class Forecast {
    * @param seed of the first repeat
    */
   public static Forecast of(Repeats listening, double noEchoM, int repeats, long seed) {
+    Checks.positive("no echo", noEchoM);
     SplittableRandom seeds = new SplittableRandom(seed);
     double[][] byRepeat = new double[repeats][];
     for (int i = 0; i < repeats; i++) {

@@ -1,6 +1,7 @@
 package simbad.blindworld.world;
 
 import java.util.List;
+import simbad.blindworld.check.Checks;
 
 /**
  * An obstacle as a scene describes it.
@@ -16,6 +17,7 @@ public record Obstacle(
 
   /** Copies the outline, which needs at least three points. */
   public Obstacle {
+    Checks.finite("turn", turnRad);
     outline = List.copyOf(outline);
     if (outline.size() < 3) {
       throw new IllegalArgumentException("outline: " + outline.size() + " points, expected 3");

@@ -3,6 +3,7 @@ package simbad.blindworld.world;
 import java.util.Arrays;
 import java.util.List;
 import java.util.random.RandomGenerator;
+import simbad.blindworld.check.Checks;
 
 /** One ping as it is being heard: what changes may look at. Valid only during the call. */
 public final class Ping {
@@ -25,6 +26,12 @@ public final class Ping {
    * @param turnRadPerS its rate of turn, counter-clockwise
    */
   public record Motion(double speedMPerS, double turnRadPerS) {
+    /** Refuses what is no such thing. */
+    public Motion {
+      Checks.finite("speed", speedMPerS);
+      Checks.finite("turn rate", turnRadPerS);
+    }
+
     static final Motion NONE = new Motion(0, 0);
   }
 

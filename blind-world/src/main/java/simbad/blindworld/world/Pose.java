@@ -1,5 +1,7 @@
 package simbad.blindworld.world;
 
+import simbad.blindworld.check.Checks;
+
 /**
  * Where a transducer stands and looks.
  *
@@ -8,6 +10,12 @@ package simbad.blindworld.world;
  * @param headingRad counter-clockwise as seen from above, 0 along +x; it looks along (cos, -sin)
  */
 public record Pose(double xM, double zM, double headingRad) {
+  /** Refuses what is no such thing. */
+  public Pose {
+    Checks.finite("x", xM);
+    Checks.finite("z", zM);
+    Checks.finite("heading", headingRad);
+  }
 
   /** The pose turned on the spot, counter-clockwise, by so many radians. */
   public Pose turned(double byRad) {

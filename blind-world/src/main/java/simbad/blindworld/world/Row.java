@@ -1,5 +1,7 @@
 package simbad.blindworld.world;
 
+import simbad.blindworld.check.Checks;
+
 /**
  * One ping, as the bench or the odometry believes it.
  *
@@ -8,4 +10,9 @@ package simbad.blindworld.world;
  * @param tS time within the run, in seconds
  * @param pose the believed pose of the transducer
  */
-public record Row(String run, String sensor, double tS, Pose pose) {}
+public record Row(String run, String sensor, double tS, Pose pose) {
+  /** Refuses what is no such thing. */
+  public Row {
+    Checks.finite("time", tS);
+  }
+}

@@ -1,6 +1,7 @@
 package simbad.blindworld.world;
 
 import java.util.List;
+import simbad.blindworld.check.Checks;
 
 /**
  * What the simulator believes.
@@ -13,6 +14,7 @@ public record Scene(double noEchoM, Sensor sensor, List<Obstacle> obstacles) {
 
   /** Copies the list. */
   public Scene {
+    Checks.positive("no echo", noEchoM);
     obstacles = List.copyOf(obstacles);
   }
 }

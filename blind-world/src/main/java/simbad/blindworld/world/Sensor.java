@@ -1,5 +1,7 @@
 package simbad.blindworld.world;
 
+import simbad.blindworld.check.Checks;
+
 /**
  * What a scene says of its sonar; lengths in metres, times in seconds.
  *
@@ -26,4 +28,18 @@ public record Sensor(
     double rangeNoiseM,
     double missRate,
     double edgeWidthM,
-    double periodS) {}
+    double periodS) {
+  /** Refuses what is no such thing. */
+  public Sensor {
+    Checks.notNegative("half angle", halfAngleRad);
+    Checks.notNegative("least range", minRangeM);
+    Checks.notNegative("greatest range", maxRangeM);
+    Checks.finite("height", mountHeightM);
+    Checks.positive("speed of sound", soundSpeedMPerS);
+    Checks.notNegative("resolution", resolutionM);
+    Checks.notNegative("noise of ranges", rangeNoiseM);
+    Checks.share("miss rate", missRate);
+    Checks.notNegative("width of the edge", edgeWidthM);
+    Checks.notNegative("period", periodS);
+  }
+}

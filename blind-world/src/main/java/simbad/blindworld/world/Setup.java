@@ -1,5 +1,7 @@
 package simbad.blindworld.world;
 
+import simbad.blindworld.check.Checks;
+
 /**
  * The physics of a set-up apart from any effect: what the scene says, or a little beside it.
  *
@@ -23,11 +25,27 @@ public record Setup(
     Ripple ripple,
     double beamEdgeRad,
     double wideningRad) {
+  /** Refuses what is no such thing. */
+  public Setup {
+    Checks.notNegative("width of the edge", edgeWidthM);
+    Checks.share("miss rate", missRate);
+    Checks.notNegative("noise of ranges", rangeNoiseM);
+    Checks.share("share of tails", tailShare);
+    Checks.notNegative("scale of tails", tailScale);
+    Checks.share("persistence", persistence);
+    Checks.notNegative("edge of the beam", beamEdgeRad);
+    Checks.finite("widening", wideningRad);
+  }
 
   private static final double RIM_LOSS = 0.1;
 
   /** A smooth deviation of thresholds by bearing: a sum of two waves. */
   public record Ripple(double share, int waves, double phaseRad) {
+    /** Refuses what is no such thing. */
+    public Ripple {
+      Checks.notNegative("ripple", share);
+      Checks.finite("phase", phaseRad);
+    }
 
     /** By which factor a threshold at this bearing differs. */
     public double factor(int body, double bearingRad) {

@@ -1,5 +1,7 @@
 package simbad.blindworld.world;
 
+import simbad.blindworld.check.Checks;
+
 /**
  * One obstacle as one ping has it before it.
  *
@@ -17,6 +19,14 @@ public record Sight(
     double distanceM,
     double offAxisRad,
     double thresholdM) {
+  /** Refuses what is no such thing. */
+  public Sight {
+    Checks.notNegative("distance of the centre", centreM);
+    Checks.finite("bearing", bearingRad);
+    Checks.number("distance", distanceM);
+    Checks.finite("angle off the axis", offAxisRad);
+    Checks.notNegative("threshold", thresholdM);
+  }
 
   /** True when some of the obstacle is in the cone. */
   public boolean inCone() {

@@ -52,7 +52,7 @@ public final class Samples {
   }
 
   /** Adds a value of a type that cannot be made of nothing. */
-  public Samples with(Class<?> type, Object value) {
+  public Samples with(Type type, Object value) {
     known.put(type, value);
     return this;
   }
