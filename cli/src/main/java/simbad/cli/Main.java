@@ -21,9 +21,9 @@ public final class Main {
    */
   public static void main(String... arguments) {
     PrintWriter err = utf8(FileDescriptor.err);
-    Interruption interruption = Interruption.announcedOn(err);
+    Ending interrupted = Ending.with(() -> err.println("simbad: interrupted"));
     int status = runInThisProcess(err, arguments);
-    interruption.noLongerPossible();
+    interrupted.close();
     System.exit(status);
   }
 

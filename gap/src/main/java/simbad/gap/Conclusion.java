@@ -3,6 +3,7 @@ package simbad.gap;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -43,6 +44,20 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
   private static final double SURE_NAME = 0.8;
 
   private static final long RESAMPLING = 1;
+
+  /**
+   * Something that has no name among the effects.
+   *
+   * @param probability that it is at work, in [0, 1]
+   * @param signs by which it is so probable, by name
+   * @param what it does, in words; empty where that is not known
+   */
+  record Unnamed(double probability, Map<String, Double> signs, String what) {
+    /** What the verdict says of it, where it is as likely as not. */
+    String reason() {
+      return what.isEmpty() ? "" : what + ", and no effect of the list does that";
+    }
+  }
 
   /** Copies the list. */
   Conclusion {

@@ -194,7 +194,7 @@ public final class Diagnoser {
     CalibratedLog open = calibration.opened(given, best);
     Weighed whole = inquiry.weighed.beside(given, open);
     Signs signs = Unknown.signs(given, open, calibration, whole.gain(), best);
-    Unnamed unnamed = unnamed(inquiry, signs);
+    Conclusion.Unnamed unnamed = unnamed(inquiry, signs);
     double unknown = unnamed.probability();
     double tieNats = TIE_NATS * calibration.clumping();
     List<Place> where = places(given, whole, blocks);
@@ -222,11 +222,11 @@ public final class Diagnoser {
   }
 
   /** What no effect does, as signs show it, or as it is likelier than the effects. */
-  private static Unnamed unnamed(Inquiry inquiry, Signs signs) {
+  private static Conclusion.Unnamed unnamed(Inquiry inquiry, Signs signs) {
     Calibration calibration = inquiry.calibration;
     double bySigns = Constants.own().unknown(signs.byName());
     if (calibration.model() != SensorLaw.Model.LEVEL || bySigns > 0.5) {
-      return new Unnamed(bySigns, signs.byName(), "");
+      return new Conclusion.Unnamed(bySigns, signs.byName(), "");
     }
     CalibratedLog given = inquiry.given;
     Strangers.Found found =
@@ -234,7 +234,7 @@ public final class Diagnoser {
             .against(inquiry.best(), inquiry.worthNats, calibration.temperature());
     Map<String, Double> all = new LinkedHashMap<>(signs.byName());
     all.put("strangers_odds", found.odds());
-    return new Unnamed(1 - (1 - bySigns) * found.share(), all, found.what());
+    return new Conclusion.Unnamed(1 - (1 - bySigns) * found.share(), all, found.what());
   }
 
   private static Weighed beside(Calibration calibration, CalibratedLog given, Weighed part) {

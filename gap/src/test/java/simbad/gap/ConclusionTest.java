@@ -48,7 +48,7 @@ class ConclusionTest {
 
   private static Conclusion of(Weighed weighed, double unknown, Place... where) {
     return Conclusion.of(
-        weighed, new Unnamed(unknown, Map.of(), ""), List.of(where), BLOCKS, TIE_NATS);
+        weighed, new Conclusion.Unnamed(unknown, Map.of(), ""), List.of(where), BLOCKS, TIE_NATS);
   }
 
   private static void isUndecided(String why, Conclusion conclusion) {
@@ -89,7 +89,7 @@ class ConclusionTest {
     Conclusion few =
         Conclusion.of(
             weighed(OFFSET, 0.01, 0.01),
-            new Unnamed(0.9, Map.of(), ""),
+            new Conclusion.Unnamed(0.9, Map.of(), ""),
             List.of(place(1e-9)),
             blocks(49),
             TIE_NATS);
@@ -148,7 +148,10 @@ class ConclusionTest {
 
   private static Optional<Conclusion> partly(Conclusion whole, Weighed weighed, double unknown) {
     return whole.partly(
-        Set.of(Effect.RANGE_OFFSET), weighed, new Unnamed(unknown, Map.of(), ""), TIE_NATS);
+        Set.of(Effect.RANGE_OFFSET),
+        weighed,
+        new Conclusion.Unnamed(unknown, Map.of(), ""),
+        TIE_NATS);
   }
 
   /** One in five is no "something else is too". */

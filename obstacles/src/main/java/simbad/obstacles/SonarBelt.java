@@ -1,13 +1,16 @@
 package simbad.obstacles;
 
 import java.util.OptionalDouble;
+import java.util.function.Function;
 import java.util.random.RandomGenerator;
 import simbad.sim.RangeSensorBelt;
 import simbad.sim.World;
 import simbad.sonar.model.SensorModel;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SonarSpec;
+import simbad.sonar.sensing.Readings;
 import simbad.sonar.sensing.Sensor;
+import simbad.sonar.sensing.TransducerPoses;
 
 /**
  * A ring of sonars at one point that hear obstacles as a sensor model says, by default the
@@ -60,5 +63,34 @@ public class SonarBelt extends RangeSensorBelt {
                 .map(SonarObstacle::asSensed)
                 .toList());
     return model.bind(spec, scene, random);
+  }
+
+  /** A sensor that is bound anew whenever the world's static objects have changed. */
+  private static final class WorldSensor implements Sensor {
+    private final World world;
+    private final Function<World, Sensor> binding;
+    private Sensor bound;
+    private long boundAt;
+
+    WorldSensor(World world, Function<World, Sensor> binding) {
+      this.world = world;
+      this.binding = binding;
+      bound = binding.apply(world);
+      boundAt = world.getStaticRevision();
+    }
+
+    @Override
+    public void ping(TransducerPoses poses, double timeS, Readings readings) {
+      if (boundAt != world.getStaticRevision()) {
+        bound = binding.apply(world);
+        boundAt = world.getStaticRevision();
+      }
+      bound.ping(poses, timeS, readings);
+    }
+
+    @Override
+    public void reset() {
+      bound.reset();
+    }
   }
 }

@@ -70,7 +70,7 @@ final class WorldView {
   }
 
   synchronized void add(BaseObject object) {
-    Figure figure = Figures.of(object);
+    Figure figure = figure(object);
     figures.put(object, figure);
     scene.add(figure);
     if (object instanceof SimpleAgent agent) {
@@ -161,5 +161,14 @@ final class WorldView {
 
   void dispose() {
     scene.dispose();
+  }
+
+  /** What a display shows of an object and of its parts; needs a display. */
+  private static Figure figure(BaseObject object) {
+    Figure figure = new Figure(object.visual());
+    object.nodes().forEach(figure::add);
+    object.decorate(figure);
+    object.children().forEach(child -> figure.add(figure(child)));
+    return figure;
   }
 }

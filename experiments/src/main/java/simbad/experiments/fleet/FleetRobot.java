@@ -1,6 +1,7 @@
 package simbad.experiments.fleet;
 
 import java.util.SplittableRandom;
+import java.util.random.RandomGenerator;
 import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
 import simbad.experiments.motion.DiagnosedKinematic;
@@ -150,5 +151,19 @@ final class FleetRobot extends Agent {
   double zM() {
     getCoords(place);
     return place.z;
+  }
+
+  /** A source of chance that a belt keeps while each episode brings its own numbers. */
+  private static final class Chance implements RandomGenerator {
+    private SplittableRandom source = new SplittableRandom(0);
+
+    void take(SplittableRandom newSource) {
+      source = newSource;
+    }
+
+    @Override
+    public long nextLong() {
+      return source.nextLong();
+    }
   }
 }
