@@ -4,6 +4,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -87,26 +88,32 @@ final class StudioCommand extends Subcommand {
     Optional<Folders> folders =
         folder.isPresent() ? Optional.of(Folders.of(folder.get(), data)) : Optional.empty();
     InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
-    try (Studio studio = Studio.open(address, new Choices(sensors(), moving()), folders)) {
+    try (Studio studio = Studio.open(address, choices(), folders)) {
       out().println(studio.url());
       err().println("studio: open this address; Ctrl-C ends it");
       new CountDownLatch(1).await();
     }
   }
 
-  private List<RobotKind> moving() throws DataFormatException {
+  private Choices choices() throws DataFormatException {
+    Map<String, String> options = new HashMap<>();
+    return new Choices(sensors(options), moving(options), options);
+  }
+
+  private List<RobotKind> moving(Map<String, String> options) throws DataFormatException {
     Map<String, RobotKind> byName = new LinkedHashMap<>();
     for (String word : robots) {
       RobotKind kind = RobotKind.read(word);
       if (byName.put(kind.name(), kind) != null) {
         throw wrongUsage("--robot: two are called " + kind.name());
       }
+      options.put(kind.name(), word);
     }
     return List.copyOf(byName.values());
   }
 
   /** The plain sensors, that of the main experiment first, then those of diagnoses. */
-  private List<SensorKind> sensors() throws DataFormatException {
+  private List<SensorKind> sensors(Map<String, String> options) throws DataFormatException {
     List<SensorKind> sensors = new ArrayList<>(List.of(SensorKind.SHADOW));
     SensorKind.all().stream().filter(kind -> !sensors.contains(kind)).forEach(sensors::add);
     for (String word : diagnosed) {
@@ -118,6 +125,7 @@ final class StudioCommand extends Subcommand {
             "--sensor: '" + word + "' is offered anyway, or has the name of another one");
       }
       sensors.add(kind);
+      options.put(kind.word(), word);
     }
     return sensors;
   }

@@ -29,7 +29,7 @@ final class Worlds {
   /**
    * Answers a question for frames.
    *
-   * @param text JSON with scene, from and count
+   * @param text JSON with scene, from and count, and perhaps every: how many steps lie between two
    * @return JSON
    * @throws DataFormatException naming what is wrong with the question
    */
@@ -37,7 +37,8 @@ final class Worlds {
     JsonInput json = StudioScene.question(text);
     int from = StudioScene.step(json.field("from"));
     int count = StudioScene.step(json.field("count"));
-    return "{\"frames\":" + world(json.field("scene")).frames(from, count) + "}";
+    int every = json.has("every") ? Math.max(1, StudioScene.step(json.field("every"))) : 1;
+    return "{\"frames\":" + world(json.field("scene")).frames(from, count, every) + "}";
   }
 
   private synchronized LiveWorld world(JsonInput json) throws DataFormatException {

@@ -82,7 +82,7 @@ public final class Folders {
     try {
       return switch (kind) {
         case RUN -> run(JsonText.read(Shelf.file(folder, "errors.json")));
-        case SENSING, MOTION -> verdict(JsonText.read(Shelf.file(folder, "diagnosis.json")));
+        case SENSING, MOTION, JOINT -> verdict(JsonText.read(Shelf.file(folder, "diagnosis.json")));
         case BATCH ->
             JsonText.read(Shelf.file(folder, "batch.json")).path("runs").asText() + " runs";
         case CAPTURE -> "";
@@ -125,7 +125,7 @@ public final class Folders {
     }
     ObjectNode root = read(name, folder);
     String text = root.toString();
-    if (root.has("rows")) {
+    if (root.has("rows") || root.has("windows")) {
       keep(key, text);
     }
     return text;
@@ -160,7 +160,11 @@ public final class Folders {
       case RUN -> RunView.add(folder, root);
       case BATCH -> BatchView.add(folder, root);
       case SENSING -> SensingView.add(folder, sets, root);
-      case MOTION -> root.set("diagnosis", JsonText.read(Shelf.file(folder, "diagnosis.json")));
+      case MOTION -> MotionView.add(folder, sets, root);
+      case JOINT -> {
+        SensingView.add(folder, sets, root);
+        MotionView.drive(folder, sets, root, root.path("diagnosis").path("motion"));
+      }
       case CAPTURE -> root.put("live", true);
     }
     return root;

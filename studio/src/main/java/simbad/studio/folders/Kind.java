@@ -2,6 +2,7 @@ package simbad.studio.folders;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
@@ -9,18 +10,17 @@ import java.util.stream.Stream;
 enum Kind {
   RUN("run", "errors.json", "errors.csv"),
   BATCH("batch", "results.csv", "batch.json"),
+  JOINT("joint", "diagnosis.json", "motion.json", "model.json"),
   MOTION("motion", "diagnosis.json", "motion.json"),
-  SENSING("sensing", "diagnosis.json", "diagnosis.json"),
-  CAPTURE("capture", "journal.txt", "journal.txt");
+  SENSING("sensing", "diagnosis.json"),
+  CAPTURE("capture", "journal.txt");
 
   private final String word;
-  private final String file;
-  private final String beside;
+  private final List<String> files;
 
-  Kind(String word, String file, String beside) {
+  Kind(String word, String... files) {
     this.word = word;
-    this.file = file;
-    this.beside = beside;
+    this.files = List.of(files);
   }
 
   /** As the page has it. */
@@ -34,6 +34,6 @@ enum Kind {
   }
 
   private boolean fits(Path folder) {
-    return Files.isRegularFile(folder.resolve(file)) && Files.isRegularFile(folder.resolve(beside));
+    return files.stream().allMatch(file -> Files.isRegularFile(folder.resolve(file)));
   }
 }

@@ -1,12 +1,13 @@
 // Folders: the list, and the one that is open, perhaps beside another.
 import { $, ask, el, fault } from './kit.js';
 import { showBatch } from './batch.js';
+import { showJoint } from './joint.js';
 import { showMotion } from './motion.js';
 import { showRun } from './run.js';
 import { showSensing } from './sensing.js';
 
-const SHOWN = { run: showRun, batch: showBatch, sensing: showSensing, motion: showMotion };
-const KINDS = { run: 'run', batch: 'batch', sensing: 'diagnosis of sensing', motion: 'diagnosis of motion', capture: 'capture' };
+const SHOWN = { run: showRun, batch: showBatch, sensing: showSensing, motion: showMotion, joint: showJoint };
+const KINDS = { run: 'run', batch: 'batch', sensing: 'diagnosis of sensing', motion: 'diagnosis of motion', joint: 'diagnosis of a joint log', capture: 'capture' };
 let list = null, close = () => {}, asked = 0, again = null;
 const link = (path, beside) => '#' + new URLSearchParams(beside ? { open: path, with: beside } : { open: path });
 

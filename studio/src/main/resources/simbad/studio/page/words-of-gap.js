@@ -1,13 +1,15 @@
 // A diagnosis in words and bars, alone or beside another.
-import { el, number, table } from './kit.js';
+import { csvText, el, giveText, number, table } from './kit.js';
 
 export const percent = share => share === null || share === undefined ? '\u2013' : share > 0.995 && share < 1 ? '> 99 %' : share > 0 && share < 0.005 ? '< 1 %' : number(100 * share, 0) + ' %';
-const UNITS = [['_m_s', ' m/s'], ['_deg_s', ' \u00b0/s'], ['_per_m', ' 1/m'], ['_deg', '\u00b0'], ['_cm', ' cm'], ['_db', ' dB'], ['_m', ' m'], ['_s', ' s']];
+const UNITS = [['_m_s', ' m/s'], ['_rad_s', ' rad/s'], ['_deg_s', ' \u00b0/s'], ['_per_m', ' 1/m'], ['_deg', '\u00b0'], ['_cm', ' cm'], ['_db', ' dB'], ['_m', ' m'], ['_s', ' s']];
 export function unit(name) { const found = UNITS.find(([end]) => name.endsWith(end)); return found ? found[1] : ''; }
+// Clocks that count from 1970 need all their digits.
+const end = (key, value) => String(key === 't_s' ? value : Number(value.toPrecision(3))).replace('-', '\u2212');
 export function place(slice) {
-  const names = { bearing_deg: 'bearing', distance_m: 'distance', off_axis_deg: 'off-axis angle', t_s: 'time', speed_m_s: 'speed' };
+  const names = { bearing_deg: 'bearing', distance_m: 'distance', off_axis_deg: 'off-axis angle', t_s: 'time', speed_m_s: 'speed', turn_rad_s: 'turn rate', since_change_s: 'since the last change', speed_change_m_s: 'change of speed', heading_deg: 'heading', x_m: 'x', z_m: 'z' };
   const all = Object.entries(slice).map(([key, value]) => (names[key] || key) + ' ' + (typeof value === 'string' ? value
-    : value[0] === null ? 'below ' + value[1] + unit(key) : value[1] === null ? 'from ' + value[0] + unit(key) : value[0] + ' to ' + value[1] + unit(key)));
+    : value[0] === null ? 'below ' + end(key, value[1]) + unit(key) : value[1] === null ? 'from ' + end(key, value[0]) + unit(key) : end(key, value[0]) + ' to ' + end(key, value[1]) + unit(key)));
   return all.join(', ') || 'everywhere';
 }
 // A bar of its share of the largest; the words beside it say the same.
@@ -30,14 +32,17 @@ export function gapBars(gap, most) {
     bar('before', gap.before_cm / scale, number(gap.before_cm, 2), 'before'), bar('after', gap.after_cm / scale, number(gap.after_cm, 2), 'after'), bar('floor', gap.floor_cm / scale, number(gap.floor_cm, 2), 'floor')),
   el('p', { class: 'note' }, 'It shrinks by ' + percent(gap.shrink) + ' (95 % interval ' + percent(shrink[0]) + ' to ' + percent(shrink[1]) + '), measured on ' + gap.rows_held_out + ' rows.'));
 }
+// Parts in centimetres, or as shares where there are several units.
 export function budget(entries) {
-  const all = entries.reduce((sum, one) => sum + Math.max(0, one.cm), 0);
+  const inCm = entries.some(one => one.cm !== undefined), value = one => inCm ? one.cm : one.share, text = v => inCm ? number(v, 2) : percent(v);
+  const all = entries.reduce((sum, one) => sum + Math.max(0, value(one)), 0);
   if (!(all > 0)) return null;
   const style = (one, i) => one.what === 'rest' ? 'unknown' : one.what === 'floor' ? 'floor' : 'effect' + Math.min(2, i);
   const name = one => one.what === 'rest' ? 'not explained' : one.what === 'floor' ? 'scatter (floor)' : one.what;
-  const part = (one, i) => { const made = el('span', { class: 'fill ' + style(one, i) }); made.style.flexGrow = Math.max(0, one.cm) / all; return made; };
-  return el('section', {}, el('h3', {}, 'Parts of the gap before, cm'), el('div', { class: 'budget', 'aria-hidden': 'true' }, entries.map(part)),
-    el('ul', { class: 'legend' }, entries.map((one, i) => el('li', {}, el('i', { class: 'block ' + style(one, i) }), name(one) + ' ' + number(one.cm, 2) + ' (' + number(one.ci95[0], 2) + ' to ' + number(one.ci95[1], 2) + ')'))));
+  const part = (one, i) => { const made = el('span', { class: 'fill ' + style(one, i) }); made.style.flexGrow = Math.max(0, value(one)) / all; return made; };
+  return el('section', {}, el('h3', {}, 'Parts of the gap before' + (inCm ? ', cm' : '')), el('div', { class: 'budget', 'aria-hidden': 'true' }, entries.map(part)),
+    el('ul', { class: 'legend' }, entries.map((one, i) => el('li', {}, el('i', { class: 'block ' + style(one, i) }), name(one) + ' ' + text(value(one)) + ' (' + text(one.ci95[0]) + ' to ' + text(one.ci95[1]) + ')'))),
+    el('div', { class: 'bar' }, el('button', { type: 'button', onclick: () => giveText('parts.csv', csvText(['part', inCm ? 'cm' : 'share', 'low', 'high'], entries.map(one => [one.what, value(one), ...one.ci95])), 'text/csv') }, 'Save csv')));
 }
 const LEAST = 0.01, MOST_VALUES = 6;
 export function effects(diagnosis, other) {
