@@ -53,6 +53,7 @@ public final class Studio implements AutoCloseable {
     folders.ifPresent(
         shown -> {
           questions.put("/folder", question -> answer(question, shown::open));
+          questions.put("/trace", question -> answer(question, shown::trace));
           questions.put("/capture", question -> answer(question, shown::capture));
         });
     return new Studio(

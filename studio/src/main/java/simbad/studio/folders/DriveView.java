@@ -80,12 +80,12 @@ final class DriveView {
 
   private void tracks(ArrayNode tracks) {
     for (MotionRun run : runs) {
-      TracePoints points = new TracePoints();
+      Trace trace = new Trace();
       for (TrackPose pose : run.track()) {
-        points.add(pose.xM(), -pose.yM());
+        trace.add(pose.xM(), -pose.yM());
       }
       ObjectNode track = tracks.addObject().put("run", run.name());
-      points.write(track.putArray("points"));
+      trace.write(Trace.Box.ALL, track.putArray("pieces"));
     }
   }
 

@@ -28,8 +28,12 @@ public final class Folders {
   /** Forecasts of many rows take seconds: two that are compared, and those before. */
   private static final int KEPT = 4;
 
+  /** Farther no trace is looked at. */
+  private static final double MOST_M = 1e6;
+
   private final Shelf shelf;
   private final DataSets sets;
+  private final Traces traces = new Traces();
   private final Map<String, String> known = new LinkedHashMap<>(16, 0.75f, true);
 
   private Folders(Shelf shelf, DataSets sets) {
@@ -157,7 +161,7 @@ public final class Folders {
     ObjectNode root = JsonText.MAPPER.createObjectNode();
     root.put("path", name).put("kind", kind.word());
     switch (kind) {
-      case RUN -> RunView.add(folder, root);
+      case RUN -> run(folder).add(root);
       case BATCH -> BatchView.add(folder, root);
       case SENSING -> SensingView.add(folder, sets, root);
       case MOTION -> MotionView.add(folder, sets, root);
@@ -187,6 +191,35 @@ public final class Folders {
             readings.settings().ranging());
     state.show(readings.state());
     return state.json();
+  }
+
+  private RunView run(Path folder) throws DataFormatException {
+    return new RunView(folder, traces, stamp(folder));
+  }
+
+  /**
+   * Returns a part of a run's traces, as fine as a screen shows it.
+   *
+   * @param question JSON with the run's path, the obstacle, and box: least x and z, greatest x and
+   *     z
+   * @throws DataFormatException if there is no such run, or its trace cannot be read
+   */
+  public synchronized String trace(String question) throws DataFormatException {
+    JsonInput json = JsonInput.parse(NAME, question);
+    List<JsonInput> box = json.items("box");
+    if (box.size() != 4) {
+      throw json.field("box").isNot("[left, top, right, bottom]");
+    }
+    double[] ends = new double[4];
+    for (int i = 0; i < ends.length; i++) {
+      ends[i] = box.get(i).number(v -> Math.abs(v) <= MOST_M, "in metres, at most " + MOST_M);
+    }
+    ObjectNode root = JsonText.MAPPER.createObjectNode();
+    Traces.write(
+        run(shelf.folder(path(question))).trace(json.text("obstacle")),
+        new Trace.Box(ends[0], ends[1], ends[2], ends[3]),
+        root);
+    return root.toString();
   }
 
   private static String path(String question) throws DataFormatException {

@@ -56,7 +56,7 @@ function drive(page, answer, diagnosis, closing) {
   const paint = (g, v, colours) => {
     const u = v.unit, marked = new Set(mine()), most = Math.max(1e-9, quantile(all.map(row => Math.abs(off(row, error, 0))), 0.95));
     g.strokeStyle = colours.quiet; g.lineWidth = 1.5 * u;
-    for (const track of answer.tracks) { line(g, v, track.points); g.stroke(); }
+    for (const track of answer.tracks) for (const piece of track.pieces) { line(g, v, piece); g.stroke(); }
     for (const row of [...all.filter(row => !marked.has(row)), ...marked]) {
       const x = v.x(row[column.x_m]), y = v.y(row[column.z_m]), size = (1.2 + 5 * Math.sqrt(Math.min(1, Math.abs(off(row)) / most))) * u;
       g.globalAlpha = marked.has(row) ? 0.85 : 0.15;
@@ -113,6 +113,6 @@ function drive(page, answer, diagnosis, closing) {
     el('li', {}, 'size: how far off'), el('li', {}, el('i', { class: 'key-ink' }), 'from where it came to, to where it was expected, ten times as long')), plan.buttons(() => csvText(answer.window_columns, mine())));
   page.append(el('section', {}, el('h3', {}, 'Where the gap of the motion lies'), placeButtons('driveplaces', 'All windows', where, choose), afterSlider('driveafter', turn), el('label', { class: 'search' }, 'Component', select), said),
     el('div', { class: 'twin' }, el('section', {}, plan.element), el('div', {}, el('section', {}, host), list)));
-  around(plan, answer.tracks.flatMap(track => track.points));
+  around(plan, answer.tracks.flatMap(track => track.pieces.flat()));
   component('along');
 }

@@ -1,5 +1,5 @@
 // A run: where the robot drove, and what each sensor was off by at each bearing.
-import { el, csvText, number, table } from './kit.js';
+import { ask, el, csvText, fault, number, table } from './kit.js';
 import { chart, colour, dash } from './charts.js';
 import { atBearing, line, Sheet } from './sheet.js';
 
@@ -18,7 +18,7 @@ export function showRun(page, run, other) {
 function sensorsOf(name, run, other) {
   const of = (source, mark) => {
     const found = source && source.obstacles.find(one => one.name === name);
-    return found ? Object.keys(found.errors_m).map(sensor => ({ sensor: sensor + mark, errors: found.errors_m[sensor], trace: found.traces[sensor] || [], of: found, result: source.errors.results.find(r => r.obstacle === name && r.sensor === sensor) || {} })) : [];
+    return found ? Object.keys(found.errors_m).map(sensor => ({ sensor: sensor + mark, errors: found.errors_m[sensor], pieces: found.traces[sensor] || [], sensorName: sensor, source, of: found, result: source.errors.results.find(r => r.obstacle === name && r.sensor === sensor) || {} })) : [];
   };
   const all = [...of(run, ''), ...of(other, ' \u00b7 ' + (other ? other.path : ''))], own = of(run, '').length;
   // The first colour is the table's.
@@ -54,16 +54,31 @@ function obstacle(body, name, run, other) {
   const toIndex = ([x, z]) => Math.round((Math.atan2(x, z) * 180 / Math.PI + 360) % 360 / 360 * bearings.length) % bearings.length;
   plan.onpoint = point => choose(toIndex(point));
   plan.onkey = key => { const by = { ArrowLeft: -1, ArrowRight: 1 }[key]; if (by) choose((at + by + bearings.length) % bearings.length); return Boolean(by); };
-  const csv = () => csvText(['sensor', 'x_m', 'z_m'], sensors.flatMap(one => one.trace.map(([x, z]) => [one.sensor, x, z])));
+  let looks = 0;
+  plan.onlook = async box => {
+    const mine = ++looks;
+    if (plan.zoom === 1) { for (const one of sensors) one.near = null; plan.draw(); return; }
+    for (const source of new Set(sensors.map(one => one.source))) {
+      try {
+        const answer = await ask('/trace', { path: source.path, obstacle: name, box });
+        if (mine !== looks) return;
+        if (answer.fault) throw new Error(answer.fault);
+        for (const one of sensors.filter(own => own.source === source)) one.near = { box, pieces: answer.traces[one.sensorName] || [] };
+      } catch (e) { fault(e.message); }
+    }
+    plan.draw();
+  };
+  const csv = () => csvText(['sensor', 'x_m', 'z_m'], sensors.flatMap(one => one.pieces.flat().map(([x, z]) => [one.sensor, x, z])));
   plan.element.append(el('ul', { class: 'legend' }, el('li', {}, el('i', { class: 'key-edge' }), 'edge of the table'),
     sensors.map(one => el('li', {}, el('i', { class: 'key-' + one.colour + (one.dash.length ? ' dashed' : '') }), one.sensor))), plan.buttons(csv));
   const reads = el('section', { class: 'readout' }, heading, el('div', { class: 'bar' }, slider), el('table', {}, readout), el('p', { class: 'note' }, 'Point at a bearing in any of the pictures, or move the slider.'));
   body.append(el('div', { class: 'twin' }, el('div', {}, plan.element), el('div', {}, reads, errors.element, lobes.element)), summary(name, sensors));
-  const reach = Math.max(...main.table.map(row => row[1]), ...sensors.flatMap(one => one.trace.map(([x, z]) => Math.hypot(x, z))));
+  const reach = Math.max(...main.table.map(row => row[1]), ...sensors.flatMap(one => one.pieces.flat().map(([x, z]) => Math.hypot(x, z))));
   plan.shows([0, 0], 1.08 * reach);
   requestAnimationFrame(() => choose(0));
   return () => { errors.close(); lobes.close(); };
 }
+const covers = ([x0, z0, x1, z1], v) => { const [left, top] = v.back(0, 0), [right, bottom] = v.back(v.w, v.h); return x0 <= left && z0 <= top && x1 >= right && z1 >= bottom && v.radius > (x1 - x0) / 24; };
 function paint(g, v, colours, main, sensors, bearing, threshold) {
   const u = v.unit;
   line(g, v, main.table.map(([b, m]) => atBearing(b, m)), true);
@@ -76,7 +91,8 @@ function paint(g, v, colours, main, sensors, bearing, threshold) {
   for (const one of sensors) {
     g.setLineDash(one.dash.map(d => d * u));
     g.strokeStyle = colours[one.colour]; g.lineWidth = 1.8 * u;
-    line(g, v, one.trace); g.stroke();
+    // As fine as the screen shows it where that is known, else as the whole was given.
+    for (const piece of one.near && covers(one.near.box, v) ? one.near.pieces : one.pieces) { line(g, v, piece); g.stroke(); }
   }
   g.setLineDash([]);
   g.fillStyle = colours.body; g.strokeStyle = colours.body; g.lineWidth = u;

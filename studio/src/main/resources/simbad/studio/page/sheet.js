@@ -2,6 +2,7 @@
 import { el, give, giveText, themeColours } from './kit.js';
 import { SvgPen } from './pen.js';
 
+const REST_MS = 120;
 export const SERIES = ['c0', 'c1', 'c2', 'c3', 'c4', 'c5'];
 const NAMES = ['paper', 'ink', 'soft', 'grid', 'shade', 'edge', 'body', 'trail', 'line', 'quiet', 'low', 'high', ...SERIES];
 export const DASHES = [[], [9, 5], [2, 4], [12, 4, 2, 4], [5, 3], [1, 3]];
@@ -43,6 +44,12 @@ export class Sheet {
     return { w, h, scale, centre, radius, unit: Math.max(1, Math.min(w, h) / 500), x: m => w / 2 + (m - centre[0]) * scale, y: m => h / 2 + (m - centre[1]) * scale,
       back: (px, py) => [(px - w / 2) / scale + centre[0], (py - h / 2) / scale + centre[1]] };
   }
+  // Not oftener than the screen shows it: a wheel turns faster.
+  redraw() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => { this.waiting = false; this.draw(); });
+  }
   draw(pen) {
     const canvas = this.canvas, ratio = devicePixelRatio || 1, v = this.view();
     if (!v.w || !v.h) return;
@@ -82,7 +89,7 @@ export class Sheet {
       if (from) {
         this.off = [this.off[0] - (p[0] - from[0]) / v.scale, this.off[1] - (p[1] - from[1]) / v.scale];
         from = p;
-        this.draw();
+        this.looked();
       } else if (this.onpoint) this.onpoint(v.back(...p), v, p);
     });
     canvas.addEventListener('pointerup', () => { from = null; });
@@ -99,7 +106,18 @@ export class Sheet {
     this.off = this.off.map((o, i) => o + (at[i] - v.centre[i]) * share);
     this.zoom = zoom;
     if (zoom === 1) this.off = [0, 0];
-    this.draw();
+    this.looked();
   }
-  reset() { this.zoom = 1; this.off = [0, 0]; this.draw(); }
+  reset() { this.zoom = 1; this.off = [0, 0]; this.looked(); }
+  // Somebody looks elsewhere: what is seen there may be asked for when the hand rests.
+  looked() {
+    this.redraw();
+    clearTimeout(this.resting);
+    if (this.onlook) this.resting = setTimeout(() => this.onlook(this.box()), REST_MS);
+  }
+  // What is seen, with as much again on each side.
+  box() {
+    const v = this.view(), [x0, z0] = v.back(-v.w, -v.h), [x1, z1] = v.back(2 * v.w, 2 * v.h);
+    return [x0, z0, x1, z1];
+  }
 }
