@@ -69,8 +69,7 @@ final class LiveWorld {
       Optional<Point> start =
           i == 0 ? scene.start() : Optional.of(turned(first, i * Angles.TURN_RAD / scene.robots()));
       Circuit circuit =
-          new Circuit(
-              type, List.of(), driven, sonar, scene.speedMPerS(), start, scene.seed() + i);
+          new Circuit(type, List.of(), driven, sonar, scene.speedMPerS(), start, scene.seed() + i);
       FollowerRobot robot =
           circuit.robot(new EdgeFollower(Tuning.standard(scene.speedMPerS(), Circuit.STEP_S)));
       robots.add(robot);

@@ -104,7 +104,8 @@ record StudioScene(
   private static Move move(JsonInput item, int robots) throws DataFormatException {
     Move.Thing thing = item.has("robot") ? Move.Thing.ROBOT : Move.Thing.OBSTACLE;
     Point to = point(item.field(thing.name().toLowerCase(Locale.ROOT)));
-    return new Move(step(item.field("step")), thing, number(item, robots), to.xM(), to.zM(), turnRad(item));
+    return new Move(
+        step(item.field("step")), thing, number(item, robots), to.xM(), to.zM(), turnRad(item));
   }
 
   /** Files from before obstacles could be turned lack it. */

@@ -18,6 +18,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -43,7 +44,8 @@ class StudioTest {
             new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
             new Choices(
                 List.of(SensorKind.SHADOW, SensorKind.ORIGINAL, SensorKind.LEVEL),
-                List.of(new RobotKind("slow", MotionChain.EXACT))),
+                List.of(new RobotKind("slow", MotionChain.EXACT)),
+                Map.of("slow", "diagnosed:lame")),
             Optional.empty());
   }
 
@@ -218,7 +220,7 @@ class StudioTest {
       // The picture as SVG is XML, and has all that is drawn.
       visitor.await(
           "(x => !x.querySelector('parsererror') && x.querySelectorAll('path').length > 20)"
-              + "(new DOMParser().parseFromString(svgOf(0), 'image/svg+xml'))");
+              + "(new DOMParser().parseFromString(svgNow(), 'image/svg+xml'))");
       // Markup in a file that is opened stays text.
       visitor.look(
           "try { opened(JSON.stringify({format: FORMAT, moves: [], obstacle: '<img src=x>'})); } catch (e) { fault(e.message); }");
@@ -244,7 +246,7 @@ class StudioTest {
           "$('sonar').value = 'hc-sr04'; $('sonar').dispatchEvent(new Event('change'));"
               + " $('robot').value = 'slow'; $('robot').dispatchEvent(new Event('change'))");
       visitor.await(
-          "worlds[0].frames.length > 6 && $('line').textContent.includes('--sensor-file data/sensors/hc-sr04.json --robot diagnosed:DIR')");
+          "worlds[0].frames.length > 6 && $('line').textContent.includes('--sensor-file data/sensors/hc-sr04.json --robot diagnosed:lame')");
       // The level law's shadow is loudness, as shade.
       visitor.look("$('sensor0').value = 'level'; $('sensor0').dispatchEvent(new Event('change'))");
       visitor.await("loudness('level').length === 5 && !$('louder').hidden");

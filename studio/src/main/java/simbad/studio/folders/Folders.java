@@ -169,7 +169,7 @@ public final class Folders {
         SensingView.add(folder, sets, root);
         MotionView.drive(folder, sets, root, root.path("diagnosis").path("motion"));
       }
-      case CAPTURE -> root.put("live", true);
+      case CAPTURE -> CaptureView.add(folder, root);
     }
     return root;
   }

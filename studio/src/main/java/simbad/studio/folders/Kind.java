@@ -2,25 +2,26 @@ package simbad.studio.folders;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** What a folder is, by the files in it. */
+/** What a folder is, by the files in it; the first that fits. */
 enum Kind {
   RUN("run", "errors.json", "errors.csv"),
   BATCH("batch", "results.csv", "batch.json"),
-  JOINT("joint", "diagnosis.json", "motion.json", "model.json"),
+  JOINT("joint", "model.json", "motion.json"),
   MOTION("motion", "diagnosis.json", "motion.json"),
-  SENSING("sensing", "diagnosis.json"),
-  CAPTURE("capture", "journal.txt");
+  SENSING("sensing", "diagnosis.json", "diagnosis.json"),
+  CAPTURE("capture", "journal.txt", "journal.txt");
 
   private final String word;
-  private final List<String> files;
+  private final String file;
+  private final String beside;
 
-  Kind(String word, String... files) {
+  Kind(String word, String file, String beside) {
     this.word = word;
-    this.files = List.of(files);
+    this.file = file;
+    this.beside = beside;
   }
 
   /** As the page has it. */
@@ -34,6 +35,6 @@ enum Kind {
   }
 
   private boolean fits(Path folder) {
-    return files.stream().allMatch(file -> Files.isRegularFile(folder.resolve(file)));
+    return Files.isRegularFile(folder.resolve(file)) && Files.isRegularFile(folder.resolve(beside));
   }
 }

@@ -19,14 +19,22 @@ final class WindowSlices {
   private final List<MotionRun> runs;
   private final Map<String, ToDoubleFunction<Window>> axes =
       Map.of(
-          "speed_m_s", window -> window.way().alongM() / window.horizonS(),
-          "turn_rad_s", window -> wrapped(window.way().turnRad()) / window.horizonS(),
-          "since_change_s", this::sinceChangeS,
-          "speed_change_m_s", this::speedChangeMPerS,
-          "t_s", Window::startS,
-          "heading_deg", window -> Math.toDegrees(wrapped(window.headingRad())),
-          "x_m", Window::xM,
-          "z_m", window -> -window.yM());
+          "speed_m_s",
+          window -> window.way().alongM() / window.horizonS(),
+          "turn_rad_s",
+          window -> wrapped(window.way().turnRad()) / window.horizonS(),
+          "since_change_s",
+          this::sinceChangeS,
+          "speed_change_m_s",
+          this::speedChangeMPerS,
+          "t_s",
+          Window::startS,
+          "heading_deg",
+          window -> Math.toDegrees(wrapped(window.headingRad())),
+          "x_m",
+          Window::xM,
+          "z_m",
+          window -> -window.yM());
 
   WindowSlices(List<MotionRun> runs) {
     this.runs = runs;
