@@ -34,6 +34,10 @@ final class CaptureView {
         Catalogue.findAny(obstacle).map(ObstacleType::thresholds).map(known -> known.table());
     root.put("obstacle", obstacle).put("pings_each", plan.pings());
     root.put("done", readings.state().doneCount()).put("pings", readings.state().pings());
+    ArrayNode edge = root.putArray("edge");
+    table.stream()
+        .flatMap(known -> known.points().stream())
+        .forEach(point -> edge.addArray().add(point.xM()).add(point.zM()));
     ArrayNode list = root.putArray("bearings");
     for (int i = 0; i < plan.bearings(); i++) {
       ObjectNode node = list.addObject().put("bearing_deg", plan.bearingDeg(i));

@@ -12,11 +12,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import simbad.bench.capture.CapturedReadings;
-import simbad.experiments.bench.CaptureFolder;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.JsonInput;
-import simbad.studio.bench.LiveState;
 
 /**
  * What the page may ask of a folder: what is in it, and what each of these holds. Answers are JSON
@@ -33,6 +30,7 @@ public final class Folders {
 
   private final Shelf shelf;
   private final DataSets sets;
+  private final CaptureStates captures = new CaptureStates();
   private final Traces traces = new Traces();
   private final Map<String, String> known = new LinkedHashMap<>(16, 0.75f, true);
 
@@ -181,16 +179,7 @@ public final class Folders {
    * @throws DataFormatException if there is no such capture, or its journal is damaged
    */
   public String capture(String question) throws DataFormatException {
-    Path folder = shelf.folder(path(question));
-    Shelf.file(folder, "journal.txt");
-    CapturedReadings readings = new CaptureFolder(folder).read();
-    LiveState state =
-        new LiveState(
-            readings.settings().of("obstacle"),
-            readings.settings().plan(),
-            readings.settings().ranging());
-    state.show(readings.state());
-    return state.json();
+    return captures.state(shelf.folder(path(question)));
   }
 
   private RunView run(Path folder) throws DataFormatException {

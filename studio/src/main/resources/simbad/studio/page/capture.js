@@ -8,7 +8,7 @@ export function showCapture(page, answer, other) {
   const same = one => other && other.bearings.find(b => Math.abs(b.bearing_deg - one.bearing_deg) < 1e-6);
   const values = (key, of = one => one) => all.map(one => of(one)?.[key] ?? null);
   let at = Math.max(0, all.findIndex(one => one.threshold_m !== undefined));
-  const plan = new Sheet('Thresholds of ' + answer.obstacle + ' by bearing, seen from above', 'thresholds', (g, v, colours) => paint(g, v, colours, all, other ? other.bearings : [], at));
+  const plan = new Sheet('Thresholds of ' + answer.obstacle + ' by bearing, seen from above', 'thresholds', (g, v, colours) => paint(g, v, colours, answer.edge, all, other ? other.bearings : [], at));
   const made = chart({ name: 'thresholds', label: 'Threshold by bearing, m', x: degrees, xLabel: 'bearing, degrees', yLabel: 'm', every: 30, height: 260, onhover: index => choose(index),
     series: [{ name: 'captured', values: values('threshold_m'), colour: 'c1', width: 3 }, { name: 'interval, low', values: values('low_m'), colour: 'quiet', dash: dash(1), width: 1 }, { name: 'interval, high', values: values('high_m'), colour: 'quiet', dash: dash(1), width: 1 },
       ...(all.some(one => one.table_m !== undefined) ? [{ name: 'table of the catalogue', values: values('table_m'), colour: 'ink', dash: dash(1) }] : []),
@@ -37,15 +37,15 @@ export function showCapture(page, answer, other) {
     el('li', {}, el('i', { class: 'dot key-c0' }), 'heard at this distance'), el('li', {}, el('i', { class: 'ringkey' }), 'lost at it')), plan.buttons(() => csvText(heads, all.map(one => heads.map(name => one[name])))));
   page.append(el('p', {}, answer.done + ' of ' + all.length + ' bearings of ' + answer.obstacle + ', ' + answer.pings + ' pings. ', el('a', { class: 'watch', href: 'bench' + location.search + '#' + encodeURIComponent(answer.path) }, 'Watch this capture'), ': its page follows the journal as it grows.'),
     el('div', { class: 'twin' }, el('div', {}, plan.element), el('div', {}, el('section', { class: 'readout' }, heading, el('div', { class: 'bar' }, slider), el('table', {}, readout), el('p', { class: 'note' }, 'Point at a bearing in either picture, or move the slider.')), made.element, el('section', {}, el('h3', {}, 'Distances tried'), list))));
-  const reach = [...all, ...(other ? other.bearings : [])].flatMap(one => [one.high_m, one.table_m, ...one.levels.map(level => level[0])]).filter(Number.isFinite);
+  const reach = [...answer.edge.map(([x, z]) => Math.hypot(x, z)), ...[...all, ...(other ? other.bearings : [])].flatMap(one => [one.high_m, one.table_m, ...one.levels.map(level => level[0])])].filter(Number.isFinite);
   plan.shows([0, 0], 1.08 * Math.max(0.2, ...reach));
   requestAnimationFrame(() => choose(at));
   return () => made.close();
 }
-function paint(g, v, colours, all, others, at) {
+function paint(g, v, colours, table, all, others, at) {
   const u = v.unit, turn = all.length > 1 ? all[1].bearing_deg - all[0].bearing_deg : 360;
   g.strokeStyle = colours.edge; g.lineWidth = 1.5 * u;
-  if (all.every(one => one.table_m !== undefined)) { line(g, v, all.map(one => atBearing(one.bearing_deg, one.table_m)), true); g.fillStyle = colours.shade; g.fill(); g.stroke(); }
+  if (table.length) { line(g, v, table, true); g.fillStyle = colours.shade; g.fill(); g.stroke(); }
   edge(g, v, others, others.length > 1 ? others[1].bearing_deg - others[0].bearing_deg : 360, colours.c2, 2 * u, [9 * u, 5 * u]);
   for (const one of all.filter(b => b.low_m !== undefined)) { g.strokeStyle = colours.quiet; g.lineWidth = 3 * u; line(g, v, [atBearing(one.bearing_deg, one.low_m), atBearing(one.bearing_deg, one.high_m)]); g.stroke(); }
   edge(g, v, all, turn, colours.c1, 2.5 * u, []);
