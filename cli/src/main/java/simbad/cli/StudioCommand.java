@@ -71,6 +71,12 @@ final class StudioCommand extends Subcommand {
   private List<String> robots = new ArrayList<>();
 
   @Option(
+      names = "--scene",
+      paramLabel = "FILE",
+      description = "A scene that was saved on the page, at which it opens.")
+  private Optional<Path> scene = Optional.empty();
+
+  @Option(
       names = "--port",
       paramLabel = "N",
       defaultValue = "0",
@@ -88,7 +94,7 @@ final class StudioCommand extends Subcommand {
     Optional<Folders> folders =
         folder.isPresent() ? Optional.of(Folders.of(folder.get(), data)) : Optional.empty();
     InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
-    try (Studio studio = Studio.open(address, choices(), folders)) {
+    try (Studio studio = Studio.open(address, choices(), folders, scene)) {
       out().println(studio.url());
       err().println("studio: open this address; Ctrl-C ends it");
       new CountDownLatch(1).await();

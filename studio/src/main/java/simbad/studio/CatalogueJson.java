@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
+import java.util.Optional;
 import simbad.experiments.run.Circuit;
 import simbad.experiments.run.SensorKind;
 import simbad.obstacles.Catalogue;
@@ -23,10 +24,12 @@ final class CatalogueJson {
    * Returns obstacles with outlines and shadow edges in metres, sensors, sonars with their figures,
    * and robots.
    *
+   * @param scene at which the page opens, as JSON
    * @throws DataFormatException if an obstacle of the user's own cannot be read
    */
-  static String of(Choices choices) throws DataFormatException {
+  static String of(Choices choices, Optional<String> scene) throws DataFormatException {
     ObjectNode root = MAPPER.createObjectNode();
+    scene.ifPresent(json -> root.put("scene", json));
     root.put("step_s", Circuit.STEP_S).put("most_steps", LiveWorld.MOST_STEPS);
     root.put("most_robots", StudioScene.MOST_ROBOTS);
     root.put("most_frames", LiveWorld.MOST_FRAMES).put("sonars", SensorKind.SONARS);

@@ -2,7 +2,7 @@
 import { $, ask, fault, still } from './kit.js';
 import { pointer } from './hands.js';
 import { draw, isTiny, readColours, view } from './plan.js';
-import './scene-files.js';
+import { opened } from './scene-files.js';
 import { active, change, endStep, fetchAhead, frameOf, isOriginal, live, loudness, most, robotsOf, setPlaying, worlds } from './state.js';
 import { fields, rows } from './words.js';
 
@@ -83,6 +83,7 @@ async function begin() {
   }
   fields();
   change(0);
+  if (live.catalogue.scene) try { opened(live.catalogue.scene); } catch (e) { fault('--scene: ' + e.message); }
   pointer(0); pointer(1);
   setPlaying(!still);
 }

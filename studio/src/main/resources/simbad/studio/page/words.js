@@ -11,11 +11,11 @@ export function words() {
     + start + ' --speed ' + scene.speed_m_per_s + ' --seed ' + scene.seed + ' --out run';
   const notes = [];
   if (scene.robot) notes.push('With --robot each sensor is driven twice: on the exact robot, and on ' + scene.robot + '.');
-  if (scene.robots > 1) notes.push('The command drives the first robot alone.');
-  if (scene.moves.length) notes.push('The command does not know the moves by hand (' + scene.moves.length + '); the saved scene does.');
+  const lacks = [scene.robots > 1 ? 'the other robots' : '', scene.moves.length ? 'the moves by hand (' + scene.moves.length + ')' : ''].filter(Boolean).join(' and ');
+  if (lacks) notes.push('The command does not know ' + lacks + '. Save the scene, and ./simbad studio' + [...sensors.map(s => [sensorOf(s), ' --sensor ']), [robotOf(scene.robot), ' --robot ']].filter(([one]) => one && one.option !== one.name).map(([one, option]) => option + quote(one.option)).join('') + ' --scene scene.json shows all of it.');
   $('linenote').textContent = notes.join(' ') || 'This command has the same start, controller and seed, so it gives the same trace.';
   $('meaning').textContent = scene.sensor + ': ' + sensorOf(scene.sensor).meaning + (live.beside ? '. ' + live.beside + ': ' + sensorOf(live.beside).meaning : '')
-    + '. Table of ' + scene.obstacle + ': ' + typeNow().provenance + '.' + (scene.robots > 1 ? ' Robots hear the obstacle, not each other; where two touch, they stop.' : '');
+    + '. Table of ' + scene.obstacle + ': ' + typeNow().provenance + '.' + (scene.robots > 1 ? ' Robots do not hear each other, except with ray; where two touch, they stop.' : '');
   $('second').hidden = !live.beside;
   for (const id of ['views', 'live']) $(id).classList.toggle('two', Boolean(live.beside));
   heads();
