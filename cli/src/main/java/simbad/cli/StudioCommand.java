@@ -28,7 +28,8 @@ import simbad.studio.folders.Folders;
       "You can play, step, go back in time, and drag the robot or the obstacle. The "
           + "page shows what each sonar reads, and why it hears nothing.",
       "With FOLDER the page also shows the runs, batches, captures and diagnoses in "
-          + "it. Its pictures answer to the mouse; two can be shown beside each other.",
+          + "it. Its pictures answer to the mouse; two can be shown beside each other. "
+          + "The robot can drive with each diagnosed sensor, and move as diagnosed.",
       "The command itself needs no display. Guide: docs/guide/studio.md."
     },
     footer = {
@@ -94,16 +95,18 @@ final class StudioCommand extends Subcommand {
     Optional<Folders> folders =
         folder.isPresent() ? Optional.of(Folders.of(folder.get(), data)) : Optional.empty();
     InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
-    try (Studio studio = Studio.open(address, choices(), folders, scene)) {
+    try (Studio studio = Studio.open(address, choices(folders), folders, scene)) {
       out().println(studio.url());
       err().println("studio: open this address; Ctrl-C ends it");
       new CountDownLatch(1).await();
     }
   }
 
-  private Choices choices() throws DataFormatException {
+  /** Those of the options, and all that diagnoses in the folder left. */
+  private Choices choices(Optional<Folders> folders) throws DataFormatException {
     Map<String, String> options = new HashMap<>();
-    return new Choices(sensors(options), moving(options), options);
+    Choices named = new Choices(sensors(options), moving(options), options);
+    return folders.isPresent() ? named.with(folders.get()) : named;
   }
 
   private List<RobotKind> moving(Map<String, String> options) throws DataFormatException {

@@ -239,6 +239,22 @@ class WorldsTest {
         () -> worlds.frames(moved.replace("\"number\": 1", "\"number\": 2")));
   }
 
+  /** Rays end at bodies, and robots are some; a shadow is that of the obstacle alone. */
+  @Test
+  void robotsHearEachOtherWithRaysAlone() throws Exception {
+    for (String sensor : List.of("ray", "shadow")) {
+      String question =
+          question(
+                  sensor,
+                  "{\"step\": 0, \"robot\": [5, 5]},"
+                      + " {\"step\": 0, \"robot\": [5.5, 5], \"number\": 1}",
+                  0,
+                  1)
+              .replace("\"seed\"", "\"robots\": 2, \"seed\"");
+      assertEquals(sensor.equals("ray") ? 1 : 0, heard(frames(question).get(0)), sensor);
+    }
+  }
+
   /** Of a world that runs fast some steps are shown: the very same ones. */
   @Test
   void someOfTheSteps_areThoseOfAll() throws Exception {

@@ -28,13 +28,15 @@ public final class Folders {
   /** Farther no trace is looked at. */
   private static final double MOST_M = 1e6;
 
+  private final Path given;
   private final Shelf shelf;
   private final DataSets sets;
   private final CaptureStates captures = new CaptureStates();
   private final Traces traces = new Traces();
   private final Map<String, String> known = new LinkedHashMap<>(16, 0.75f, true);
 
-  private Folders(Shelf shelf, DataSets sets) {
+  private Folders(Path given, Shelf shelf, DataSets sets) {
+    this.given = given;
     this.shelf = shelf;
     this.sets = sets;
   }
@@ -52,7 +54,7 @@ public final class Folders {
     for (Path other : data) {
       shelves.add(Shelf.of(other));
     }
-    return new Folders(shelf, new DataSets(shelves));
+    return new Folders(folder, shelf, new DataSets(shelves));
   }
 
   /**
@@ -77,6 +79,24 @@ public final class Folders {
       throw DataFormatException.inFile(shelf.root(), "cannot be read: " + e.getMessage());
     }
     return root.toString();
+  }
+
+  /**
+   * Returns the diagnoses in here that left a model, as the command line can name them.
+   *
+   * @param model name of the model's file
+   * @throws DataFormatException if the folder cannot be read
+   */
+  public List<Path> diagnoses(String model) throws DataFormatException {
+    try {
+      return shelf
+          .find(folder -> Kind.of(folder).isPresent() && Files.isRegularFile(folder.resolve(model)))
+          .stream()
+          .map(folder -> given.resolve(shelf.root().relativize(folder)).normalize())
+          .toList();
+    } catch (IOException e) {
+      throw DataFormatException.inFile(shelf.root(), "cannot be read: " + e.getMessage());
+    }
   }
 
   /** A file that is broken is said when its folder is opened. */

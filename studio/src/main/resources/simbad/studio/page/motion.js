@@ -1,9 +1,9 @@
 // A diagnosis of motion: its answer, how well forecasts are before and after, where it lies.
-import { csvText, el, giveText, number, table } from './kit.js';
+import { csvText, el, number, table } from './kit.js';
 import { chart, dash } from './charts.js';
 import { afterSlider, around, blend, fewOf, mean, moreNote, placeButtons, quantile } from './places.js';
 import { line, Sheet } from './sheet.js';
-import { bar, budget, effects, percent, place, verdict } from './words-of-gap.js';
+import { bar, budget, effects, percent, place, saveBars, verdict } from './words-of-gap.js';
 
 const PARTS = [['along_m', 'along', 1000, ' mm'], ['across_m', 'across', 1000, ' mm'], ['turn_rad', 'turn', 180 / Math.PI, '\u00b0']];
 
@@ -32,10 +32,10 @@ function gap(diagnosis, both) {
       return [...bar(name + ', before', horizon[key].before / most, number(times * horizon[key].before, 2) + unit, 'before'), ...bar(name + ', after', horizon[key].after / most, number(times * horizon[key].after, 2) + unit, 'after')];
     })));
   }
-  const csv = () => csvText(['horizon_s', 'component', 'before', 'after'], horizons.flatMap(h => PARTS.map(([key]) => [h.horizon_s, key, h[key].before, h[key].after])));
   const shrink = (diagnosis.gap || {}).shrink_ci95 || [null, null];
   section.append(el('p', { class: 'note' }, 'In total it shrinks by ' + percent((diagnosis.gap || {}).shrink) + ' (95 % interval ' + percent(shrink[0]) + ' to ' + percent(shrink[1]) + ').'),
-    el('div', { class: 'bar' }, el('button', { type: 'button', onclick: () => giveText('forecasts.csv', csv(), 'text/csv') }, 'Save csv')));
+    saveBars('forecasts', 'How far forecasts are off, before and after', () => horizons.flatMap(h => PARTS.flatMap(([key, name, times, unit]) => ['before', 'after'].map(when => ({ name: name + ', ' + h.horizon_s + ' s, ' + when, colour: when === 'before' ? 'c1' : 'c0',
+      share: h[key][when] / Math.max(h[key].before, h[key].after), text: number(times * h[key][when], 2) + unit })))), ['horizon_s', 'component', 'before', 'after'], horizons.flatMap(h => PARTS.map(([key]) => [h.horizon_s, key, h[key].before, h[key].after]))));
   return section;
 }
 function places(diagnosis) {

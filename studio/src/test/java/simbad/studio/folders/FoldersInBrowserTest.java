@@ -42,11 +42,12 @@ class FoldersInBrowserTest {
   static void open() throws Exception {
     assumeTrue(Visitor.isThere(), "Chromium is not installed");
     Samples.write(folder.resolve("shown"));
+    Folders shown = Folders.of(folder.resolve("shown"), List.of());
     studio =
         Studio.open(
             new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-            new Choices(List.of(SensorKind.SHADOW), List.of()),
-            Optional.of(Folders.of(folder.resolve("shown"), List.of())));
+            new Choices(List.of(SensorKind.SHADOW), List.of()).with(shown),
+            Optional.of(shown));
   }
 
   @AfterAll
@@ -293,6 +294,59 @@ class FoldersInBrowserTest {
     visitor.await("asked() >= 1");
     visitor.await("document.getElementById('fault').textContent === ''");
     visitor.press("0", 48);
+  }
+
+  /** What a diagnosis in the folder left drives in the live world. */
+  @Test
+  void diagnosedSensorAndRobot_driveInTheLiveWorld() throws Exception {
+    show("live", "document.getElementById('rows').children.length === 12");
+    assertEquals(
+        "shadow diagnosed-again diagnosed-wall",
+        visitor.look(
+            "[...document.getElementById('sensor0').options].map(o => o.value).join(' ')"));
+    assertEquals(
+        " wall robot",
+        visitor.look("[...document.getElementById('robot').options].map(o => o.value).join(' ')"));
+    visitor.look(
+        "for (const [id, v] of [['sensor0', 'diagnosed-wall'], ['robot', 'robot']]) { const e = document.getElementById(id); e.value = v; e.dispatchEvent(new Event('change')); }");
+    visitor.await(
+        "document.getElementById('name0').textContent.startsWith('diagnosed-wall \u00b7 ')");
+    visitor.await("document.getElementById('name0').textContent.endsWith('of 12 hear')");
+    String line = visitor.look("document.getElementById('line').textContent");
+    assertTrue(line.contains(" --sensor diagnosed:"), line);
+    assertTrue(line.contains("diagnoses/wall --robot diagnosed:"), line);
+    assertEquals("", visitor.look("document.getElementById('fault').textContent"));
+  }
+
+  /** Bars are a picture as others: an SVG whose bars are as long as they say. */
+  @Test
+  void bars_areSavedAsAPicture() throws Exception {
+    show("open=diagnoses%2Fwall", "document.querySelector('#places') !== null");
+    visitor.look(KEEP_WHAT_IS_SAVED);
+    visitor.click("[aria-label=\"Save gap\"] button:nth-child(1)");
+    visitor.click("[aria-label=\"Save parts\"] button:nth-child(1)");
+    visitor.click("[aria-label=\"Save parts\"] button:nth-child(2)");
+    visitor.await("saved.length === 3");
+    visitor.await(
+        "saved.slice(0, 2).every(text => !new DOMParser().parseFromString(text, 'image/svg+xml').querySelector('parsererror'))");
+    // 5 cm of 20 cm: a quarter of 400 pixels.
+    visitor.await("saved[0].includes('h100v18') && saved[0].includes('>5.00<')");
+    visitor.await("saved[2].startsWith('part,cm,low,high\\nsound-speed,15,12,17')");
+  }
+
+  /** Who wants less motion finds the world at rest. */
+  @Test
+  void reducedMotion_isRespected() throws Exception {
+    visitor.lessMotion();
+    visitor.look("location.hash = 'live'; location.reload()");
+    visitor.await("document.getElementById('rows').children.length === 12");
+    visitor.await("document.getElementById('name0').textContent.endsWith('hear')");
+    assertEquals("Play", visitor.look("document.getElementById('play').textContent"));
+    // By the keys alone: to the button, and on.
+    visitor.look("document.getElementById('play').focus()");
+    visitor.press(" ", 32);
+    visitor.await("document.getElementById('play').textContent === 'Pause'");
+    visitor.await("Number(document.getElementById('scrub').value) > 5");
   }
 
   @Test
