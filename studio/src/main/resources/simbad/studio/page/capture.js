@@ -9,7 +9,7 @@ export function showCapture(page, answer, other) {
   const values = (key, of = one => one) => all.map(one => of(one)?.[key] ?? null);
   let at = Math.max(0, all.findIndex(one => one.threshold_m !== undefined));
   const plan = new Sheet('Thresholds of ' + answer.obstacle + ' by bearing, seen from above', 'thresholds', (g, v, colours) => paint(g, v, colours, answer.edge, all, other ? other.bearings : [], at));
-  const made = chart({ name: 'thresholds', label: 'Threshold by bearing, m', x: degrees, xLabel: 'bearing, degrees', yLabel: 'm', every: 30, height: 260, onhover: index => choose(index),
+  const made = chart({ name: 'thresholds', label: 'Threshold by bearing, m', x: degrees, xLabel: 'bearing, degrees', yLabel: 'm', every: 30, height: 260, from0: true, onhover: index => choose(index),
     series: [{ name: 'captured', values: values('threshold_m'), colour: 'c1', width: 3 }, { name: 'interval, low', values: values('low_m'), colour: 'quiet', dash: dash(1), width: 1 }, { name: 'interval, high', values: values('high_m'), colour: 'quiet', dash: dash(1), width: 1 },
       ...(all.some(one => one.table_m !== undefined) ? [{ name: 'table of the catalogue', values: values('table_m'), colour: 'ink', dash: dash(1) }] : []),
       ...(other ? [{ name: 'captured \u00b7 ' + other.path, values: values('threshold_m', same), colour: 'c2', dash: dash(3), width: 3 }] : [])] });

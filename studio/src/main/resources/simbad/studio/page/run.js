@@ -33,7 +33,7 @@ function obstacle(body, name, run, other) {
   const errors = chart({ name: 'errors-' + name, label: 'Radial error by bearing, cm', x: bearings, xLabel: 'bearing, degrees', yLabel: 'error, cm', every: 30, sync: 'bearing', height: 260,
     series: sensors.map(one => ({ name: one.sensor, values: cm(one), colour: one.colour, dash: one.dash })), onhover: index => choose(index) });
   const banded = main.table[0].length > 2;
-  const lobes = chart({ name: 'table-' + name, label: 'The table\u2019s threshold by bearing, m: its lobes', x: bearings, xLabel: 'bearing, degrees', yLabel: 'threshold, m', every: 30, sync: 'bearing', height: 200,
+  const lobes = chart({ name: 'table-' + name, label: 'The table\u2019s threshold by bearing, m: its lobes', x: bearings, xLabel: 'bearing, degrees', yLabel: 'threshold, m', every: 30, from0: true, sync: 'bearing', height: 200,
     series: [{ name: 'threshold (' + main.provenance + ')', values: main.table.map(row => row[1]), colour: 'edge', fill: true },
       ...(banded ? [{ name: 'interval, low', values: main.table.map(row => row[2]), colour: 'quiet', dash: dash(1), width: 1 }, { name: 'interval, high', values: main.table.map(row => row[3]), colour: 'quiet', dash: dash(1), width: 1 }] : [])],
     onhover: index => choose(index) });

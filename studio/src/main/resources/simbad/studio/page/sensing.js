@@ -23,7 +23,7 @@ function curves(page, answer, other, closing) {
   for (const obstacle of answer.obstacles) {
     const n = obstacle.believed_m.length, same = other && other.obstacles && other.obstacles.find(one => one.name === obstacle.name);
     const heard = values => values.map(v => v > 0 ? v : null);
-    const made = chart({ name: 'thresholds-' + obstacle.name, label: 'How far ' + obstacle.name + ' is heard on the axis, by bearing', x: obstacle.believed_m.map((v, i) => 360 * i / n), xLabel: 'bearing, degrees', yLabel: 'm', every: 30, height: 260,
+    const made = chart({ name: 'thresholds-' + obstacle.name, label: 'How far ' + obstacle.name + ' is heard on the axis, by bearing', x: obstacle.believed_m.map((v, i) => 360 * i / n), xLabel: 'bearing, degrees', yLabel: 'm', every: 30, height: 260, from0: true,
       series: [{ name: 'fitted', values: heard(obstacle.fitted_m), colour: 'c1', width: 3 }, { name: 'believed', values: heard(obstacle.believed_m), colour: 'ink', dash: dash(1) },
         ...(same ? [{ name: 'fitted \u00b7 ' + other.path, values: heard(same.fitted_m), colour: 'c2', dash: dash(3) }] : [])] });
     closing.push(() => made.close());
