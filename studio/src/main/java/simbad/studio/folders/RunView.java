@@ -70,6 +70,7 @@ final class RunView {
     node.put("name", obstacle);
     TableDocument document = TableFile.read(Shelf.file(own, "table.csv"));
     node.put("provenance", document.provenanceWord());
+    document.header("pings").ifPresent(pings -> node.put("pings", pings));
     addTable(document, node);
     addOutline(obstacle, node);
     ObjectNode errors = node.putObject("errors_m");

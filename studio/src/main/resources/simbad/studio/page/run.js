@@ -45,7 +45,7 @@ function obstacle(body, name, run, other) {
     slider.setAttribute('aria-valuetext', bearings[index] + ' degrees');
     heading.textContent = 'At bearing ' + bearings[index] + '\u00b0';
     const row = main.table[index];
-    readout.replaceChildren(...[['table', number(row[1], 2) + ' m'], ['interval', row.length > 2 ? number(row[2], 2) + ' to ' + number(row[3], 2) + ' m' : 'not stated'],
+    readout.replaceChildren(...[['table', number(row[1], 2) + ' m'], ['interval', row.length > 2 ? number(row[2], 2) + ' to ' + number(row[3], 2) + ' m' : 'not stated'], ...(main.pings ? [['pings', main.pings]] : []),
       ...sensors.map(one => [one.sensor, errorOf(one, index) === null ? 'not reached' : number(100 * errorOf(one, index), 1) + ' cm off'])]
       .map(([what, value]) => el('tr', {}, el('th', { scope: 'row' }, what), el('td', { class: 'r' }, value))));
     errors.at(index); lobes.at(index);

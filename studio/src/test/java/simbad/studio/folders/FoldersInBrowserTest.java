@@ -117,7 +117,10 @@ class FoldersInBrowserTest {
     visitor.mouse("mouseMoved", Double.parseDouble(right[0]), Double.parseDouble(right[1]));
     visitor.await(read + " === 'At bearing 90\u00b0'");
     String words = visitor.look("document.querySelector('.readout table').textContent");
-    assertTrue(words.startsWith("table1.50 minterval1.40 to 1.60 moriginal"), words);
+    assertTrue(
+        words.startsWith(
+            "table1.50 minterval1.40 to 1.60 mpings720 in all, 10 at each distanceoriginal"),
+        words);
     // By the mouse in a chart, whose neighbour goes along.
     String[] middle =
         visitor

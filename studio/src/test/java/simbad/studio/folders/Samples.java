@@ -71,7 +71,10 @@ public final class Samples {
     return new ObstacleType(
         "post",
         round.parts(),
-        new TableDocument(table, Map.of("provenance", "captured"), Optional.of(band)));
+        new TableDocument(
+            table,
+            Map.of("provenance", "captured", "pings", "720 in all, 10 at each distance"),
+            Optional.of(band)));
   }
 
   private static void run(Path folder, long seed) throws IOException {
