@@ -70,7 +70,8 @@ final class DriveView {
       throws DataFormatException {
     MotionData data = new MotionFolder(set).read("");
     MotionChain fitted = DiagnosedMotion.forecast(diagnosis).chain();
-    DriveView view = new DriveView(data.runs());
+    // As the diagnosis has it: a command that repeats the one before is none.
+    DriveView view = new DriveView(data.runs().stream().map(MotionRun::withoutRepeats).toList());
     view.tracks(root.putArray("tracks"));
     root.put("all_windows", view.windows.size()).put("windows_every", view.every);
     COLUMNS.forEach(root.putArray("window_columns")::add);

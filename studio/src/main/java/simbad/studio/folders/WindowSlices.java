@@ -13,8 +13,8 @@ final class WindowSlices {
   /** A change of command counts so long before a window. */
   private static final double RECENT_S = 0.5;
 
-  /** The ends of a slice are rounded to so much of their size in the file. */
-  private static final double ROUNDING = 1e-5;
+  /** The ends of a slice have six digits in the file. */
+  private static final double ROUNDING = 5.1e-6;
 
   private final List<MotionRun> runs;
   private final Map<String, ToDoubleFunction<Window>> axes =
@@ -64,9 +64,13 @@ final class WindowSlices {
       return false;
     }
     double is = value.applyAsDouble(window);
-    double slack = ROUNDING * Math.max(1, Math.abs(is));
-    return is >= end(part.path(0), Double.NEGATIVE_INFINITY) - slack
-        && is < end(part.path(1), Double.POSITIVE_INFINITY) + (closed ? slack : -slack);
+    double low = end(part.path(0), Double.NEGATIVE_INFINITY);
+    double high = end(part.path(1), Double.POSITIVE_INFINITY);
+    return is >= low - slack(low) && is < high + (closed ? slack(high) : -slack(high));
+  }
+
+  private static double slack(double end) {
+    return Double.isInfinite(end) ? 0 : ROUNDING * Math.max(1e-6, Math.abs(end));
   }
 
   private static double end(JsonNode end, double none) {

@@ -1,5 +1,5 @@
 // A capture: what came of each bearing until now, and of how many pings.
-import { csvText, el, number, table } from './kit.js';
+import { csvText, el, lineKey, number, table } from './kit.js';
 import { chart, dash } from './charts.js';
 import { atBearing, line, Sheet } from './sheet.js';
 
@@ -33,7 +33,7 @@ export function showCapture(page, answer, other) {
   plan.onpoint = ([x, z]) => choose(Math.round((Math.atan2(x, z) * 180 / Math.PI + 360) % 360 / 360 * all.length) % all.length);
   plan.onkey = key => { const by = { ArrowLeft: -1, ArrowRight: 1 }[key]; if (by) choose((at + by + all.length) % all.length); return Boolean(by); };
   const heads = ['bearing_deg', 'threshold_m', 'low_m', 'high_m', 'pings', 'heard', 'table_m'];
-  plan.element.append(el('ul', { class: 'legend' }, el('li', {}, el('i', { class: 'key-c1' }), 'captured, with its interval'), el('li', {}, el('i', { class: 'key-edge' }), 'table of the catalogue'), other ? el('li', {}, el('i', { class: 'key-c2 dashed' }), other.path) : null,
+  plan.element.append(el('ul', { class: 'legend' }, el('li', {}, lineKey('c1'), 'captured, with its interval'), el('li', {}, lineKey('edge'), 'table of the catalogue'), other ? el('li', {}, lineKey('c2', dash(1)), other.path) : null,
     el('li', {}, el('i', { class: 'dot key-c0' }), 'heard at this distance'), el('li', {}, el('i', { class: 'ringkey' }), 'lost at it')), plan.buttons(() => csvText(heads, all.map(one => heads.map(name => one[name])))));
   page.append(el('p', {}, answer.done + ' of ' + all.length + ' bearings of ' + answer.obstacle + ', ' + answer.pings + ' pings. ', el('a', { class: 'watch', href: 'bench' + location.search + '#' + encodeURIComponent(answer.path) }, 'Watch this capture'), ': its page follows the journal as it grows.'),
     el('div', { class: 'twin' }, el('div', {}, plan.element), el('div', {}, el('section', { class: 'readout' }, heading, el('div', { class: 'bar' }, slider), el('table', {}, readout), el('p', { class: 'note' }, 'Point at a bearing in either picture, or move the slider.')), made.element, el('section', {}, el('h3', {}, 'Distances tried'), list))));

@@ -1,6 +1,6 @@
 // Charts along an axis: hover, drag to zoom, double click to show all.
 import uPlot from './uPlot.esm.js';
-import { csvText, el, give, giveText, themeColours } from './kit.js';
+import { csvText, el, give, giveText, lineKey, themeColours } from './kit.js';
 import { DASHES, SERIES } from './sheet.js';
 
 // series: { name, values, colour (a name of the theme), dash, points (dots instead of a line), ring (dots that are hollow), width, fill }.
@@ -47,7 +47,7 @@ export function chart({ name, label, x, xLabel, yLabel, series, height, sync, on
     const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
     if (by && x.length) { event.preventDefault(); step(by); }
   });
-  const key = el('ul', { class: 'legend' }, series.map(one => el('li', {}, el('i', { class: 'key-' + one.colour + (one.ring ? ' rings' : one.points ? ' dots' : one.dash && one.dash.length ? ' dashed' : '') }), one.name)));
+  const key = el('ul', { class: 'legend' }, series.map(one => el('li', {}, one.points ? el('i', { class: 'key-' + one.colour + (one.ring ? ' rings' : ' dots') }) : lineKey(one.colour, one.dash), one.name)));
   const csv = () => csvText([xLabel, ...series.map(one => one.name)], x.map((at, i) => [at, ...series.map(one => one.values[i])]));
   const element = el('figure', { class: 'chartbox' }, el('figcaption', {}, label), host, said, key, el('div', { class: 'bar', role: 'group', 'aria-label': 'Save ' + name },
     el('button', { type: 'button', onclick: () => plot.ctx.canvas.toBlob(blob => give(name + '.png', blob)) }, 'Save PNG'),

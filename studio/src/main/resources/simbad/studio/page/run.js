@@ -1,5 +1,5 @@
 // A run: where the robot drove, and what each sensor was off by at each bearing.
-import { ask, el, csvText, fault, number, table } from './kit.js';
+import { ask, el, csvText, fault, lineKey, number, table } from './kit.js';
 import { chart, colour, dash } from './charts.js';
 import { atBearing, line, Sheet } from './sheet.js';
 
@@ -14,15 +14,15 @@ export function showRun(page, run, other) {
   show(names[0]);
   return () => close();
 }
-// The sensors of both runs, each with its colour; those of the other run are dashed.
+// The sensors of both runs, each with its colour and dashes.
 function sensorsOf(name, run, other) {
   const of = (source, mark) => {
     const found = source && source.obstacles.find(one => one.name === name);
     return found ? Object.keys(found.errors_m).map(sensor => ({ sensor: sensor + mark, errors: found.errors_m[sensor], pieces: found.traces[sensor] || [], sensorName: sensor, source, of: found, result: source.errors.results.find(r => r.obstacle === name && r.sensor === sensor) || {} })) : [];
   };
-  const all = [...of(run, ''), ...of(other, ' \u00b7 ' + (other ? other.path : ''))], own = of(run, '').length;
-  // The first colour is the table's.
-  return all.map((one, i) => ({ ...one, colour: colour(i + 1), dash: i < own ? dash(0) : dash(1) }));
+  const all = [...of(run, ''), ...of(other, ' \u00b7 ' + (other ? other.path : ''))];
+  // The first colour is the table's. Dashes tell lines apart where colours do not.
+  return all.map((one, i) => ({ ...one, colour: colour(i + 1), dash: dash(i) }));
 }
 function obstacle(body, name, run, other) {
   const sensors = sensorsOf(name, run, other), main = sensors[0].of, bearings = main.table.map(row => row[0]);
@@ -69,8 +69,8 @@ function obstacle(body, name, run, other) {
     plan.draw();
   };
   const csv = () => csvText(['sensor', 'x_m', 'z_m'], sensors.flatMap(one => one.pieces.flat().map(([x, z]) => [one.sensor, x, z])));
-  plan.element.append(el('ul', { class: 'legend' }, el('li', {}, el('i', { class: 'key-edge' }), 'edge of the table'),
-    sensors.map(one => el('li', {}, el('i', { class: 'key-' + one.colour + (one.dash.length ? ' dashed' : '') }), one.sensor))), plan.buttons(csv));
+  plan.element.append(el('ul', { class: 'legend' }, el('li', {}, lineKey('edge'), 'edge of the table'),
+    sensors.map(one => el('li', {}, lineKey(one.colour, one.dash), one.sensor))), plan.buttons(csv));
   const reads = el('section', { class: 'readout' }, heading, el('div', { class: 'bar' }, slider), el('table', {}, readout), el('p', { class: 'note' }, 'Point at a bearing in any of the pictures, or move the slider.'));
   body.append(el('div', { class: 'twin' }, el('div', {}, plan.element), el('div', {}, reads, errors.element, lobes.element)), summary(name, sensors));
   const reach = Math.max(...main.table.map(row => row[1]), ...sensors.flatMap(one => one.pieces.flat().map(([x, z]) => Math.hypot(x, z))));

@@ -207,6 +207,8 @@ class FoldersTest {
       for (JsonNode index : motion.path("window_places").get(0)) {
         assertTrue(motion.path("windows").get(index.asInt()).get(1).asDouble() >= 10);
       }
+      // Of each run 9 windows end 5.5 to 9.5 s after the start, and 10 after the change at 10 s.
+      assertEquals(38, motion.path("window_places").get(3).size());
       for (JsonNode index : motion.path("window_places").get(2)) {
         assertEquals("b", motion.path("windows").get(index.asInt()).get(0).asText());
       }

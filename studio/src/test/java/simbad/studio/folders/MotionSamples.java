@@ -38,7 +38,9 @@ final class MotionSamples {
     StringBuilder commands = new StringBuilder("run,t_s,v_m_s,w_rad_s\n");
     StringBuilder track = new StringBuilder("run,t_s,x_m,z_m,heading_deg\n");
     for (String run : List.of("a", "b")) {
-      commands.append(run).append(",0,0.1,0\n").append(run).append(",10,0.2,0.3\n");
+      // What is told again in between is no change.
+      commands.append(run).append(",0,0.1,0\n").append(run).append(",5,0.1,0\n");
+      commands.append(run).append(",10,0.2,0.3\n");
       for (int i = 0; i <= 10 * END_S; i++) {
         track.append(row(run, i / 10.0));
       }
@@ -128,7 +130,8 @@ final class MotionSamples {
              "gap": {"rows_held_out": 78, "shrink": 0.8, "shrink_ci95": [0.7, 0.9], "horizons": [%s]},
              "where": [{"slice": {"t_s": [10, 19.5]}, "rows": 40, "share_of_gap": 0.6, "before": 1.4, "after": 0.3, "kind": "along"},
               {"slice": {"t_s": [0, 10]}, "rows": 40, "share_of_gap": 0.4, "before": 0.7, "after": 0.3, "kind": "along"},
-              {"slice": {"run": "b"}, "rows": 40, "share_of_gap": 0.5, "before": 1, "after": 0.3, "kind": "across"}]}
+              {"slice": {"run": "b"}, "rows": 40, "share_of_gap": 0.5, "before": 1, "after": 0.3, "kind": "across"},
+              {"slice": {"since_change_s": [5.2, 10.5]}, "rows": 38, "share_of_gap": 0.4, "before": 1, "after": 0.3, "kind": "along"}]}
             """
                 .formatted(horizons));
   }
