@@ -77,18 +77,23 @@ final class Trace {
 
   /** Goes along the trace and returns how many places are kept; writes them if it is told where. */
   private int walk(Box box, double toleranceM, @Nullable ArrayNode pieces) {
+    double toleranceM2 = toleranceM * toleranceM;
     int kept = 0;
     int last = -1;
     boolean open = false;
+    // Whether the lines before and after a place are seen.
+    boolean after = false;
     @Nullable ArrayNode piece = null;
     for (int i = 0; i < size; i++) {
-      if (!crosses(box, Math.max(0, i - 1)) && !crosses(box, i)) {
+      boolean before = after;
+      after = crosses(box, i);
+      if (!before && !after) {
         open = false;
         continue;
       }
       boolean begins = !open;
       open = true;
-      if (begins || i + 1 == size || farM(i, last) >= toleranceM) {
+      if (begins || i + 1 == size || squareM2(i, last) >= toleranceM2) {
         if (pieces != null) {
           piece = begins || piece == null ? pieces.addArray() : piece;
           piece.addArray().add(rounded(places[2 * i])).add(rounded(places[2 * i + 1]));
@@ -109,8 +114,10 @@ final class Trace {
         && Math.max(places[2 * i + 1], places[2 * next + 1]) >= box.top;
   }
 
-  private double farM(int i, int j) {
-    return Math.hypot(places[2 * i] - places[2 * j], places[2 * i + 1] - places[2 * j + 1]);
+  private double squareM2(int i, int j) {
+    double xM = places[2 * i] - places[2 * j];
+    double zM = places[2 * i + 1] - places[2 * j + 1];
+    return xM * xM + zM * zM;
   }
 
   private static double rounded(double metres) {

@@ -1,7 +1,7 @@
 // A capture: what came of each bearing until now, and of how many pings.
 import { csvText, el, lineKey, number, table } from './kit.js';
 import { chart, dash } from './charts.js';
-import { atBearing, line, Sheet } from './sheet.js';
+import { atBearing, bearingLine, line, Sheet } from './sheet.js';
 
 export function showCapture(page, answer, other) {
   const all = answer.bearings, degrees = all.map(one => one.bearing_deg);
@@ -49,8 +49,8 @@ function paint(g, v, colours, table, all, others, at) {
   edge(g, v, others, others.length > 1 ? others[1].bearing_deg - others[0].bearing_deg : 360, colours.c2, 2 * u, [9 * u, 5 * u]);
   for (const one of all.filter(b => b.low_m !== undefined)) { g.strokeStyle = colours.quiet; g.lineWidth = 3 * u; line(g, v, [atBearing(one.bearing_deg, one.low_m), atBearing(one.bearing_deg, one.high_m)]); g.stroke(); }
   edge(g, v, all, turn, colours.c1, 2.5 * u, []);
-  const one = all[at], far = atBearing(one.bearing_deg, 100);
-  g.setLineDash([6 * u, 4 * u]); g.strokeStyle = colours.ink; g.lineWidth = 1.5 * u; line(g, v, [[0, 0], far]); g.stroke(); g.setLineDash([]);
+  const one = all[at];
+  g.setLineDash([6 * u, 4 * u]); g.strokeStyle = colours.ink; g.lineWidth = 1.5 * u; line(g, v, bearingLine(v, one.bearing_deg)); g.stroke(); g.setLineDash([]);
   for (const [m, , , lost] of one.levels) {
     const [x, z] = atBearing(one.bearing_deg, m);
     g.beginPath(); g.arc(v.x(x), v.y(z), 4 * u, 0, 2 * Math.PI);

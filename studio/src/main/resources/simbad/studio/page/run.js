@@ -1,7 +1,7 @@
 // A run: where the robot drove, and what each sensor was off by at each bearing.
 import { ask, el, csvText, fault, lineKey, number, table } from './kit.js';
 import { chart, colour, dash } from './charts.js';
-import { atBearing, line, Sheet } from './sheet.js';
+import { atBearing, bearingLine, dashes, line, Sheet } from './sheet.js';
 
 export function showRun(page, run, other) {
   const names = [...new Set([...run.obstacles, ...(other ? other.obstacles : [])].map(one => one.name))];
@@ -79,27 +79,34 @@ function obstacle(body, name, run, other) {
   return () => { errors.close(); lobes.close(); };
 }
 const covers = ([x0, z0, x1, z1], v) => { const [left, top] = v.back(0, 0), [right, bottom] = v.back(v.w, v.h); return x0 <= left && z0 <= top && x1 >= right && z1 >= bottom && v.radius > (x1 - x0) / 24; };
+const ways = new WeakMap();
+// How long a trace is.
+function wayM(pieces) {
+  if (!ways.has(pieces)) ways.set(pieces, pieces.reduce((sum, piece) => piece.reduce((all, [x, z], i) => i ? all + Math.hypot(x - piece[i - 1][0], z - piece[i - 1][1]) : all, sum), 0));
+  return ways.get(pieces);
+}
 function paint(g, v, colours, main, sensors, bearing, threshold) {
   const u = v.unit;
   line(g, v, main.table.map(([b, m]) => atBearing(b, m)), true);
   g.fillStyle = colours.shade; g.fill();
   g.globalAlpha = 0.45; g.strokeStyle = colours.edge; g.lineWidth = 5 * u; g.stroke(); g.globalAlpha = 1;
   for (const k of main.table[0].length > 2 ? [2, 3] : []) {
-    g.setLineDash([3 * u, 3 * u]); g.lineWidth = u; g.strokeStyle = colours.quiet;
+    g.setLineDash(dashes(v, 2 * Math.PI * main.table[0][k], [3, 3])); g.lineWidth = u; g.strokeStyle = colours.quiet;
     line(g, v, main.table.map(row => atBearing(row[0], row[k])), true); g.stroke();
   }
   for (const one of sensors) {
-    g.setLineDash(one.dash.map(d => d * u));
-    g.strokeStyle = colours[one.colour]; g.lineWidth = 1.8 * u;
     // As fine as the screen shows it where that is known, else as the whole was given.
-    for (const piece of one.near && covers(one.near.box, v) ? one.near.pieces : one.pieces) { line(g, v, piece); g.stroke(); }
+    const pieces = one.near && covers(one.near.box, v) ? one.near.pieces : one.pieces;
+    g.setLineDash(dashes(v, wayM(pieces), one.dash));
+    g.strokeStyle = colours[one.colour]; g.lineWidth = 1.8 * u;
+    for (const piece of pieces) { line(g, v, piece); g.stroke(); }
   }
   g.setLineDash([]);
   g.fillStyle = colours.body; g.strokeStyle = colours.body; g.lineWidth = u;
   for (const part of main.parts) { line(g, v, part, true); g.fill(); g.stroke(); }
-  const [x, z] = atBearing(bearing, 100), [tx, tz] = atBearing(bearing, threshold);
+  const [tx, tz] = atBearing(bearing, threshold);
   g.setLineDash([6 * u, 4 * u]); g.strokeStyle = colours.ink; g.lineWidth = 1.5 * u;
-  g.beginPath(); g.moveTo(v.x(0), v.y(0)); g.lineTo(v.x(x), v.y(z)); g.stroke();
+  line(g, v, bearingLine(v, bearing)); g.stroke();
   g.setLineDash([]); g.fillStyle = colours.ink;
   g.beginPath(); g.arc(v.x(tx), v.y(tz), 4.5 * u, 0, 2 * Math.PI); g.fill();
 }

@@ -28,6 +28,15 @@ export function line(g, v, points, closed) {
 // Where a bearing of an obstacle at the origin lies: 0 looks down the page, 90 to the right.
 export const atBearing = (deg, m) => [m * Math.sin(deg * Math.PI / 180), m * Math.cos(deg * Math.PI / 180)];
 
+// The part of the line at a bearing that may be seen: dashes that nobody sees take time as well.
+export function bearingLine(v, deg) {
+  const middle = Math.hypot(...v.centre), beside = (v.w + v.h) / v.scale;
+  return [atBearing(deg, Math.max(0, middle - beside)), atBearing(deg, middle + beside)];
+}
+// Dashes of what is very long on the screen cost more than a picture may: then a line is drawn through.
+const MOST_DASHED_PX = 20000;
+export const dashes = (v, lengthM, dash) => lengthM * v.scale > MOST_DASHED_PX ? [] : dash.map(d => d * v.unit);
+
 export class Sheet {
   // paint(g, v, colours) draws all; zoom by wheel and keys, drag moves, double click shows all.
   constructor(label, name, paint) {
