@@ -30,7 +30,7 @@ function heads() {
   $('rows').parentElement.classList.toggle('both', both);
 }
 export function why(code) {
-  if (code >= 100) return code === 1090 ? 'over 99 dB too weak' : ((code - 100) / 10).toFixed(1) + ' dB too weak';
+  if (code >= 100) return code === 1090 ? '> 99 dB too weak' : ((code - 100) / 10).toFixed(1) + ' dB too weak';
   return ['', 'not in the cone', 'outside the shadow', 'missed by chance', 'out of range', 'its ray passes by', 'cone and shadow do not meet'][code];
 }
 // Only what is other than before: to lay out a page takes longer than to draw a plan.
