@@ -29,6 +29,7 @@ import org.junit.jupiter.api.io.TempDir;
 import simbad.experiments.run.RobotKind;
 import simbad.experiments.run.SensorKind;
 import simbad.motion.MotionChain;
+import simbad.motion.MotionChange;
 import simbad.sonar.format.DataFormatException;
 
 /** The page as its readers and others meet it: over HTTP, and with mouse and keyboard. */
@@ -36,6 +37,16 @@ class StudioTest {
   private static final HttpClient CLIENT = HttpClient.newHttpClient();
   private static final int HANGING = 200;
   private static final int FAR = 3000;
+
+  /** Half as fast as it is told. */
+  private static final MotionChain HALF =
+      MotionChain.EXACT.with(
+          new MotionChange() {
+            @Override
+            public double speed(double speedMPerS) {
+              return speedMPerS / 2;
+            }
+          });
 
   @SuppressWarnings("NullAway.Init")
   private static Studio studio;
@@ -47,7 +58,7 @@ class StudioTest {
             new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
             new Choices(
                 List.of(SensorKind.SHADOW, SensorKind.ORIGINAL, SensorKind.LEVEL),
-                List.of(new RobotKind("slow", MotionChain.EXACT)),
+                List.of(new RobotKind("slow", HALF)),
                 Map.of("slow", "diagnosed:lame")),
             Optional.empty());
   }
@@ -331,6 +342,36 @@ class StudioTest {
       visitor.await("$('heads').textContent === 'Looksshadoworiginal'");
       visitor.look("opened(saved())");
       visitor.await("live.scene.robots === 3 && live.beside === 'original' && worlds[0].upTo > 20");
+      visitor.await("$('fault').textContent === ''");
+      assertEquals("[]", visitor.violations());
+    }
+  }
+
+  /** The same sensor on a robot that does what it is told, and on one that is slower. */
+  @Test
+  void motionAsToldBesideMotionAsDiagnosed(@TempDir Path folder) throws Exception {
+    assumeTrue(Visitor.isThere(), "Chromium is not installed");
+    try (Visitor visitor = Visitor.at(studio.url(), folder)) {
+      visitor.await("document.getElementById('rows').children.length === 12");
+      visitor.look(MODULES);
+      visitor.await("$('robot1row').hidden");
+      visitor.look(
+          "$('sensor1').value = 'shadow'; $('sensor1').dispatchEvent(new Event('change'))");
+      visitor.await("!$('robot1row').hidden && worlds[1].upTo > 100");
+      visitor.look(
+          "$('robot1').value = 'slow'; $('robot1').dispatchEvent(new Event('change')); go(100)");
+      visitor.await("worlds[0].upTo > 100 && worlds[1].upTo > 100 && Math.floor(live.now) === 100");
+      visitor.await("$('name1').textContent.startsWith('shadow, moves as slow')");
+      visitor.await("$('name0').textContent.startsWith('shadow \u00b7')");
+      // Half as fast: half as far.
+      String way =
+          "(w => Math.hypot(w.frames[100][0] - w.frames[0][0], w.frames[100][1] - w.frames[0][1]))";
+      visitor.await(way + "(worlds[1]) < 0.6 * " + way + "(worlds[0])");
+      visitor.await(
+          "$('line').textContent.includes('./simbad run angle --sensor shadow --robot diagnosed:lame ')");
+      visitor.look("opened(saved())");
+      visitor.await(
+          "live.besideRobot === 'slow' && $('robot1').value === 'slow' && worlds[1].upTo > 20");
       visitor.await("$('fault').textContent === ''");
       assertEquals("[]", visitor.violations());
     }

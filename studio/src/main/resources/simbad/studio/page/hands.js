@@ -125,6 +125,7 @@ $('sensor0').addEventListener('change', () => { live.scene.sensor = $('sensor0')
 $('sensor1').addEventListener('change', () => { live.beside = $('sensor1').value; change(0); });
 $('sonar').addEventListener('change', () => { live.scene.sonar = $('sonar').value; change(0); });
 $('robot').addEventListener('change', () => { live.scene.robot = $('robot').value; change(0); });
+$('robot1').addEventListener('change', () => { live.besideRobot = $('robot1').value; change(0); });
 $('robots').addEventListener('change', () => { live.scene.robots = Number($('robots').value); live.now = 0; delete live.scene.start; live.scene.moves = []; change(0); });
 $('drive').addEventListener('change', () => { live.scene.speed_m_per_s = Number($('drive').value); live.now = 0; change(0); });
 $('seed').addEventListener('change', () => { live.scene.seed = Number($('seed').value); change(0); });

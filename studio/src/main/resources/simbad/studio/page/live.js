@@ -3,7 +3,7 @@ import { $, ask, fault, still } from './kit.js';
 import { pointer } from './hands.js';
 import { draw, isTiny, readColours, view } from './plan.js';
 import { opened } from './scene-files.js';
-import { active, change, endStep, fetchAhead, frameOf, isOriginal, live, loudness, most, robotsOf, setPlaying, worlds } from './state.js';
+import { active, change, endStep, fetchAhead, frameOf, isOriginal, live, loudness, most, AS_TOLD, robotIn, robotsOf, setPlaying, worlds } from './state.js';
 import { fields, rows } from './words.js';
 
 let begun = false;
@@ -43,7 +43,7 @@ function tell(time) {
   active().forEach((world, i) => {
     const frame = frameOf(world), n = live.catalogue.sonars, all = n * live.scene.robots;
     const heard = frame ? robotsOf(frame).reduce((sum, one) => sum + frame.slice(one.at, one.at + n).filter(r => r >= 0).length, 0) : 0;
-    $('name' + i).textContent = world.sensor;
+    $('name' + i).textContent = world.sensor + (robotIn(i) ? ', moves as ' + robotIn(i) : '');
     const more = document.createElement('span');
     more.textContent = frame ? ' \u00b7 ' + heard + ' of ' + all + ' hear' : ' \u00b7 waiting';
     $('name' + i).append(more);
@@ -69,6 +69,7 @@ async function begin() {
   choose('sensor0', sensors);
   choose('sonar', live.catalogue.transducers.map(one => one.name));
   choose('robot', ['', ...live.catalogue.robots.map(one => one.name)], 'exactly as told');
+  $('robot1').replaceChildren(new Option('as the first', ''), new Option('exactly as told', AS_TOLD), ...live.catalogue.robots.map(one => new Option(one.name)));
   choose('sensor1', ['', ...sensors], 'nothing');
   choose('robots', Array.from({ length: live.catalogue.most_robots }, (_, i) => String(i + 1)));
   live.scene.obstacle = live.catalogue.obstacles.some(o => o.name === 'angle') ? 'angle' : live.catalogue.obstacles[0].name;

@@ -6,12 +6,16 @@ export const FORMAT = 'simbad-studio/1', MOVE_M = 0.05, TURN_DEG = 5, HANDLE_PX 
 // While it plays, frames are asked for so often, and no trail is coarser than this.
 const FRAMES_PER_S = 30, TRAIL_M = 0.01, FAR_STEPS = 2000, AROUND = 50;
 export const live = {
-  catalogue: null, colours: {}, beside: '', now: 0, playing: false, before: 0, drawn: 0, told: 0, near: '', zoom: 1, off: [0, 0], robot: 0, chosen: -1, edition: 0,
+  catalogue: null, colours: {}, beside: '', besideRobot: '', now: 0, playing: false, before: 0, drawn: 0, told: 0, near: '', zoom: 1, off: [0, 0], robot: 0, chosen: -1, edition: 0,
   held: null, dirty: true, wish: 0,
   scene: { format: FORMAT, obstacle: '', sensor: '', sonar: 'srf04', robot: '', robots: 1, speed_m_per_s: 0.01, seed: 1, moves: [] },
 };
 // Of frames some are left out where the world ran fast: known has the steps of those that are there, upTo is the first step that nobody has asked for yet.
 export const worlds = [0, 1].map(() => ({ frames: [], known: [], upTo: 0, asking: false, sensor: '' }));
+// How the robots of either view move: the second view's as those of the first, if nothing else is said.
+export const AS_TOLD = '*';
+export const robotIn = index => index === 0 || live.besideRobot === '' ? live.scene.robot : live.besideRobot === AS_TOLD ? '' : live.besideRobot;
+const sceneOf = world => ({ ...live.scene, sensor: world.sensor, robot: robotIn(worlds.indexOf(world)) });
 export const active = () => live.beside ? worlds : worlds.slice(0, 1);
 export const typeNow = () => live.catalogue.obstacles.find(o => o.name === live.scene.obstacle);
 export const sensorOf = name => live.catalogue.sensors.find(s => s.name === name);
@@ -47,7 +51,7 @@ async function fetchFrames(world, from, count, every) {
   world.asking = true;
   const asked = live.edition;
   try {
-    const answer = await ask('/frames', { scene: { ...live.scene, sensor: world.sensor }, from, count, every });
+    const answer = await ask('/frames', { scene: sceneOf(world), from, count, every });
     if (asked !== live.edition) return;
     if (answer.fault) { fault(answer.fault); live.playing = false; return; }
     fault('');
@@ -69,7 +73,7 @@ async function fetchFrames(world, from, count, every) {
 export async function allFrames(world) {
   const all = [], end = Math.min(Math.floor(live.now) + 1, world.upTo);
   while (all.length < end) {
-    const answer = await ask('/frames', { scene: { ...live.scene, sensor: world.sensor }, from: all.length, count: Math.min(live.catalogue.most_frames, end - all.length) });
+    const answer = await ask('/frames', { scene: sceneOf(world), from: all.length, count: Math.min(live.catalogue.most_frames, end - all.length) });
     if (answer.fault) throw new Error(answer.fault);
     all.push(...answer.frames);
   }

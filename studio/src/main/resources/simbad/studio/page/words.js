@@ -1,22 +1,25 @@
 // What the live page says in words.
 import { $ } from './kit.js';
-import { active, frameOf, live, robotOf, robotsOf, sensorOf, typeNow } from './state.js';
+import { active, frameOf, live, robotIn, robotOf, robotsOf, sensorOf, typeNow } from './state.js';
 
 export function quote(text) { return /^[A-Za-z0-9_.:,/-]+$/.test(text) ? text : "'" + text.replaceAll("'", "'\\''") + "'"; }
 export function words() {
-  const scene = live.scene, sensors = live.beside ? [scene.sensor, live.beside] : [scene.sensor];
+  const scene = live.scene, sensors = [...new Set([scene.sensor, live.beside].filter(Boolean))];
+  const moving = [...new Set([robotIn(0), live.beside ? robotIn(1) : ''])].filter(Boolean);
   const start = scene.start ? ' --start=' + scene.start.map(v => v.toFixed(3)).join(',') : '';
   $('line').textContent = './simbad run ' + quote(scene.obstacle) + sensors.map(s => ' --sensor ' + quote(sensorOf(s).option)).join('')
-    + (scene.sonar === 'srf04' ? '' : ' --sensor-file data/sensors/' + scene.sonar + '.json') + (scene.robot ? ' --robot ' + quote(robotOf(scene.robot).option) : '')
+    + (scene.sonar === 'srf04' ? '' : ' --sensor-file data/sensors/' + scene.sonar + '.json') + moving.map(name => ' --robot ' + quote(robotOf(name).option)).join('')
     + start + ' --speed ' + scene.speed_m_per_s + ' --seed ' + scene.seed + ' --out run';
   const notes = [];
-  if (scene.robot) notes.push('With --robot each sensor is driven twice: on the exact robot, and on ' + scene.robot + '.');
+  if (moving.length === 1) notes.push('With --robot each sensor is driven twice: on the exact robot, and on ' + moving[0] + '.');
+  if (moving.length > 1) notes.push('The command takes one robot: call it once for each.');
   const lacks = [scene.robots > 1 ? 'the other robots' : '', scene.moves.length ? 'the moves by hand (' + scene.moves.length + ')' : ''].filter(Boolean).join(' and ');
-  if (lacks) notes.push('The command does not know ' + lacks + '. Save the scene, and ./simbad studio' + [...sensors.map(s => [sensorOf(s), ' --sensor ']), [robotOf(scene.robot), ' --robot ']].filter(([one]) => one && one.option !== one.name).map(([one, option]) => option + quote(one.option)).join('') + ' --scene scene.json shows all of it.');
+  if (lacks) notes.push('The command does not know ' + lacks + '. Save the scene, and ./simbad studio' + [...sensors.map(s => [sensorOf(s), ' --sensor ']), ...moving.map(name => [robotOf(name), ' --robot '])].filter(([one]) => one && one.option !== one.name).map(([one, option]) => option + quote(one.option)).join('') + ' --scene scene.json shows all of it.');
   $('linenote').textContent = notes.join(' ') || 'This command has the same start, controller and seed, so it gives the same trace.';
   $('meaning').textContent = scene.sensor + ': ' + sensorOf(scene.sensor).meaning + (live.beside ? '. ' + live.beside + ': ' + sensorOf(live.beside).meaning : '')
     + '. Table of ' + scene.obstacle + ': ' + typeNow().provenance + '.' + (scene.robots > 1 ? ' Robots do not hear each other, except with ray; where two touch, they stop.' : '');
   $('second').hidden = !live.beside;
+  $('robot1row').hidden = !live.beside || !live.catalogue.robots.length;
   for (const id of ['views', 'live']) $(id).classList.toggle('two', Boolean(live.beside));
   heads();
   $('whichrow').hidden = scene.robots === 1;
@@ -55,6 +58,6 @@ export function rows() {
 }
 export function fields() {
   $('obstacle').value = live.scene.obstacle; $('sensor0').value = live.scene.sensor; $('sensor1').value = live.beside;
-  $('sonar').value = live.scene.sonar; $('robot').value = live.scene.robot; $('robots').value = String(live.scene.robots);
+  $('sonar').value = live.scene.sonar; $('robot').value = live.scene.robot; $('robot1').value = live.besideRobot; $('robots').value = String(live.scene.robots);
   $('drive').value = live.scene.speed_m_per_s; $('seed').value = live.scene.seed;
 }
