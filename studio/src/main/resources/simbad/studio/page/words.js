@@ -16,7 +16,7 @@ export function words() {
   const lacks = [scene.robots > 1 ? 'the other robots' : '', scene.moves.length ? 'the moves by hand (' + scene.moves.length + ')' : ''].filter(Boolean).join(' and ');
   if (lacks) notes.push('The command does not know ' + lacks + '. Save the scene, and ./simbad studio' + [...sensors.map(s => [sensorOf(s), ' --sensor ']), ...moving.map(name => [robotOf(name), ' --robot '])].filter(([one]) => one && one.option !== one.name).map(([one, option]) => option + quote(one.option)).join('') + ' --scene scene.json shows all of it.');
   $('linenote').textContent = notes.join(' ') || 'This command has the same start, controller and seed, so it gives the same trace.';
-  $('meaning').textContent = scene.sensor + ': ' + sensorOf(scene.sensor).meaning + (live.beside ? '. ' + live.beside + ': ' + sensorOf(live.beside).meaning : '')
+  $('meaning').textContent = sensors.map(name => name + ': ' + sensorOf(name).meaning).join('. ')
     + '. Table of ' + scene.obstacle + ': ' + typeNow().provenance + '.' + (scene.robots > 1 ? ' Robots do not hear each other, except with ray; where two touch, they stop.' : '');
   $('second').hidden = !live.beside;
   $('robot1row').hidden = !live.beside || !live.catalogue.robots.length;
@@ -29,7 +29,7 @@ export function words() {
 // With two sensors the table has a column for each.
 function heads() {
   const both = active().length > 1, cell = (text, right) => { const th = document.createElement('th'); th.scope = 'col'; th.textContent = text; if (right) th.className = 'r'; return th; };
-  $('heads').replaceChildren(cell('Looks', true), ...(both ? [cell(live.scene.sensor), cell(live.beside)] : [cell('Reads', true), cell('Why no echo')]));
+  $('heads').replaceChildren(cell('Looks', true), ...(both ? [live.scene.sensor, live.beside].map((name, i) => cell(name + (robotIn(i) ? ', ' + robotIn(i) : ''))) : [cell('Reads', true), cell('Why no echo')]));
   $('rows').parentElement.classList.toggle('both', both);
 }
 export function why(code) {
