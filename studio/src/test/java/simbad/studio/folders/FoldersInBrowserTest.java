@@ -313,7 +313,7 @@ class FoldersInBrowserTest {
     visitor.look(
         "for (const [id, v] of [['sensor0', 'diagnosed-wall'], ['robot', 'robot']]) { const e = document.getElementById(id); e.value = v; e.dispatchEvent(new Event('change')); }");
     visitor.await(
-        "document.getElementById('name0').textContent.startsWith('diagnosed-wall \u00b7 ')");
+        "document.getElementById('name0').textContent.startsWith('diagnosed-wall, moves as robot \u00b7 ')");
     visitor.await("document.getElementById('name0').textContent.endsWith('of 12 hear')");
     String line = visitor.look("document.getElementById('line').textContent");
     assertTrue(line.contains(" --sensor diagnosed:"), line);
