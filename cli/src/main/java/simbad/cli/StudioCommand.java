@@ -4,6 +4,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -27,7 +28,8 @@ import simbad.studio.folders.Folders;
       "You can play, step, go back in time, and drag the robot or the obstacle. The "
           + "page shows what each sonar reads, and why it hears nothing.",
       "With FOLDER the page also shows the runs, batches, captures and diagnoses in "
-          + "it. Its pictures answer to the mouse; two can be shown beside each other.",
+          + "it. Its pictures answer to the mouse; two can be shown beside each other. "
+          + "The robot can drive with each diagnosed sensor, and move as diagnosed.",
       "The command itself needs no display. Guide: docs/guide/studio.md."
     },
     footer = {
@@ -70,6 +72,12 @@ final class StudioCommand extends Subcommand {
   private List<String> robots = new ArrayList<>();
 
   @Option(
+      names = "--scene",
+      paramLabel = "FILE",
+      description = "A scene that was saved on the page, at which it opens.")
+  private Optional<Path> scene = Optional.empty();
+
+  @Option(
       names = "--port",
       paramLabel = "N",
       defaultValue = "0",
@@ -87,26 +95,34 @@ final class StudioCommand extends Subcommand {
     Optional<Folders> folders =
         folder.isPresent() ? Optional.of(Folders.of(folder.get(), data)) : Optional.empty();
     InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
-    try (Studio studio = Studio.open(address, new Choices(sensors(), moving()), folders)) {
+    try (Studio studio = Studio.open(address, choices(folders), folders, scene)) {
       out().println(studio.url());
       err().println("studio: open this address; Ctrl-C ends it");
       new CountDownLatch(1).await();
     }
   }
 
-  private List<RobotKind> moving() throws DataFormatException {
+  /** Those of the options, and all that diagnoses in the folder left. */
+  private Choices choices(Optional<Folders> folders) throws DataFormatException {
+    Map<String, String> options = new HashMap<>();
+    Choices named = new Choices(sensors(options), moving(options), options);
+    return folders.isPresent() ? named.with(folders.get()) : named;
+  }
+
+  private List<RobotKind> moving(Map<String, String> options) throws DataFormatException {
     Map<String, RobotKind> byName = new LinkedHashMap<>();
     for (String word : robots) {
       RobotKind kind = RobotKind.read(word);
       if (byName.put(kind.name(), kind) != null) {
         throw wrongUsage("--robot: two are called " + kind.name());
       }
+      options.put(kind.name(), word);
     }
     return List.copyOf(byName.values());
   }
 
   /** The plain sensors, that of the main experiment first, then those of diagnoses. */
-  private List<SensorKind> sensors() throws DataFormatException {
+  private List<SensorKind> sensors(Map<String, String> options) throws DataFormatException {
     List<SensorKind> sensors = new ArrayList<>(List.of(SensorKind.SHADOW));
     SensorKind.all().stream().filter(kind -> !sensors.contains(kind)).forEach(sensors::add);
     for (String word : diagnosed) {
@@ -118,6 +134,7 @@ final class StudioCommand extends Subcommand {
             "--sensor: '" + word + "' is offered anyway, or has the name of another one");
       }
       sensors.add(kind);
+      options.put(kind.word(), word);
     }
     return sensors;
   }

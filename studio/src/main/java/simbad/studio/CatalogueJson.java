@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
+import java.util.Optional;
 import simbad.experiments.run.Circuit;
 import simbad.experiments.run.SensorKind;
 import simbad.obstacles.Catalogue;
@@ -23,22 +24,34 @@ final class CatalogueJson {
    * Returns obstacles with outlines and shadow edges in metres, sensors, sonars with their figures,
    * and robots.
    *
+   * @param scene at which the page opens, as JSON
    * @throws DataFormatException if an obstacle of the user's own cannot be read
    */
-  static String of(Choices choices) throws DataFormatException {
+  static String of(Choices choices, Optional<String> scene) throws DataFormatException {
     ObjectNode root = MAPPER.createObjectNode();
+    scene.ifPresent(json -> root.put("scene", json));
     root.put("step_s", Circuit.STEP_S).put("most_steps", LiveWorld.MOST_STEPS);
+    root.put("most_robots", StudioScene.MOST_ROBOTS);
     root.put("most_frames", LiveWorld.MOST_FRAMES).put("sonars", SensorKind.SONARS);
     ArrayNode obstacles = root.putArray("obstacles");
     for (ObstacleType type : Catalogue.all()) {
       add(obstacles.addObject(), type);
     }
     ArrayNode list = root.putArray("sensors");
-    choices.sensors().forEach(sensor -> add(list.addObject(), sensor));
+    for (SensorKind sensor : choices.sensors()) {
+      add(list.addObject().put("option", choices.option(sensor.word())), sensor);
+    }
     ArrayNode figures = root.putArray("transducers");
     Catalogue.sonars().forEach(name -> add(figures.addObject(), name));
     ArrayNode robots = root.putArray("robots");
-    choices.robots().forEach(robot -> robots.add(robot.name()));
+    choices
+        .robots()
+        .forEach(
+            robot ->
+                robots
+                    .addObject()
+                    .put("name", robot.name())
+                    .put("option", choices.option(robot.name())));
     return root.toString();
   }
 
@@ -80,7 +93,6 @@ final class CatalogueJson {
   /** A diagnosed sensor has a cone of its own; all others that of their sonar. */
   private static void add(ObjectNode node, SensorKind sensor) {
     node.put("name", sensor.word()).put("meaning", sensor.meaning());
-    node.put("diagnosed", sensor.model().isPresent());
     if (sensor.equals(SensorKind.RAY)) {
       node.put("half_angle_deg", 0);
     }

@@ -2,7 +2,8 @@ package simbad.studio;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.IntStream;
 import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
 import simbad.experiments.control.EdgeFollower;
@@ -10,20 +11,23 @@ import simbad.experiments.control.Tuning;
 import simbad.experiments.run.Circuit;
 import simbad.experiments.run.FollowerRobot;
 import simbad.experiments.run.SensorKind;
+import simbad.experiments.run.Start;
 import simbad.gui.Simbatch;
 import simbad.obstacles.ObstacleType;
 import simbad.obstacles.SonarObstacle;
 import simbad.sim.EnvironmentDescription;
 import simbad.sim.RangeSensorBelt;
+import simbad.sonar.frame.Angles;
 import simbad.sonar.frame.Placement;
-import simbad.sonar.frame.Pose;
+import simbad.sonar.frame.Point;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.sensing.Readings;
 
 /**
- * A world that is stepped as far as somebody looks, and remembers what was. The robot is that of
- * {@code simbad run}: without moves by hand its places are those of the run's trace. Safe for use
- * by several threads, which wait for each other.
+ * A world that is stepped as far as somebody looks, and remembers what was. The first robot is that
+ * of {@code simbad run}: without moves by hand its places are those of the run's trace. Further
+ * ones start on bearings between, as far out; robots do not hear each other. Safe for use by
+ * several threads, which wait for each other.
  */
 final class LiveWorld {
   /** 50 minutes of the robot's time. */
@@ -32,14 +36,18 @@ final class LiveWorld {
   /** In one answer. */
   static final int MOST_FRAMES = 2000;
 
+  /** Steps that one answer may take at most, however few of them it shows. */
+  static final int MOST_STEPS_AT_ONCE = 20_000;
+
   private final List<Move> moves;
-  private final FollowerRobot robot;
-  private final RangeSensorBelt belt;
+  private final List<FollowerRobot> robots = new ArrayList<>();
+  private final List<RangeSensorBelt> belts = new ArrayList<>();
   private final SonarObstacle obstacle;
   private final Reasons reasons;
   private final Simbatch simulation;
-  private final List<String> frames = new ArrayList<>();
+  private final Film film;
   private final Point3d place = new Point3d();
+  private Placement standing = Placement.IDENTITY;
   private int nextMove;
 
   /**
@@ -52,18 +60,35 @@ final class LiveWorld {
   LiveWorld(
       StudioScene scene, ObstacleType type, SensorKind sensor, SensorKind driven, SonarSpec sonar) {
     moves = scene.moves();
-    Circuit circuit =
-        new Circuit(
-            type, List.of(), driven, sonar, scene.speedMPerS(), scene.start(), scene.seed());
-    robot = circuit.robot(new EdgeFollower(Tuning.standard(scene.speedMPerS(), Circuit.STEP_S)));
-    belt = (RangeSensorBelt) robot.getSensorDevice(0);
     obstacle = new SonarObstacle(new Vector3d(), 0, type);
     reasons = new Reasons(sensor, sonar, type);
     EnvironmentDescription environment = new EnvironmentDescription();
     environment.add(obstacle);
-    environment.add(robot);
+    Point first = scene.start().orElse(Start.standard(type, sonar).position());
+    for (int i = 0; i < scene.robots(); i++) {
+      Optional<Point> start =
+          i == 0 ? scene.start() : Optional.of(turned(first, i * Angles.TURN_RAD / scene.robots()));
+      Circuit circuit =
+          new Circuit(type, List.of(), driven, sonar, scene.speedMPerS(), start, scene.seed() + i);
+      FollowerRobot robot =
+          circuit.robot(new EdgeFollower(Tuning.standard(scene.speedMPerS(), Circuit.STEP_S)));
+      robots.add(robot);
+      belts.add((RangeSensorBelt) robot.getSensorDevice(0));
+      environment.add(robot);
+    }
+    film = new Film(scene.robots(), angles(belts.get(0)));
     simulation = new Simbatch(environment, false);
     simulation.reset();
+  }
+
+  private static Point turned(Point at, double turnRad) {
+    double cos = Math.cos(turnRad);
+    double sin = Math.sin(turnRad);
+    return new Point(at.xM() * cos + at.zM() * sin, at.zM() * cos - at.xM() * sin);
+  }
+
+  private static double[] angles(RangeSensorBelt belt) {
+    return IntStream.range(0, belt.getNumSensors()).mapToDouble(belt::getSensorAngle).toArray();
   }
 
   /**
@@ -71,67 +96,51 @@ final class LiveWorld {
    *
    * @param from first of them, at least 0
    * @param count of them; {@value #MOST_FRAMES} at most are given
+   * @param every how many steps lie between two of them, at least 1
    */
-  synchronized String frames(int from, int count) {
+  synchronized String frames(int from, int count, int every) {
     // Further ahead than that nobody looks: an answer costs so much at most.
-    int ahead = Math.min(MOST_STEPS, frames.size() + 2 * MOST_FRAMES);
-    int end = Math.min(ahead, from + Math.min(count, MOST_FRAMES));
-    while (frames.size() < end) {
+    int ahead =
+        Math.min(MOST_STEPS, film.size() + Math.min(2 * MOST_FRAMES * every, MOST_STEPS_AT_ONCE));
+    long last = from + (Math.min(count, MOST_FRAMES) - 1L) * every;
+    int end = (int) Math.min(ahead, last + 1);
+    while (film.size() < end) {
       step();
     }
-    return "[" + String.join(",\n", frames.subList(Math.min(from, end), end)) + "]";
+    StringBuilder text = new StringBuilder("[");
+    for (int step = from; step < end; step += every) {
+      film.write(text.append(step == from ? "" : ",\n"), step, reasons);
+    }
+    return text.append(']').toString();
   }
 
   private void step() {
-    while (nextMove < moves.size() && moves.get(nextMove).step() <= frames.size()) {
+    while (nextMove < moves.size() && moves.get(nextMove).step() <= film.size()) {
       apply(moves.get(nextMove++));
     }
-    robot.getCoords(place);
-    Pose pose = Pose.of(place.x, place.z, robot.getHeadingRad());
+    film.begin(standing);
+    for (FollowerRobot robot : robots) {
+      robot.getCoords(place);
+      film.pose(place.x, place.z, robot.getHeadingRad());
+    }
     simulation.step();
-    frames.add(frame(pose));
+    for (int i = 0; i < belts.size(); i++) {
+      Readings readings = belts.get(i).getReadings();
+      for (int sonar = 0; sonar < readings.size(); sonar++) {
+        film.range(i, sonar, readings.isEcho(sonar) ? readings.rangeM(sonar) : -1);
+      }
+    }
   }
 
   private void apply(Move move) {
     if (move.thing() == Move.Thing.ROBOT) {
-      robot.moveToPosition(move.xM(), move.zM());
+      robots.get(move.number()).moveToPosition(move.xM(), move.zM());
       return;
     }
     Placement at = obstacle.worldFromObstacle();
     obstacle.translateTo(new Vector3d(move.xM() - at.xM(), 0, move.zM() - at.zM()));
     obstacle.rotateY(move.turnRad() - at.turnRad());
-    reasons.obstacleAt(obstacle.worldFromObstacle());
-  }
-
-  /** x, z, heading, the obstacle's x, z and turn, ranges in mm or -1, reasons. */
-  private String frame(Pose pose) {
-    Placement at = obstacle.worldFromObstacle();
-    StringBuilder text = new StringBuilder(160);
-    text.append(
-        String.format(
-            Locale.ROOT,
-            "[%.4f,%.4f,%.4f,%.3f,%.3f,%.4f",
-            pose.position().xM(),
-            pose.position().zM(),
-            pose.heading().radians(),
-            at.xM(),
-            at.zM(),
-            at.turnRad()));
-    Readings readings = belt.getReadings();
-    for (int i = 0; i < readings.size(); i++) {
-      text.append(',').append(readings.isEcho(i) ? Math.round(1000 * readings.rangeM(i)) : -1);
-    }
-    for (int i = 0; i < readings.size(); i++) {
-      text.append(',').append(readings.isEcho(i) ? Reasons.HEARD : reasons.of(sonar(pose, i)));
-    }
-    return text.append(']').toString();
-  }
-
-  private Pose sonar(Pose pose, int index) {
-    return Pose.of(
-        pose.position().xM(),
-        pose.position().zM(),
-        pose.heading().radians() + belt.getSensorAngle(index));
+    standing = obstacle.worldFromObstacle();
   }
 
   synchronized void dispose() {

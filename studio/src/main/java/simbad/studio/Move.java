@@ -7,12 +7,13 @@ import simbad.sonar.check.Checks;
  *
  * @param step before which it is moved, at least 0
  * @param thing what it is
+ * @param number which of the robots, from 0; 0 for the obstacle
  * @param xM where its middle comes to stand, metres, at most {@value #FARTHEST_M} from 0
  * @param zM the same along z
  * @param turnRad how an obstacle is turned then, counter-clockwise as seen from above; 0 for a
  *     robot
  */
-record Move(int step, Thing thing, double xM, double zM, double turnRad) {
+record Move(int step, Thing thing, int number, double xM, double zM, double turnRad) {
   static final double FARTHEST_M = 20;
 
   /** What can be moved. */

@@ -54,8 +54,11 @@ final class Reasons {
     loudness = Loudness.of(sensor, spec, type, placement);
   }
 
-  /** The obstacle is elsewhere from now on. */
+  /** The obstacle is there from now on. */
   void obstacleAt(Placement worldFromObstacle) {
+    if (worldFromObstacle.equals(placement)) {
+      return;
+    }
     placement = worldFromObstacle;
     outline = type.outline().placed(worldFromObstacle);
     loudness = Loudness.of(sensor, spec, type, placement);

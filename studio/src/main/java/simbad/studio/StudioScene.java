@@ -17,7 +17,8 @@ import simbad.sonar.frame.Point;
  * @param sensor name as on the command line
  * @param sonar name of its figures in the catalogue
  * @param robot name of how the robot moves; empty for exactly as it is told
- * @param start of the robot, or the main experiment's own
+ * @param robots how many, in [1, {@value #MOST_ROBOTS}]
+ * @param start of the first robot, or the main experiment's own
  * @param speedMPerS of the robot
  * @param seed of all chance
  * @param moves by hand, in the order of their steps
@@ -27,12 +28,14 @@ record StudioScene(
     String sensor,
     String sonar,
     String robot,
+    int robots,
     Optional<Point> start,
     double speedMPerS,
     long seed,
     List<Move> moves) {
   static final String FORMAT = "simbad-studio/1";
   static final int MOST_MOVES = 200;
+  static final int MOST_ROBOTS = 12;
 
   private static final Path NAME = Path.of("scene");
 
@@ -51,18 +54,32 @@ record StudioScene(
     if (!format.isText(FORMAT)) {
       throw format.isNot("\"" + FORMAT + "\"");
     }
+    int robots = json.has("robots") ? whole(json.field("robots"), 1, MOST_ROBOTS) : 1;
     return new StudioScene(
         json.text("obstacle"),
         json.text("sensor"),
         json.has("sonar") ? json.text("sonar") : Choices.SONAR,
         json.has("robot") ? json.text("robot") : "",
+        robots,
         json.has("start") ? Optional.of(point(json.field("start"))) : Optional.empty(),
         json.field("speed_m_per_s")
             .number(
                 v -> v > 0 && v <= RunSettings.GREATEST_SPEED_M_PER_S,
                 "in (0, " + RunSettings.GREATEST_SPEED_M_PER_S + "]"),
         json.field("seed").whole(),
-        moves(json));
+        moves(json, robots));
+  }
+
+  /** Every robot that is moved must be there. */
+  private static int number(JsonInput item, int robots) throws DataFormatException {
+    return item.has("number") ? whole(item.field("number"), 0, robots - 1) : 0;
+  }
+
+  private static int whole(JsonInput field, int low, int high) throws DataFormatException {
+    return (int)
+        field.number(
+            v -> v >= low && v <= high && v == Math.rint(v),
+            "a whole number in [" + low + ", " + high + "]");
   }
 
   /** Reads a question: JSON as the page sends it. */
@@ -70,11 +87,11 @@ record StudioScene(
     return JsonInput.parse(NAME, text);
   }
 
-  private static List<Move> moves(JsonInput json) throws DataFormatException {
+  private static List<Move> moves(JsonInput json, int robots) throws DataFormatException {
     List<Move> moves = new ArrayList<>();
     int before = 0;
     for (JsonInput item : json.items("moves")) {
-      Move move = move(item);
+      Move move = move(item, robots);
       if (move.step() < before || moves.size() == MOST_MOVES) {
         throw item.fault("is out of order, or one of more than " + MOST_MOVES);
       }
@@ -84,10 +101,11 @@ record StudioScene(
     return moves;
   }
 
-  private static Move move(JsonInput item) throws DataFormatException {
+  private static Move move(JsonInput item, int robots) throws DataFormatException {
     Move.Thing thing = item.has("robot") ? Move.Thing.ROBOT : Move.Thing.OBSTACLE;
     Point to = point(item.field(thing.name().toLowerCase(Locale.ROOT)));
-    return new Move(step(item.field("step")), thing, to.xM(), to.zM(), turnRad(item));
+    return new Move(
+        step(item.field("step")), thing, number(item, robots), to.xM(), to.zM(), turnRad(item));
   }
 
   /** Files from before obstacles could be turned lack it. */
@@ -103,10 +121,7 @@ record StudioScene(
   }
 
   static int step(JsonInput field) throws DataFormatException {
-    return (int)
-        field.number(
-            v -> v >= 0 && v <= LiveWorld.MOST_STEPS && v == Math.rint(v),
-            "a whole number in [0, " + LiveWorld.MOST_STEPS + "]");
+    return whole(field, 0, LiveWorld.MOST_STEPS);
   }
 
   private static Point point(JsonInput pair) throws DataFormatException {

@@ -1,5 +1,6 @@
 package simbad.studio;
 
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import simbad.experiments.run.RobotKind;
@@ -8,6 +9,7 @@ import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.JsonInput;
+import simbad.sonar.format.TextFile;
 import simbad.sonar.scene.SonarSpec;
 
 /**
@@ -29,7 +31,7 @@ final class Worlds {
   /**
    * Answers a question for frames.
    *
-   * @param text JSON with scene, from and count
+   * @param text JSON with scene, from and count, and perhaps every: how many steps lie between two
    * @return JSON
    * @throws DataFormatException naming what is wrong with the question
    */
@@ -37,7 +39,25 @@ final class Worlds {
     JsonInput json = StudioScene.question(text);
     int from = StudioScene.step(json.field("from"));
     int count = StudioScene.step(json.field("count"));
-    return "{\"frames\":" + world(json.field("scene")).frames(from, count) + "}";
+    int every = json.has("every") ? Math.max(1, StudioScene.step(json.field("every"))) : 1;
+    return "{\"frames\":" + world(json.field("scene")).frames(from, count, every) + "}";
+  }
+
+  /**
+   * Reads a scene that was saved on the page.
+   *
+   * @return its text
+   * @throws DataFormatException naming file and field of the first fault
+   */
+  String scene(Path file) throws DataFormatException {
+    String text = TextFile.read(file);
+    JsonInput json = JsonInput.parse(file, text);
+    world(json);
+    boolean alone = !json.has("beside") || json.text("beside").isEmpty();
+    if (!alone && choices.findSensor(json.text("beside")).isEmpty()) {
+      throw unknown(json, "beside", "one of " + choices.sensors());
+    }
+    return text;
   }
 
   private synchronized LiveWorld world(JsonInput json) throws DataFormatException {

@@ -1,6 +1,7 @@
 package simbad.studio;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -15,9 +16,11 @@ import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
 import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -26,12 +29,24 @@ import org.junit.jupiter.api.io.TempDir;
 import simbad.experiments.run.RobotKind;
 import simbad.experiments.run.SensorKind;
 import simbad.motion.MotionChain;
+import simbad.motion.MotionChange;
+import simbad.sonar.format.DataFormatException;
 
 /** The page as its readers and others meet it: over HTTP, and with mouse and keyboard. */
 class StudioTest {
   private static final HttpClient CLIENT = HttpClient.newHttpClient();
   private static final int HANGING = 200;
   private static final int FAR = 3000;
+
+  /** Half as fast as it is told. */
+  private static final MotionChain HALF =
+      MotionChain.EXACT.with(
+          new MotionChange() {
+            @Override
+            public double speed(double speedMPerS) {
+              return speedMPerS / 2;
+            }
+          });
 
   @SuppressWarnings("NullAway.Init")
   private static Studio studio;
@@ -43,7 +58,8 @@ class StudioTest {
             new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
             new Choices(
                 List.of(SensorKind.SHADOW, SensorKind.ORIGINAL, SensorKind.LEVEL),
-                List.of(new RobotKind("slow", MotionChain.EXACT))),
+                List.of(new RobotKind("slow", HALF)),
+                Map.of("slow", "diagnosed:lame")),
             Optional.empty());
   }
 
@@ -183,7 +199,7 @@ class StudioTest {
 
   /** What the page's modules give away, as names that the steps below can use. */
   private static final String MODULES =
-      "Promise.all(['kit', 'state', 'plan', 'scene-files'].map(n => import('/' + n + '.js' + location.search)))"
+      "Promise.all(['kit', 'state', 'plan', 'scene-files', 'hands'].map(n => import('/' + n + '.js' + location.search)))"
           + ".then(all => { for (const one of all) for (const [k, v] of Object.entries(one)) window[k] = v; })";
 
   @Test
@@ -218,7 +234,7 @@ class StudioTest {
       // The picture as SVG is XML, and has all that is drawn.
       visitor.await(
           "(x => !x.querySelector('parsererror') && x.querySelectorAll('path').length > 20)"
-              + "(new DOMParser().parseFromString(svgOf(0), 'image/svg+xml'))");
+              + "(new DOMParser().parseFromString(svgNow(), 'image/svg+xml'))");
       // Markup in a file that is opened stays text.
       visitor.look(
           "try { opened(JSON.stringify({format: FORMAT, moves: [], obstacle: '<img src=x>'})); } catch (e) { fault(e.message); }");
@@ -244,7 +260,7 @@ class StudioTest {
           "$('sonar').value = 'hc-sr04'; $('sonar').dispatchEvent(new Event('change'));"
               + " $('robot').value = 'slow'; $('robot').dispatchEvent(new Event('change'))");
       visitor.await(
-          "worlds[0].frames.length > 6 && $('line').textContent.includes('--sensor-file data/sensors/hc-sr04.json --robot diagnosed:DIR')");
+          "worlds[0].frames.length > 6 && $('line').textContent.includes('--sensor-file data/sensors/hc-sr04.json --robot diagnosed:lame')");
       // The level law's shadow is loudness, as shade.
       visitor.look("$('sensor0').value = 'level'; $('sensor0').dispatchEvent(new Event('change'))");
       visitor.await("loudness('level').length === 5 && !$('louder').hidden");
@@ -267,5 +283,129 @@ class StudioTest {
             "[...$('rows').rows].every(r => r.getBoundingClientRect().height < 2.2 * parseFloat(getComputedStyle(r).fontSize))");
       }
     }
+  }
+
+  /** Where something of a world is in the window, in pixels. */
+  private static double[] at(Visitor visitor, String xz) throws Exception {
+    String place =
+        "(() => { const f = frameOf(worlds[0]), v = view($('plan0'), f), b = $('plan0').getBoundingClientRect(), p = "
+            + xz
+            + "; return [b.x + v.x(p[0]), b.y + v.y(p[1])].join(); })()";
+    String[] numbers = visitor.look(place).split(",", -1);
+    return new double[] {Double.parseDouble(numbers[0]), Double.parseDouble(numbers[1])};
+  }
+
+  @Test
+  void aVisitorLetsSeveralRobotsDrive_zoomsAndLooksAtOne(@TempDir Path folder) throws Exception {
+    assumeTrue(Visitor.isThere(), "Chromium is not installed");
+    try (Visitor visitor = Visitor.at(studio.url(), folder)) {
+      visitor.resize(1280, 900, false);
+      visitor.await("document.getElementById('rows').children.length === 12");
+      visitor.look(MODULES);
+      visitor.look("$('robots').value = '3'; $('robots').dispatchEvent(new Event('change'))");
+      visitor.await("$('name0').textContent.includes('of 36 hear') && !$('whichrow').hidden");
+      visitor.look("setPlaying(false); go(4)");
+      visitor.await("Math.floor(live.now) === 4 && worlds[0].frames[4] !== undefined");
+      // The second robot is dragged: it is the one that the table then shows.
+      double[] second = at(visitor, "(r => [r.x, r.z])(robotsOf(f)[1])");
+      visitor.drag(second[0], second[1], 50, -30);
+      visitor.await(
+          "live.scene.moves.length === 1 && live.scene.moves[0].number === 1 && $('which').value === '1'");
+      visitor.await("$('linenote').textContent.includes('--scene scene.json shows all of it')");
+      // By keys: nearer, and back; the obstacle where it was pulled to.
+      visitor.look("$('plan0').focus()");
+      String scale = "view($('plan0'), frameOf(worlds[0])).scale";
+      double far = Double.parseDouble(visitor.look(scale));
+      visitor.press("+", 187);
+      visitor.await(scale + " > 1.2 * " + far);
+      double[] beside = at(visitor, "[2, 2]");
+      visitor.drag(beside[0], beside[1], -40, -40);
+      visitor.await("live.off[0] > 0.05 && live.off[1] > 0.05 && live.scene.moves.length === 1");
+      visitor.press("0", 48);
+      visitor.await("live.off[0] === 0 && live.zoom === 1");
+      visitor.click("#closer");
+      visitor.await("live.zoom === 1.5");
+      // As fast as it goes, and each step is there when somebody looks.
+      visitor.look("$('speed').value = '5000'");
+      visitor.click("#play");
+      visitor.await("worlds[0].upTo > endStep() && Math.floor(live.now) === endStep()");
+      visitor.await("worlds[0].known.length < worlds[0].upTo / 5");
+      visitor.look("go(1234)");
+      visitor.await("worlds[0].frames[1234] !== undefined && stepOf(worlds[0]) === 1234");
+      // What is saved has every step of every robot, of both sensors.
+      visitor.look(
+          "$('sensor1').value = 'original'; $('sensor1').dispatchEvent(new Event('change')); go(0)");
+      visitor.await("worlds[1].upTo > 20 && worlds[0].upTo > 20");
+      visitor.look("go(20)");
+      visitor.await("Math.floor(live.now) === 20");
+      visitor.await("csv().then(text => text.split('\\n').length === 2 + 2 * 3 * 21)");
+      visitor.await("$('heads').textContent === 'Looksshadoworiginal'");
+      visitor.look("opened(saved())");
+      visitor.await("live.scene.robots === 3 && live.beside === 'original' && worlds[0].upTo > 20");
+      visitor.await("$('fault').textContent === ''");
+      assertEquals("[]", visitor.violations());
+    }
+  }
+
+  /** The same sensor on a robot that does what it is told, and on one that is slower. */
+  @Test
+  void motionAsToldBesideMotionAsDiagnosed(@TempDir Path folder) throws Exception {
+    assumeTrue(Visitor.isThere(), "Chromium is not installed");
+    try (Visitor visitor = Visitor.at(studio.url(), folder)) {
+      visitor.await("document.getElementById('rows').children.length === 12");
+      visitor.look(MODULES);
+      visitor.await("$('robot1row').hidden");
+      visitor.look(
+          "$('sensor1').value = 'shadow'; $('sensor1').dispatchEvent(new Event('change'))");
+      visitor.await("!$('robot1row').hidden && worlds[1].upTo > 100");
+      visitor.look(
+          "$('robot1').value = 'slow'; $('robot1').dispatchEvent(new Event('change')); go(100)");
+      visitor.await("worlds[0].upTo > 100 && worlds[1].upTo > 100 && Math.floor(live.now) === 100");
+      visitor.await("$('name1').textContent.startsWith('shadow, moves as slow')");
+      visitor.await("$('name0').textContent.startsWith('shadow \u00b7')");
+      // Half as fast: half as far.
+      String way =
+          "(w => Math.hypot(w.frames[100][0] - w.frames[0][0], w.frames[100][1] - w.frames[0][1]))";
+      visitor.await(way + "(worlds[1]) < 0.6 * " + way + "(worlds[0])");
+      visitor.await(
+          "$('line').textContent.includes('./simbad run angle --sensor shadow --robot diagnosed:lame ')");
+      visitor.look("opened(saved())");
+      visitor.await(
+          "live.besideRobot === 'slow' && $('robot1').value === 'slow' && worlds[1].upTo > 20");
+      visitor.await("$('fault').textContent === ''");
+      assertEquals("[]", visitor.violations());
+    }
+  }
+
+  /** It opens where it was saved; what is not a scene of these choices is refused by name. */
+  @Test
+  void aSavedSceneIsOpenedAtTheStart(@TempDir Path folder) throws Exception {
+    Path file = folder.resolve("scene.json");
+    Files.writeString(
+        file,
+        """
+        {"format": "simbad-studio/1", "obstacle": "round", "sensor": "original", "sonar": "srf04", "robot": "", "robots": 2,
+         "speed_m_per_s": 0.02, "seed": 5, "moves": [{"step": 0, "obstacle": [0.3, 0], "turn_deg": 45}], "beside": "shadow"}
+        """);
+    Choices choices = new Choices(List.of(SensorKind.SHADOW, SensorKind.ORIGINAL), List.of());
+    InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
+    try (Studio saved = Studio.open(address, choices, Optional.empty(), Optional.of(file))) {
+      assumeTrue(Visitor.isThere(), "Chromium is not installed");
+      try (Visitor visitor = Visitor.at(saved.url(), folder)) {
+        visitor.await("document.getElementById('name0').textContent.startsWith('original')");
+        visitor.look(MODULES);
+        visitor.await(
+            "live.scene.seed === 5 && live.beside === 'shadow' && $('robots').value === '2' && worlds[0].upTo > 5");
+        visitor.await("frameOf(worlds[0])[3] === 0.3");
+      }
+    }
+    Files.writeString(file, Files.readString(file).replace("round", "nothing"));
+    String refusal =
+        String.valueOf(
+            assertThrows(
+                    DataFormatException.class,
+                    () -> Studio.open(address, choices, Optional.empty(), Optional.of(file)))
+                .getMessage());
+    assertTrue(refusal.contains("scene.json") && refusal.contains("obstacle"), refusal);
   }
 }

@@ -46,6 +46,13 @@ public final class Visitor implements AutoCloseable {
             .formatted(dark ? "dark" : "light"));
   }
 
+  /** As somebody whose computer is set to less motion. */
+  public void lessMotion() throws Exception {
+    ask(
+        "Emulation.setEmulatedMedia",
+        "{\"features\":[{\"name\":\"prefers-reduced-motion\",\"value\":\"reduce\"}]}");
+  }
+
   /** Presses and lets go a key: a character, or an arrow with Windows' number of it. */
   public void press(String key, int code) throws Exception {
     String text = key.length() == 1 ? ",\"text\":\"" + key + "\"" : "";

@@ -7,9 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simbad.experiments.control.EdgeFollower;
@@ -197,6 +200,101 @@ class WorldsTest {
     assertEquals(whole, parts.append(']').toString());
   }
 
+  /** As far out as the first, a third of a turn apart; the first is not touched by the others. */
+  @Test
+  void severalRobotsStartAround_andTheFirstIsAsAlone() throws Exception {
+    String one = question("shadow", "", 0, 40);
+    JsonNode alone = frames(one);
+    JsonNode three = frames(one.replace("\"seed\"", "\"robots\": 3, \"seed\""));
+
+    assertEquals(6 + 24 + 2 * 27, three.get(0).size());
+    for (int step = 0; step < 40; step++) {
+      for (int i = 0; i < 30; i++) {
+        assertEquals(alone.get(step).get(i), three.get(step).get(i), "step " + step);
+      }
+    }
+    double radius = Math.hypot(alone.get(0).get(0).asDouble(), alone.get(0).get(1).asDouble());
+    double first = Math.atan2(alone.get(0).get(0).asDouble(), alone.get(0).get(1).asDouble());
+    for (int robot = 1; robot < 3; robot++) {
+      double x = three.get(0).get(30 + 27 * (robot - 1)).asDouble();
+      double z = three.get(0).get(31 + 27 * (robot - 1)).asDouble();
+      assertEquals(radius, Math.hypot(x, z), 1e-3);
+      double apart = Math.atan2(x, z) - first;
+      assertEquals(0, Math.sin((apart - robot * 2 * Math.PI / 3) / 2), 1e-3);
+    }
+  }
+
+  @Test
+  void oneOfSeveralRobotsIsMovedByHand() throws Exception {
+    String moved =
+        question("shadow", "{\"step\": 3, \"robot\": [1, 0.5], \"number\": 1}", 0, 5)
+            .replace("\"seed\"", "\"robots\": 2, \"seed\"");
+    JsonNode frame = frames(moved).get(3);
+
+    assertEquals(1, frame.get(30).asDouble(), 1e-9);
+    assertEquals(0.5, frame.get(31).asDouble(), 1e-9);
+    assertTrue(Math.abs(frame.get(0).asDouble() - 1) > 0.1, frame.toString());
+    assertThrows(
+        DataFormatException.class,
+        () -> worlds.frames(moved.replace("\"number\": 1", "\"number\": 2")));
+  }
+
+  /** Rays end at bodies, and robots are some; a shadow is that of the obstacle alone. */
+  @Test
+  void robotsHearEachOtherWithRaysAlone() throws Exception {
+    for (String sensor : List.of("ray", "shadow")) {
+      String question =
+          question(
+                  sensor,
+                  "{\"step\": 0, \"robot\": [5, 5]},"
+                      + " {\"step\": 0, \"robot\": [5.5, 5], \"number\": 1}",
+                  0,
+                  1)
+              .replace("\"seed\"", "\"robots\": 2, \"seed\"");
+      assertEquals(sensor.equals("ray") ? 1 : 0, heard(frames(question).get(0)), sensor);
+    }
+  }
+
+  /** Of a world that runs fast some steps are shown: the very same ones. */
+  @Test
+  void someOfTheSteps_areThoseOfAll() throws Exception {
+    JsonNode all = frames(question("shadow", "", 0, 400));
+    String sparse = question("shadow", "", 3, 20).replace("\"count\"", "\"every\": 19, \"count\"");
+    JsonNode some = frames(sparse);
+
+    assertEquals(20, some.size());
+    for (int i = 0; i < some.size(); i++) {
+      assertEquals(all.get(3 + 19 * i), some.get(i));
+    }
+    // Nobody makes the program step for ever with one question.
+    String far =
+        question("shadow", "", 0, 2000).replace("\"count\"", "\"every\": 60000, \"count\"");
+    assertEquals(1, frames(far).size());
+  }
+
+  @Test
+  void sceneOfAFile_isRefusedByItsField(@TempDir Path folder) throws Exception {
+    String scene =
+        new ObjectMapper().readTree(question("shadow", "", 0, 1)).path("scene").toString();
+    Path file = folder.resolve("scene.json");
+    Files.writeString(file, scene.replace("\"moves\"", "\"beside\": \"\", \"moves\""));
+    assertTrue(worlds.scene(file).contains("simbad-studio/1"));
+
+    for (String bad :
+        List.of(
+            scene.replace("shadow", "none"),
+            scene.replace("\"moves\"", "\"beside\": \"none\", \"moves\""),
+            scene.replace("\"moves\"", "\"robots\": 99, \"moves\""),
+            "[]",
+            "")) {
+      Files.writeString(file, bad);
+      String refusal =
+          String.valueOf(
+              assertThrows(DataFormatException.class, () -> worlds.scene(file), bad).getMessage());
+      assertTrue(refusal.contains("scene.json"), refusal);
+    }
+  }
+
   @Test
   void whatIsMovedByHandIsThereFromThatStepOn() throws Exception {
     JsonNode frames =
@@ -309,6 +407,8 @@ class WorldsTest {
         "\"seed\": 1 | \"sonar\": \"none\", \"seed\": 1 | sonar",
         "0.5, \"seed\" | -1, \"seed\" | speed_m_per_s",
         "\"seed\": 1 | \"seed\": 1.5 | seed",
+        "\"seed\": 1 | \"robots\": 0, \"seed\": 1 | robots",
+        "\"count\": 5 | \"every\": -1, \"count\": 5 | every",
         "\"moves\": [] | \"moves\": [{\"step\": -1, \"robot\": [0, 0]}] | step",
         "\"moves\": [] | \"moves\": [{\"step\": 1, \"robot\": [0]}] | robot",
         "\"moves\": [] | \"moves\": [{\"step\": 1, \"obstacle\": [0, 0], \"turn_deg\": 400}] | turn_deg",

@@ -7,7 +7,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import simbad.gap.diagnosis.DataSetFolder;
+import simbad.motion.format.MotionFolder;
 import simbad.sonar.format.DataFormatException;
 
 /** Finds the data set that a diagnosis was made of: by its name, and to the byte. */
@@ -60,8 +62,12 @@ final class DataSets {
     Path own = folder.getFileName();
     return own != null
         && own.toString().equals(name)
-        && Files.isRegularFile(folder.resolve(DataSetFolder.READINGS))
-        && Files.isRegularFile(folder.resolve(DataSetFolder.SCENE));
+        && (isThere(folder, DataSetFolder.READINGS, DataSetFolder.SCENE)
+            || isThere(folder, MotionFolder.TRACK, MotionFolder.COMMANDS));
+  }
+
+  private static boolean isThere(Path folder, String... files) {
+    return Stream.of(files).allMatch(file -> Files.isRegularFile(folder.resolve(file)));
   }
 
   /** A reference that came later, or is gone, makes it another data set. */

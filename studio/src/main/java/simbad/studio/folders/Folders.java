@@ -12,11 +12,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import simbad.bench.capture.CapturedReadings;
-import simbad.experiments.bench.CaptureFolder;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.JsonInput;
-import simbad.studio.bench.LiveState;
 
 /**
  * What the page may ask of a folder: what is in it, and what each of these holds. Answers are JSON
@@ -28,11 +25,18 @@ public final class Folders {
   /** Forecasts of many rows take seconds: two that are compared, and those before. */
   private static final int KEPT = 4;
 
+  /** Farther no trace is looked at. */
+  private static final double MOST_M = 1e6;
+
+  private final Path given;
   private final Shelf shelf;
   private final DataSets sets;
+  private final CaptureStates captures = new CaptureStates();
+  private final Traces traces = new Traces();
   private final Map<String, String> known = new LinkedHashMap<>(16, 0.75f, true);
 
-  private Folders(Shelf shelf, DataSets sets) {
+  private Folders(Path given, Shelf shelf, DataSets sets) {
+    this.given = given;
     this.shelf = shelf;
     this.sets = sets;
   }
@@ -50,7 +54,7 @@ public final class Folders {
     for (Path other : data) {
       shelves.add(Shelf.of(other));
     }
-    return new Folders(shelf, new DataSets(shelves));
+    return new Folders(folder, shelf, new DataSets(shelves));
   }
 
   /**
@@ -77,12 +81,30 @@ public final class Folders {
     return root.toString();
   }
 
+  /**
+   * Returns the diagnoses in here that left a model, as the command line can name them.
+   *
+   * @param model name of the model's file
+   * @throws DataFormatException if the folder cannot be read
+   */
+  public List<Path> diagnoses(String model) throws DataFormatException {
+    try {
+      return shelf
+          .find(folder -> Kind.of(folder).isPresent() && Files.isRegularFile(folder.resolve(model)))
+          .stream()
+          .map(folder -> given.resolve(shelf.root().relativize(folder)).normalize())
+          .toList();
+    } catch (IOException e) {
+      throw DataFormatException.inFile(shelf.root(), "cannot be read: " + e.getMessage());
+    }
+  }
+
   /** A file that is broken is said when its folder is opened. */
   private static String about(Path folder, Kind kind) {
     try {
       return switch (kind) {
         case RUN -> run(JsonText.read(Shelf.file(folder, "errors.json")));
-        case SENSING, MOTION -> verdict(JsonText.read(Shelf.file(folder, "diagnosis.json")));
+        case SENSING, MOTION, JOINT -> verdict(JsonText.read(Shelf.file(folder, "diagnosis.json")));
         case BATCH ->
             JsonText.read(Shelf.file(folder, "batch.json")).path("runs").asText() + " runs";
         case CAPTURE -> "";
@@ -125,7 +147,7 @@ public final class Folders {
     }
     ObjectNode root = read(name, folder);
     String text = root.toString();
-    if (root.has("rows")) {
+    if (root.has("rows") || root.has("windows")) {
       keep(key, text);
     }
     return text;
@@ -157,11 +179,15 @@ public final class Folders {
     ObjectNode root = JsonText.MAPPER.createObjectNode();
     root.put("path", name).put("kind", kind.word());
     switch (kind) {
-      case RUN -> RunView.add(folder, root);
+      case RUN -> run(folder).add(root);
       case BATCH -> BatchView.add(folder, root);
       case SENSING -> SensingView.add(folder, sets, root);
-      case MOTION -> root.set("diagnosis", JsonText.read(Shelf.file(folder, "diagnosis.json")));
-      case CAPTURE -> root.put("live", true);
+      case MOTION -> MotionView.add(folder, sets, root);
+      case JOINT -> {
+        SensingView.add(folder, sets, root);
+        MotionView.drive(folder, sets, root, root.path("diagnosis").path("motion"));
+      }
+      case CAPTURE -> CaptureView.add(folder, root);
     }
     return root;
   }
@@ -173,16 +199,36 @@ public final class Folders {
    * @throws DataFormatException if there is no such capture, or its journal is damaged
    */
   public String capture(String question) throws DataFormatException {
-    Path folder = shelf.folder(path(question));
-    Shelf.file(folder, "journal.txt");
-    CapturedReadings readings = new CaptureFolder(folder).read();
-    LiveState state =
-        new LiveState(
-            readings.settings().of("obstacle"),
-            readings.settings().plan(),
-            readings.settings().ranging());
-    state.show(readings.state());
-    return state.json();
+    return captures.state(shelf.folder(path(question)));
+  }
+
+  private RunView run(Path folder) throws DataFormatException {
+    return new RunView(folder, traces, stamp(folder));
+  }
+
+  /**
+   * Returns a part of a run's traces, as fine as a screen shows it.
+   *
+   * @param question JSON with the run's path, the obstacle, and box: least x and z, greatest x and
+   *     z
+   * @throws DataFormatException if there is no such run, or its trace cannot be read
+   */
+  public synchronized String trace(String question) throws DataFormatException {
+    JsonInput json = JsonInput.parse(NAME, question);
+    List<JsonInput> box = json.items("box");
+    if (box.size() != 4) {
+      throw json.field("box").isNot("[left, top, right, bottom]");
+    }
+    double[] ends = new double[4];
+    for (int i = 0; i < ends.length; i++) {
+      ends[i] = box.get(i).number(v -> Math.abs(v) <= MOST_M, "in metres, at most " + MOST_M);
+    }
+    ObjectNode root = JsonText.MAPPER.createObjectNode();
+    Traces.write(
+        run(shelf.folder(path(question))).trace(json.text("obstacle")),
+        new Trace.Box(ends[0], ends[1], ends[2], ends[3]),
+        root);
+    return root.toString();
   }
 
   private static String path(String question) throws DataFormatException {

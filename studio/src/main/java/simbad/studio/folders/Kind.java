@@ -5,10 +5,11 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** What a folder is, by the files in it. */
+/** What a folder is, by the files in it; the first that fits. */
 enum Kind {
   RUN("run", "errors.json", "errors.csv"),
   BATCH("batch", "results.csv", "batch.json"),
+  JOINT("joint", "model.json", "motion.json"),
   MOTION("motion", "diagnosis.json", "motion.json"),
   SENSING("sensing", "diagnosis.json", "diagnosis.json"),
   CAPTURE("capture", "journal.txt", "journal.txt");

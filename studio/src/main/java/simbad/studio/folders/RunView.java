@@ -4,7 +4,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
@@ -19,9 +18,20 @@ import simbad.sonar.shape.Outline;
 /** A run's folder: per obstacle its table, what each sensor was off by at each bearing, traces. */
 final class RunView {
   private final Path folder;
+  private final Traces traces;
+  private final String stamp;
 
-  private RunView(Path folder) {
+  /**
+   * Names a run.
+   *
+   * @param folder of the run
+   * @param traces that were read before
+   * @param stamp another one for a folder that was made anew
+   */
+  RunView(Path folder, Traces traces, String stamp) {
     this.folder = folder;
+    this.traces = traces;
+    this.stamp = stamp;
   }
 
   /**
@@ -29,16 +39,24 @@ final class RunView {
    *
    * @throws DataFormatException naming file, line and field of the first fault
    */
-  static void add(Path folder, ObjectNode root) throws DataFormatException {
+  void add(ObjectNode root) throws DataFormatException {
     JsonNode errors = JsonText.read(Shelf.file(folder, "errors.json"));
     root.set("errors", errors);
-    RunView view = new RunView(folder);
     Set<String> obstacles = new LinkedHashSet<>();
     errors.path("results").forEach(result -> obstacles.add(result.path("obstacle").asText()));
     ArrayNode list = root.putArray("obstacles");
     for (String obstacle : obstacles) {
-      view.add(obstacle, list.addObject());
+      add(obstacle, list.addObject());
     }
+  }
+
+  /**
+   * Reads the traces round one of its obstacles, by sensor.
+   *
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  Map<String, Trace> trace(String obstacle) throws DataFormatException {
+    return traces.of(Shelf.file(own(obstacle), "trace.csv"), stamp);
   }
 
   /** The name stands in a file: it may be anything. */
@@ -52,6 +70,7 @@ final class RunView {
     node.put("name", obstacle);
     TableDocument document = TableFile.read(Shelf.file(own, "table.csv"));
     node.put("provenance", document.provenanceWord());
+    document.header("pings").ifPresent(pings -> node.put("pings", pings));
     addTable(document, node);
     addOutline(obstacle, node);
     ObjectNode errors = node.putObject("errors_m");
@@ -65,7 +84,7 @@ final class RunView {
             list.add(row.number("mean_abs_error_m"));
           }
         });
-    addTraces(Shelf.file(own, "trace.csv"), node);
+    Traces.write(trace(obstacle), Trace.Box.ALL, node);
   }
 
   private static void addTable(TableDocument document, ObjectNode node) {
@@ -90,19 +109,5 @@ final class RunView {
     for (Point corner : part.corners()) {
       list.addArray().add(corner.xM()).add(corner.zM());
     }
-  }
-
-  private static void addTraces(Path file, ObjectNode node) throws DataFormatException {
-    Map<String, TracePoints> traces = new LinkedHashMap<>();
-    Rows.read(
-        file,
-        row ->
-            traces
-                .computeIfAbsent(row.text("sensor"), name -> new TracePoints())
-                .add(row.number("x_m"), row.number("z_m")));
-    ObjectNode all = node.putObject("traces");
-    traces.forEach((sensor, points) -> points.write(all.putArray(sensor)));
-    ObjectNode steps = node.putObject("steps");
-    traces.forEach((sensor, points) -> steps.put(sensor, points.given()));
   }
 }

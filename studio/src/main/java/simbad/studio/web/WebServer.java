@@ -67,11 +67,16 @@ public final class WebServer implements AutoCloseable {
       Map<String, Supplier<Content>> answers,
       Map<String, Function<String, Content>> questions)
       throws IOException {
+    Connections connections = new Connections();
     Javalin app =
         Javalin.create(
             config -> {
-              listen(config, address);
-              config.routes.before(context -> admit(context, guard, questions.keySet()));
+              listen(config, address, connections);
+              config.routes.before(
+                  context -> {
+                    admit(context, guard, questions.keySet());
+                    connections.welcome(context.req());
+                  });
               answers.forEach((path, content) -> serve(config, path, content));
               questions.forEach((path, answer) -> ask(config, path, answer));
             });
@@ -93,14 +98,15 @@ public final class WebServer implements AutoCloseable {
     return String.valueOf(first.getMessage());
   }
 
-  private static void listen(JavalinConfig config, InetSocketAddress address) {
+  private static void listen(
+      JavalinConfig config, InetSocketAddress address, Connections connections) {
     config.startup.showJavalinBanner = false;
     config.startup.showOldJavalinVersionWarning = false;
     config.startup.startupWatcherEnabled = false;
     config.http.maxRequestSize = MOST_QUESTION_BYTES;
     config.http.compressionStrategy = CompressionStrategy.NONE;
     config.jetty.threadPool = threads();
-    config.jetty.addConnector((server, defaults) -> Connections.at(address, server));
+    config.jetty.addConnector((server, defaults) -> connections.at(address, server));
   }
 
   /** None keeps the program alive, and none waits for a connection to another one. */

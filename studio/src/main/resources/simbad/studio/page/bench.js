@@ -87,13 +87,15 @@ function tell(state) {
   document.getElementById("progress").value = state.done / state.bearings;
 }
 function live(state) {
-  if (state.readings !== before.readings) since = Date.now();
+  // In a folder readings are counted in the journal alone.
+  if (state.readings !== before.readings || state.pings !== before.pings) since = Date.now();
   before = state;
   const silentS = Math.round((Date.now() - since) / 1000);
   if (state.done === state.bearings) put("state", "all bearings are done", "line fine");
   else if (silentS >= 3) put("state", "no reading for " + silentS + " s (paused, or the board is silent)", "line alarm");
   else put("state", "live", "line fine");
 }
+if (location.hash) { const home = document.getElementById('home'); home.href = './' + location.search + '#' + new URLSearchParams({open: decodeURIComponent(location.hash.slice(1))}); home.hidden = false; }
 async function show() {
   try {
     // Of a capture in the studio's folder the page's address says which.

@@ -1,11 +1,11 @@
 // Charts along an axis: hover, drag to zoom, double click to show all.
 import uPlot from './uPlot.esm.js';
-import { csvText, el, give, giveText, themeColours } from './kit.js';
+import { csvText, el, give, giveText, lineKey, themeColours } from './kit.js';
 import { DASHES, SERIES } from './sheet.js';
 
 // series: { name, values, colour (a name of the theme), dash, points (dots instead of a line), ring (dots that are hollow), width, fill }.
-// x ascends; charts with one sync name move their cursors together; onhover is told an index.
-export function chart({ name, label, x, xLabel, yLabel, series, height, sync, onhover, log, every, range }) {
+// from0: the axis upwards begins at nothing. x ascends; charts with one sync name move their cursors together; onhover is told an index.
+export function chart({ name, label, x, xLabel, yLabel, series, height, sync, onhover, log, every, range, from0 }) {
   const colours = themeColours(['ink', 'soft', 'grid', ...SERIES, 'edge', 'quiet', 'trail', 'low', 'high']);
   const host = el('div', { class: 'chart', role: 'img', tabindex: 0, 'aria-label': label + '. Arrow keys go along it.' });
   const said = el('p', { class: 'note said', role: 'status' }, '\u00a0');
@@ -15,7 +15,7 @@ export function chart({ name, label, x, xLabel, yLabel, series, height, sync, on
   const options = {
     width: 400, height, padding: [10, 14, 0, 0], legend: { show: false },
     cursor: { sync: sync ? { key: sync, setSeries: false } : undefined, drag: { x: true, y: true, uni: 20 }, points: { size: 7 } },
-    scales: { x: { time: false, range }, y: { distr: log ? 3 : 1 } },
+    scales: { x: { time: false, range }, y: { distr: log ? 3 : 1, ...(from0 ? { range: { min: { soft: 0, mode: 1, pad: 0 }, max: { soft: 0, mode: 0, pad: 0.08 } } } : {}) } },
     axes: [axis(xLabel, incrs), axis(yLabel, { size: 58 })],
     hooks: { setCursor: [u => { if (u.cursor.idx !== null && u.cursor.idx !== undefined && u.cursor.left >= 0) say(u.cursor.idx); if (onhover && u.cursor.event && u.cursor.idx !== null) onhover(u.cursor.idx); }] },
     series: [{}, ...series.map(one => ({
@@ -47,7 +47,7 @@ export function chart({ name, label, x, xLabel, yLabel, series, height, sync, on
     const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
     if (by && x.length) { event.preventDefault(); step(by); }
   });
-  const key = el('ul', { class: 'legend' }, series.map(one => el('li', {}, el('i', { class: 'key-' + one.colour + (one.ring ? ' rings' : one.points ? ' dots' : one.dash && one.dash.length ? ' dashed' : '') }), one.name)));
+  const key = el('ul', { class: 'legend' }, series.map(one => el('li', {}, one.points ? el('i', { class: 'key-' + one.colour + (one.ring ? ' rings' : ' dots') }) : lineKey(one.colour, one.dash), one.name)));
   const csv = () => csvText([xLabel, ...series.map(one => one.name)], x.map((at, i) => [at, ...series.map(one => one.values[i])]));
   const element = el('figure', { class: 'chartbox' }, el('figcaption', {}, label), host, said, key, el('div', { class: 'bar', role: 'group', 'aria-label': 'Save ' + name },
     el('button', { type: 'button', onclick: () => plot.ctx.canvas.toBlob(blob => give(name + '.png', blob)) }, 'Save PNG'),

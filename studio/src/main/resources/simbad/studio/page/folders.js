@@ -1,12 +1,14 @@
 // Folders: the list, and the one that is open, perhaps beside another.
 import { $, ask, el, fault } from './kit.js';
 import { showBatch } from './batch.js';
+import { showCapture } from './capture.js';
+import { showJoint } from './joint.js';
 import { showMotion } from './motion.js';
 import { showRun } from './run.js';
 import { showSensing } from './sensing.js';
 
-const SHOWN = { run: showRun, batch: showBatch, sensing: showSensing, motion: showMotion };
-const KINDS = { run: 'run', batch: 'batch', sensing: 'diagnosis of sensing', motion: 'diagnosis of motion', capture: 'capture' };
+const SHOWN = { run: showRun, batch: showBatch, sensing: showSensing, motion: showMotion, joint: showJoint, capture: showCapture };
+const KINDS = { run: 'run', batch: 'batch', sensing: 'diagnosis of sensing', motion: 'diagnosis of motion', joint: 'diagnosis of a joint log', capture: 'capture' };
 let list = null, close = () => {}, asked = 0, again = null;
 const link = (path, beside) => '#' + new URLSearchParams(beside ? { open: path, with: beside } : { open: path });
 
@@ -27,7 +29,7 @@ export async function showFolders(open, beside) {
     again = () => {
       const kind = answers[0].kind, page = el('div', { class: 'opened' });
       put(el('div', {}, head(answers[0], beside), page));
-      close = SHOWN[kind] ? SHOWN[kind](page, answers[0], answers[1]) || (() => {}) : capture(page, open);
+      close = SHOWN[kind](page, answers[0], answers[1]) || (() => {});
     };
     again();
   } catch (e) {
@@ -61,11 +63,7 @@ function head(answer, beside) {
   const choice = el('select', { onchange: event => { location.hash = link(answer.path, event.target.value); } },
     ['', ...others.map(one => one.path)].map(path => el('option', { value: path, selected: path === (beside || '') }, path || 'nothing')));
   return el('div', { class: 'openhead' }, el('a', { href: '#folders' }, 'All folders'), el('h2', {}, (answer.path === '.' ? list.folder : answer.path) + ' \u00b7 ' + KINDS[answer.kind]),
-    others.length && answer.kind !== 'capture' ? el('label', {}, 'Compare with', choice) : null);
-}
-function capture(page, path) {
-  page.append(el('p', {}, el('a', { href: 'bench' + location.search + '#' + encodeURIComponent(path) }, 'Watch this capture'), ': its page follows the journal as it grows.'));
-  return () => {};
+    others.length ? el('label', {}, 'Compare with', choice) : null);
 }
 // Colours on canvases are the theme's of when they were drawn.
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { if (again) again(); });

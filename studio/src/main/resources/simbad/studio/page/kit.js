@@ -33,6 +33,14 @@ export function el(name, attributes = {}, ...children) {
   made.append(...children.flat().filter(child => child !== undefined && child !== null));
   return made;
 }
+// The key of a line in a legend: its colour and its very dashes, which tell lines apart where colours do not.
+export function lineKey(colour, dashes = []) {
+  const SVG = 'http://www.w3.org/2000/svg', picture = document.createElementNS(SVG, 'svg'), line = document.createElementNS(SVG, 'line');
+  for (const [key, value] of Object.entries({ class: 'linekey key-' + colour, width: 34, height: 8, 'aria-hidden': 'true' })) picture.setAttribute(key, value);
+  for (const [key, value] of Object.entries({ x1: 0, x2: 34, y1: 4, y2: 4, 'stroke-width': 3, stroke: 'currentColor', 'stroke-dasharray': dashes.join(' ') })) line.setAttribute(key, value);
+  picture.append(line);
+  return picture;
+}
 export function number(value, decimals) {
   return value === null || value === undefined || !Number.isFinite(value) ? '\u2013' : value.toFixed(decimals).replace('-', '\u2212');
 }

@@ -2,8 +2,8 @@
 import { $, ask, fault, still } from './kit.js';
 import { pointer } from './hands.js';
 import { draw, isTiny, readColours, view } from './plan.js';
-import './scene-files.js';
-import { active, change, endStep, fetchAhead, FIRST, frameOf, isOriginal, live, loudness, most, setPlaying, worlds } from './state.js';
+import { opened } from './scene-files.js';
+import { active, change, endStep, fetchAhead, frameOf, isOriginal, live, loudness, most, AS_TOLD, robotIn, robotsOf, setPlaying, worlds } from './state.js';
 import { fields, rows } from './words.js';
 
 let begun = false;
@@ -15,6 +15,8 @@ export function wake() {
   begin();
   requestAnimationFrame(tick);
 }
+// A picture 30 times a second looks smooth; words and numbers that change oftener nobody can read.
+const BETWEEN_PICTURES_MS = 30, BETWEEN_WORDS_MS = 100;
 function tick(time) {
   const passed = Math.min(0.1, (time - live.before) / 1000);
   live.before = time;
@@ -26,19 +28,24 @@ function tick(time) {
     }
     if (live.wish > live.now) { live.now = Math.min(most(), live.wish); live.dirty = true; }
     active().forEach(fetchAhead);
-    if (live.dirty) show();
+    if (live.dirty && time - live.drawn >= BETWEEN_PICTURES_MS) {
+      live.drawn = time;
+      active().forEach((world, i) => draw(i));
+      live.dirty = false;
+      if (live.playing && time - live.told < BETWEEN_WORDS_MS) live.untold = true; else tell(time);
+    } else if (live.untold && time - live.told >= BETWEEN_WORDS_MS) tell(time);
   }
   requestAnimationFrame(tick);
 }
-function show() {
-  live.dirty = false;
+function tell(time) {
+  live.told = time;
+  live.untold = false;
   active().forEach((world, i) => {
-    draw(i);
-    const frame = frameOf(world), n = live.catalogue.sonars;
-    const heard = frame ? frame.slice(FIRST, FIRST + n).filter(r => r >= 0).length : 0;
-    $('name' + i).textContent = world.sensor;
+    const frame = frameOf(world), n = live.catalogue.sonars, all = n * live.scene.robots;
+    const heard = frame ? robotsOf(frame).reduce((sum, one) => sum + frame.slice(one.at, one.at + n).filter(r => r >= 0).length, 0) : 0;
+    $('name' + i).textContent = world.sensor + (robotIn(i) ? ', moves as ' + robotIn(i) : '');
     const more = document.createElement('span');
-    more.textContent = frame ? ' \u00b7 ' + heard + ' of ' + n + ' hear' : ' \u00b7 waiting';
+    more.textContent = frame ? ' \u00b7 ' + heard + ' of ' + all + ' hear' : ' \u00b7 waiting';
     $('name' + i).append(more);
   });
   rows();
@@ -61,8 +68,10 @@ async function begin() {
   choose('obstacle', live.catalogue.obstacles.map(o => o.name));
   choose('sensor0', sensors);
   choose('sonar', live.catalogue.transducers.map(one => one.name));
-  choose('robot', ['', ...live.catalogue.robots], 'exactly as told');
+  choose('robot', ['', ...live.catalogue.robots.map(one => one.name)], 'exactly as told');
+  $('robot1').replaceChildren(new Option('as the first', ''), new Option('exactly as told', AS_TOLD), ...live.catalogue.robots.map(one => new Option(one.name)));
   choose('sensor1', ['', ...sensors], 'nothing');
+  choose('robots', Array.from({ length: live.catalogue.most_robots }, (_, i) => String(i + 1)));
   live.scene.obstacle = live.catalogue.obstacles.some(o => o.name === 'angle') ? 'angle' : live.catalogue.obstacles[0].name;
   live.scene.sensor = sensors[0];
   for (let i = 0; i < live.catalogue.sonars; i++) {
@@ -75,6 +84,7 @@ async function begin() {
   }
   fields();
   change(0);
+  if (live.catalogue.scene) try { opened(live.catalogue.scene); } catch (e) { fault('--scene: ' + e.message); }
   pointer(0); pointer(1);
   setPlaying(!still);
 }

@@ -37,3 +37,16 @@ export class SvgPen {
       + escaped(title) + '</title>\n' + this.parts.join('\n') + '\n</svg>\n';
   }
 }
+// Pictures beside each other as one: draw(i, pen) draws each.
+export function pair(sizes, draw, title) {
+  let x = 0;
+  const parts = sizes.map(([w, h], i) => {
+    const pen = new SvgPen(w, h), at = x;
+    draw(i, pen);
+    x += w;
+    return '<svg x="' + at + '" width="' + w + '" height="' + h + '">\n' + pen.parts.join('\n') + '\n</svg>';
+  });
+  const whole = new SvgPen(x, Math.max(...sizes.map(size => size[1])));
+  whole.parts = parts;
+  return whole.text(title);
+}

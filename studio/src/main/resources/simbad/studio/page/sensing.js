@@ -2,9 +2,8 @@
 import { csvText, el, number, table } from './kit.js';
 import { chart, dash } from './charts.js';
 import { line, Sheet } from './sheet.js';
-import { budget, effects, gapBars, percent, place, verdict } from './words-of-gap.js';
-
-const LISTED = 200;
+import { afterSlider, around, blend, fewOf, mean, moreNote, placeButtons, quantile } from './places.js';
+import { budget, effects, gapBars, place, verdict } from './words-of-gap.js';
 
 export function showSensing(page, answer, other) {
   const diagnosis = answer.diagnosis, closing = [];
@@ -24,15 +23,13 @@ function curves(page, answer, other, closing) {
   for (const obstacle of answer.obstacles) {
     const n = obstacle.believed_m.length, same = other && other.obstacles && other.obstacles.find(one => one.name === obstacle.name);
     const heard = values => values.map(v => v > 0 ? v : null);
-    const made = chart({ name: 'thresholds-' + obstacle.name, label: 'How far ' + obstacle.name + ' is heard on the axis, by bearing', x: obstacle.believed_m.map((v, i) => 360 * i / n), xLabel: 'bearing, degrees', yLabel: 'm', every: 30, height: 260,
+    const made = chart({ name: 'thresholds-' + obstacle.name, label: 'How far ' + obstacle.name + ' is heard on the axis, by bearing', x: obstacle.believed_m.map((v, i) => 360 * i / n), xLabel: 'bearing, degrees', yLabel: 'm', every: 30, height: 260, from0: true,
       series: [{ name: 'fitted', values: heard(obstacle.fitted_m), colour: 'c1', width: 3 }, { name: 'believed', values: heard(obstacle.believed_m), colour: 'ink', dash: dash(1) },
         ...(same ? [{ name: 'fitted \u00b7 ' + other.path, values: heard(same.fitted_m), colour: 'c2', dash: dash(3) }] : [])] });
     closing.push(() => made.close());
     page.append(el('section', {}, made.element));
   }
 }
-const blend = (a, b, t) => a === null ? b : b === null ? a : a + (b - a) * t;
-
 function rows(page, answer, closing) {
   const column = Object.fromEntries(answer.columns.map((name, i) => [name, i])), all = answer.rows;
   const gapOf = (row, t) => blend(row[column.gap_before_cm], row[column.gap_after_cm], t);
@@ -72,10 +69,8 @@ function rows(page, answer, closing) {
     series: [{ name: 'reading less the expected range', values: first[0], colour: 'c0', points: true }, { name: 'the same, of the chosen place', values: first[1], colour: 'c1', points: true },
       { name: 'what the fit moves ranges by', values: first[2], colour: 'c2', points: true, ring: true }, { name: 'as believed', values: first[3], colour: 'quiet', dash: dash(1), width: 1 }] }) : null;
   if (range) closing.push(() => range.close());
-  const slider = el('input', { type: 'range', min: 0, max: 100, value: 0, step: 1, id: 'after', 'aria-label': 'Before and after', oninput: () => turn(Number(slider.value) / 100) });
   const said = el('p', { class: 'note', role: 'status', id: 'rowsaid' }), list = el('div');
-  const turn = to => { t = to; slider.setAttribute('aria-valuetext', t === 0 ? 'before' : t === 1 ? 'after' : 'between'); if (range) range.update(values()); say(); plan.draw(); };
-  const mean = list => list.length ? list.reduce((sum, v) => sum + v, 0) / list.length : null;
+  const turn = to => { t = to; if (range) range.update(values()); say(); plan.draw(); };
   const say = () => {
     const shown = mine(), where = chosen < 0 ? 'All' : place(answer.diagnosis.where[chosen].slice) + ':';
     said.textContent = where + ' ' + shown.length + ' rows; mean gap ' + number(mean(shown.map(r => r[column.gap_before_cm])), 2) + ' cm before, ' + number(mean(shown.map(r => r[column.gap_after_cm])), 2) + ' cm after'
@@ -83,15 +78,11 @@ function rows(page, answer, closing) {
   };
   const choose = index => {
     chosen = index;
-    buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(i - 1 === index)));
     list.replaceChildren(index < 0 ? '' : table('Rows of the place', ['#row', '#range, m', '#gap before, cm', '#after', '#residual before, cm', '#after'],
-      mine().slice(0, LISTED).map(row => [row[column.row], row[column.range_m] === null ? 'no echo' : number(row[column.range_m], 3), number(row[column.gap_before_cm], 2), number(row[column.gap_after_cm], 2), number(row[column.residual_before_cm], 2), number(row[column.residual_after_cm], 2)])),
-    index >= 0 && mine().length > LISTED ? el('p', { class: 'note' }, 'The first ' + LISTED + ' of ' + mine().length + ' rows; the csv has all.') : '');
+      fewOf(mine()).map(row => [row[column.row], row[column.range_m] === null ? 'no echo' : number(row[column.range_m], 3), number(row[column.gap_before_cm], 2), number(row[column.gap_after_cm], 2), number(row[column.residual_before_cm], 2), number(row[column.residual_after_cm], 2)])),
+    index >= 0 && moreNote(mine(), 'rows') || '');
     turn(t);
   };
-  const where = answer.diagnosis.where || [];
-  const buttons = [el('button', { type: 'button', 'aria-pressed': 'true', onclick: () => choose(-1) }, 'All rows'),
-    ...where.map((one, i) => el('button', { type: 'button', 'aria-pressed': 'false', onclick: () => choose(i) }, place(one.slice) + ' \u00b7 ' + one.kind + ' \u00b7 ' + percent(one.share_of_gap)))];
   const tip = el('p', { class: 'note said', id: 'rowtip' }, '\u00a0');
   plan.onpoint = (point, v) => {
     const far = row => Math.hypot(row[column.x_m] - point[0], row[column.z_m] - point[1]);
@@ -101,13 +92,9 @@ function rows(page, answer, closing) {
   };
   plan.element.append(tip, el('ul', { class: 'legend' }, el('li', {}, el('i', { class: 'dot key-low' }), 'range too short'), el('li', {}, el('i', { class: 'dot key-high' }), 'range too long'), el('li', {}, el('i', { class: 'dot key-c3' }), 'echo where none was expected'),
     el('li', {}, el('i', { class: 'ringkey' }), 'no echo'), el('li', {}, 'size: the row\u2019s gap')), plan.buttons(() => csvText(answer.columns, mine())));
-  page.append(el('section', {}, el('h3', {}, 'Where the gap lies'), el('div', { class: 'bar', id: 'places', role: 'group', 'aria-label': 'Places of the gap' }, buttons),
-    el('div', { class: 'bar' }, el('span', {}, 'before'), slider, el('span', {}, 'after')), said),
+  page.append(el('section', {}, el('h3', {}, 'Where the gap lies'), placeButtons('places', 'All rows', answer.diagnosis.where || [], choose), afterSlider('after', turn), said),
   el('div', { class: 'twin' }, el('section', {}, plan.element), el('div', {}, range ? el('section', {}, range.element) : null, list)));
   // Where the rows are, and their obstacles.
-  const places = [...all.map(row => [row[column.x_m], row[column.z_m]]), ...answer.obstacles.flatMap(one => one.outline)];
-  const low = [0, 1].map(k => places.reduce((m, p) => Math.min(m, p[k]), Infinity)), high = [0, 1].map(k => places.reduce((m, p) => Math.max(m, p[k]), -Infinity));
-  plan.shows([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2], 0.55 * Math.max(0.2, high[0] - low[0], high[1] - low[1]));
+  around(plan, [...all.map(row => [row[column.x_m], row[column.z_m]]), ...answer.obstacles.flatMap(one => one.outline)]);
   say();
 }
-function quantile(values, share) { const sorted = [...values].sort((a, b) => a - b); return sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))]; }

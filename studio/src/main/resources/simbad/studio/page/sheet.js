@@ -2,6 +2,7 @@
 import { el, give, giveText, themeColours } from './kit.js';
 import { SvgPen } from './pen.js';
 
+const REST_MS = 120;
 export const SERIES = ['c0', 'c1', 'c2', 'c3', 'c4', 'c5'];
 const NAMES = ['paper', 'ink', 'soft', 'grid', 'shade', 'edge', 'body', 'trail', 'line', 'quiet', 'low', 'high', ...SERIES];
 export const DASHES = [[], [9, 5], [2, 4], [12, 4, 2, 4], [5, 3], [1, 3]];
@@ -27,6 +28,15 @@ export function line(g, v, points, closed) {
 // Where a bearing of an obstacle at the origin lies: 0 looks down the page, 90 to the right.
 export const atBearing = (deg, m) => [m * Math.sin(deg * Math.PI / 180), m * Math.cos(deg * Math.PI / 180)];
 
+// The part of the line at a bearing that may be seen: dashes that nobody sees take time as well.
+export function bearingLine(v, deg) {
+  const middle = Math.hypot(...v.centre), beside = (v.w + v.h) / v.scale;
+  return [atBearing(deg, Math.max(0, middle - beside)), atBearing(deg, middle + beside)];
+}
+// Dashes of what is very long on the screen cost more than a picture may: then a line is drawn through.
+const MOST_DASHED_PX = 20000;
+export const dashes = (v, lengthM, dash) => lengthM * v.scale > MOST_DASHED_PX ? [] : dash.map(d => d * v.unit);
+
 export class Sheet {
   // paint(g, v, colours) draws all; zoom by wheel and keys, drag moves, double click shows all.
   constructor(label, name, paint) {
@@ -42,6 +52,12 @@ export class Sheet {
     const scale = Math.min(w, h) / (2 * radius), centre = [this.middle[0] + this.off[0], this.middle[1] + this.off[1]];
     return { w, h, scale, centre, radius, unit: Math.max(1, Math.min(w, h) / 500), x: m => w / 2 + (m - centre[0]) * scale, y: m => h / 2 + (m - centre[1]) * scale,
       back: (px, py) => [(px - w / 2) / scale + centre[0], (py - h / 2) / scale + centre[1]] };
+  }
+  // Not oftener than the screen shows it: a wheel turns faster.
+  redraw() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => { this.waiting = false; this.draw(); });
   }
   draw(pen) {
     const canvas = this.canvas, ratio = devicePixelRatio || 1, v = this.view();
@@ -82,7 +98,7 @@ export class Sheet {
       if (from) {
         this.off = [this.off[0] - (p[0] - from[0]) / v.scale, this.off[1] - (p[1] - from[1]) / v.scale];
         from = p;
-        this.draw();
+        this.looked();
       } else if (this.onpoint) this.onpoint(v.back(...p), v, p);
     });
     canvas.addEventListener('pointerup', () => { from = null; });
@@ -99,7 +115,18 @@ export class Sheet {
     this.off = this.off.map((o, i) => o + (at[i] - v.centre[i]) * share);
     this.zoom = zoom;
     if (zoom === 1) this.off = [0, 0];
-    this.draw();
+    this.looked();
   }
-  reset() { this.zoom = 1; this.off = [0, 0]; this.draw(); }
+  reset() { this.zoom = 1; this.off = [0, 0]; this.looked(); }
+  // Somebody looks elsewhere: what is seen there may be asked for when the hand rests.
+  looked() {
+    this.redraw();
+    clearTimeout(this.resting);
+    if (this.onlook) this.resting = setTimeout(() => this.onlook(this.box()), REST_MS);
+  }
+  // What is seen, with as much again on each side.
+  box() {
+    const v = this.view(), [x0, z0] = v.back(-v.w, -v.h), [x1, z1] = v.back(2 * v.w, 2 * v.h);
+    return [x0, z0, x1, z1];
+  }
 }

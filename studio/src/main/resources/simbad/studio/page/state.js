@@ -3,33 +3,63 @@ import { $, ask, fault } from './kit.js';
 import { words } from './words.js';
 
 export const FORMAT = 'simbad-studio/1', MOVE_M = 0.05, TURN_DEG = 5, HANDLE_PX = 34, RING_PX = 9, FIRST = 6;
+// While it plays, frames are asked for so often, and no trail is coarser than this.
+const FRAMES_PER_S = 30, TRAIL_M = 0.01, FAR_STEPS = 2000, AROUND = 50;
 export const live = {
-  catalogue: null, colours: {}, beside: '', now: 0, playing: false, before: 0, near: '', chosen: -1, edition: 0, held: null, dirty: true, wish: 0,
-  scene: { format: FORMAT, obstacle: '', sensor: '', sonar: 'srf04', robot: '', speed_m_per_s: 0.01, seed: 1, moves: [] },
+  catalogue: null, colours: {}, beside: '', besideRobot: '', now: 0, playing: false, before: 0, drawn: 0, told: 0, near: '', zoom: 1, off: [0, 0], robot: 0, chosen: -1, edition: 0,
+  held: null, dirty: true, wish: 0,
+  scene: { format: FORMAT, obstacle: '', sensor: '', sonar: 'srf04', robot: '', robots: 1, speed_m_per_s: 0.01, seed: 1, moves: [] },
 };
-export const worlds = [{ frames: [], asking: false, sensor: '' }, { frames: [], asking: false, sensor: '' }];
+// Of frames some are left out where the world ran fast: known has the steps of those that are there, upTo is the first step that nobody has asked for yet.
+export const worlds = [0, 1].map(() => ({ frames: [], known: [], upTo: 0, asking: false, sensor: '' }));
+// How the robots of either view move: the second view's as those of the first, if nothing else is said.
+export const AS_TOLD = '*';
+export const robotIn = index => index === 0 || live.besideRobot === '' ? live.scene.robot : live.besideRobot === AS_TOLD ? '' : live.besideRobot;
+const sceneOf = world => ({ ...live.scene, sensor: world.sensor, robot: robotIn(worlds.indexOf(world)) });
 export const active = () => live.beside ? worlds : worlds.slice(0, 1);
 export const typeNow = () => live.catalogue.obstacles.find(o => o.name === live.scene.obstacle);
 export const sensorOf = name => live.catalogue.sensors.find(s => s.name === name);
+export const robotOf = name => live.catalogue.robots.find(r => r.name === name);
 // Half of the cone: a diagnosed sensor's own, else that of the sonar.
 export const halfAngle = name => (sensorOf(name).half_angle_deg ?? live.catalogue.transducers.find(one => one.name === live.scene.sonar).half_angle_deg) * Math.PI / 180;
 export const isOriginal = world => /^(original|ray)$/.test(world.sensor);
 export const turned = ([x, z], turn) => [x * Math.cos(turn) + z * Math.sin(turn), z * Math.cos(turn) - x * Math.sin(turn)];
+// The robots of a frame: where each is, and where in the frame its ranges begin; its reasons follow them.
+export function robotsOf(frame) {
+  const n = live.catalogue.sonars;
+  return Array.from({ length: live.scene.robots }, (_, i) => {
+    const at = i === 0 ? 0 : FIRST + 2 * n + (i - 1) * (3 + 2 * n);
+    return { x: frame[at], z: frame[at + 1], heading: frame[at + 2], at: i === 0 ? FIRST : at + 3 };
+  });
+}
 
-// Frames are asked for a little before they are looked at.
+function spacing(steps) {
+  const fast = Number($('speed').value) / live.catalogue.step_s / FRAMES_PER_S, fine = TRAIL_M / live.scene.speed_m_per_s / live.catalogue.step_s;
+  return live.playing || steps > FAR_STEPS ? Math.max(1, Math.floor(Math.min(fast, fine))) : 1;
+}
+// Frames are asked for a little before they are looked at; where the page stands still, the very one.
 export async function fetchAhead(world) {
-  const from = world.frames.length;
-  const ahead = Math.max(400, 200 * Number($('speed').value) / 4);
-  if (world.asking || from > endStep() || from > Math.max(live.now, live.wish) + ahead) return;
+  if (world.asking) return;
+  const at = Math.floor(live.now), aim = Math.max(live.now, live.wish);
+  if (!live.playing && at < world.upTo && !world.frames[at]) return fetchFrames(world, Math.max(0, at - AROUND), 2 * AROUND, 1);
+  const ahead = Math.max(400, Number($('speed').value) / live.catalogue.step_s);
+  if (world.upTo > endStep() || world.upTo > aim + ahead) return;
+  const every = world.upTo === 0 ? 1 : spacing(aim - world.upTo);
+  return fetchFrames(world, world.upTo, world.upTo === 0 ? 200 : live.catalogue.most_frames, every);
+}
+async function fetchFrames(world, from, count, every) {
   world.asking = true;
   const asked = live.edition;
   try {
-    const count = from === 0 ? 200 : live.catalogue.most_frames;
-    const answer = await ask('/frames', { scene: { ...live.scene, sensor: world.sensor }, from, count });
+    const answer = await ask('/frames', { scene: sceneOf(world), from, count, every });
     if (asked !== live.edition) return;
     if (answer.fault) { fault(answer.fault); live.playing = false; return; }
     fault('');
-    world.frames.push(...answer.frames);
+    answer.frames.forEach((frame, i) => {
+      const step = from + i * every;
+      world.frames[step] ??= frame;
+      if (step >= world.upTo) { world.known.push(step); world.upTo = step + 1; }
+    });
     live.dirty = true;
   } catch (e) {
     fault('NOT LIVE: ' + e.message + '. Is ./simbad studio still running?');
@@ -38,6 +68,16 @@ export async function fetchAhead(world) {
   } finally {
     if (asked === live.edition) world.asking = false;
   }
+}
+// Every step from the start until now, for what is saved.
+export async function allFrames(world) {
+  const all = [], end = Math.min(Math.floor(live.now) + 1, world.upTo);
+  while (all.length < end) {
+    const answer = await ask('/frames', { scene: sceneOf(world), from: all.length, count: Math.min(live.catalogue.most_frames, end - all.length) });
+    if (answer.fault) throw new Error(answer.fault);
+    all.push(...answer.frames);
+  }
+  return all;
 }
 const louds = new Map();
 // Where the obstacle is how loud to a sensor that hears by levels; nothing until it is known.
@@ -56,9 +96,15 @@ export function loudness(sensor) {
 export function change(keep) {
   live.edition++;
   live.wish = 0;
+  live.robot = Math.min(live.robot, live.scene.robots - 1);
   worlds[0].sensor = live.scene.sensor;
   worlds[1].sensor = live.beside;
-  for (const world of worlds) { world.frames.length = Math.min(world.frames.length, keep); world.asking = false; }
+  for (const world of worlds) {
+    world.frames.length = Math.min(world.frames.length, keep);
+    world.known = world.known.filter(step => step < keep);
+    world.upTo = Math.min(world.upTo, keep);
+    world.asking = false;
+  }
   live.now = Math.max(0, keep === 0 ? live.now : Math.min(live.now, keep));
   fault('');
   words();
@@ -69,21 +115,27 @@ export function endStep() {
   const round = typeNow().round_m / live.scene.speed_m_per_s / live.catalogue.step_s;
   return Math.min(live.catalogue.most_steps, Math.max(2000, 500 * Math.ceil(4 * round / 500))) - 1;
 }
-export const most = () => Math.max(0, Math.min(...active().map(w => w.frames.length)) - 1);
-export const frameOf = world => world.frames[Math.min(Math.floor(live.now), world.frames.length - 1)];
+export const most = () => Math.max(0, Math.min(...active().map(w => w.upTo)) - 1);
+// The step that is shown: the last one that is known by now.
+export function stepOf(world) {
+  let step = Math.min(Math.floor(live.now), world.upTo - 1);
+  while (step > 0 && !world.frames[step]) step--;
+  return step;
+}
+export const frameOf = world => world.frames[stepOf(world)];
 
 export function setPlaying(on) { live.playing = on; if (on) live.wish = 0; $('play').textContent = on ? 'Pause' : 'Play'; live.dirty = true; }
 // Where nobody has been yet it waits until the world is stepped so far.
 export function go(step) { setPlaying(false); live.now = Math.max(0, Math.min(most(), step)); live.wish = step > live.now ? Math.min(step, endStep()) : 0; live.dirty = true; }
-export function move(thing, at, turn) {
+export function move(thing, at, turn, number = 0) {
   const step = Math.floor(live.now), to = at.map(v => Math.round(Math.max(-20, Math.min(20, v)) * 1000) / 1000);
-  if (thing === 'robot' && step === 0) {
+  if (thing === 'robot' && step === 0 && live.scene.robots === 1) {
     live.scene.start = to;
     live.scene.moves = live.scene.moves.filter(m => !m.robot);
   } else {
     // Of one thing moved again at one step the last place stands.
-    live.scene.moves = live.scene.moves.filter(m => m.step < step || m.step === step && !m[thing]);
-    live.scene.moves.push(thing === 'robot' ? { step, robot: to } : { step, obstacle: to, turn_deg: Math.round(turn * 1800 / Math.PI) / 10 });
+    live.scene.moves = live.scene.moves.filter(m => m.step < step || m.step === step && !(m[thing] && (m.number || 0) === number));
+    live.scene.moves.push(thing === 'robot' ? { step, robot: to, ...(number ? { number } : {}) } : { step, obstacle: to, turn_deg: Math.round(turn * 1800 / Math.PI) / 10 });
   }
   change(step);
 }

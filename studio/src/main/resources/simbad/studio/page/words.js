@@ -1,45 +1,63 @@
 // What the live page says in words.
 import { $ } from './kit.js';
-import { FIRST, frameOf, live, sensorOf, typeNow, worlds } from './state.js';
+import { active, frameOf, live, robotIn, robotOf, robotsOf, sensorOf, typeNow } from './state.js';
 
 export function quote(text) { return /^[A-Za-z0-9_.:,/-]+$/.test(text) ? text : "'" + text.replaceAll("'", "'\\''") + "'"; }
-export function option(name) { return sensorOf(name).diagnosed ? 'diagnosed:DIR' : name; }
 export function words() {
-  const sensors = live.beside ? [live.scene.sensor, live.beside] : [live.scene.sensor];
-  const start = live.scene.start ? ' --start=' + live.scene.start.map(v => v.toFixed(3)).join(',') : '';
-  $('line').textContent = './simbad run ' + quote(live.scene.obstacle) + sensors.map(s => ' --sensor ' + quote(option(s))).join('')
-    + (live.scene.sonar === 'srf04' ? '' : ' --sensor-file data/sensors/' + live.scene.sonar + '.json') + (live.scene.robot ? ' --robot diagnosed:DIR' : '')
-    + start + ' --speed ' + live.scene.speed_m_per_s + ' --seed ' + live.scene.seed + ' --out run';
+  const scene = live.scene, sensors = [...new Set([scene.sensor, live.beside].filter(Boolean))];
+  const moving = [...new Set([robotIn(0), live.beside ? robotIn(1) : ''])].filter(Boolean);
+  const start = scene.start ? ' --start=' + scene.start.map(v => v.toFixed(3)).join(',') : '';
+  $('line').textContent = './simbad run ' + quote(scene.obstacle) + sensors.map(s => ' --sensor ' + quote(sensorOf(s).option)).join('')
+    + (scene.sonar === 'srf04' ? '' : ' --sensor-file data/sensors/' + scene.sonar + '.json') + moving.map(name => ' --robot ' + quote(robotOf(name).option)).join('')
+    + start + ' --speed ' + scene.speed_m_per_s + ' --seed ' + scene.seed + ' --out run';
   const notes = [];
-  if (sensors.some(s => sensorOf(s).diagnosed)) notes.push('DIR is the folder of the diagnosis.');
-  if (live.scene.robot) notes.push('With --robot each sensor is driven twice: on the exact robot, and on ' + live.scene.robot + ' (DIR is the folder of its diagnosis; for a robot.json write the name of the file).');
-  if (live.scene.moves.length) notes.push('The command does not know the moves by hand (' + live.scene.moves.length + '); the saved scene does.');
+  if (moving.length === 1) notes.push('With --robot each sensor is driven twice: on the exact robot, and on ' + moving[0] + '.');
+  if (moving.length > 1) notes.push('The command takes one robot: call it once for each.');
+  const lacks = [scene.robots > 1 ? 'the other robots' : '', scene.moves.length ? 'the moves by hand (' + scene.moves.length + ')' : ''].filter(Boolean).join(' and ');
+  if (lacks) notes.push('The command does not know ' + lacks + '. Save the scene, and ./simbad studio' + [...sensors.map(s => [sensorOf(s), ' --sensor ']), ...moving.map(name => [robotOf(name), ' --robot '])].filter(([one]) => one && one.option !== one.name).map(([one, option]) => option + quote(one.option)).join('') + ' --scene scene.json shows all of it.');
   $('linenote').textContent = notes.join(' ') || 'This command has the same start, controller and seed, so it gives the same trace.';
-  $('meaning').textContent = live.scene.sensor + ': ' + sensorOf(live.scene.sensor).meaning + (live.beside ? '. ' + live.beside + ': ' + sensorOf(live.beside).meaning : '')
-    + '. Table of ' + live.scene.obstacle + ': ' + typeNow().provenance + '.';
+  $('meaning').textContent = sensors.map(name => name + ': ' + sensorOf(name).meaning).join('. ')
+    + '. Table of ' + scene.obstacle + ': ' + typeNow().provenance + '.' + (scene.robots > 1 ? ' Robots do not hear each other, except with ray; where two touch, they stop.' : '');
   $('second').hidden = !live.beside;
-  $('views').classList.toggle('two', Boolean(live.beside));
-  $('whyhead').textContent = 'Why no echo' + (live.beside ? ' (' + live.scene.sensor + ')' : '');
+  $('robot1row').hidden = !live.beside || !live.catalogue.robots.length;
+  for (const id of ['views', 'live']) $(id).classList.toggle('two', Boolean(live.beside));
+  heads();
+  $('whichrow').hidden = scene.robots === 1;
+  $('which').replaceChildren(...Array.from({ length: scene.robots }, (_, i) => new Option('Robot ' + (i + 1), String(i))));
+  $('which').value = String(live.robot);
+}
+// With two sensors the table has a column for each.
+function heads() {
+  const both = active().length > 1, cell = (text, right) => { const th = document.createElement('th'); th.scope = 'col'; th.textContent = text; if (right) th.className = 'r'; return th; };
+  $('heads').replaceChildren(cell('Looks', true), ...(both ? [live.scene.sensor, live.beside].map((name, i) => cell(name + (robotIn(i) ? ', ' + robotIn(i) : ''))) : [cell('Reads', true), cell('Why no echo')]));
+  $('rows').parentElement.classList.toggle('both', both);
 }
 export function why(code) {
-  if (code >= 100) return code === 1090 ? 'over 99 dB too weak' : ((code - 100) / 10).toFixed(1) + ' dB too weak';
+  if (code >= 100) return code === 1090 ? '> 99 dB too weak' : ((code - 100) / 10).toFixed(1) + ' dB too weak';
   return ['', 'not in the cone', 'outside the shadow', 'missed by chance', 'out of range', 'its ray passes by', 'cone and shadow do not meet'][code];
 }
+// Only what is other than before: to lay out a page takes longer than to draw a plan.
+function put(element, text) { if (element.textContent !== text) element.textContent = text; }
+function show(cell, text, isHeard) { put(cell, text); cell.classList.toggle('heard', isHeard); }
 export function rows() {
-  const frame = frameOf(worlds[0]), n = live.catalogue.sonars;
-  if (!frame) return;
+  const n = live.catalogue.sonars, both = active().length > 1;
   let heard = 0;
-  for (let i = 0; i < n; i++) {
-    const range = frame[FIRST + i], row = $('rows').children[i];
-    row.className = (range >= 0 ? 'heard' : '') + (i === live.chosen ? ' chosen' : '');
-    row.children[1].textContent = range >= 0 ? (range / 1000).toFixed(2) + ' m' : 'no echo';
-    row.children[2].textContent = range >= 0 ? 'heard' : why(frame[FIRST + n + i]);
-    heard += range >= 0;
-  }
-  if (!live.playing) $('said').textContent = heard + ' of ' + n + ' sonars hear the obstacle.';
+  active().forEach((world, w) => {
+    const frame = frameOf(world);
+    if (!frame) return;
+    const at = robotsOf(frame)[live.robot].at;
+    for (let i = 0; i < n; i++) {
+      const range = frame[at + i], cells = $('rows').rows[i].cells, reads = range >= 0 ? (range / 1000).toFixed(2) + ' m' : 'no echo', reason = why(frame[at + n + i]);
+      if (both) show(cells[1 + w], range >= 0 ? reads : reason, range >= 0);
+      else { show(cells[1], reads, range >= 0); show(cells[2], range >= 0 ? 'heard' : reason, range >= 0); }
+      heard += w === 0 && range >= 0;
+    }
+  });
+  [...$('rows').rows].forEach((row, i) => row.classList.toggle('chosen', i === live.chosen));
+  if (!live.playing) put($('said'), heard + ' of ' + n + ' sonars hear the obstacle' + (live.beside ? ' with ' + live.scene.sensor : '') + '.');
 }
 export function fields() {
   $('obstacle').value = live.scene.obstacle; $('sensor0').value = live.scene.sensor; $('sensor1').value = live.beside;
-  $('sonar').value = live.scene.sonar; $('robot').value = live.scene.robot;
+  $('sonar').value = live.scene.sonar; $('robot').value = live.scene.robot; $('robot1').value = live.besideRobot; $('robots').value = String(live.scene.robots);
   $('drive').value = live.scene.speed_m_per_s; $('seed').value = live.scene.seed;
 }

@@ -86,6 +86,84 @@ class FoldersOverHttpTest {
     assertEquals(403, post("/capture", "{\"path\": \"captures/post\"}").statusCode());
   }
 
+  /** Every path by every method, with no token and each that is nearly one, is forbidden. */
+  @Test
+  void noPathLetsInWithoutTheToken() throws Exception {
+    String right = token().substring("?token=".length());
+    List<String> queries =
+        List.of(
+            "",
+            "?",
+            "?token=",
+            "?token=" + right.substring(1),
+            "?token=" + right + "0",
+            "?TOKEN=" + right,
+            "?token=" + right + "&token=" + right,
+            "?x=1&token=" + right,
+            "#?token=" + right);
+    for (String path :
+        List.of(
+            "/",
+            "/bench",
+            "/catalogue",
+            "/folders",
+            "/folder",
+            "/frames",
+            "/loudness",
+            "/capture",
+            "/trace",
+            "/state.js",
+            "/uPlot.min.css",
+            "/none",
+            "/..;/folder",
+            "//folders")) {
+      for (String query : queries) {
+        for (String method : List.of("GET", "HEAD", "POST", "PUT", "OPTIONS")) {
+          checkRefused(method, path + query, "Host: localhost");
+        }
+      }
+    }
+  }
+
+  /** The token alone does not do: who asks must ask this computer, and not from another's page. */
+  @Test
+  void noHostAndNoOriginLetsIn() throws Exception {
+    for (String path : List.of("/", "/folders", "/state.js")) {
+      for (String host :
+          List.of(
+              "evil.example",
+              "localhost.evil.example",
+              "localhost@evil.example",
+              "127.0.0.1.evil.example",
+              "10.0.0.1",
+              "[::2]")) {
+        checkRefused("GET", path + token(), "Host: " + host + ":" + port());
+      }
+      for (String origin :
+          List.of(
+              "null",
+              "http://evil.example",
+              "https://localhost:" + port(),
+              "http://localhost:" + (port() + 1),
+              "http://localhost",
+              "http://localhost:" + port() + ".evil.example")) {
+        checkRefused("GET", path + token(), "Host: localhost:" + port() + "\r\nOrigin: " + origin);
+      }
+      checkRefused("GET", path + token(), "X-Forwarded-Host: localhost");
+    }
+    String own = "Host: localhost:" + port() + "\r\nOrigin: http://localhost:" + port();
+    assertTrue(
+        raw("GET /folders" + token() + " HTTP/1.1\r\n" + own + "\r\n\r\n").contains(" 200 "));
+  }
+
+  private static void checkRefused(String method, String address, String headers) throws Exception {
+    String answer =
+        raw(method + " " + address + " HTTP/1.1\r\n" + headers + "\r\nContent-Length: 0\r\n\r\n");
+    assertTrue(
+        answer.matches("(?s)HTTP/1.1 40[0-9] .*"), () -> method + address + headers + answer);
+    assertFalse(answer.contains("<canvas") || answer.contains("shown"), answer);
+  }
+
   /** As it goes over the line: a client of its own would tidy the path up. */
   @Test
   void noPathLeadsOut() throws Exception {
@@ -112,7 +190,7 @@ class FoldersOverHttpTest {
   @Test
   void garbageIsAnsweredWithItsFault() throws Exception {
     for (String body : List.of("", "\u0000", "[[[[", "{\"path\": 7}", "{\"path\": \"x\"} more")) {
-      for (String path : List.of("/folder", "/capture", "/loudness", "/frames")) {
+      for (String path : List.of("/folder", "/capture", "/trace", "/loudness", "/frames")) {
         HttpResponse<String> answer = post(path + token(), body);
         assertEquals(200, answer.statusCode(), body);
         assertTrue(answer.body().startsWith("{\"fault\":"), answer.body());

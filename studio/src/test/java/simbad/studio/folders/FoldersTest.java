@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simbad.obstacles.Catalogue;
 import simbad.sonar.format.DataFormatException;
 
 /** What the page is told of a folder. */
@@ -56,16 +58,18 @@ class FoldersTest {
         List.of(
             Samples.MARKUP + " batch",
             "batch batch",
+            "captures/again capture",
             "captures/post capture",
             "diagnoses/again sensing",
             "diagnoses/wall sensing",
+            "joint/wall joint",
             "motion/robot motion",
             "runs/one run",
             "runs/two run"),
         found);
-    assertEquals("explained: sound-speed", list.path("folders").get(3).path("about").asText());
+    assertEquals("explained: sound-speed", list.path("folders").get(4).path("about").asText());
     assertEquals("4 runs", list.path("folders").get(1).path("about").asText());
-    assertEquals("post · original, shadow", list.path("folders").get(6).path("about").asText());
+    assertEquals("post · original, shadow", list.path("folders").get(8).path("about").asText());
   }
 
   /** The page shows what the files say. */
@@ -84,8 +88,8 @@ class FoldersTest {
         Files.readAllLines(folder.resolve("shown/runs/one/post/trace.csv")).stream()
             .filter(line -> line.startsWith("shadow,"))
             .count();
-    assertEquals(steps, post.path("steps").path("shadow").asLong());
-    assertTrue(post.path("traces").path("shadow").size() > 20);
+    int shown = post.path("traces").path("shadow").get(0).size();
+    assertTrue(shown > 20 && shown <= steps, shown + " of " + steps);
   }
 
   /** Echoes at 1 to 2 m come too soon by a twentieth, which the fit takes away. */
@@ -157,8 +161,59 @@ class FoldersTest {
     JsonNode state = MAPPER.readTree(folders.capture(question("captures/post")));
 
     assertEquals("post", state.path("obstacle").asText());
-    assertEquals(1, state.path("pings").asInt());
+    assertEquals(61, state.path("pings").asInt());
     assertEquals(4, state.path("bearings").asInt());
+  }
+
+  /** Half of the pings at 1.1 m are heard: there is the threshold. */
+  @Test
+  void capture_saysOfEachBearingWhatCameOfHowManyPings() throws Exception {
+    JsonNode capture = open("captures/again");
+    JsonNode first = capture.path("bearings").get(0);
+
+    assertEquals(2, capture.path("done").asInt());
+    assertEquals(1.1, first.path("threshold_m").asDouble(), 0.02);
+    assertTrue(first.path("low_m").asDouble() < 1.1 && first.path("high_m").asDouble() > 1.1);
+    assertEquals(30, first.path("pings").asInt());
+    assertEquals(15, first.path("heard").asInt());
+    assertEquals("[1.1,10,5,true]", first.path("levels").get(1).toString());
+    // That of the catalogue's table beside it, if the obstacle is in it.
+    assertEquals(
+        Catalogue.find("angle").orElseThrow().thresholds().table().valueM(0),
+        first.path("table_m").asDouble(),
+        1e-9);
+    assertFalse(open("captures/post").path("bearings").get(0).has("table_m"));
+    assertFalse(capture.path("bearings").get(3).has("threshold_m"));
+  }
+
+  /**
+   * A tenth slower than told: on the line along is 1/10 of 0.05 m short; the fit has it all. Half a
+   * second of the arc begins at 10 s and at each half after it.
+   */
+  @Test
+  void drive_hasItsWindowsBeforeAndAfter() throws Exception {
+    for (String path : List.of("motion/robot", "joint/wall")) {
+      JsonNode motion = open(path);
+      List<String> columns = new ArrayList<>();
+      motion.path("window_columns").forEach(name -> columns.add(name.asText()));
+      JsonNode first = motion.path("windows").get(0);
+
+      assertEquals(80, motion.path("windows").size(), path);
+      assertEquals(2, motion.path("tracks").size());
+      assertEquals(-0.005, first.get(columns.indexOf("along_before_m")).asDouble(), 2e-5);
+      assertEquals(0, first.get(columns.indexOf("along_after_m")).asDouble(), 2e-5);
+      assertEquals(40, motion.path("window_places").get(0).size());
+      assertEquals(40, motion.path("window_places").get(1).size());
+      for (JsonNode index : motion.path("window_places").get(0)) {
+        assertTrue(motion.path("windows").get(index.asInt()).get(1).asDouble() >= 10);
+      }
+      // Of each run 9 windows end 5.5 to 9.5 s after the start, and 10 after the change at 10 s.
+      assertEquals(38, motion.path("window_places").get(3).size());
+      for (JsonNode index : motion.path("window_places").get(2)) {
+        assertEquals("b", motion.path("windows").get(index.asInt()).get(0).asText());
+      }
+    }
+    assertTrue(open("joint/wall").has("rows"));
   }
 
   /** Neither dots nor a link lead out, and what is no name is no name. */
@@ -212,17 +267,64 @@ class FoldersTest {
     assertTrue(MAPPER.readTree(shown.list()).path("folders").size() > 5);
   }
 
+  /** 1,000,000 places on a circle: the whole is thinned, a part of it is as fine as a screen. */
   @Test
-  void longTrace_isThinned() {
-    TracePoints points = new TracePoints();
+  void longTrace_isThinned_andFineWhereSomebodyLooks() {
+    Trace trace = new Trace();
     for (int i = 0; i < 1_000_000; i++) {
-      points.add(Math.sin(1e-5 * i), Math.cos(1e-5 * i));
+      trace.add(Math.sin(1e-5 * i), Math.cos(1e-5 * i));
     }
-    var list = MAPPER.createArrayNode();
-    points.write(list);
+    ArrayNode whole = MAPPER.createArrayNode();
+    trace.write(Trace.Box.ALL, whole);
+    ArrayNode part = MAPPER.createArrayNode();
+    trace.write(new Trace.Box(-0.05, 0.9, 0.05, 1.1), part);
 
-    assertEquals(1_000_000, points.given());
-    assertTrue(list.size() > 4000 && list.size() <= 8000, "kept " + list.size());
-    assertEquals(1, list.get(0).get(1).asDouble(), 1e-9);
+    assertEquals(1_000_000, trace.size());
+    assertEquals(1, whole.size());
+    assertTrue(whole.get(0).size() > 1500 && whole.get(0).size() <= Trace.MOST);
+    assertEquals(1, whole.get(0).get(0).get(1).asDouble(), 1e-6);
+    // Nearly 10 rad of a circle pass the top twice: from it at the start, and through it later.
+    assertEquals(2, part.size());
+    for (JsonNode piece : part) {
+      for (int i = 1; i < piece.size(); i++) {
+        JsonNode from = piece.get(i - 1);
+        JsonNode to = piece.get(i);
+        assertTrue(Math.abs(to.get(0).asDouble() - from.get(0).asDouble()) < 0.0005, to::toString);
+        assertTrue(Math.abs(to.get(0).asDouble()) < 0.051, to::toString);
+      }
+    }
+  }
+
+  /** A line that crosses a part without a place in it is there as well. */
+  @Test
+  void lineThatCrossesAPart_isInIt() {
+    Trace trace = new Trace();
+    trace.add(-1, 0);
+    trace.add(1, 0);
+    trace.add(1, 5);
+    ArrayNode part = MAPPER.createArrayNode();
+    trace.write(new Trace.Box(-0.1, -0.1, 0.1, 0.1), part);
+
+    assertEquals("[[[-1.0,0.0],[1.0,0.0]]]", part.toString());
+  }
+
+  @Test
+  void partOfATrace_isAskedForByItsBox() throws Exception {
+    String question = "{\"path\": \"runs/one\", \"obstacle\": \"post\", \"box\": %s}";
+    JsonNode part = MAPPER.readTree(folders.trace(question.formatted("[0, 0, 9, 9]")));
+
+    // It drives through that quarter more than once.
+    assertTrue(part.path("traces").path("shadow").size() > 1, part.toString());
+    for (JsonNode piece : part.path("traces").path("shadow")) {
+      for (int i = 1; i + 1 < piece.size(); i++) {
+        assertTrue(piece.get(i).get(0).asDouble() > -0.03, piece.get(i)::toString);
+      }
+    }
+    for (String box : List.of("[0, 0, 9]", "7", "[0, 0, 1e99, 9]", "[\"a\", 0, 0, 0]")) {
+      assertThrows(DataFormatException.class, () -> folders.trace(question.formatted(box)), box);
+    }
+    assertThrows(
+        DataFormatException.class,
+        () -> folders.trace(question.formatted("[0, 0, 9, 9]").replace("post", "../..")));
   }
 }

@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -49,9 +50,15 @@ public final class Samples {
     dataSet(folder.resolve("sets/wall"));
     diagnosis(folder.resolve("diagnoses/wall"), folder.resolve("sets/wall"));
     diagnosis(folder.resolve("diagnoses/again"), folder.resolve("sets/wall"));
-    motion(folder.resolve("motion/robot"));
+    MotionSamples.drive(folder.resolve("sets/robot"));
+    MotionSamples.motion(folder.resolve("motion/robot"), folder.resolve("sets/robot"));
+    dataSet(folder.resolve("sets/joint/wall"));
+    MotionSamples.drive(folder.resolve("sets/joint/wall"));
+    diagnosis(folder.resolve("joint/wall"), folder.resolve("sets/joint/wall"));
+    MotionSamples.joint(folder.resolve("joint/wall"), folder.resolve("sets/joint/wall"));
     batch(folder.resolve("batch"));
-    capture(folder.resolve("captures/post"));
+    capture(folder.resolve("captures/post"), "post");
+    capture(folder.resolve("captures/again"), "angle");
     batch(folder.resolve(MARKUP));
   }
 
@@ -64,7 +71,10 @@ public final class Samples {
     return new ObstacleType(
         "post",
         round.parts(),
-        new TableDocument(table, Map.of("provenance", "captured"), Optional.of(band)));
+        new TableDocument(
+            table,
+            Map.of("provenance", "captured", "pings", "720 in all, 10 at each distance"),
+            Optional.of(band)));
   }
 
   private static void run(Path folder, long seed) throws IOException {
@@ -141,32 +151,6 @@ public final class Samples {
     Files.writeString(folder.resolve("diagnosis.json"), json.toPrettyString());
   }
 
-  private static void motion(Path folder) throws IOException {
-    Files.createDirectories(folder);
-    Files.writeString(folder.resolve("motion.json"), "{\"format\": \"motion-model/1\"}");
-    StringBuilder horizons = new StringBuilder();
-    for (String horizon : List.of("0.5", "2", "5")) {
-      horizons
-          .append(horizons.isEmpty() ? "" : ",")
-          .append(
-              """
-              {"horizon_s": %s, "along_m": {"before": 0.1, "after": 0.02}, "across_m": {"before": 0.05, "after": 0.01},
-               "turn_rad": {"before": 0.2, "after": 0.1}}"""
-                  .formatted(horizon));
-    }
-    Files.writeString(
-        folder.resolve("diagnosis.json"),
-        """
-        {"format": "sonar-diagnosis/2", "dataset": "robot", "verdict": "explained", "headline": "the wheels are smaller",
-         "explanation": ["wheel-radius"], "unknown_probability": 0.1,
-         "effects": [{"name": "wheel-radius", "form": "scale", "probability": 0.99, "parameters": {"scale": 0.95},
-          "ci95": {"scale": [0.94, 0.96]}, "indistinguishable_from": [], "remedy": "measure the wheels"}],
-         "gap": {"rows_held_out": 40, "shrink": 0.8, "shrink_ci95": [0.7, 0.9], "horizons": [%s]},
-         "where": [{"slice": {"speed_m_s": [0.1, 0.2]}, "rows": 12, "share_of_gap": 0.4, "before": 1.4, "after": 0.3}]}
-        """
-            .formatted(horizons));
-  }
-
   private static void batch(Path folder) throws IOException {
     Files.createDirectories(folder);
     Files.writeString(
@@ -182,21 +166,34 @@ public final class Samples {
         """);
   }
 
-  private static void capture(Path folder) throws IOException {
+  private static void capture(Path folder, String obstacle) throws IOException {
     SweepPlan plan = SweepPlan.ofBearings(4);
     CaptureSettings settings =
-        new CaptureSettings(plan, OptionalDouble.of(20), Map.of("obstacle", "post"));
-    try (Journal journal = new CaptureFolder(folder).begin(settings)) {
-      journal.append(
-          List.of(
-              new Entry.Taken(
-                  0,
-                  0,
-                  new TriedDistance(1, Approach.OUT),
-                  0,
-                  PingStatus.ECHO,
-                  OptionalInt.of(5800),
-                  OptionalDouble.empty())));
+        new CaptureSettings(plan, OptionalDouble.of(20), Map.of("obstacle", obstacle));
+    List<Entry> entries = new ArrayList<>();
+    for (int bearing = 0; bearing < 2; bearing++) {
+      for (int level = 0; level < 3; level++) {
+        // Ten pings at each distance: all, half, none of them heard.
+        for (int ping = 0; ping < plan.pings(); ping++) {
+          entries.add(taken(entries.size(), bearing, 1 + 0.1 * level, 5 * level <= ping));
+        }
+      }
+      entries.add(new Entry.Done(bearing));
     }
+    entries.add(taken(entries.size(), 2, 1, true));
+    try (Journal journal = new CaptureFolder(folder).begin(settings)) {
+      journal.append(entries);
+    }
+  }
+
+  private static Entry taken(int number, int bearing, double distanceM, boolean isHeard) {
+    return new Entry.Taken(
+        0.07 * number,
+        bearing,
+        new TriedDistance(distanceM, Approach.OUT),
+        number,
+        isHeard ? PingStatus.ECHO : PingStatus.NO_ECHO,
+        isHeard ? OptionalInt.of(5800) : OptionalInt.empty(),
+        OptionalDouble.empty());
   }
 }
