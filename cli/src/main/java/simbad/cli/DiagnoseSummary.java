@@ -59,22 +59,16 @@ record DiagnoseSummary(String dataset, Diagnosis diagnosis, Path folder) impleme
     return diagnosis.explanation().isEmpty()
         ? ""
         : diagnosis.explanation().stream()
-                .map(
-                    effect ->
-                        String.format(
-                            Locale.ROOT, "%s %.2f", effect, finding(effect).probability()))
-                .collect(Collectors.joining(" + ", ", ", ""))
-            + ties();
+            .map(this::finding)
+            .map(DiagnoseSummary::words)
+            .collect(Collectors.joining(" + ", ", ", ""));
   }
 
-  private String ties() {
+  private static String words(EffectFinding named) {
     String others =
-        diagnosis.explanation().stream()
-            .flatMap(effect -> finding(effect).indistinguishableFrom().stream())
-            .distinct()
-            .map(Effect::word)
-            .collect(Collectors.joining(", "));
-    return others.isEmpty() ? "" : " (or " + others + ")";
+        named.indistinguishableFrom().stream().map(Effect::word).collect(Collectors.joining(", "));
+    return String.format(Locale.ROOT, "%s %.2f", named.effect(), named.probability())
+        + (others.isEmpty() ? "" : " (or " + others + ")");
   }
 
   private EffectFinding finding(Effect effect) {

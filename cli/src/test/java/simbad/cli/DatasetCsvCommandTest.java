@@ -598,4 +598,22 @@ class DatasetCsvCommandTest {
     assertEquals(0, said.status(), said.err());
     assertTrue(said.out().contains("read 100000 readings"), said.out());
   }
+
+  /** Pauses order the pings of a place; nothing is moved within two milliseconds. */
+  @Test
+  void pausesMakeTimes_inRunsOfPingsThatFollowedEachOther() throws Exception {
+    String log = "true_cm,reading_cm,pause\n34.3,34.3,2\n34.3,,2\n34.3,34.3,2\n50,50,2\n50,50,2\n";
+    DataSet data = read(log, "--pause-ms pause --max-range 3.43m");
+    assertTrue(file("scene.json").contains("pings that followed each other"));
+    List<ReadingRow> rows = data.readings();
+    assertEquals(List.of("log-1", "log-1", "log-1", "log-2", "log-2"), runs(rows));
+    // There and back of 34.3 cm, and of the greatest range where nothing came, at 343 m/s.
+    assertEquals(0.004, rows.get(1).timeS(), 1e-6);
+    assertEquals(0.026, rows.get(2).timeS(), 1e-6);
+    assertEquals(0, rows.get(3).timeS());
+  }
+
+  private static List<String> runs(List<ReadingRow> rows) {
+    return rows.stream().map(ReadingRow::run).toList();
+  }
 }

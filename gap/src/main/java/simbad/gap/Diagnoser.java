@@ -147,6 +147,14 @@ public final class Diagnoser {
       return weighed.taken().hypothesis();
     }
 
+    /** The same where something is at work for sure, though none fitted best. */
+    Optional<Inquiry> some() {
+      return best().forms().isEmpty()
+          ? Weighed.ofSome(given, sets, worthNats, calibration.temperature())
+              .map(some -> new Inquiry(given, calibration, worthNats, search, sets, some, isFull))
+          : Optional.empty();
+    }
+
     /** The set-up with what of this belongs to it. */
     Calibration settled() {
       return calibration.with(given, best());
@@ -186,7 +194,19 @@ public final class Diagnoser {
       Map<String, Double> signs,
       Conclusion conclusion) {}
 
+  /** Where nothing fits best and yet something is at work, an effect may be that all the same. */
   private static Told conclude(Inquiry inquiry) {
+    Told told = told(inquiry);
+    return told.unknown > 0.5
+        ? inquiry
+            .some()
+            .map(Diagnoser::told)
+            .filter(some -> some.unknown <= 0.5 && some.conclusion.verdict() != Verdict.UNEXPLAINED)
+            .orElse(told)
+        : told;
+  }
+
+  private static Told told(Inquiry inquiry) {
     CalibratedLog given = inquiry.given;
     Calibration calibration = inquiry.calibration;
     Blocks blocks = new Blocks(given.log());
@@ -225,10 +245,11 @@ public final class Diagnoser {
   private static Conclusion.Unnamed unnamed(Inquiry inquiry, Signs signs) {
     Calibration calibration = inquiry.calibration;
     double bySigns = Constants.own().unknown(signs.byName());
-    if (calibration.model() != SensorLaw.Model.LEVEL || bySigns > 0.5) {
-      return new Conclusion.Unnamed(bySigns, signs.byName(), "");
-    }
     CalibratedLog given = inquiry.given;
+    if (calibration.model() != SensorLaw.Model.LEVEL || bySigns > 0.5) {
+      String what = bySigns > 0.5 ? Unknown.standsIn(given, inquiry.best()) : "";
+      return new Conclusion.Unnamed(bySigns, signs.byName(), what);
+    }
     Strangers.Found found =
         new Strangers(given, new SetupLeave(given, calibration))
             .against(inquiry.best(), inquiry.worthNats, calibration.temperature());

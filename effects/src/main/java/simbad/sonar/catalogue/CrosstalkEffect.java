@@ -15,6 +15,7 @@ import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.LogDesign;
 import simbad.sonar.effect.Modes;
 import simbad.sonar.effect.Probe;
 import simbad.sonar.effect.Tries;
@@ -45,6 +46,12 @@ public final class CrosstalkEffect implements Definition {
   @Override
   public String cause() {
     return "another sonar, an air hose or another source of ultrasound, electrical noise";
+  }
+
+  /** A late echo of the ping before looks like it where nobody knows which ping came before. */
+  @Override
+  public Set<Effect> twins(LogDesign log) {
+    return log.isTimed() ? Set.of() : Set.of(Effect.PREVIOUS_PING);
   }
 
   @Override

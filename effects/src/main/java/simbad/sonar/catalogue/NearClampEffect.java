@@ -4,10 +4,12 @@ import static simbad.sonar.effect.FittedValues.text;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.sonar.change.NearClamp;
+import simbad.sonar.change.NearLimit;
 import simbad.sonar.effect.Clues;
 import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
@@ -40,14 +42,15 @@ public final class NearClampEffect implements Definition {
     return "a sensor or a driver that never reports less than its minimum range";
   }
 
+  /** A sensor with a near limit hears what is nearer, which a scene may call its blind zone. */
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
-    return List.of(
-        Form.of(
-            effect(),
-            "clamp",
-            v -> new NearClamp(v[0]),
-            Parameter.of("least_m", 0, 0, setup.sensor().maxRangeM(), 0.1, 0.2, 0.35, 0.6)));
+    Parameter least =
+        Parameter.of("least_m", 0, 0, setup.sensor().maxRangeM(), 0.1, 0.2, 0.35, 0.6);
+    Form clamp = Form.of(effect(), "clamp", v -> new NearClamp(v[0]), least);
+    return setup.sensor().minRangeM() > 0
+        ? List.of(clamp, Form.of(effect(), "limit", v -> new NearLimit(v[0]), least))
+        : List.of(clamp);
   }
 
   /** At the least reading there is. */
@@ -75,6 +78,12 @@ public final class NearClampEffect implements Definition {
             Forms.find(effect(), "clamp", setup, log.sensors()).orElseThrow(),
             0,
             Math.max(0.3, 1.5 * setup.sensor().minRangeM())));
+  }
+
+  /** A scene has no field for it. */
+  @Override
+  public Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
+    return Optional.empty();
   }
 
   @Override

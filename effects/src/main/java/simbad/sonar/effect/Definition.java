@@ -121,6 +121,14 @@ public interface Definition {
   }
 
   /**
+   * Returns the effects that a log cannot tell from this one because of how it was taken, whatever
+   * it reads: they are not looked for in it, and could be what is found.
+   */
+  default Set<Effect> twins(LogDesign log) {
+    return Set.of();
+  }
+
+  /**
    * Tells whether values are no more than what differs from one day to the next though nothing was
    * changed. That belongs to the set-up.
    */

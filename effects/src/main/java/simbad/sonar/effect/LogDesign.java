@@ -3,6 +3,7 @@ package simbad.sonar.effect;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import simbad.sonar.check.Checks;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.ping.Scenes;
@@ -31,6 +32,11 @@ public record LogDesign(
   public LogDesign {
     Checks.number("wayM", wayM);
     round = Set.copyOf(round);
+  }
+
+  /** Tells whether any reading has a time: without times nothing says which ping came before. */
+  public boolean isTimed() {
+    return IntStream.range(0, log.size()).anyMatch(log::isTimed);
   }
 
   /**

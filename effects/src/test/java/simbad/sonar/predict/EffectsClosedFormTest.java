@@ -42,6 +42,7 @@ import simbad.sonar.change.Latency;
 import simbad.sonar.change.MixedMultipath;
 import simbad.sonar.change.Multipath;
 import simbad.sonar.change.NearClamp;
+import simbad.sonar.change.NearLimit;
 import simbad.sonar.change.NoiseTails;
 import simbad.sonar.change.ObstacleOffset;
 import simbad.sonar.change.ObstacleTurn;
@@ -200,6 +201,10 @@ class EffectsClosedFormTest {
     double above = P * (0.9999116 - 0.8943502);
     assertReads(above, 0.9, new NearClamp(0.875));
     assertReads(P * 0.8943502, 0.85, new NearClamp(0.875));
+    // So does a near limit, and it hears what the sensor is believed to be blind to.
+    assertReads(P, 1, new NearLimit(1));
+    assertEquals(0, new NearLimit(1).apply(SETUP.sensor()).minRangeM());
+    assertEquals(SETUP.sensor(), new NearLimit(0).apply(SETUP.sensor()));
     // Clamped first, then in steps of 0.25 m.
     assertReads(P, 1, new CoarseResolution(0.25, Reported.START), new NearClamp(1.1));
   }

@@ -183,6 +183,14 @@ public final class LogImport {
           Assumptions.counted(taken.poseless(), "row")
               + " left out: they do not say where sensor or target was.");
     }
+    Optional<List<ReadingRow>> paused =
+        rows.get(0).isTimed() ? Optional.empty() : PausedTimes.of(rows, taken.follows(), sonar);
+    if (paused.isPresent()) {
+      rows = paused.get();
+      assumptions.add(
+          "Rows that follow each other are pings that followed each other: their times are the sums"
+              + " of what --gap-ms and --pause-ms say.");
+    }
     Optional<ReadingRow> repeated = LoggedPlacements.findRepeatedTime(rows);
     boolean far = rows.stream().anyMatch(row -> Math.abs(row.timeS()) > GREATEST_S);
     if (far) {

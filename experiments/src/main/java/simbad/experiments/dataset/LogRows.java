@@ -17,6 +17,9 @@ final class LogRows {
   private final List<ReadingRow> rows = new ArrayList<>();
   private final Map<String, List<String>> further = new LinkedHashMap<>();
   private final List<String> bad = new ArrayList<>();
+  private final List<Boolean> follows = new ArrayList<>();
+  private Optional<LogTable> lastLog = Optional.empty();
+  private int lastRow;
   private int poseless;
 
   /**
@@ -162,6 +165,12 @@ final class LogRows {
               plan.rule().read(log, row, range.column()),
               time.isPresent() ? now : LoggedPlacements.untimed(now)));
     }
+    // Of several readings in one row nobody knows which came first.
+    boolean after =
+        made.size() == 1 && row == lastRow + 1 && lastLog.filter(log::equals).isPresent();
+    made.forEach(reading -> follows.add(after));
+    lastLog = Optional.of(log);
+    lastRow = row;
     rows.addAll(made);
     for (Map.Entry<String, Integer> column : plan.further().entrySet()) {
       List<String> cells = further.computeIfAbsent(column.getKey(), key -> new ArrayList<>());
@@ -172,6 +181,11 @@ final class LogRows {
   /** The rows in the log's order. */
   List<ReadingRow> rows() {
     return rows;
+  }
+
+  /** Of each reading: whether its row of the log comes right after that of the reading before. */
+  List<Boolean> follows() {
+    return follows;
   }
 
   /** What was kept beside, one cell for each row. */

@@ -17,6 +17,7 @@ import simbad.sonar.change.Dropout;
 import simbad.sonar.change.EarlyTimeout;
 import simbad.sonar.change.Hysteresis;
 import simbad.sonar.change.NearClamp;
+import simbad.sonar.change.NearLimit;
 import simbad.sonar.change.NoEchoCode;
 import simbad.sonar.change.RangeNoise;
 import simbad.sonar.change.RangeOffset;
@@ -140,6 +141,11 @@ public final class FoldedDiagnosis {
     if (change instanceof BeamMisalignment turned) {
       turnRad += turned.only().isEmpty() || model.sensors().size() == 1 ? turned.turnRad() : 0;
       return turned.only().isEmpty() || model.sensors().size() == 1;
+    }
+    if (change instanceof NearLimit limit) {
+      geometric.add(change);
+      ranges = ranges.clamped(limit.leastM());
+      return true;
     }
     boolean geometry =
         change instanceof SceneChange || (isLevel ? isOfScatter(change) : isOfThreshold(change));

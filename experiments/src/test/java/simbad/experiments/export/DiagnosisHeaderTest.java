@@ -117,6 +117,7 @@ class DiagnosisHeaderTest {
         "clang; hysteresis/both 0.2, stale-reading/count 2, sound-speed/scale 350",
         "gcc; obstacle-offset/all 0.05 -0.03, obstacle-turn/all 12, near-clamp/clamp 0.3",
         "gcc; hysteresis/metres 0.2, no-echo-code/far 6.5 1 0, beam-width/cone 4",
+        "gcc; near-clamp/limit 0.3, range-offset/constant -0.02",
         "clang; dead-zone/sharp 0.4, early-timeout/sharp 1.5, range-noise/constant 0.02"
       })
   void readsWhatTheDiagnosedModelExpects(String compiler, String effects) throws Exception {

@@ -154,6 +154,7 @@ class LevelDiagnosisHeaderTest {
         "gcc; true; gain/level -3, range-offset/constant 0.03",
         "clang; true; absorption/level 1.5, beam-misalignment/all 4, stale-reading/count 2",
         "gcc; true; beam-width/aperture 1.2, sound-speed/scale 350, near-clamp/clamp 0.3",
+        "gcc; true; near-clamp/limit 0.3",
         "clang; false; obstacle-offset/all 0.05 -0.03, obstacle-turn/all 12, gain/level 4",
         "gcc; true; dead-zone/sharp 0.4, early-timeout/sharp 1.5, no-echo-code/far 6.5 1 0"
       })

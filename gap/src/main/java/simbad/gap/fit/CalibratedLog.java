@@ -78,6 +78,11 @@ public final class CalibratedLog {
     return new CalibratedLog(new CalibratedLog(setup, other, log), echoWeight, rangeWeight);
   }
 
+  /** Returns whether the sensor hears by the level law, which is smooth. */
+  public boolean hearsByLevels() {
+    return plain.ears() != null;
+  }
+
   /** Returns the set-up. */
   public SensingSetup setup() {
     return setup;

@@ -143,6 +143,37 @@ public class Fitter {
     return best;
   }
 
+  /**
+   * Refines all values of a start until nothing is gained any more: where the likelihood is smooth
+   * by Newton's method, else by simplexes, first by long steps and then by short ones.
+   *
+   * @param start whose values all parameters are moved from
+   * @param from index of the first value that is moved
+   * @param far number of evaluations of long steps, if it takes a simplex
+   * @param near number of evaluations of short steps
+   */
+  public Fit settle(Hypothesis start, int from, int far, int near) {
+    Hypothesis best = start;
+    if (given.hearsByLevels() && start.size() > from) {
+      Ascent ascent = new Ascent(this::logLikelihood, start, from, scales(start, from));
+      Fit top = ascent.climb(ENOUGH_NATS);
+      if (ascent.isSmooth()) {
+        return top;
+      }
+      best = top.hypothesis();
+    }
+    return climb(
+        climb(best, from, far, 1, ENOUGH_NATS).hypothesis(), from, near, SMALL, ENOUGH_NATS);
+  }
+
+  private double[] scales(Hypothesis start, int from) {
+    double[] scales = new double[start.size()];
+    for (int i = from; i < scales.length; i++) {
+      scales[i] = Math.abs(scale(start.parameters().get(i), start.values()[i]));
+    }
+    return scales;
+  }
+
   private Fit climb(Hypothesis start, int from, int most, double stride, double enoughNats) {
     Climb climb = new Climb(start, from);
     if (start.size() == from || most <= 0) {

@@ -55,7 +55,7 @@ public final class Refit {
     }
     int most = evaluations * (1 + rest.size());
     if (tables.size() == 0) {
-      return fitter.polish(start, most).hypothesis();
+      return fitter.settle(start, 0, 0, most).hypothesis();
     }
     Hypothesis both = tables;
     for (int i = 0; i < rest.forms().size(); i++) {

@@ -82,7 +82,7 @@ public final class Screen {
       return rough;
     }
     Fitter fitter = new Fitter(given, Fold.ALL);
-    Fit fit = fitter.refine(rough.hypothesis(), from, 20 + 20 * size);
+    Fit fit = fitter.settle(rough.hypothesis(), from, 20 + 20 * size, 0);
     // A simplex of many values flattens before it has arrived; a fresh one from beside goes on.
     for (int again = 0; again < RESTARTS && size > FEW; again++) {
       double before = fit.logLikelihood();

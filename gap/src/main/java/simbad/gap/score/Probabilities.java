@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import simbad.definition.Effect;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.check.Checks;
@@ -22,10 +23,23 @@ public final class Probabilities {
 
   private final List<Scored> sets;
   private final Set<Effect> unseen;
+  private final Map<Effect, Set<Effect>> twins;
   private final double[] weight;
 
   /** By how much each is behind the most probable one, natural logarithms. */
   private final double[] behind;
+
+  /**
+   * Weighs sets of effects without twins.
+   *
+   * @param sets with their held-out scores
+   * @param costNats what a further effect must gain to be as probable as its absence
+   * @param temperature by which nats are divided
+   * @param unseen effects that do not show in the gap
+   */
+  public Probabilities(List<Scored> sets, double costNats, double temperature, Set<Effect> unseen) {
+    this(sets, costNats, temperature, unseen, Map.of());
+  }
 
   /**
    * Weighs sets.
@@ -35,12 +49,20 @@ public final class Probabilities {
    * @param temperature by which nats are divided: likelihoods of models that are all a little
    *     wrong, of readings that hang together, are taken for less than they say
    * @param unseen effects that do not show in the gap
+   * @param twins of an effect: what the log cannot tell from it because of how it was taken, and
+   *     what is in none of the sets
    */
-  public Probabilities(List<Scored> sets, double costNats, double temperature, Set<Effect> unseen) {
+  public Probabilities(
+      List<Scored> sets,
+      double costNats,
+      double temperature,
+      Set<Effect> unseen,
+      Map<Effect, Set<Effect>> twins) {
     Checks.number("costNats", costNats);
     Checks.positive("temperature", temperature);
     this.sets = List.copyOf(sets);
     this.unseen = Set.copyOf(unseen);
+    this.twins = Map.copyOf(twins);
     weight = new double[sets.size()];
     behind = new double[sets.size()];
     double most = Double.NEGATIVE_INFINITY;
@@ -104,12 +126,18 @@ public final class Probabilities {
     return sum;
   }
 
-  /** Returns the probability that an effect is at work, for each that was fitted. */
+  /**
+   * Returns the probability that an effect is at work, for each that was fitted; twins have equal
+   * shares of it.
+   */
   public Map<Effect, Double> ofEffects() {
     Map<Effect, Double> sums = new TreeMap<>();
     for (int i = 0; i < weight.length; i++) {
       for (Effect effect : sets.get(i).hypothesis().effects()) {
-        sums.merge(effect, weight[i], Double::sum);
+        Set<Effect> alike = twins.getOrDefault(effect, Set.of());
+        double share = weight[i] / (1 + alike.size());
+        sums.merge(effect, share, Double::sum);
+        alike.forEach(twin -> sums.merge(twin, share, Double::sum));
       }
     }
     return sums;
@@ -143,13 +171,15 @@ public final class Probabilities {
     Set<Effect> rest = new TreeSet<>(set.hypothesis().effects());
     rest.remove(effect);
     int size = rest.size() + 1;
-    return sets.stream()
-        .filter(other -> other.hypothesis().forms().size() == size)
-        .filter(other -> other.hypothesis().effects().containsAll(rest))
-        .filter(other -> other.heldOut() > set.heldOut() - nats)
-        .flatMap(other -> other.hypothesis().effects().stream())
-        .filter(other -> other != effect && !rest.contains(other))
-        .filter(other -> unseen.contains(effect) || !unseen.contains(other))
+    Stream<Effect> rivals =
+        sets.stream()
+            .filter(other -> other.hypothesis().forms().size() == size)
+            .filter(other -> other.hypothesis().effects().containsAll(rest))
+            .filter(other -> other.heldOut() > set.heldOut() - nats)
+            .flatMap(other -> other.hypothesis().effects().stream())
+            .filter(other -> other != effect && !rest.contains(other))
+            .filter(other -> unseen.contains(effect) || !unseen.contains(other));
+    return Stream.concat(twins.getOrDefault(effect, Set.of()).stream().sorted(), rivals)
         .distinct()
         .toList();
   }

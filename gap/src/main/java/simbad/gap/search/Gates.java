@@ -3,8 +3,11 @@ package simbad.gap.search;
 import java.util.DoubleSummaryStatistics;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.IntStream;
+import simbad.definition.Effect;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.score.PlacementScatter;
 import simbad.gap.score.Placements;
@@ -36,6 +39,19 @@ final class Gates {
     return forms.stream()
         .filter(form -> Definitions.of(form.effect()).canShow(form, design))
         .toList();
+  }
+
+  /** Returns, of each effect that has any, what a log cannot tell from it as it was taken. */
+  static Map<Effect, Set<Effect>> twins(CalibratedLog given) {
+    LogDesign design = design(given);
+    Map<Effect, Set<Effect>> twins = new TreeMap<>();
+    for (Effect effect : Definitions.effects()) {
+      Set<Effect> alike = Definitions.of(effect).twins(design);
+      if (!alike.isEmpty()) {
+        twins.put(effect, alike);
+      }
+    }
+    return twins;
   }
 
   private static LogDesign design(CalibratedLog given) {

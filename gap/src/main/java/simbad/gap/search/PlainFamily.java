@@ -66,6 +66,6 @@ final class PlainFamily {
 
   private Fit joint(Fit fit) {
     Fitter fitter = new Fitter(given, Fold.ALL);
-    return fitter.polish(fitter.refine(fit.hypothesis(), STEPS_FAR).hypothesis(), STEPS_NEAR);
+    return fitter.settle(fit.hypothesis(), 0, STEPS_FAR, STEPS_NEAR);
   }
 }

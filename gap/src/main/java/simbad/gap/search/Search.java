@@ -240,8 +240,7 @@ public final class Search {
     if (fit.hypothesis().hasTable()) {
       return tabled(fit.hypothesis(), fitter);
     }
-    Hypothesis far = fitter.refine(fit.hypothesis(), 20 + 20 * size).hypothesis();
-    return fitter.polish(far, 20 + 15 * size);
+    return fitter.settle(fit.hypothesis(), 0, 20 + 20 * size, 20 + 15 * size);
   }
 
   /** A table is read off the log anew now that the other effects are known, if that is better. */

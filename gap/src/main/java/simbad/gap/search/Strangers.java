@@ -162,7 +162,7 @@ public final class Strangers {
   private Claim fitted(Hypothesis rest, Form form) {
     double[] start = form.parameters().stream().mapToDouble(p -> p.tries().get(0)).toArray();
     Fitter fitter = new Fitter(given, Fold.ALL);
-    Fit far = fitter.refine(rest.and(form, start), rest.size(), 20 + 20 * start.length);
+    Fit far = fitter.settle(rest.and(form, start), rest.size(), 20 + 20 * start.length, 0);
     Fit fit = polished(fitter, far.hypothesis());
     return new Claim(nats(fit), words(fit.hypothesis()));
   }
@@ -204,7 +204,7 @@ public final class Strangers {
 
   /** A table has too many values for it: it stays as it was read off the log. */
   private static Fit polished(Fitter fitter, Hypothesis set) {
-    return fitter.polish(set, set.hasTable() ? 0 : 20 + 15 * set.size());
+    return set.hasTable() ? fitter.polish(set, 0) : fitter.settle(set, 0, 0, 20 + 15 * set.size());
   }
 
   private double nats(Fit fit) {

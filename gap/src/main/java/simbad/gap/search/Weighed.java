@@ -2,6 +2,7 @@ package simbad.gap.search;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -53,6 +54,45 @@ public record Weighed(
    */
   public static Weighed of(
       CalibratedLog given, List<Scored> sets, double worthNats, double temperature) {
+    return of(given, sets, sets, worthNats, temperature);
+  }
+
+  /**
+   * Weighs sets where something is at work for sure: "none" is no answer any more, so that an
+   * effect has to outweigh other effects alone. What shows little in the gap counts as the others
+   * do, but for what takes up a little of anything.
+   *
+   * @param given the log
+   * @param sets that were fitted
+   * @param worthNats what a further effect must gain to be as probable as its absence
+   * @param temperature by which nats are divided
+   * @return empty where no set is half as much likelier than none as an effect has to be
+   */
+  public static Optional<Weighed> ofSome(
+      CalibratedLog given, List<Scored> sets, double worthNats, double temperature) {
+    double least =
+        worthNats / 2
+            + sets.stream()
+                .filter(set -> set.hypothesis().forms().isEmpty())
+                .mapToDouble(Scored::heldOut)
+                .max()
+                .orElse(0);
+    List<Scored> some =
+        sets.stream()
+            .filter(set -> !set.hypothesis().forms().isEmpty() && set.heldOut() > least)
+            .toList();
+    return some.isEmpty()
+        ? Optional.empty()
+        : Optional.of(of(given, sets, some, worthNats, temperature))
+            .filter(weighed -> weighed.gain.isWorthNaming());
+  }
+
+  private static Weighed of(
+      CalibratedLog given,
+      List<Scored> sets,
+      List<Scored> candidates,
+      double worthNats,
+      double temperature) {
     Checks.number("worthNats", worthNats);
     Checks.positive("temperature", temperature);
     PracticalSize size = new PracticalSize(given, sets);
@@ -62,17 +102,23 @@ public record Weighed(
     if (new Placements(given.log()).areRepeated()) {
       unseen.addAll(PlainFamily.SOAK_UP_PLACEMENTS);
     }
-    List<Scored> left = new ArrayList<>(sets);
+    Map<Effect, Set<Effect>> twins = Gates.twins(given);
+    List<Scored> left = new ArrayList<>(candidates);
     left.removeIf(set -> isOutdone(set, sets, worthNats));
+    boolean canBeNone = left.stream().anyMatch(set -> set.hypothesis().forms().isEmpty());
     List<Scored> enlarging = new ArrayList<>();
     while (true) {
-      Probabilities probabilities = new Probabilities(left, worthNats, temperature, unseen);
+      Probabilities probabilities = new Probabilities(left, worthNats, temperature, unseen, twins);
       Scored best = probabilities.best();
-      if (unseen.addAll(size.unseen(best, most))) {
+      Set<Effect> little = size.unseen(best, most);
+      if (!canBeNone) {
+        little.retainAll(SOAK_UP);
+      }
+      if (unseen.addAll(little)) {
         continue;
       }
       GapGain gain = GapGain.of(given, blocks, best.hypothesis());
-      if (best.hypothesis().forms().isEmpty() || gain.isWorthNaming()) {
+      if (best.hypothesis().forms().isEmpty() || gain.isWorthNaming() || left.size() == 1) {
         return new Weighed(probabilities, best, gain, enlarging);
       }
       left.remove(best);

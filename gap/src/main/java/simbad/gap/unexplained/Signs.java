@@ -39,6 +39,11 @@ public record Signs(
   /** Nothing speaks for it. */
   static final Signs NONE = new Signs(0, 0, false, 0, false, false, false, false, false);
 
+  /** Returns the same where a part of the set fits nothing that there is. */
+  Signs withStandIn() {
+    return new Signs(misfit, left, leftLittle, shareLeft, soaks, many, twoForLittle, true, level);
+  }
+
   /** Returns the numbers by the names that their weights have, in a fixed order. */
   public Map<String, Double> byName() {
     Map<String, Double> all = new LinkedHashMap<>();

@@ -86,7 +86,20 @@ public final class Unknown {
     if (doubt.isHeldOut() && isWithinItself(gain)) {
       off = Math.min(off, CHANCE + MOST_UNSEEN);
     }
-    return signs(Math.max(0, off - CHANCE), gain, doubt.gapTimes(), best, given.setup());
+    Signs signs = signs(Math.max(0, off - CHANCE), gain, doubt.gapTimes(), best, given.setup());
+    return Strays.of(given, best).goWithDistance() ? signs.withStandIn() : signs;
+  }
+
+  /**
+   * Returns why a part of an explanation stands in for something else, in words; empty where that
+   * is not known.
+   *
+   * @param given the log
+   * @param best the best set of effects
+   */
+  public static String standsIn(CalibratedLog given, Hypothesis best) {
+    Strays strays = Strays.of(given, best);
+    return strays.goWithDistance() ? strays.words() : "";
   }
 
   /** Three effects at once are rarer than one thing that has no name. */

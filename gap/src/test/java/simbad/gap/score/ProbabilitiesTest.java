@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
@@ -85,6 +86,19 @@ class ProbabilitiesTest {
         new Probabilities(List.of(scored(GAIN, -50), scored(ABSORPTION, -52)), 10, 2, Set.of());
     assertEquals(List.of(Effect.ABSORPTION), close.tiesOf(Effect.GAIN, 3));
     assertEquals(List.of(), close.tiesOf(Effect.GAIN, 1));
+  }
+
+  /** What a log cannot tell apart because of how it was taken shares a probability. */
+  @Test
+  void twinsShareAProbability_andAreTied() {
+    List<Scored> sets = List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -85.5));
+    Probabilities twins =
+        new Probabilities(sets, 10, 2, Set.of(), Map.of(Effect.GAIN, Set.of(Effect.PREVIOUS_PING)));
+    double both = 1 / (1 + Math.exp(-2));
+    assertEquals(both / 2, twins.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
+    assertEquals(both / 2, twins.ofEffects().getOrDefault(Effect.PREVIOUS_PING, 0.0), 1e-12);
+    assertEquals(List.of(Effect.PREVIOUS_PING), twins.tiesOf(Effect.GAIN, 3));
+    assertEquals(both, twins.ofAny(Set.of(Effect.GAIN, Effect.PREVIOUS_PING)), 1e-12);
   }
 
   @Test

@@ -79,6 +79,23 @@ class WeighedTest {
     assertEquals(0.03, open.floorM());
   }
 
+  /** Where something is at work for sure an effect has to outweigh other effects alone. */
+  @Test
+  void ofSome_takesWhatIsLikeliest_thoughNoneWouldBe() {
+    CalibratedLog given = shifted(0.1, 0.1);
+    List<Scored> sets = List.of(new Scored(offset(0.1), 8, 8), new Scored(Hypothesis.NONE, 0, 0));
+    assertEquals(
+        Hypothesis.NONE, Weighed.of(given, sets, Probabilities.COST_NATS, 1).taken().hypothesis());
+    assertEquals(
+        offset(0.1),
+        Weighed.ofSome(given, sets, Probabilities.COST_NATS, 1).orElseThrow().taken().hypothesis());
+    List<Scored> weak = List.of(new Scored(offset(0.1), 4, 4), new Scored(Hypothesis.NONE, 0, 0));
+    assertTrue(Weighed.ofSome(given, weak, Probabilities.COST_NATS, 1).isEmpty());
+    assertTrue(
+        Weighed.ofSome(shifted(0, 0), sets, Probabilities.COST_NATS, 1).isEmpty(),
+        "leaves the gap as it is");
+  }
+
   @Test
   void setThatShrinksTheGap_isTaken() {
     Scored set = new Scored(offset(0.1), 500, 500);
