@@ -22,6 +22,9 @@ import simbad.sonar.scene.SensingSetup;
 
 /** Ranges below a least value are reported as that value. */
 public final class NearClampEffect implements Definition {
+  /** A limit may be a little less than what the scene believes to be the least range. */
+  private static final double NEARLY = 0.8;
+
   @Override
   public Effect effect() {
     return Effect.NEAR_CLAMP;
@@ -45,12 +48,16 @@ public final class NearClampEffect implements Definition {
   /** A sensor with a near limit hears what is nearer, which a scene may call its blind zone. */
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
-    Parameter least =
-        Parameter.of("least_m", 0, 0, setup.sensor().maxRangeM(), 0.1, 0.2, 0.35, 0.6);
-    Form clamp = Form.of(effect(), "clamp", v -> new NearClamp(v[0]), least);
-    return setup.sensor().minRangeM() > 0
-        ? List.of(clamp, Form.of(effect(), "limit", v -> new NearLimit(v[0]), least))
+    Form clamp = Form.of(effect(), "clamp", v -> new NearClamp(v[0]), least(setup, 0));
+    // Who reports less than the blind zone's end hears nearer than believed, and clamps nothing.
+    double from = NEARLY * setup.sensor().minRangeM();
+    return from > 0
+        ? List.of(clamp, Form.of(effect(), "limit", v -> new NearLimit(v[0]), least(setup, from)))
         : List.of(clamp);
+  }
+
+  private static Parameter least(SensingSetup setup, double lowM) {
+    return Parameter.of("least_m", 0, lowM, setup.sensor().maxRangeM(), 0.1, 0.2, 0.35, 0.6);
   }
 
   /** At the least reading there is. */

@@ -169,9 +169,22 @@ public final class LogImport {
         : taken.poseless() > 0 ? ": no row says where something was" : "";
   }
 
+  /** With the times that pauses between pings make, where the log has no others. */
+  private List<ReadingRow> timed(LogRows taken) {
+    List<ReadingRow> rows = taken.rows();
+    Optional<List<ReadingRow>> paused =
+        rows.get(0).isTimed() ? Optional.empty() : PausedTimes.of(rows, taken.follows(), sonar);
+    if (paused.isPresent()) {
+      assumptions.add(
+          "Rows that follow each other are pings that followed each other: their times are the sums"
+              + " of what --gap-ms and --pause-ms say.");
+    }
+    return paused.orElse(rows);
+  }
+
   /** With placements; without times that order nothing. */
   private List<ReadingRow> rows(LogRows taken) throws DataFormatException {
-    List<ReadingRow> rows = taken.rows();
+    List<ReadingRow> rows = timed(taken);
     if (!taken.bad().isEmpty()) {
       assumptions.add(
           Assumptions.counted(taken.bad().size(), "row")
@@ -182,14 +195,6 @@ public final class LogImport {
       assumptions.add(
           Assumptions.counted(taken.poseless(), "row")
               + " left out: they do not say where sensor or target was.");
-    }
-    Optional<List<ReadingRow>> paused =
-        rows.get(0).isTimed() ? Optional.empty() : PausedTimes.of(rows, taken.follows(), sonar);
-    if (paused.isPresent()) {
-      rows = paused.get();
-      assumptions.add(
-          "Rows that follow each other are pings that followed each other: their times are the sums"
-              + " of what --gap-ms and --pause-ms say.");
     }
     Optional<ReadingRow> repeated = LoggedPlacements.findRepeatedTime(rows);
     boolean far = rows.stream().anyMatch(row -> Math.abs(row.timeS()) > GREATEST_S);
