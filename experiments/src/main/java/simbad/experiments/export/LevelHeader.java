@@ -152,7 +152,7 @@ public final class LevelHeader {
     values.put("walks", Integer.toString(figures.walkHalf().length));
     values.put("walk_half", SonarHeader.lines(figures.walkHalf()));
     values.put("corners_half_mm", SonarHeader.lines(figures.cornerHalfMm()));
-    values.put("least_halves", Integer.toString(figures.leastHalves()));
+    values.put("too_near", SonarHeader.tooNear(figures.leastHalves()));
     values.put("most_halves", Integer.toString(figures.mostHalves()));
     values.put("least_mm", SonarHeader.millimetres(target.sensor().minRangeM()));
     values.put("most_mm", SonarHeader.millimetres(target.sensor().maxRangeM()));

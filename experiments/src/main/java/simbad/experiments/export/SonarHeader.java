@@ -156,7 +156,7 @@ public final class SonarHeader {
     values.put("corners_half_mm", lines(figures.cornerHalfMm()));
     values.put("cone_sin", Integer.toString(figures.coneSin()));
     values.put("cone_cos", Integer.toString(figures.coneCos()));
-    values.put("least_halves", Integer.toString(figures.leastHalves()));
+    values.put("too_near", tooNear(figures.leastHalves()));
     values.put("most_halves", Integer.toString(figures.mostHalves()));
     values.put("least_mm", millimetres(sensor.minRangeM()));
     values.put("most_mm", millimetres(sensor.maxRangeM()));
@@ -186,6 +186,11 @@ public final class SonarHeader {
   /** Nothing may end the comment or begin a line. */
   static String line(String text) {
     return text.replaceAll("[^\\x20-\\x7e]+", " ").replace("*/", "* /").replace("/*", "/ *");
+  }
+
+  /** A compiler warns of an unsigned number that is asked whether it is less than 0. */
+  static String tooNear(int leastHalves) {
+    return leastHalves > 0 ? "halves < " + leastHalves + " || " : "";
   }
 
   static String millimetres(double metres) {

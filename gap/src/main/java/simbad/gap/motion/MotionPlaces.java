@@ -9,7 +9,6 @@ import java.util.TreeMap;
 import java.util.function.IntPredicate;
 import java.util.function.ToDoubleFunction;
 import simbad.gap.score.BenjaminiHochberg;
-import simbad.motion.Command;
 import simbad.motion.MotionRun;
 import simbad.motion.forecast.Window;
 
@@ -39,21 +38,9 @@ final class MotionPlaces {
 
   static List<MotionPlace> of(List<MotionRun> runs, MotionGap gap) {
     MotionPlaces own = new MotionPlaces(runs, gap);
-    own.slice("speed_m_s", w -> w.way().alongM() / w.horizonS());
-    own.slice("turn_rad_s", w -> wrapped(w.way().turnRad()) / w.horizonS());
-    own.slice("since_change_s", own::sinceChange);
-    own.slice("speed_change_m_s", own::speedChange);
-    own.slice("t_s", Window::startS);
-    own.slice("heading_deg", w -> Math.toDegrees(wrapped(w.headingRad())));
-    own.slice("x_m", Window::xM);
-    own.slice("z_m", w -> -w.yM());
+    new WindowAxes(runs).byName().forEach(own::slice);
     own.byRun();
     return own.sorted();
-  }
-
-  /** Half a turn at most either way: a tracker's heading may jump by a whole one. */
-  private static double wrapped(double rad) {
-    return Math.IEEEremainder(rad, 2 * Math.PI);
   }
 
   /** Scores in units of the nominal mean of each component, a third each. */
@@ -66,38 +53,6 @@ final class MotionPlaces {
       }
     }
     return units;
-  }
-
-  private int command(Window window) {
-    List<Command> commands = runs.get(window.run()).commands();
-    int low = 0;
-    int high = commands.size() - 1;
-    while (low < high) {
-      int middle = (low + high + 1) >>> 1;
-      if (commands.get(middle).timeS() <= window.endS()) {
-        low = middle;
-      } else {
-        high = middle - 1;
-      }
-    }
-    return low;
-  }
-
-  /** From the last change of command to the window's end. */
-  private double sinceChange(Window window) {
-    List<Command> commands = runs.get(window.run()).commands();
-    int at = command(window);
-    return window.endS() - commands.get(at).timeS();
-  }
-
-  /** How the commanded speed's size changed last: below 0 it brakes. */
-  private double speedChange(Window window) {
-    List<Command> commands = runs.get(window.run()).commands();
-    int at = command(window);
-    boolean recent = at > 0 && commands.get(at).timeS() > window.startS() - 0.5;
-    return recent
-        ? Math.abs(commands.get(at).speedMPerS()) - Math.abs(commands.get(at - 1).speedMPerS())
-        : 0;
   }
 
   private void slice(String axis, ToDoubleFunction<Window> value) {

@@ -4,40 +4,21 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
-import simbad.motion.Command;
+import simbad.gap.motion.WindowAxes;
 import simbad.motion.MotionRun;
 import simbad.motion.forecast.Window;
 
 /** Which windows of a drive lie in a slice of its diagnosis: by the axes that slices have there. */
 final class WindowSlices {
-  /** A change of command counts so long before a window. */
-  private static final double RECENT_S = 0.5;
-
   /** The ends of a slice have six digits in the file. */
   private static final double ROUNDING = 5.1e-6;
 
   private final List<MotionRun> runs;
-  private final Map<String, ToDoubleFunction<Window>> axes =
-      Map.of(
-          "speed_m_s",
-          window -> window.way().alongM() / window.horizonS(),
-          "turn_rad_s",
-          window -> wrapped(window.way().turnRad()) / window.horizonS(),
-          "since_change_s",
-          this::sinceChangeS,
-          "speed_change_m_s",
-          this::speedChangeMPerS,
-          "t_s",
-          Window::startS,
-          "heading_deg",
-          window -> Math.toDegrees(wrapped(window.headingRad())),
-          "x_m",
-          Window::xM,
-          "z_m",
-          window -> -window.yM());
+  private final Map<String, ToDoubleFunction<Window>> axes;
 
   WindowSlices(List<MotionRun> runs) {
     this.runs = runs;
+    axes = new WindowAxes(runs).byName();
   }
 
   /**
@@ -75,39 +56,5 @@ final class WindowSlices {
 
   private static double end(JsonNode end, double none) {
     return end.isNumber() ? end.doubleValue() : none;
-  }
-
-  private static double wrapped(double rad) {
-    return Math.IEEEremainder(rad, 2 * Math.PI);
-  }
-
-  /** The last command that acts before a window ends. */
-  private int command(Window window) {
-    List<Command> commands = runs.get(window.run()).commands();
-    int low = 0;
-    int high = commands.size() - 1;
-    while (low < high) {
-      int middle = (low + high + 1) >>> 1;
-      if (commands.get(middle).timeS() <= window.endS()) {
-        low = middle;
-      } else {
-        high = middle - 1;
-      }
-    }
-    return low;
-  }
-
-  private double sinceChangeS(Window window) {
-    List<Command> commands = runs.get(window.run()).commands();
-    return window.endS() - commands.get(command(window)).timeS();
-  }
-
-  private double speedChangeMPerS(Window window) {
-    List<Command> commands = runs.get(window.run()).commands();
-    int at = command(window);
-    boolean recent = at > 0 && commands.get(at).timeS() > window.startS() - RECENT_S;
-    return recent
-        ? Math.abs(commands.get(at).speedMPerS()) - Math.abs(commands.get(at - 1).speedMPerS())
-        : 0;
   }
 }
