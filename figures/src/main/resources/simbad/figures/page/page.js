@@ -5,6 +5,8 @@ const MOST = 16, STEP = 1.5, NEAR = 14;
 const NS = 'http://www.w3.org/2000/svg';
 const HINT = 'Point at it, or go here with Tab and use the arrow keys.';
 const HOW = 'Arrow keys read its values, plus and minus zoom, Shift with an arrow moves it, 0 shows all.';
+const INK = ['color', 'fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-opacity', 'stroke-dasharray', 'stroke-linecap',
+  'stroke-linejoin', 'opacity', 'vector-effect', 'font-size', 'font-family', 'font-weight', 'text-anchor', 'dominant-baseline'];
 const numbers = text => text.split(' ').map(Number);
 const known = (parent, tag, more) => parent.appendChild(Object.assign(document.createElement(tag), more));
 
@@ -48,6 +50,41 @@ function shapes(svg, spot) {
     const shape = title.parentNode, box = shape.getBoundingClientRect();
     return {...spot(box.left + box.width / 2, box.top + box.height / 2), shape, text: title.textContent};
   });
+}
+
+/** Cells as a spreadsheet reads them. */
+function csv(table) {
+  const field = text => /[",\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text;
+  const line = row => [...row.cells].map(cell => field(cell.textContent.trim().replace('\u2212', '-'))).join(',');
+  return [...table.rows].map(line).join('\n') + '\n';
+}
+/** The numbers of a plot: its table, or what its marks say. */
+function figures(svg, marks) {
+  if (svg.dataset.rows) return csv(document.getElementById(svg.dataset.rows));
+  if (svg.dataset.cells) return 'bearing_deg,ring,cm\n' + marks.map(m => [Math.round(m.turn * 1800 / Math.PI) / 10, m.r + 1, m.value].join(',')).join('\n') + '\n';
+  return 'shown\n' + marks.map(mark => '"' + mark.text.replaceAll('"', '""') + '"').join('\n') + '\n';
+}
+/** A drawing as a file of its own, as it is shown: what the style sheet says of it stands in it. */
+function drawn(svg) {
+  const copy = svg.cloneNode(true), from = [svg, ...svg.querySelectorAll('*')], to = [copy, ...copy.querySelectorAll('*')];
+  from.forEach((shape, i) => {
+    const css = getComputedStyle(shape);
+    to[i].removeAttribute('class');
+    for (const name of INK) to[i].style.setProperty(name, css.getPropertyValue(name));
+  });
+  for (const name of Object.keys(copy.dataset)) delete copy.dataset[name];
+  const box = svg.getBoundingClientRect();
+  copy.setAttribute('xmlns', NS);
+  copy.setAttribute('width', Math.round(box.width));
+  copy.setAttribute('height', Math.round(box.height));
+  copy.style.background = getComputedStyle(svg.closest('figure')).backgroundColor;
+  return new XMLSerializer().serializeToString(copy) + '\n';
+}
+function save(name, end, text, type) {
+  const link = Object.assign(document.createElement('a'), {href: URL.createObjectURL(new Blob([text], {type}))});
+  link.download = (name.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'table').slice(0, 60) + end;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
 function view(svg) {
@@ -182,10 +219,21 @@ function view(svg) {
   button('+', 'Zoom in: ', () => zoom(STEP, middle()));
   button('\u2212', 'Zoom out: ', () => zoom(1 / STEP, middle()));
   button('All', 'Show all: ', whole);
+  button('SVG', 'Save as SVG: ', () => { read(-1); save(name, '.svg', drawn(svg), 'image/svg+xml'); });
+  button('csv', 'Save numbers as csv: ', () => save(name, '.csv', figures(svg, all()), 'text/csv'));
   addEventListener('beforeprint', whole);
 }
 
+function savable(table) {
+  const name = table.caption?.textContent ?? table.closest('details')?.querySelector('summary').textContent ?? document.title;
+  const tools = Object.assign(document.createElement('div'), {className: 'tools'});
+  table.closest('.scroll').after(tools);
+  known(tools, 'button', {type: 'button', textContent: 'csv', onclick: () => save(name, '.csv', csv(table), 'text/csv')})
+    .setAttribute('aria-label', 'Save table as csv: ' + name);
+}
+
 for (const svg of document.querySelectorAll('figure > svg')) view(svg);
+for (const table of document.querySelectorAll('.scroll > table')) savable(table);
 
 // Paper cannot be opened.
 let opened = [];
