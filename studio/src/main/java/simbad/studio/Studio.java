@@ -23,7 +23,7 @@ import simbad.studio.web.WebServer;
  */
 public final class Studio implements AutoCloseable {
   /** The page's view of a capture that goes on. */
-  private static final String WATCHED = "#watch";
+  private static final String WATCHED = "#capture";
 
   private final WebServer server;
   private final String view;

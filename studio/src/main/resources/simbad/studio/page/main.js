@@ -5,8 +5,8 @@ import { wake } from './live.js';
 import { leave, watch } from './watch.js';
 
 function route() {
-  const wanted = new URLSearchParams(location.hash.slice(1).replace(/^(folders|watch)$/, '$1='));
-  const watched = wanted.has('watch'), folders = wanted.has('folders') || wanted.has('open');
+  const wanted = new URLSearchParams(location.hash.slice(1).replace(/^(folders|capture)$/, '$1='));
+  const watched = wanted.has('capture'), folders = wanted.has('folders') || wanted.has('open');
   const shown = watched ? 'watch' : folders ? 'folders' : 'live';
   for (const name of ['live', 'folders', 'watch']) {
     $(name).hidden = name !== shown;
@@ -15,7 +15,7 @@ function route() {
   if (watched) $('to-watch').hidden = false;
   leave();
   fault('');
-  if (watched) watch(wanted.get('watch')); else if (folders) showFolders(wanted.get('open'), wanted.get('with')); else wake();
+  if (watched) watch(wanted.get('capture')); else if (folders) showFolders(wanted.get('open'), wanted.get('with')); else wake();
 }
 addEventListener('hashchange', route);
 route();

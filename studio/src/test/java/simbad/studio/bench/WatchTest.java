@@ -85,7 +85,7 @@ class WatchTest {
     try (Studio studio = Studio.ofCapture(LOCAL, Path.of("none"), live);
         BufferedReader lines =
             new BufferedReader(new InputStreamReader(stream(studio), StandardCharsets.UTF_8))) {
-      assertTrue(studio.url().matches("http://localhost:\\d+/\\?token=[0-9a-f]{32}#watch"));
+      assertTrue(studio.url().matches("http://localhost:\\d+/\\?token=[0-9a-f]{32}#capture"));
       String json = next(lines);
       assertTrue(json.contains("\"reading_cm\":\"100.0\""), json);
       assertTrue(json.contains("\"points\":[[0.0,1.0"), json);
