@@ -232,7 +232,39 @@ function savable(table) {
     .setAttribute('aria-label', 'Save table as csv: ' + name);
 }
 
+/** Bars of the page as a drawing: rows of name, length, value; or one bar in parts. */
+function barred(box, title) {
+  const ink = getComputedStyle(document.body), parts = box.classList.contains('budget');
+  const rows = parts ? [['', box, '']] : [...box.querySelectorAll('.track')].map(track => [track.previousElementSibling.textContent, track, track.nextElementSibling.textContent]);
+  const put = (x, y, text) => `<text x="${x}" y="${y}" fill="${ink.color}">${text.replaceAll('&', '&amp;').replaceAll('<', '&lt;')}</text>`;
+  const shapes = rows.map(([name, track, value], i) => {
+    const whole = track.getBoundingClientRect(), y = 40 + 28 * i;
+    const fills = [track, ...track.children].map(part => {
+      const at = part.getBoundingClientRect(), share = n => 400 * n / whole.width, thin = at.height / whole.height;
+      return `<rect x="${(200 + share(at.left - whole.left)).toFixed(1)}" y="${y + 9 - 9 * thin}" width="${share(at.width).toFixed(1)}" height="${18 * thin}" fill="${getComputedStyle(part).backgroundColor}"/>`;
+    });
+    return put(10, y + 14, name) + fills.join('') + put(610, y + 14, value);
+  });
+  const height = 50 + 28 * rows.length;
+  return `<svg xmlns="${NS}" width="760" height="${height}" viewBox="0 0 760 ${height}" font-family="sans-serif" font-size="14" style="background:${ink.backgroundColor}">`
+    + put(10, 22, title) + shapes.join('') + '</svg>\n';
+}
+function bars(box) {
+  const parts = box.classList.contains('budget'), panel = box.closest('section');
+  const title = (parts ? box.previousElementSibling : panel.querySelector('h3')).textContent;
+  const tools = Object.assign(document.createElement('div'), {className: 'tools'});
+  box.after(tools);
+  const button = (sign, what, click) =>
+    known(tools, 'button', {type: 'button', textContent: sign, onclick: click}).setAttribute('aria-label', what + title);
+  button('SVG', 'Save as SVG: ', () => save(title, '.svg', barred(box, title), 'image/svg+xml'));
+  const rows = parts ? [...box.nextElementSibling.querySelectorAll('.key')].map(key => [key.nextSibling.textContent.replace(/^\u00a0|; $/g, '')])
+    : [...box.querySelectorAll('.track')].map(track => [track.previousElementSibling.textContent, track.nextElementSibling.textContent]);
+  const quoted = text => '"' + text.trim().replaceAll('\u2212', '-').replaceAll('"', '""') + '"';
+  button('csv', 'Save numbers as csv: ', () => save(title, '.csv', rows.map(row => row.map(quoted).join(',')).join('\n') + '\n', 'text/csv'));
+}
+
 for (const svg of document.querySelectorAll('figure > svg')) view(svg);
+for (const box of document.querySelectorAll('.panel > .bars, .panel > .budget')) bars(box);
 for (const table of document.querySelectorAll('.scroll > table')) savable(table);
 
 // Paper cannot be opened.
