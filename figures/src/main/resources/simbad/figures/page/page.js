@@ -232,35 +232,42 @@ function savable(table) {
     .setAttribute('aria-label', 'Save table as csv: ' + name);
 }
 
-/** Bars of the page as a drawing: rows of name, length, value; or one bar in parts. */
-function barred(box, title) {
-  const ink = getComputedStyle(document.body), parts = box.classList.contains('budget');
-  const rows = parts ? [['', box, '']] : [...box.querySelectorAll('.track')].map(track => [track.previousElementSibling.textContent, track, track.nextElementSibling.textContent]);
-  const put = (x, y, text) => `<text x="${x}" y="${y}" fill="${ink.color}">${text.replaceAll('&', '&amp;').replaceAll('<', '&lt;')}</text>`;
-  const shapes = rows.map(([name, track, value], i) => {
-    const whole = track.getBoundingClientRect(), y = 40 + 28 * i;
-    const fills = [track, ...track.children].map(part => {
-      const at = part.getBoundingClientRect(), share = n => 400 * n / whole.width, thin = at.height / whole.height;
-      return `<rect x="${(200 + share(at.left - whole.left)).toFixed(1)}" y="${y + 9 - 9 * thin}" width="${share(at.width).toFixed(1)}" height="${18 * thin}" fill="${getComputedStyle(part).backgroundColor}"/>`;
-    });
-    return put(10, y + 14, name) + fills.join('') + put(610, y + 14, value);
+/** Bars as rows: name, what is the whole length, what of it is filled, value in words. */
+function barRows(box) {
+  if (box.classList.contains('budget')) {
+    const said = [...box.nextElementSibling.querySelectorAll('.key')].map(key => key.nextSibling.textContent.replace(/^\u00a0|; $/g, ''));
+    return [...box.children].map((part, i) => ({name: '', whole: box, parts: [part], value: said[i]}));
+  }
+  return [...box.querySelectorAll('.track')].map(track => ({name: track.previousElementSibling.textContent, whole: track,
+    parts: [...track.children], value: track.nextElementSibling.textContent}));
+}
+/** The same bars as a drawing. */
+function barred(rows, title) {
+  const css = getComputedStyle(document.body), long = Math.max(...rows.map(row => row.value.length));
+  const width = 630 + 8 * long, height = 50 + 28 * rows.length;
+  const put = (x, y, text) => `<text x="${x}" y="${y}" fill="${css.color}">${text.replaceAll('&', '&amp;').replaceAll('<', '&lt;')}</text>`;
+  const shapes = rows.map(({name, whole, parts, value}, i) => {
+    const all = whole.getBoundingClientRect(), y = 40 + 28 * i;
+    const rect = part => {
+      const at = part.getBoundingClientRect(), px = n => (400 * n / all.width).toFixed(1), high = 18 * at.height / all.height;
+      return `<rect x="${200 + Number(px(at.left - all.left))}" y="${y + 9 - high / 2}" width="${px(at.width)}" height="${high}" fill="${getComputedStyle(part).backgroundColor}"/>`;
+    };
+    return put(10, y + 14, name) + `<rect x="200" y="${y}" width="400" height="18" fill="#8883"/>` + parts.map(rect).join('') + put(610, y + 14, value);
   });
-  const height = 50 + 28 * rows.length;
-  return `<svg xmlns="${NS}" width="760" height="${height}" viewBox="0 0 760 ${height}" font-family="sans-serif" font-size="14" style="background:${ink.backgroundColor}">`
+  return `<svg xmlns="${NS}" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" font-family="sans-serif" font-size="14" style="background:${css.backgroundColor}">`
     + put(10, 22, title) + shapes.join('') + '</svg>\n';
 }
 function bars(box) {
-  const parts = box.classList.contains('budget'), panel = box.closest('section');
-  const title = (parts ? box.previousElementSibling : panel.querySelector('h3')).textContent;
+  const rows = barRows(box);
+  const title = (box.classList.contains('budget') ? box.previousElementSibling : box.closest('section').querySelector('h3')).textContent;
   const tools = Object.assign(document.createElement('div'), {className: 'tools'});
   box.after(tools);
+  const quoted = text => '"' + text.trim().replaceAll('\u2212', '-').replaceAll('"', '""') + '"';
+  const numbers = () => rows.map(row => [row.name, row.value].filter(Boolean).map(quoted).join(',')).join('\n') + '\n';
   const button = (sign, what, click) =>
     known(tools, 'button', {type: 'button', textContent: sign, onclick: click}).setAttribute('aria-label', what + title);
-  button('SVG', 'Save as SVG: ', () => save(title, '.svg', barred(box, title), 'image/svg+xml'));
-  const rows = parts ? [...box.nextElementSibling.querySelectorAll('.key')].map(key => [key.nextSibling.textContent.replace(/^\u00a0|; $/g, '')])
-    : [...box.querySelectorAll('.track')].map(track => [track.previousElementSibling.textContent, track.nextElementSibling.textContent]);
-  const quoted = text => '"' + text.trim().replaceAll('\u2212', '-').replaceAll('"', '""') + '"';
-  button('csv', 'Save numbers as csv: ', () => save(title, '.csv', rows.map(row => row.map(quoted).join(',')).join('\n') + '\n', 'text/csv'));
+  button('SVG', 'Save as SVG: ', () => save(title, '.svg', barred(rows, title), 'image/svg+xml'));
+  button('csv', 'Save numbers as csv: ', () => save(title, '.csv', numbers(), 'text/csv'));
 }
 
 for (const svg of document.querySelectorAll('figure > svg')) view(svg);

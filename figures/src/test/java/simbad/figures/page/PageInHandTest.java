@@ -180,6 +180,18 @@ class PageInHandTest {
         "1", typist.look("document.querySelectorAll('[aria-label^=\"Save table\"]').length"));
   }
 
+  /** Bars that are no drawing on the page become one: a quarter of 400 pixels. */
+  @Test
+  void barsAreSavedAsADrawing() throws Exception {
+    typist.look(KEEP_WHAT_IS_SAVED);
+    typist.look("document.querySelectorAll('.panel button').forEach(button => button.click())");
+    typist.look("new Promise(done => setTimeout(done, 200))");
+    assertTrue(
+        typist.look("saved[0]").contains("<rect x=\"200\" y=\"40\" width=\"100.0\""),
+        typist.look("saved[0]"));
+    assertEquals("\"one\",\"25 %\"\n", typist.look("saved[1]"));
+  }
+
   /** The page scrolls on over a picture that nobody has taken hold of. */
   @Test
   void wheel_zoomsWhatIsHeld_andNothingElse() throws Exception {
