@@ -21,7 +21,7 @@ export function ticks(low, high, { every, log } = {}) {
 // spec is what the chart was made of; scales has the ends that are shown; colours are the theme's.
 export function chartSvg({ label, x, xLabel, yLabel, series, log, every, width, height }, scales, colours) {
   const named = series.filter(one => one.values.some(v => v !== null && v !== undefined));
-  const whole = new SvgPen(width, height + KEY_PX * named.length + 12), w = width - LEFT - RIGHT, h = height - TOP - UNDER, inner = new SvgPen(w, h);
+  const whole = new SvgPen(width, height + KEY_PX * named.length + 20), w = width - LEFT - RIGHT, h = height - TOP - UNDER, inner = new SvgPen(w, h);
   const up = value => log ? Math.log10(value) : value, [low, high] = [up(scales.y.min), up(scales.y.max)];
   const px = value => (value - scales.x.min) / (scales.x.max - scales.x.min || 1) * w, py = value => h - (up(value) - low) / (high - low || 1) * h;
   whole.fillStyle = colours.paper; whole.fillRect(0, 0, whole.w, whole.h);
@@ -29,7 +29,7 @@ export function chartSvg({ label, x, xLabel, yLabel, series, log, every, width, 
   write(whole, label, LEFT, 20, colours.ink); write(whole, yLabel, LEFT, TOP - 12, colours.soft); write(whole, xLabel, LEFT + w / 2, TOP + h + 38, colours.soft, 'center');
   for (const one of named) draw(inner, one, x, px, py, h, colours, log);
   whole.parts.push('<svg x="' + LEFT + '" y="' + TOP + '" width="' + w + '" height="' + h + '" overflow="hidden">\n' + inner.parts.join('\n') + '\n</svg>');
-  named.forEach((one, i) => key(whole, one, height + KEY_PX * i, colours));
+  named.forEach((one, i) => key(whole, one, height + 10 + KEY_PX * i, colours));
   return whole.text(label);
 }
 function write(pen, words, x, y, colour, align = 'left') {
