@@ -19,6 +19,7 @@ import picocli.CommandLine.Parameters;
 import simbad.experiments.control.Tuning;
 import simbad.experiments.report.RunOrigin;
 import simbad.experiments.run.Experiment;
+import simbad.experiments.run.Pace;
 import simbad.experiments.run.RobotKind;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.RunSettings;
@@ -181,18 +182,17 @@ final class RunCommand extends Subcommand {
     double speedMPerS = drive.speedMPerS(this);
     List<SensorKind> kinds = kinds();
     Optional<Point> place = start == null ? Optional.empty() : Optional.of(point(start));
-    if (!(waitS >= 0 && waitS <= RunSettings.MOST_WAIT_S)) {
-      throw wrongUsage("--wait: " + waitS + " is not in [0, " + RunSettings.MOST_WAIT_S + "] s");
+    if (!(waitS >= 0 && waitS <= Pace.MOST_WAIT_S)) {
+      throw wrongUsage("--wait: " + waitS + " is not in [0, " + Pace.MOST_WAIT_S + "] s");
     }
-    double least = RunSettings.LEAST_TURN_RATE_RAD_PER_S;
+    double least = Pace.LEAST_TURN_RATE_RAD_PER_S;
     if (!(turnRateRadPerS >= least && turnRateRadPerS <= Tuning.TURN_RATE)) {
       throw wrongUsage(
           "--turn-rate: " + turnRateRadPerS + " is not in [" + least + ", 2 pi] rad/s");
     }
     RunSettings settings =
         new RunSettings(types(), kinds, drive.sonar(), speedMPerS, place, seed)
-            .waiting(waitS)
-            .turningAtMost(turnRateRadPerS);
+            .at(new Pace(turnRateRadPerS, waitS));
     return keepsReadings ? settings.keepingReadings() : settings;
   }
 

@@ -1,6 +1,5 @@
 package simbad.experiments.control;
 
-import simbad.sonar.check.Checks;
 import simbad.sonar.sensing.Readings;
 
 /**
@@ -31,7 +30,10 @@ public final class StopAndGo implements Controller {
     }
     this.other = other;
     this.waitSteps = waitSteps;
-    this.mostRadPerS = Checks.positive("mostRadPerS", mostRadPerS);
+    if (!(mostRadPerS > 0 && mostRadPerS < Double.POSITIVE_INFINITY)) {
+      throw new IllegalArgumentException("mostRadPerS = " + mostRadPerS + " is not positive");
+    }
+    this.mostRadPerS = mostRadPerS;
   }
 
   @Override

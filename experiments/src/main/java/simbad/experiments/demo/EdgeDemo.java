@@ -8,6 +8,7 @@ import simbad.experiments.control.Controller;
 import simbad.experiments.control.EdgeFollower;
 import simbad.experiments.control.Tuning;
 import simbad.experiments.run.FollowerRobot;
+import simbad.experiments.run.Pace;
 import simbad.experiments.run.SensorKind;
 import simbad.experiments.run.Start;
 import simbad.obstacles.Catalogue;
@@ -29,12 +30,19 @@ abstract class EdgeDemo extends Demo {
   final FollowerRobot robot;
   final ObstacleType type;
 
+  /** Real robots turn more slowly than the controller wants, and settle within a second. */
+  static final Pace UNHURRIED = new Pace(0.35, 1);
+
   EdgeDemo(SonarObstacle obstacle) {
+    this(obstacle, follower -> follower);
+  }
+
+  EdgeDemo(SonarObstacle obstacle, UnaryOperator<Controller> manner) {
     setWorldSize(8);
     worldViewPoint = World.VIEW_INWARDS;
     type = obstacle.type();
     add(obstacle);
-    robot = robot("robot", type, middle(), follower -> follower);
+    robot = robot("robot", type, middle(), manner);
     add(robot);
   }
 

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.vecmath.Vector3d;
 import simbad.demo.Demo;
-import simbad.experiments.control.StopAndGo;
 import simbad.experiments.motion.DiagnosedKinematic;
 import simbad.experiments.motion.ShippedRobots;
 import simbad.experiments.run.FollowerRobot;
@@ -17,12 +16,6 @@ import simbad.sim.World;
  * others move as three real robots were found to move. All are given the time that these need.
  */
 public final class RealRobotsDemo extends Demo {
-  /** Slower than these robots can, so that a turn is no surprise to them, radians per second. */
-  private static final double TURN_RATE_RAD_PER_S = 0.35;
-
-  /** Their speeds settle within a second, in steps of the simulator. */
-  private static final int WAIT_STEPS = 20;
-
   private static final double APART_M = 7;
 
   /** Nobody's motion. */
@@ -45,12 +38,7 @@ public final class RealRobotsDemo extends Demo {
   private void place(String name, int column, int row) {
     Vector3d middle = new Vector3d(column * APART_M / 2, 0, row * APART_M / 2);
     SonarObstacle obstacle = new AngleObstacle(middle, 0);
-    FollowerRobot robot =
-        EdgeDemo.robot(
-            name,
-            obstacle.type(),
-            middle,
-            follower -> new StopAndGo(follower, WAIT_STEPS, TURN_RATE_RAD_PER_S));
+    FollowerRobot robot = EdgeDemo.robot(name, obstacle.type(), middle, EdgeDemo.UNHURRIED::of);
     if (!name.equals(AS_TOLD)) {
       robot.movesBy(new DiagnosedKinematic(ShippedRobots.motion(name)));
     }

@@ -136,11 +136,11 @@ public final class RunFiles {
     document.put("format", "sonar-run/1");
     document.put("version", origin.version());
     document.put("seed", origin.settings().seed());
-    if (origin.settings().turnRateRadPerS() < Tuning.TURN_RATE) {
-      document.put("turn_rate_rad_s", origin.settings().turnRateRadPerS());
+    if (origin.settings().pace().turnRateRadPerS() < Tuning.TURN_RATE) {
+      document.put("turn_rate_rad_s", origin.settings().pace().turnRateRadPerS());
     }
-    if (origin.settings().waitS() > 0) {
-      document.put("wait_s", origin.settings().waitS());
+    if (origin.settings().pace().waitS() > 0) {
+      document.put("wait_s", origin.settings().pace().waitS());
     }
     document.put("speed_m_per_s", origin.settings().speedMPerS());
     document.put("sensor", origin.settings().sonar().name());

@@ -59,7 +59,17 @@ public record Circuit(
   }
 
   /**
-   * Does the same with more patience.
+   * Does the same with a controller that gives the robot time.
+   *
+   * @param controller that has read nothing yet
+   * @param times how many steps it takes for one of a controller that never waits, at least 1
+   */
+  public Trace drive(Controller controller, int times) {
+    return drive(controller, times, false);
+  }
+
+  /**
+   * Does the same, and may keep what was read.
    *
    * @param controller that has read nothing yet
    * @param times how many steps it takes for one of a controller that never waits, at least 1
