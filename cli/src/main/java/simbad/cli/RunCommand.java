@@ -16,6 +16,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import simbad.experiments.control.Tuning;
 import simbad.experiments.report.RunOrigin;
 import simbad.experiments.run.Experiment;
 import simbad.experiments.run.RobotKind;
@@ -89,6 +90,14 @@ final class RunCommand extends Subcommand {
           "Stand still for this many seconds after each step, so that a late robot has "
               + "done what it was told. Default: 0.")
   private double waitS;
+
+  @Option(
+      names = "--turn-rate",
+      paramLabel = "RAD_PER_S",
+      description =
+          "How fast the robot is told to turn at most. A faster turn becomes a longer one on the "
+              + "spot. Set it for a --robot that turns slowly. Default: 2 pi, one turn per second.")
+  private double turnRateRadPerS = Tuning.TURN_RATE;
 
   @Mixin private DriveOptions drive = new DriveOptions();
 
@@ -175,8 +184,15 @@ final class RunCommand extends Subcommand {
     if (!(waitS >= 0 && waitS <= RunSettings.MOST_WAIT_S)) {
       throw wrongUsage("--wait: " + waitS + " is not in [0, " + RunSettings.MOST_WAIT_S + "] s");
     }
+    double least = RunSettings.LEAST_TURN_RATE_RAD_PER_S;
+    if (!(turnRateRadPerS >= least && turnRateRadPerS <= Tuning.TURN_RATE)) {
+      throw wrongUsage(
+          "--turn-rate: " + turnRateRadPerS + " is not in [" + least + ", 2 pi] rad/s");
+    }
     RunSettings settings =
-        new RunSettings(types(), kinds, drive.sonar(), speedMPerS, place, seed).waiting(waitS);
+        new RunSettings(types(), kinds, drive.sonar(), speedMPerS, place, seed)
+            .waiting(waitS)
+            .turningAtMost(turnRateRadPerS);
     return keepsReadings ? settings.keepingReadings() : settings;
   }
 

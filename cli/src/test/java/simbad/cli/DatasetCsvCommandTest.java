@@ -603,7 +603,7 @@ class DatasetCsvCommandTest {
   @Test
   void pausesMakeTimes_inRunsOfPingsThatFollowedEachOther() throws Exception {
     String log = "true_cm,reading_cm,pause\n34.3,34.3,2\n34.3,,2\n34.3,34.3,2\n50,50,2\n50,50,2\n";
-    DataSet data = read(log, "--pause-ms pause --max-range 3.43m");
+    DataSet data = read(log, "--pause-ms pause --max-range 3.43m --sound-speed 343");
     assertTrue(file("scene.json").contains("pings that followed each other"));
     List<ReadingRow> rows = data.readings();
     assertEquals(List.of("log-1", "log-1", "log-1", "log-2", "log-2"), runs(rows));

@@ -45,7 +45,7 @@ final class LiveWorld {
   private final SonarObstacle obstacle;
   private final Reasons reasons;
   private final Simbatch simulation;
-  private final Film film;
+  private final Recorded film;
   private final Point3d place = new Point3d();
   private Placement standing = Placement.IDENTITY;
   private int nextMove;
@@ -76,7 +76,7 @@ final class LiveWorld {
       belts.add((RangeSensorBelt) robot.getSensorDevice(0));
       environment.add(robot);
     }
-    film = new Film(scene.robots(), angles(belts.get(0)));
+    film = new Recorded(scene.robots(), angles(belts.get(0)));
     simulation = new Simbatch(environment, false);
     simulation.reset();
   }

@@ -33,6 +33,8 @@ public final class CrosstalkEffect implements Definition {
   /** What walks by less from ping to ping hardly walks. */
   private static final double LEAST_STEP_M = 0.01;
 
+  private static final String WALKING = "walking";
+
   @Override
   public Effect effect() {
     return Effect.CROSSTALK;
@@ -52,6 +54,12 @@ public final class CrosstalkEffect implements Definition {
   @Override
   public Set<Effect> twins(LogDesign log) {
     return log.isTimed() ? Set.of() : Set.of(Effect.PREVIOUS_PING);
+  }
+
+  /** In a drive distance and time go together, and so may what walks with time. */
+  @Override
+  public boolean isOfThePlace(String form) {
+    return form.startsWith(WALKING);
   }
 
   @Override
@@ -81,9 +89,11 @@ public final class CrosstalkEffect implements Definition {
             NOW_AND_THEN,
             low,
             band),
-        walking("walking", most, Parameter.of("step_m", LEAST_STEP_M, LEAST_STEP_M, 1, 0.1)),
+        walking(WALKING, most, Parameter.of("step_m", LEAST_STEP_M, LEAST_STEP_M, 1, 0.1)),
         walking(
-            "walking back", most, Parameter.of("step_m", -LEAST_STEP_M, -1, -LEAST_STEP_M, -0.1)));
+            WALKING + " back",
+            most,
+            Parameter.of("step_m", -LEAST_STEP_M, -1, -LEAST_STEP_M, -0.1)));
   }
 
   private Form walking(String name, double most, Parameter step) {
@@ -101,7 +111,7 @@ public final class CrosstalkEffect implements Definition {
 
   @Override
   public List<double[]> starts(Form form, Clues clues) {
-    if (form.name().startsWith("walking")) {
+    if (form.name().startsWith(WALKING)) {
       return clues.walks(form);
     }
     double[] sorted = clues.strangeRangesM().sorted().toArray();

@@ -129,6 +129,14 @@ public interface Definition {
   }
 
   /**
+   * Tells whether the readings that a form takes to itself depend on what stands in front of the
+   * sensor. Those that do not may come at any place, and say so when they are compared with it.
+   */
+  default boolean isOfThePlace(String form) {
+    return true;
+  }
+
+  /**
    * Tells whether values are no more than what differs from one day to the next though nothing was
    * changed. That belongs to the set-up.
    */

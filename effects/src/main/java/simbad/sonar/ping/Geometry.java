@@ -49,6 +49,7 @@ public final class Geometry {
   private final double[] outlineOffAxisRad;
 
   private final double[] nearestOffAxisRad;
+  private final double[] longestEdgeM;
 
   /** Of lines under the level law: not a number until it is asked for. */
   private final double[] excessDb;
@@ -105,6 +106,7 @@ public final class Geometry {
     obstacles = scene.obstacles().size();
     labels = Scenes.labels(scene);
     outlines = scene.obstacles().stream().map(Obstacle::worldOutline).toList();
+    longestEdgeM = outlines.stream().mapToDouble(Outline::longestEdgeM).toArray();
     int lines = pings * obstacles;
     xM = new double[pings];
     zM = new double[pings];
@@ -419,23 +421,18 @@ public final class Geometry {
   private double nearestOffAxis(int line) {
     int ping = line / obstacles;
     Outline outline = outlines.get(line % obstacles);
+    if (nearestM[line] == Double.POSITIVE_INFINITY) {
+      return coneHalfAngleRad();
+    }
+    // An edge of which a corner lies further off than this and its length has no point so near.
+    double far = nearestM[line] + SAME_POINT_M + longestEdgeM[line % obstacles];
     int from = outline.size() - 1;
     for (int to = 0; to < outline.size(); to++) {
-      double edgeX = outline.xM(to) - outline.xM(from);
-      double edgeZ = outline.zM(to) - outline.zM(from);
-      double towards =
-          (xM[ping] - outline.xM(from)) * edgeX + (zM[ping] - outline.zM(from)) * edgeZ;
-      double length2 = edgeX * edgeX + edgeZ * edgeZ;
-      double share = length2 == 0 ? 0 : Math.max(0, Math.min(1, towards / length2));
-      double x = outline.xM(from) + share * edgeX;
-      double z = outline.zM(from) + share * edgeZ;
-      double awayX = x - xM[ping];
-      double awayZ = z - zM[ping];
-      // A root, since hypot takes ten times as long and this is asked of every edge.
-      double away = Math.sqrt(awayX * awayX + awayZ * awayZ);
-      if (Math.abs(away - nearestM[line]) <= SAME_POINT_M) {
-        double offAxis = offAxis(ping, x, z);
-        if (Math.abs(offAxis) <= coneHalfAngleRad() + SAME_ANGLE_RAD) {
+      double cornerX = outline.xM(to) - xM[ping];
+      double cornerZ = outline.zM(to) - zM[ping];
+      if (cornerX * cornerX + cornerZ * cornerZ <= far * far) {
+        double offAxis = nearestOffAxis(line, from, to);
+        if (!Double.isNaN(offAxis)) {
           return offAxis;
         }
       }
@@ -443,6 +440,28 @@ public final class Geometry {
     }
     // Neither a corner nor the foot of a perpendicular: where the outline leaves the cone.
     return coneHalfAngleRad();
+  }
+
+  /** Of the nearest point of an edge; NaN where it is not the obstacle's nearest in the cone. */
+  private double nearestOffAxis(int line, int from, int to) {
+    int ping = line / obstacles;
+    Outline outline = outlines.get(line % obstacles);
+    double edgeX = outline.xM(to) - outline.xM(from);
+    double edgeZ = outline.zM(to) - outline.zM(from);
+    double towards = (xM[ping] - outline.xM(from)) * edgeX + (zM[ping] - outline.zM(from)) * edgeZ;
+    double length2 = edgeX * edgeX + edgeZ * edgeZ;
+    double share = length2 == 0 ? 0 : Math.max(0, Math.min(1, towards / length2));
+    double x = outline.xM(from) + share * edgeX;
+    double z = outline.zM(from) + share * edgeZ;
+    double awayX = x - xM[ping];
+    double awayZ = z - zM[ping];
+    // A root, since hypot takes ten times as long and this is asked of every edge.
+    double away = Math.sqrt(awayX * awayX + awayZ * awayZ);
+    if (Math.abs(away - nearestM[line]) > SAME_POINT_M) {
+      return Double.NaN;
+    }
+    double offAxis = offAxis(ping, x, z);
+    return Math.abs(offAxis) <= coneHalfAngleRad() + SAME_ANGLE_RAD ? offAxis : Double.NaN;
   }
 
   private double outlineOffAxis(int line) {

@@ -43,9 +43,11 @@ public final class Experiment {
   private static RunResult runOne(ObstacleType type, SensorKind sensor, RunSettings settings) {
     Circuit circuit = Circuit.of(type, sensor, settings);
     Controller follower = new EdgeFollower(Tuning.standard(settings.speedMPerS(), Circuit.STEP_S));
-    int waits = settings.waitSteps();
-    Controller controller = waits == 0 ? follower : new StopAndGo(follower, waits);
-    Trace trace = circuit.drive(controller, 1 + waits, settings.keepsReadings());
+    Controller controller =
+        settings.isAtOnce()
+            ? follower
+            : new StopAndGo(follower, settings.waitSteps(), settings.turnRateRadPerS());
+    Trace trace = circuit.drive(controller, settings.mostSteps(), settings.keepsReadings());
     return new RunResult(
         type,
         sensor,

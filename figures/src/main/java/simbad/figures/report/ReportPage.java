@@ -182,6 +182,13 @@ final class ReportPage {
     List<Html> items = new ArrayList<>();
     items.add(Html.of("program ", origin.version()));
     items.add(Html.of("seed ", origin.settings().seed()));
+    if (origin.settings().turnRateRadPerS() < Tuning.TURN_RATE) {
+      items.add(
+          Html.of(
+              "the robot is told to turn at ",
+              origin.settings().turnRateRadPerS(),
+              " rad/s at most; a faster turn becomes a longer one on the spot"));
+    }
     if (origin.settings().waitS() > 0) {
       items.add(
           Html.of("the robot stands still for ", origin.settings().waitS(), " s after each step"));

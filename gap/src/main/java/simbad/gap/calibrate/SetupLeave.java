@@ -52,22 +52,22 @@ public final class SetupLeave {
    * stood still. One step of each value in turn, by a parabola.
    */
   public double natsWithValues(Hypothesis set) {
-    double start = logLikelihood(set);
-    double here = start + nats(set);
+    Together start = together(set);
+    double here = start.nats();
     if (calibration.leeway().isPresent()) {
       Hypothesis best = set;
       for (int form = 0, at = 0; form < set.forms().size(); form++) {
         int size = set.forms().get(form).parameters().size();
         for (int i = at; i < at + size && size <= MOST_VALUES; i++) {
           Hypothesis moved = stepped(best, i, here);
-          double there = moved.equals(best) ? here : together(moved);
+          double there = moved.equals(best) ? here : together(moved).nats();
           best = there > here ? moved : best;
           here = Math.max(here, there);
         }
         at += size;
       }
     }
-    return here - start;
+    return here - start.alone;
   }
 
   private Hypothesis stepped(Hypothesis set, int value, double here) {
@@ -78,8 +78,8 @@ public final class SetupLeave {
     if (!(step > 0) || room < step) {
       return set;
     }
-    double up = together(moved(set, value, own + step));
-    double down = together(moved(set, value, own - step));
+    double up = together(moved(set, value, own + step)).nats();
+    double down = together(moved(set, value, own - step)).nats();
     double bend = up + down - 2 * here;
     double steps = bend < 0 ? (down - up) / (2 * bend) : Math.signum(up - down) * MOST_STEPS;
     double most = Math.min(MOST_STEPS, room / step);
@@ -99,11 +99,30 @@ public final class SetupLeave {
     return set.with(values);
   }
 
-  private double together(Hypothesis set) {
-    return logLikelihood(set) + nats(set);
+  /**
+   * How likely a log is under a set of effects.
+   *
+   * @param alone before the set-up as it is, natural
+   * @param moved by how much more before one that moves
+   */
+  private record Together(double alone, double moved) {
+    double nats() {
+      return alone + moved;
+    }
   }
 
-  private double logLikelihood(Hypothesis set) {
-    return Arrays.stream(given.logLikelihood(set)).sum();
+  private Together together(Hypothesis set) {
+    Optional<Leeway> open = calibration.leeway();
+    if (open.isEmpty()) {
+      return new Together(sum(given.logLikelihood(set)), 0);
+    }
+    // Both look from the same places: to find what is seen from them takes as long as the rest.
+    SetupMove move = new SetupMove(open.get(), given, set);
+    double alone = sum(given.logLikelihood(set.changes(), move.geometry()));
+    return new Together(alone, move.nats(move.levels()));
+  }
+
+  private static double sum(double[] logLikelihood) {
+    return Arrays.stream(logLikelihood).sum();
   }
 }

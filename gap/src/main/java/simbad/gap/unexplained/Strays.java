@@ -1,12 +1,15 @@
 package simbad.gap.unexplained;
 
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Random;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.score.Placements;
+import simbad.sonar.effect.Definitions;
+import simbad.sonar.effect.Form;
 import simbad.sonar.ping.Geometry;
 
 /**
@@ -33,7 +36,6 @@ final class Strays {
   private static final double CHANCE = 0.01;
 
   private static final double SAME_PLACE_M = 0.001;
-  private static final String WALKING = "walking";
 
   private final double[] rangeM;
   private final double[] distanceM;
@@ -53,15 +55,17 @@ final class Strays {
 
   /** Finds the strays of a log under an explanation; none in one without crosstalk. */
   static Strays of(CalibratedLog given, Hypothesis best) {
-    boolean isAsked =
+    Optional<Effect> anywhere =
         best.forms().stream()
-            .anyMatch(f -> f.effect() == Effect.CROSSTALK && !f.name().startsWith(WALKING));
-    if (!isAsked || !new Placements(given.log()).areRepeated()) {
+            .filter(f -> !Definitions.of(f.effect()).isOfThePlace(f.name()))
+            .map(Form::effect)
+            .findFirst();
+    if (anywhere.isEmpty() || !new Placements(given.log()).areRepeated()) {
       return new Strays(new double[0], new double[0]);
     }
     Geometry geometry = given.geometry(given.model(best));
     double[] with = given.logLikelihood(best);
-    double[] without = given.logLikelihood(best.without(Effect.CROSSTALK));
+    double[] without = given.logLikelihood(best.without(anywhere.get()));
     int[] strays =
         IntStream.range(0, with.length)
             .filter(given.log()::echo)

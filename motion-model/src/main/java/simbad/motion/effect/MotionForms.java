@@ -28,6 +28,7 @@ public final class MotionForms {
           DeadBand.LESS,
           Saturation.SPEED,
           Saturation.TURN,
+          Saturation.TURN_FIRST,
           Quantization.FORM,
           Quantization.CUT,
           CaptureOffset.POINT,

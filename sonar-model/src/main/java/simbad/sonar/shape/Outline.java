@@ -97,6 +97,15 @@ public final class Outline {
     return of(corners().stream().map(worldFromObstacle::worldFromObstacle).toList());
   }
 
+  /** Returns the length of the longest edge in metres. */
+  public double longestEdgeM() {
+    double longest = 0;
+    for (int i = 0, j = size() - 1; i < size(); j = i++) {
+      longest = Math.max(longest, Math.hypot(xM[i] - xM[j], zM[i] - zM[j]));
+    }
+    return longest;
+  }
+
   /**
    * Returns the greatest distance of the outline from a point in metres.
    *

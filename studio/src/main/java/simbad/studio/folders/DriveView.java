@@ -81,12 +81,12 @@ final class DriveView {
 
   private void tracks(ArrayNode tracks) {
     for (MotionRun run : runs) {
-      Trace trace = new Trace();
+      DrivenWay trace = new DrivenWay();
       for (TrackPose pose : run.track()) {
         trace.add(pose.xM(), -pose.yM());
       }
       ObjectNode track = tracks.addObject().put("run", run.name());
-      trace.write(Trace.Box.ALL, track.putArray("pieces"));
+      trace.write(DrivenWay.Box.ALL, track.putArray("pieces"));
     }
   }
 

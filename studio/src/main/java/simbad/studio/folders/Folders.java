@@ -226,7 +226,7 @@ public final class Folders {
     ObjectNode root = JsonText.MAPPER.createObjectNode();
     Traces.write(
         run(shelf.folder(path(question))).trace(json.text("obstacle")),
-        new Trace.Box(ends[0], ends[1], ends[2], ends[3]),
+        new DrivenWay.Box(ends[0], ends[1], ends[2], ends[3]),
         root);
     return root.toString();
   }

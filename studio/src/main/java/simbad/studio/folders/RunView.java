@@ -55,7 +55,7 @@ final class RunView {
    *
    * @throws DataFormatException naming file, line and field of the first fault
    */
-  Map<String, Trace> trace(String obstacle) throws DataFormatException {
+  Map<String, DrivenWay> trace(String obstacle) throws DataFormatException {
     return traces.of(Shelf.file(own(obstacle), "trace.csv"), stamp);
   }
 
@@ -84,7 +84,7 @@ final class RunView {
             list.add(row.number("mean_abs_error_m"));
           }
         });
-    Traces.write(trace(obstacle), Trace.Box.ALL, node);
+    Traces.write(trace(obstacle), DrivenWay.Box.ALL, node);
   }
 
   private static void addTable(TableDocument document, ObjectNode node) {

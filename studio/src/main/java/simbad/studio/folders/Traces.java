@@ -11,7 +11,7 @@ final class Traces {
   /** Two runs that are compared, and two before. */
   private static final int KEPT = 4;
 
-  private final Map<String, Map<String, Trace>> known = new LinkedHashMap<>(16, 0.75f, true);
+  private final Map<String, Map<String, DrivenWay>> known = new LinkedHashMap<>(16, 0.75f, true);
 
   /**
    * Reads the traces round an obstacle, by sensor.
@@ -20,18 +20,18 @@ final class Traces {
    * @param stamp another one for a file that was made anew
    * @throws DataFormatException naming file, line and field of the first fault
    */
-  Map<String, Trace> of(Path file, String stamp) throws DataFormatException {
+  Map<String, DrivenWay> of(Path file, String stamp) throws DataFormatException {
     String key = file + "@" + stamp;
-    Map<String, Trace> before = known.get(key);
+    Map<String, DrivenWay> before = known.get(key);
     if (before != null) {
       return before;
     }
-    Map<String, Trace> traces = new LinkedHashMap<>();
+    Map<String, DrivenWay> traces = new LinkedHashMap<>();
     Rows.read(
         file,
         row ->
             traces
-                .computeIfAbsent(row.text("sensor"), name -> new Trace())
+                .computeIfAbsent(row.text("sensor"), name -> new DrivenWay())
                 .add(row.number("x_m"), row.number("z_m")));
     known.put(key, traces);
     if (known.size() > KEPT) {
@@ -41,7 +41,7 @@ final class Traces {
   }
 
   /** Writes what lies in a box, in pieces by sensor. */
-  static void write(Map<String, Trace> traces, Trace.Box box, ObjectNode root) {
+  static void write(Map<String, DrivenWay> traces, DrivenWay.Box box, ObjectNode root) {
     ObjectNode all = root.putObject("traces");
     traces.forEach((sensor, trace) -> trace.write(box, all.putArray(sensor)));
   }

@@ -270,18 +270,18 @@ class FoldersTest {
   /** 1,000,000 places on a circle: the whole is thinned, a part of it is as fine as a screen. */
   @Test
   void longTrace_isThinned_andFineWhereSomebodyLooks() {
-    Trace trace = new Trace();
+    DrivenWay trace = new DrivenWay();
     for (int i = 0; i < 1_000_000; i++) {
       trace.add(Math.sin(1e-5 * i), Math.cos(1e-5 * i));
     }
     ArrayNode whole = MAPPER.createArrayNode();
-    trace.write(Trace.Box.ALL, whole);
+    trace.write(DrivenWay.Box.ALL, whole);
     ArrayNode part = MAPPER.createArrayNode();
-    trace.write(new Trace.Box(-0.05, 0.9, 0.05, 1.1), part);
+    trace.write(new DrivenWay.Box(-0.05, 0.9, 0.05, 1.1), part);
 
     assertEquals(1_000_000, trace.size());
     assertEquals(1, whole.size());
-    assertTrue(whole.get(0).size() > 1500 && whole.get(0).size() <= Trace.MOST);
+    assertTrue(whole.get(0).size() > 1500 && whole.get(0).size() <= DrivenWay.MOST);
     assertEquals(1, whole.get(0).get(0).get(1).asDouble(), 1e-6);
     // Nearly 10 rad of a circle pass the top twice: from it at the start, and through it later.
     assertEquals(2, part.size());
@@ -298,12 +298,12 @@ class FoldersTest {
   /** A line that crosses a part without a place in it is there as well. */
   @Test
   void lineThatCrossesAPart_isInIt() {
-    Trace trace = new Trace();
+    DrivenWay trace = new DrivenWay();
     trace.add(-1, 0);
     trace.add(1, 0);
     trace.add(1, 5);
     ArrayNode part = MAPPER.createArrayNode();
-    trace.write(new Trace.Box(-0.1, -0.1, 0.1, 0.1), part);
+    trace.write(new DrivenWay.Box(-0.1, -0.1, 0.1, 0.1), part);
 
     assertEquals("[[[-1.0,0.0],[1.0,0.0]]]", part.toString());
   }

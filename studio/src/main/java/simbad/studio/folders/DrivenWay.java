@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
  * All places of a trace; what lies in a box of it is given as fine as a screen can show it. A
  * million places are 8 MB. Filled by one thread, then read by any.
  */
-final class Trace {
+final class DrivenWay {
   /** In one answer. */
   static final int MOST = 8000;
 

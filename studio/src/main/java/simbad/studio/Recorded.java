@@ -11,7 +11,7 @@ import simbad.sonar.frame.Pose;
  * longer than a step: only what somebody looks at becomes text, and only then is asked why a sonar
  * heard nothing.
  */
-final class Film {
+final class Recorded {
   private static final int NO_ECHO = 0xFFFF;
   private static final long TEN_THOUSANDTHS = 10_000;
 
@@ -29,7 +29,7 @@ final class Film {
    * @param robots how many
    * @param angles of a robot's sonars, from its heading, radians
    */
-  Film(int robots, double[] angles) {
+  Recorded(int robots, double[] angles) {
     this.robots = robots;
     this.angles = angles.clone();
   }
