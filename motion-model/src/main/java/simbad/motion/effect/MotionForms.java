@@ -56,7 +56,9 @@ public final class MotionForms {
           Map.entry("actuation-latency", "commands act late"),
           Map.entry("actuation-lag", "the speed follows a command only gradually"),
           Map.entry("dead-band", "small commands do nothing, or a part of every speed is lost"),
-          Map.entry("saturation", "speeds above a limit are cut"),
+          Map.entry(
+              "saturation",
+              "speeds above a limit are cut; the limit may be lower while the robot turns"),
           Map.entry("command-quantization", "speeds come in steps"),
           Map.entry("time-offset", "the clocks of commands and track differ"),
           Map.entry(
