@@ -28,7 +28,7 @@ import simbad.experiments.bench.SimulatedBench;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
-import simbad.studio.bench.LivePage;
+import simbad.studio.Studio;
 import simbad.studio.bench.LiveState;
 
 /** A capture from where its journal ends to where it is done or ends for another reason. */
@@ -40,7 +40,7 @@ final class CaptureRun {
   private final PrintWriter err;
   private final LiveState live;
   private Optional<Recorder> recorder = Optional.empty();
-  private Optional<LivePage> page = Optional.empty();
+  private Optional<Studio> page = Optional.empty();
   private volatile boolean interrupted;
 
   CaptureRun(
@@ -169,13 +169,13 @@ final class CaptureRun {
   }
 
   /** Shows the capture on a page as well, until it ends. */
-  void showAt(InetSocketAddress address) throws IOException {
-    page = Optional.of(LivePage.open(address, live));
+  void showAt(InetSocketAddress address) throws IOException, DataFormatException {
+    page = Optional.of(Studio.ofCapture(address, folder.path(), live));
     out.println("page: " + page.get().url());
   }
 
   private void end() throws IOException, DataFormatException {
-    page.ifPresent(LivePage::close);
+    page.ifPresent(Studio::close);
     if (recorder.isPresent()) {
       recorder.get().close();
       conclude(folder.read());

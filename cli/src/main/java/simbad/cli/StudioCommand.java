@@ -123,8 +123,7 @@ final class StudioCommand extends Subcommand {
 
   /** The plain sensors, that of the main experiment first, then those of diagnoses. */
   private List<SensorKind> sensors(Map<String, String> options) throws DataFormatException {
-    List<SensorKind> sensors = new ArrayList<>(List.of(SensorKind.SHADOW));
-    SensorKind.all().stream().filter(kind -> !sensors.contains(kind)).forEach(sensors::add);
+    List<SensorKind> sensors = new ArrayList<>(Choices.plain().sensors());
     for (String word : diagnosed) {
       SensorKind kind =
           SensorKind.read(word)

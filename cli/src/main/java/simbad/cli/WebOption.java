@@ -6,6 +6,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
+import simbad.sonar.format.DataFormatException;
 
 /** {@code --web} of the commands that capture. */
 final class WebOption {
@@ -18,12 +19,12 @@ final class WebOption {
       names = "--web",
       paramLabel = "[ADDRESS:]PORT",
       description =
-          "Show the capture on a page, on this computer. At another address the page "
-              + "asks for a token.")
+          "Show the capture on a page of the studio while it goes on. Without ADDRESS only "
+              + "this computer can open the page. Its address holds a token.")
   private @Nullable String web;
 
   /** Shows a capture on the page that was asked for, if any. */
-  void show(CaptureRun run) throws IOException {
+  void show(CaptureRun run) throws IOException, DataFormatException {
     if (web != null) {
       run.showAt(
           WebArgument.parse(web)

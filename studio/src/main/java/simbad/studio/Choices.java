@@ -43,6 +43,13 @@ public record Choices(
     this(sensors, robots, Map.of());
   }
 
+  /** Returns what everybody has: that of the main experiment first. */
+  public static Choices plain() {
+    Stream<SensorKind> others =
+        SensorKind.all().stream().filter(kind -> !kind.equals(SensorKind.SHADOW));
+    return new Choices(Stream.concat(Stream.of(SensorKind.SHADOW), others).toList(), List.of());
+  }
+
   /**
    * Returns these, and what the diagnoses in a folder left: sensors and robots. One that cannot be
    * read is left out, for its own page says why, and so is one whose name is taken.

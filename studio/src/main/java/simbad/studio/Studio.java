@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import simbad.sonar.format.DataFormatException;
+import simbad.studio.bench.LiveState;
 import simbad.studio.folders.Folders;
 import simbad.studio.web.Content;
 import simbad.studio.web.Guard;
@@ -21,6 +22,9 @@ import simbad.studio.web.WebServer;
  * nothing that is asked changes a file or outlives the page.
  */
 public final class Studio implements AutoCloseable {
+  /** The page's view of a capture that goes on. */
+  private static final String WATCHED = "#capture";
+
   private final WebServer server;
   private final String view;
 
@@ -60,25 +64,85 @@ public final class Studio implements AutoCloseable {
     Worlds worlds = new Worlds(choices);
     Optional<String> opened =
         scene.isPresent() ? Optional.of(worlds.scene(scene.get())) : Optional.empty();
-    Guard guard = Guard.withToken(address.getAddress());
-    Map<String, Supplier<Content>> answers =
-        PageFiles.of(guard, Map.of("/", "index.html", "/bench", "bench.html"));
-    String catalogue = CatalogueJson.of(choices, opened);
+    Optional<Opening> shown = folders.map(known -> () -> known);
+    return serve(
+        address,
+        worlds,
+        CatalogueJson.of(choices, opened),
+        new Shown(shown, Optional.empty()),
+        folders.isPresent() && scene.isEmpty() ? "#folders" : "");
+  }
+
+  /**
+   * Opens the page at a capture that this program makes.
+   *
+   * @param address where; port 0 for any that is free
+   * @param folder of the capture, which may not be there yet
+   * @param capture how far it is
+   * @throws IOException if the address is taken or none of this computer's
+   * @throws DataFormatException if an obstacle of the user's own cannot be read
+   */
+  public static Studio ofCapture(InetSocketAddress address, Path folder, LiveState capture)
+      throws IOException, DataFormatException {
+    Choices choices = Choices.plain();
+    Opening shown = new LateFolders(folder)::get;
+    return serve(
+        address,
+        new Worlds(choices),
+        CatalogueJson.of(choices, Optional.empty()),
+        new Shown(Optional.of(shown), Optional.of(capture)),
+        WATCHED);
+  }
+
+  /** What is shown besides the live world. */
+  private record Shown(Optional<Opening> folders, Optional<LiveState> capture) {}
+
+  /** Folders: those of a capture are there as soon as it has begun. */
+  @FunctionalInterface
+  private interface Opening {
+    Folders folders() throws DataFormatException;
+  }
+
+  private static Studio serve(
+      InetSocketAddress address, Worlds worlds, String catalogue, Shown shown, String view)
+      throws IOException {
+    Guard guard = Guard.of(address.getAddress());
+    Map<String, Supplier<Content>> answers = PageFiles.of(guard, Map.of("/", "index.html"));
     answers.put("/catalogue", () -> Content.json(catalogue));
-    answers.put(
-        "/folders", () -> answer("", none -> folders.isPresent() ? folders.get().list() : "{}"));
+    String views = "{\"capture\":" + shown.capture().isPresent() + "}";
+    answers.put("/views", () -> Content.json(views));
+    answers.put("/folders", () -> answer("", all -> list(shown)));
     Map<String, Function<String, Content>> questions = new HashMap<>();
     questions.put("/frames", question -> answer(question, worlds::frames));
     questions.put("/loudness", question -> answer(question, worlds::loudness));
-    folders.ifPresent(
-        shown -> {
-          questions.put("/folder", question -> answer(question, shown::open));
-          questions.put("/trace", question -> answer(question, shown::trace));
-          questions.put("/capture", question -> answer(question, shown::capture));
-        });
+    Map<String, Function<String, String>> streams = new HashMap<>();
+    streams.put("/watch", path -> said(path, of -> watched(shown, of)));
+    shown
+        .folders()
+        .ifPresent(
+            opening -> {
+              questions.put(
+                  "/folder", question -> answer(question, of -> opening.folders().open(of)));
+              questions.put(
+                  "/trace", question -> answer(question, of -> opening.folders().trace(of)));
+            });
     return new Studio(
-        WebServer.open(address, guard, answers, questions),
-        folders.isPresent() && scene.isEmpty() ? "#folders" : "");
+        WebServer.open(address, guard, new WebServer.Answers(answers, questions, streams)), view);
+  }
+
+  private static String list(Shown shown) throws DataFormatException {
+    return shown.folders().isPresent() ? shown.folders().get().folders().list() : "{}";
+  }
+
+  /** How far a capture is: one in a folder, or without a name this program's own. */
+  private static String watched(Shown shown, String path) throws DataFormatException {
+    if (path.isEmpty() && shown.capture().isPresent()) {
+      return shown.capture().get().json();
+    }
+    if (shown.folders().isEmpty()) {
+      throw DataFormatException.inArgument("path", "no capture is shown here");
+    }
+    return shown.folders().get().folders().capture(path);
   }
 
   /** What is answered to a question. */
@@ -88,11 +152,15 @@ public final class Studio implements AutoCloseable {
   }
 
   private static Content answer(String question, Answering answering) {
+    return Content.json(said(question, answering));
+  }
+
+  private static String said(String question, Answering answering) {
     try {
-      return Content.json(answering.to(question));
+      return answering.to(question);
     } catch (DataFormatException e) {
       String fault = String.valueOf(e.getMessage());
-      return Content.json(JsonNodeFactory.instance.objectNode().put("fault", fault).toString());
+      return JsonNodeFactory.instance.objectNode().put("fault", fault).toString();
     }
   }
 

@@ -4,16 +4,27 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.BufferedReader;
 import java.io.BufferedWriter;
+import java.io.InputStreamReader;
 import java.lang.management.ManagementFactory;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpRequest.BodyPublishers;
+import java.net.http.HttpResponse.BodyHandlers;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Function;
 import javax.vecmath.Vector3d;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -29,8 +40,12 @@ import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 import simbad.obstacles.SonarObstacle;
 import simbad.sim.EnvironmentDescription;
+import simbad.sonar.format.DataFormatException;
 import simbad.studio.folders.Folders;
 import simbad.studio.folders.Samples;
+import simbad.studio.web.Content;
+import simbad.studio.web.Guard;
+import simbad.studio.web.WebServer;
 
 /**
  * What the page costs. It prints figures and asserts no times; processor time is that of this
@@ -198,6 +213,80 @@ class ReachTest {
         1e6 * alone / LONG, 1e6 * followed / LONG, 1e6 * whole / LONG);
     say("following slows a simulation of 100,000 steps/s by %.1f %%", 100 * added * 100_000);
     assertTrue(followed > 0);
+  }
+
+  /** The frames of a world that plays 5000 times: asked for, or told as server-sent events. */
+  @Test
+  void framesThatAreAskedFor_andFramesThatAreTold() throws Exception {
+    double asked = Double.POSITIVE_INFINITY;
+    double told = Double.POSITIVE_INFINITY;
+    for (int seed = 1; seed <= 5; seed++) {
+      int world = seed;
+      Worlds forQuestions = new Worlds(choices);
+      Worlds forEvents = new Worlds(choices);
+      AtomicInteger next = new AtomicInteger();
+      Map<String, Function<String, Content>> questions =
+          Map.of("/frames", question -> Content.json(frames(forQuestions, question)));
+      Map<String, Function<String, String>> streams =
+          Map.of(
+              "/told", of -> frames(forEvents, frames(world, next.getAndAdd(ASKED_EVERY_STEPS))));
+      InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
+      Guard guard = Guard.of(address.getAddress());
+      try (WebServer server =
+          WebServer.open(address, guard, new WebServer.Answers(Map.of(), questions, streams))) {
+        asked = Math.min(asked, asked(server, world));
+        told = Math.min(told, told(server));
+      }
+    }
+    say(
+        "frames of %d steps: %.0f ms of processor time asked for, %.0f ms told (both ends)",
+        LONG, 1e3 * asked, 1e3 * told);
+    assertTrue(asked > 0);
+  }
+
+  private static String frames(int seed, int from) {
+    return """
+        {"scene": {"format": "simbad-studio/1", "obstacle": "angle", "sensor": "shadow", "robots": 1,
+          "speed_m_per_s": 0.01, "seed": %d, "moves": []}, "from": %d, "count": %d, "every": 20}"""
+        .formatted(seed, Math.min(from, LONG - ASKED_EVERY_STEPS), ASKED_EVERY_STEPS / 20);
+  }
+
+  private static String frames(Worlds worlds, String question) {
+    try {
+      return worlds.frames(question);
+    } catch (DataFormatException e) {
+      throw new IllegalArgumentException(e);
+    }
+  }
+
+  private static HttpRequest.Builder request(WebServer server, String path) {
+    return HttpRequest.newBuilder(URI.create(server.url().replace("/?", path + "?")));
+  }
+
+  private static double asked(WebServer server, int seed) throws Exception {
+    HttpClient client = HttpClient.newHttpClient();
+    double begin = ownS();
+    for (int from = 0; from < LONG; from += ASKED_EVERY_STEPS) {
+      HttpRequest.Builder request =
+          request(server, "/frames").POST(BodyPublishers.ofString(frames(seed, from)));
+      assertEquals(200, client.send(request.build(), BodyHandlers.ofString()).statusCode());
+    }
+    return ownS() - begin;
+  }
+
+  private static double told(WebServer server) throws Exception {
+    HttpClient client = HttpClient.newHttpClient();
+    double begin = ownS();
+    try (BufferedReader lines =
+        new BufferedReader(
+            new InputStreamReader(
+                client.send(request(server, "/told").build(), BodyHandlers.ofInputStream()).body(),
+                StandardCharsets.UTF_8))) {
+      for (int left = LONG / ASKED_EVERY_STEPS; left > 0; ) {
+        left -= lines.readLine().startsWith("data: {") ? 1 : 0;
+      }
+    }
+    return ownS() - begin;
   }
 
   private static LiveWorld world(StudioScene scene) {

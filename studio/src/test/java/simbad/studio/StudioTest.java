@@ -255,6 +255,13 @@ class StudioTest {
       visitor.await("live.scene.moves.length === 1 && worlds[0].frames.length > 6");
       visitor.press("[", 219);
       visitor.await("live.scene.moves.some(m => m.turn_deg === 5) && worlds[0].frames.length > 6");
+      // Keys that come faster than answers: no press is lost, and none goes back in time.
+      String pressed =
+          "(() => { const x = frameOf(worlds[0])[0], step = stepOf(worlds[0]); for (const key of ['ArrowRight', '[', 'ArrowRight', 'ArrowRight'])"
+              + " $('plan0').dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));"
+              + " return [Math.round(100 * (frameOf(worlds[0])[0] - x)), stepOf(worlds[0]) - step, live.scene.moves.length].join(); })()";
+      assertEquals("15,0,2", visitor.look(pressed));
+      visitor.await("worlds[0].frames.length > 6 && frameOf(worlds[0]) === worlds[0].frames[6]");
       // Another sonar and another robot: the command line says so.
       visitor.look(
           "$('sonar').value = 'hc-sr04'; $('sonar').dispatchEvent(new Event('change'));"

@@ -4,14 +4,11 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
 import java.util.function.ToLongFunction;
 import simbad.experiments.batch.BatchSurvey;
 import simbad.experiments.batch.BatchSurvey.Group;
 import simbad.experiments.report.ErrorWords;
-import simbad.figures.page.Bars;
 import simbad.figures.page.Html;
-import simbad.figures.page.Numbers;
 import simbad.figures.page.Page;
 import simbad.figures.page.Table;
 
@@ -20,9 +17,8 @@ final class BatchPage {
   /** What a page of 300 kB can hold; a batch of so many groups is looked at with a program. */
   private static final int MOST_GROUPS = 300;
 
-  private static final int MOST_PANELS = 24;
+  private static final int MOST_PICTURES = 24;
   private static final int MOST_WORDS = 240;
-  private static final String NOTHING = "\u2013";
 
   private final Page page = new Page("A batch of runs", "A batch of runs");
   private final BatchSurvey survey;
@@ -34,7 +30,7 @@ final class BatchPage {
   static String of(BatchSurvey survey, String version) {
     BatchPage own = new BatchPage(survey);
     own.addVerdict();
-    own.addPanels();
+    own.addPictures();
     own.addTable();
     own.addWrong();
     own.page.section("Files and program");
@@ -64,27 +60,19 @@ final class BatchPage {
   }
 
   /** Per obstacle a bar for each sensor. */
-  private void addPanels() {
+  private void addPictures() {
     Map<String, List<Group>> byObstacle = new LinkedHashMap<>();
     survey.groups().stream()
         .limit(MOST_GROUPS)
         .forEach(
             group ->
                 byObstacle.computeIfAbsent(group.obstacle(), name -> new ArrayList<>()).add(group));
-    List<Html> panels = new ArrayList<>();
-    byObstacle.forEach((name, groups) -> panels.add(panel(name, groups)));
-    page.section("Mean radial error, cm");
-    page.add(Html.styled("div", "panels", Html.all(panels.stream().limit(MOST_PANELS).toList())));
-  }
-
-  private static Html panel(String obstacle, List<Group> groups) {
-    double most = groups.stream().mapToDouble(group -> group.meanCm().orElse(0)).max().orElse(0);
-    Bars bars = new Bars();
-    for (Group group : groups) {
-      double share = most > 0 ? group.meanCm().orElse(0) / most : 0;
-      bars.bar(group.sensor(), share, "after", number(group.meanCm()));
-    }
-    return Page.panel("", obstacle, bars.html());
+    page.section("Mean radial error");
+    page.pictures(
+        byObstacle.entrySet().stream()
+            .limit(MOST_PICTURES)
+            .map(entry -> ErrorBars.of(entry.getKey(), entry.getValue()))
+            .toList());
   }
 
   private void addTable() {
@@ -113,12 +101,8 @@ final class BatchPage {
         group.failed(),
         group.unclosed(),
         group.lost(),
-        number(group.meanCm()),
-        number(group.maxCm()));
-  }
-
-  private static String number(OptionalDouble cm) {
-    return cm.isPresent() ? Numbers.fixed(cm.getAsDouble(), 2) : NOTHING;
+        ErrorBars.number(group.meanCm()),
+        ErrorBars.number(group.maxCm()));
   }
 
   private void addWrong() {

@@ -5,6 +5,8 @@ const MOST = 16, STEP = 1.5, NEAR = 14;
 const NS = 'http://www.w3.org/2000/svg';
 const HINT = 'Point at it, or go here with Tab and use the arrow keys.';
 const HOW = 'Arrow keys read its values, plus and minus zoom, Shift with an arrow moves it, 0 shows all.';
+const INK = ['color', 'fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-opacity', 'stroke-dasharray', 'stroke-linecap',
+  'stroke-linejoin', 'opacity', 'vector-effect', 'font-size', 'font-family', 'font-weight', 'text-anchor', 'dominant-baseline'];
 const numbers = text => text.split(' ').map(Number);
 const known = (parent, tag, more) => parent.appendChild(Object.assign(document.createElement(tag), more));
 
@@ -48,6 +50,41 @@ function shapes(svg, spot) {
     const shape = title.parentNode, box = shape.getBoundingClientRect();
     return {...spot(box.left + box.width / 2, box.top + box.height / 2), shape, text: title.textContent};
   });
+}
+
+/** Cells as a spreadsheet reads them. */
+function csv(table) {
+  const field = text => /[",\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text;
+  const line = row => [...row.cells].map(cell => field(cell.textContent.trim().replace('\u2212', '-'))).join(',');
+  return [...table.rows].map(line).join('\n') + '\n';
+}
+/** The numbers of a plot: its table, or what its marks say. */
+function figures(svg, marks) {
+  if (svg.dataset.rows) return csv(document.getElementById(svg.dataset.rows));
+  if (svg.dataset.cells) return 'bearing_deg,ring,cm\n' + marks.map(m => [Math.round(m.turn * 1800 / Math.PI) / 10, m.r + 1, m.value].join(',')).join('\n') + '\n';
+  return 'shown\n' + marks.map(mark => '"' + mark.text.replaceAll('"', '""') + '"').join('\n') + '\n';
+}
+/** A drawing as a file of its own, as it is shown: what the style sheet says of it stands in it. */
+function drawn(svg) {
+  const copy = svg.cloneNode(true), from = [svg, ...svg.querySelectorAll('*')], to = [copy, ...copy.querySelectorAll('*')];
+  from.forEach((shape, i) => {
+    const css = getComputedStyle(shape);
+    to[i].removeAttribute('class');
+    for (const name of INK) to[i].style.setProperty(name, css.getPropertyValue(name));
+  });
+  for (const name of Object.keys(copy.dataset)) delete copy.dataset[name];
+  const box = svg.getBoundingClientRect();
+  copy.setAttribute('xmlns', NS);
+  copy.setAttribute('width', Math.round(box.width));
+  copy.setAttribute('height', Math.round(box.height));
+  copy.style.background = getComputedStyle(svg.closest('figure')).backgroundColor;
+  return new XMLSerializer().serializeToString(copy) + '\n';
+}
+function save(name, end, text, type) {
+  const link = Object.assign(document.createElement('a'), {href: URL.createObjectURL(new Blob([text], {type}))});
+  link.download = (name.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'table').slice(0, 60) + end;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
 function view(svg) {
@@ -182,10 +219,60 @@ function view(svg) {
   button('+', 'Zoom in: ', () => zoom(STEP, middle()));
   button('\u2212', 'Zoom out: ', () => zoom(1 / STEP, middle()));
   button('All', 'Show all: ', whole);
+  button('SVG', 'Save as SVG: ', () => { read(-1); save(name, '.svg', drawn(svg), 'image/svg+xml'); });
+  button('csv', 'Save numbers as csv: ', () => save(name, '.csv', figures(svg, all()), 'text/csv'));
   addEventListener('beforeprint', whole);
 }
 
+function savable(table) {
+  const name = table.caption?.textContent ?? table.closest('details')?.querySelector('summary').textContent ?? document.title;
+  const tools = Object.assign(document.createElement('div'), {className: 'tools'});
+  table.closest('.scroll').after(tools);
+  known(tools, 'button', {type: 'button', textContent: 'csv', onclick: () => save(name, '.csv', csv(table), 'text/csv')})
+    .setAttribute('aria-label', 'Save table as csv: ' + name);
+}
+
+/** Bars as rows: name, what is the whole length, what of it is filled, value in words. */
+function barRows(box) {
+  if (box.classList.contains('budget')) {
+    const said = [...box.nextElementSibling.querySelectorAll('.key')].map(key => key.nextSibling.textContent.replace(/^\u00a0|; $/g, ''));
+    return [...box.children].map((part, i) => ({name: '', whole: box, parts: [part], value: said[i]}));
+  }
+  return [...box.querySelectorAll('.track')].map(track => ({name: track.previousElementSibling.textContent, whole: track,
+    parts: [...track.children], value: track.nextElementSibling.textContent}));
+}
+/** The same bars as a drawing. */
+function barred(rows, title) {
+  const css = getComputedStyle(document.body), long = Math.max(...rows.map(row => row.value.length));
+  const width = 630 + 8 * long, height = 50 + 28 * rows.length;
+  const put = (x, y, text) => `<text x="${x}" y="${y}" fill="${css.color}">${text.replaceAll('&', '&amp;').replaceAll('<', '&lt;')}</text>`;
+  const shapes = rows.map(({name, whole, parts, value}, i) => {
+    const all = whole.getBoundingClientRect(), y = 40 + 28 * i;
+    const rect = part => {
+      const at = part.getBoundingClientRect(), px = n => (400 * n / all.width).toFixed(1), high = 18 * at.height / all.height;
+      return `<rect x="${200 + Number(px(at.left - all.left))}" y="${y + 9 - high / 2}" width="${px(at.width)}" height="${high}" fill="${getComputedStyle(part).backgroundColor}"/>`;
+    };
+    return put(10, y + 14, name) + `<rect x="200" y="${y}" width="400" height="18" fill="#8883"/>` + parts.map(rect).join('') + put(610, y + 14, value);
+  });
+  return `<svg xmlns="${NS}" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" font-family="sans-serif" font-size="14" style="background:${css.backgroundColor}">`
+    + put(10, 22, title) + shapes.join('') + '</svg>\n';
+}
+function bars(box) {
+  const rows = barRows(box);
+  const title = (box.classList.contains('budget') ? box.previousElementSibling : box.closest('section').querySelector('h3')).textContent;
+  const tools = Object.assign(document.createElement('div'), {className: 'tools'});
+  box.after(tools);
+  const quoted = text => '"' + text.trim().replaceAll('\u2212', '-').replaceAll('"', '""') + '"';
+  const numbers = () => rows.map(row => [row.name, row.value].filter(Boolean).map(quoted).join(',')).join('\n') + '\n';
+  const button = (sign, what, click) =>
+    known(tools, 'button', {type: 'button', textContent: sign, onclick: click}).setAttribute('aria-label', what + title);
+  button('SVG', 'Save as SVG: ', () => save(title, '.svg', barred(rows, title), 'image/svg+xml'));
+  button('csv', 'Save numbers as csv: ', () => save(title, '.csv', numbers(), 'text/csv'));
+}
+
 for (const svg of document.querySelectorAll('figure > svg')) view(svg);
+for (const box of document.querySelectorAll('.panel > .bars, .panel > .budget')) bars(box);
+for (const table of document.querySelectorAll('.scroll > table')) savable(table);
 
 // Paper cannot be opened.
 let opened = [];

@@ -25,6 +25,7 @@ class BatchPageTest {
             "<strong>7 runs</strong>: all completed their round, and nothing went wrong."));
     assertTrue(page.contains("<h3>a&lt;b&gt;</h3>"), page);
     assertTrue(page.contains("<td class=\"n\">1.23</td>"), page);
+    assertTrue(page.contains("<title>shadow: mean 1.23 cm, maximum 5.00 cm</title>"), page);
   }
 
   /** However many groups and however long their errors. */

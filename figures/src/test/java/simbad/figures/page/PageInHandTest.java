@@ -144,6 +144,54 @@ class PageInHandTest {
     assertTrue(label.startsWith("Cells. Arrow keys read its values"), label);
   }
 
+  private static final String KEEP_WHAT_IS_SAVED =
+      "window.saved = []; const make = URL.createObjectURL;"
+          + " URL.createObjectURL = blob => { blob.text().then(text => saved.push(text)); return make(blob); }; 1";
+
+  /** Each picture as an SVG of its own, which needs no style sheet; the numbers of each as csv. */
+  @Test
+  void picturesAndNumbersAreSaved() throws Exception {
+    typist.look(KEEP_WHAT_IS_SAVED);
+    for (int i = 0; i < 3; i++) {
+      typist.look(view(i) + ".querySelector('[aria-label^=\"Save as SVG\"]').click()");
+      typist.look("new Promise(done => setTimeout(done, 100))");
+      String picture =
+          "new DOMParser().parseFromString(saved[%d], 'image/svg+xml').documentElement"
+              .formatted(i);
+      assertEquals("svg", typist.look(picture + ".nodeName"));
+      assertEquals("0", typist.look(picture + ".querySelectorAll('[class]').length"));
+      assertEquals(
+          "true",
+          typist.look(
+              "[..."
+                  + picture
+                  + ".querySelectorAll('path, rect')].every(s => s.style.fill !== '')"));
+    }
+    typist.look("saved.length = 0");
+    for (int i = 0; i < 3; i++) {
+      typist.look(view(i) + ".querySelector('[aria-label^=\"Save numbers\"]').click()");
+      typist.look("new Promise(done => setTimeout(done, 100))");
+    }
+    assertEquals(
+        "shown\n\"bar 0 is 3\"\n\"bar 1 is 6\"\n\"bar 2 is 9\"\n", typist.look("saved[0]"));
+    assertTrue(typist.look("saved[1]").endsWith("\n60,1.60\n90,1.90\n"), typist.look("saved[1]"));
+    assertTrue(typist.look("saved[2]").startsWith("bearing_deg,ring,cm\n0,1,1.5\n90,1,2.5\n"));
+    assertEquals(
+        "1", typist.look("document.querySelectorAll('[aria-label^=\"Save table\"]').length"));
+  }
+
+  /** Bars that are no drawing on the page become one: a quarter of 400 pixels. */
+  @Test
+  void barsAreSavedAsADrawing() throws Exception {
+    typist.look(KEEP_WHAT_IS_SAVED);
+    typist.look("document.querySelectorAll('.panel button').forEach(button => button.click())");
+    typist.look("new Promise(done => setTimeout(done, 200))");
+    assertTrue(
+        typist.look("saved[0]").contains("<rect x=\"200\" y=\"40\" width=\"100.0\""),
+        typist.look("saved[0]"));
+    assertEquals("\"one\",\"25 %\"\n", typist.look("saved[1]"));
+  }
+
   /** The page scrolls on over a picture that nobody has taken hold of. */
   @Test
   void wheel_zoomsWhatIsHeld_andNothingElse() throws Exception {

@@ -12,6 +12,7 @@ final class SamplePage {
   static String html() {
     Page page = new Page(NAME, NAME).verdict(Html.strong(NAME), " is said.").note(NAME).soft(NAME);
     page.section(NAME).list(List.of(Html.of(NAME), Html.code(NAME)));
+    page.add(Page.panel("", "Shares", new Bars().bar("one", 0.25, "after", "25 %").html()));
     page.pictures(
         List.of(
             new PagePicture("Bars", bars(), NAME),

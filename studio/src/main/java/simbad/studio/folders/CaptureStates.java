@@ -3,6 +3,8 @@ package simbad.studio.folders;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import simbad.bench.capture.CaptureSettings;
@@ -15,13 +17,17 @@ import simbad.sonar.format.DataFormatException;
 import simbad.studio.bench.LiveState;
 
 /**
- * How far captures are that another program makes: as of their journals now. A page asks several
- * times a second, so a journal that has not changed is not read again.
+ * How far captures are that another program makes: as of their journals now. Who follows one asks
+ * several times a second, so a journal that has not changed is not read again.
  */
 final class CaptureStates {
-  private Path lastFolder = Path.of("");
-  private String lastStamp = "";
-  private String lastState = "";
+  /** Pages that are left open follow different ones. */
+  private static final int KEPT = 16;
+
+  private final Map<Path, Known> known = new LinkedHashMap<>(16, 0.75f, true);
+
+  /** What a capture came to, and of which journal that is. */
+  private record Known(String stamp, String state) {}
 
   /**
    * Returns how far a capture is, as the page of a capture has it.
@@ -31,12 +37,16 @@ final class CaptureStates {
   synchronized String state(Path folder) throws DataFormatException {
     Path journal = Shelf.file(folder, "journal.txt");
     String stamp = stamp(journal);
-    if (!folder.equals(lastFolder) || !stamp.equals(lastStamp)) {
-      lastState = read(folder);
-      lastFolder = folder;
-      lastStamp = stamp;
+    Known before = known.get(folder);
+    if (before != null && before.stamp().equals(stamp)) {
+      return before.state();
     }
-    return lastState;
+    Known now = new Known(stamp, read(folder));
+    known.put(folder, now);
+    if (known.size() > KEPT) {
+      known.remove(known.keySet().iterator().next());
+    }
+    return now.state();
   }
 
   private static String stamp(Path journal) {

@@ -195,11 +195,11 @@ public final class Folders {
   /**
    * Returns how far a capture is, as the page of a capture has it: as of its journal now.
    *
-   * @param question JSON with its path
+   * @param path of the capture, as the list has it
    * @throws DataFormatException if there is no such capture, or its journal is damaged
    */
-  public String capture(String question) throws DataFormatException {
-    return captures.state(shelf.folder(path(question)));
+  public String capture(String path) throws DataFormatException {
+    return captures.state(shelf.folder(path));
   }
 
   private RunView run(Path folder) throws DataFormatException {

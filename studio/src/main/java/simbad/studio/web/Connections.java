@@ -67,10 +67,7 @@ final class Connections implements Connection.Listener {
 
   /** A request showed that it may ask: no newcomer takes its place, and it has more time. */
   void welcome(HttpServletRequest request) {
-    Connection connection =
-        ServletContextRequest.getServletContextRequest(request)
-            .getConnectionMetaData()
-            .getConnection();
+    Connection connection = of(request);
     forget(connection);
     Scheduler.Task end =
         scheduler.schedule(
@@ -83,6 +80,13 @@ final class Connections implements Connection.Listener {
             end.cancel();
           }
         });
+  }
+
+  /** Returns the connection by which a request came. */
+  static Connection of(HttpServletRequest request) {
+    return ServletContextRequest.getServletContextRequest(request)
+        .getConnectionMetaData()
+        .getConnection();
   }
 
   @Override

@@ -5,35 +5,31 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.util.HexFormat;
-import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who is answered. At the loopback address: programs of this computer, but no page of another site,
- * whatever name that site has given to this computer. At another address: who has the token.
+ * Who is answered: who has the token. At the loopback address only programs of this computer, and
+ * no page of another site, whatever name that site has given to this computer.
  */
 public final class Guard {
   private static final int TOKEN_BYTES = 16;
   private static final Set<String> LOCAL_NAMES = Set.of("localhost", "127.0.0.1", "[::1]");
 
-  private final Optional<String> token;
+  /** What may follow the token in an address: what is asked about. */
+  private static final Pattern ABOUT = Pattern.compile("&path=[^&]*$");
+
+  private final String token = secret();
   private final boolean localOnly;
 
-  private Guard(Optional<String> token, boolean localOnly) {
-    this.token = token;
+  private Guard(boolean localOnly) {
     this.localOnly = localOnly;
   }
 
-  /** Returns the guard for an address, with a token of its own where one is needed. */
+  /** Returns the guard for an address, with a token of its own. */
   public static Guard of(InetAddress address) {
-    boolean local = address.isLoopbackAddress();
-    return new Guard(local ? Optional.empty() : Optional.of(secret()), local);
-  }
-
-  /** Returns the guard of a page that does work for who asks: it always wants its token. */
-  public static Guard withToken(InetAddress address) {
-    return new Guard(Optional.of(secret()), address.isLoopbackAddress());
+    return new Guard(address.isLoopbackAddress());
   }
 
   private static String secret() {
@@ -42,9 +38,9 @@ public final class Guard {
     return HexFormat.of().formatHex(bytes);
   }
 
-  /** Returns what every address must end with: the token, or nothing. */
+  /** Returns what every address must end with: the token. */
   public String query() {
-    return token.map(secret -> "?token=" + secret).orElse("");
+    return "?token=" + token;
   }
 
   /**
@@ -57,7 +53,7 @@ public final class Guard {
   boolean admits(@Nullable String query, @Nullable String host, @Nullable String origin) {
     boolean own = origin == null || origin.equals("http://" + host);
     return own
-        && (token.isEmpty() || isToken("?" + query))
+        && isToken("?" + ABOUT.matcher(String.valueOf(query)).replaceFirst(""))
         && (!localOnly || isLocal(String.valueOf(host)));
   }
 

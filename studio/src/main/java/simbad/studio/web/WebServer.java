@@ -15,6 +15,7 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -22,9 +23,9 @@ import org.eclipse.jetty.util.thread.QueuedThreadPool;
 
 /**
  * A web server that only shows: it answers GET and HEAD and, where it is opened with them,
- * questions of some length; nothing that is sent to it changes anything. At the loopback address it
- * answers programs of this computer; at another address it asks for a token. Requests that never
- * end do not keep others from an answer. It says nothing on the terminal.
+ * questions of some length, and tells what goes on; nothing that is sent to it changes anything.
+ * Who asks needs the token. Requests that never end do not keep others from an answer. It says
+ * nothing on the terminal.
  */
 public final class WebServer implements AutoCloseable {
   /**
@@ -44,11 +45,34 @@ public final class WebServer implements AutoCloseable {
   private final Javalin app;
   private final InetAddress address;
   private final Guard guard;
+  private final Streams streams;
 
-  private WebServer(Javalin app, InetAddress address, Guard guard) {
+  private WebServer(Javalin app, InetAddress address, Guard guard, Streams streams) {
     this.app = app;
     this.address = address;
     this.guard = guard;
+    this.streams = streams;
+  }
+
+  /**
+   * What is answered where.
+   *
+   * @param answers by path, asked for at each request, from any thread
+   * @param questions by path: what is sent there by POST, {@value #MOST_QUESTION_BYTES} bytes at
+   *     most, is answered, from any thread
+   * @param streams by path: what is told there as it goes on, of what the address' {@code path}
+   *     names or of nothing in particular; asked for several times a second, from any thread
+   */
+  public record Answers(
+      Map<String, Supplier<Content>> answers,
+      Map<String, Function<String, Content>> questions,
+      Map<String, Function<String, String>> streams) {
+    /** Copies all. */
+    public Answers {
+      answers = Map.copyOf(answers);
+      questions = Map.copyOf(questions);
+      streams = Map.copyOf(streams);
+    }
   }
 
   /**
@@ -56,29 +80,25 @@ public final class WebServer implements AutoCloseable {
    *
    * @param address where; port 0 for any that is free
    * @param guard who is answered
-   * @param answers by path, asked for at each request, from any thread
-   * @param questions by path: what is sent there by POST, {@value #MOST_QUESTION_BYTES} bytes at
-   *     most, is answered, from any thread
+   * @param answers what is answered
    * @throws IOException if the address is taken or none of this computer's
    */
-  public static WebServer open(
-      InetSocketAddress address,
-      Guard guard,
-      Map<String, Supplier<Content>> answers,
-      Map<String, Function<String, Content>> questions)
+  public static WebServer open(InetSocketAddress address, Guard guard, Answers answers)
       throws IOException {
     Connections connections = new Connections();
+    Streams streams = new Streams();
     Javalin app =
         Javalin.create(
             config -> {
               listen(config, address, connections);
               config.routes.before(
                   context -> {
-                    admit(context, guard, questions.keySet());
+                    admit(context, guard, answers.questions().keySet());
                     connections.welcome(context.req());
                   });
-              answers.forEach((path, content) -> serve(config, path, content));
-              questions.forEach((path, answer) -> ask(config, path, answer));
+              answers.answers().forEach((path, content) -> serve(config, path, content));
+              answers.questions().forEach((path, answer) -> ask(config, path, answer));
+              answers.streams().forEach((path, news) -> tell(config, path, news, streams));
             });
     try {
       app.start();
@@ -86,7 +106,7 @@ public final class WebServer implements AutoCloseable {
       app.stop();
       throw new IOException("page at " + address + ": " + reason(e), e);
     }
-    return new WebServer(app, address.getAddress(), guard);
+    return new WebServer(app, address.getAddress(), guard, streams);
   }
 
   /** What the system said: the libraries wrap it in words of their own. */
@@ -165,6 +185,16 @@ public final class WebServer implements AutoCloseable {
     config.routes.post(path, context -> answer(context, questioned.apply(context.body())));
   }
 
+  private static void tell(
+      JavalinConfig config, String path, Function<String, String> news, Streams streams) {
+    config.routes.get(
+        path,
+        context -> {
+          String of = Objects.requireNonNullElse(context.queryParam("path"), "");
+          streams.tell(context, () -> news.apply(of));
+        });
+  }
+
   private static void answer(Context context, Content content) {
     context.contentType(content.type()).result(content.bytes());
   }
@@ -185,6 +215,7 @@ public final class WebServer implements AutoCloseable {
 
   @Override
   public void close() {
+    streams.end();
     app.stop();
   }
 }

@@ -10,6 +10,6 @@ export function showJoint(page, answer, other) {
   if (shared.length) page.append(el('section', {}, el('h3', {}, 'One cause, one value'), table('One cause, one value', ['cause', 'heard as', 'parameter', '#tracker', '#sonar', '#both together'],
     shared.map(one => [one.name, one.heard_as, one.parameter, estimate(one.tracker), estimate(one.sonar), one.one_cause ? estimate(one.together) : 'two causes']))));
   page.append(el('h2', {}, 'The motion: ' + (motion.verdict || 'not diagnosed')), motion.reason ? el('p', {}, motion.reason + '.') : '');
-  const closeMotion = motionParts(page, answer, motion, other && other.diagnosis.motion);
+  const closeMotion = motionParts(page, [answer, other].filter(Boolean), one => one.diagnosis.motion);
   return () => { closeSensing(); closeMotion(); };
 }

@@ -57,3 +57,13 @@ export function csvText(heads, rows) {
   return [heads, ...rows].map(row => row.map(field).join(',')).join('\n') + '\n';
 }
 export function giveText(name, text, type) { give(name, new Blob([text], { type })); }
+// A drawing of the page as a file of its own: what style sheets say of it stands in it.
+const INK = ['paint-order', 'fill', 'stroke', 'stroke-width', 'stroke-dasharray', 'font-size', 'font-family', 'font-weight', 'text-anchor', 'dominant-baseline'];
+export function savedSvg(svg) {
+  const whole = svg.cloneNode(true), from = [svg, ...svg.querySelectorAll('*')], to = [whole, ...whole.querySelectorAll('*')], box = svg.getBoundingClientRect();
+  from.forEach((one, i) => { const css = getComputedStyle(one); to[i].removeAttribute('class'); for (const name of INK) to[i].style.setProperty(name, css.getPropertyValue(name)); });
+  whole.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+  whole.setAttribute('width', Math.round(box.width)); whole.setAttribute('height', Math.round(box.height));
+  whole.style.background = getComputedStyle(document.body).backgroundColor;
+  return new XMLSerializer().serializeToString(whole) + '\n';
+}

@@ -1,7 +1,7 @@
 // A diagnosis of motion: its answer, how well forecasts are before and after, where it lies.
 import { csvText, el, number, table } from './kit.js';
 import { chart, dash } from './charts.js';
-import { afterSlider, around, blend, fewOf, mean, moreNote, placeButtons, quantile } from './places.js';
+import { afterSlider, around, blend, fewOf, mean, moreNote, oneOf, placeButtons, quantile } from './places.js';
 import { line, Sheet } from './sheet.js';
 import { bar, budget, effects, percent, place, saveBars, verdict } from './words-of-gap.js';
 
@@ -10,16 +10,20 @@ const PARTS = [['along_m', 'along', 1000, ' mm'], ['across_m', 'across', 1000, '
 export function showMotion(page, answer, other) {
   page.append(el('div', { class: other ? 'twin' : 'opened' }, [answer, other].filter(Boolean).map(one => el('div', {}, other ? el('h3', {}, one.path) : null, verdict(one.diagnosis)))));
   page.append(effects(answer.diagnosis, other && other.diagnosis));
-  return motionParts(page, answer, answer.diagnosis, other && other.diagnosis);
+  return motionParts(page, [answer, other].filter(Boolean), one => one.diagnosis);
 }
-// What the motion's half of a diagnosis has: forecasts, parts of the gap, the drive with its places.
-export function motionParts(page, answer, diagnosis, other) {
-  const both = [diagnosis, other].filter(Boolean), closing = [];
-  page.append(el('div', { class: other ? 'twin' : 'opened' }, both.map(one => el('div', {}, gap(one, both), budget(one.budget || [])))));
-  if (answer.windows && answer.windows.length) drive(page, answer, diagnosis, closing);
+// What the motion's half of each diagnosis has: forecasts and parts of the gap beside each other, and the drive of one with its places.
+export function motionParts(page, answers, motionOf) {
+  const both = answers.map(motionOf).filter(Boolean);
+  page.append(el('div', { class: both.length > 1 ? 'twin' : 'opened' }, both.map(one => el('div', {}, gap(one, both), budget(one.budget || [])))));
+  return oneOf(page, answers, 'The drive of', (host, one) => driveOf(host, one, motionOf(one) || {}));
+}
+function driveOf(host, answer, diagnosis) {
+  const closing = [];
+  if (answer.windows && answer.windows.length) drive(host, answer, diagnosis, closing);
   else {
-    if ((diagnosis.where || []).length) page.append(places(diagnosis));
-    if (answer.missing) page.append(el('section', {}, el('h3', {}, 'The drive'), el('p', { class: 'missing' }, 'The drive is not shown: ' + answer.missing + '.')));
+    if ((diagnosis.where || []).length) host.append(places(diagnosis));
+    if (answer.missing) host.append(el('section', {}, el('h3', {}, 'The drive'), el('p', { class: 'missing' }, 'The drive is not shown: ' + answer.missing + '.')));
   }
   return () => closing.forEach(close => close());
 }

@@ -29,7 +29,8 @@ export class SvgPen {
   }
   fillRect(x, y, w, h) { this.beginPath(); this.rect(x, y, w, h); this.fill(); }
   fillText(text, x, y) {
-    this.parts.push('<text x="' + x + '" y="' + y + '" font-family="sans-serif" font-size="' + parseFloat(this.font) + '"' + this.paint('fill', this.fillStyle)
+    const anchor = { center: ' text-anchor="middle"', right: ' text-anchor="end"' }[this.textAlign] ?? '';
+    this.parts.push('<text x="' + x + '" y="' + y + '"' + anchor + ' font-family="sans-serif" font-size="' + parseFloat(this.font) + '"' + this.paint('fill', this.fillStyle)
       + '>' + escaped(text) + '</text>');
   }
   text(title) {

@@ -32,3 +32,18 @@ export function around(sheet, places) {
   const low = [0, 1].map(k => places.reduce((m, p) => Math.min(m, p[k]), Infinity)), high = [0, 1].map(k => places.reduce((m, p) => Math.max(m, p[k]), -Infinity));
   sheet.shows([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2], 0.55 * Math.max(0.2, high[0] - low[0], high[1] - low[1]));
 }
+// Of two that are compared the one that is chosen; show(host, answer) returns what closes it.
+export function oneOf(page, answers, label, show) {
+  const host = el('div', { class: 'opened' });
+  let close = () => {};
+  const press = index => {
+    close();
+    host.replaceChildren();
+    buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(i === index)));
+    close = show(host, answers[index]);
+  };
+  const buttons = answers.map((one, i) => el('button', { type: 'button', onclick: () => press(i) }, one.path));
+  page.append(...(answers.length > 1 ? [el('div', { class: 'bar oneof', role: 'group', 'aria-label': label }, el('span', {}, label), buttons)] : []), host);
+  press(0);
+  return () => close();
+}

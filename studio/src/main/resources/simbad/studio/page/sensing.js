@@ -2,7 +2,7 @@
 import { csvText, el, number, table } from './kit.js';
 import { chart, dash } from './charts.js';
 import { line, Sheet } from './sheet.js';
-import { afterSlider, around, blend, fewOf, mean, moreNote, placeButtons, quantile } from './places.js';
+import { afterSlider, around, blend, fewOf, mean, moreNote, oneOf, placeButtons, quantile } from './places.js';
 import { budget, effects, gapBars, place, verdict } from './words-of-gap.js';
 
 export function showSensing(page, answer, other) {
@@ -15,8 +15,13 @@ export function showSensing(page, answer, other) {
   }
   if (diagnosis.verdict) page.append(effects(diagnosis, other && other.diagnosis));
   if (answer.obstacles) curves(page, answer, other, closing);
-  if (answer.rows) rows(page, answer, closing);
-  else if (answer.missing) page.append(el('section', {}, el('h3', {}, 'Rows'), el('p', { id: 'missing' }, 'The rows are not shown: ' + answer.missing + '.')));
+  closing.push(oneOf(page, [answer, other].filter(Boolean), 'The rows of', rowsOf));
+  return () => closing.forEach(close => close());
+}
+function rowsOf(host, answer) {
+  const closing = [];
+  if (answer.rows) rows(host, answer, closing);
+  else if (answer.missing) host.append(el('section', {}, el('h3', {}, 'Rows'), el('p', { id: 'missing' }, 'The rows are not shown: ' + answer.missing + '.')));
   return () => closing.forEach(close => close());
 }
 function curves(page, answer, other, closing) {

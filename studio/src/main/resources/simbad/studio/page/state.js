@@ -11,7 +11,7 @@ export const live = {
   scene: { format: FORMAT, obstacle: '', sensor: '', sonar: 'srf04', robot: '', robots: 1, speed_m_per_s: 0.01, seed: 1, moves: [] },
 };
 // Of frames some are left out where the world ran fast: known has the steps of those that are there, upTo is the first step that nobody has asked for yet.
-export const worlds = [0, 1].map(() => ({ frames: [], known: [], upTo: 0, asking: false, sensor: '' }));
+export const worlds = [0, 1].map(() => ({ frames: [], known: [], upTo: 0, asking: false, sensor: '', moved: null }));
 // How the robots of either view move: the second view's as those of the first, if nothing else is said.
 export const AS_TOLD = '*';
 export const robotIn = index => index === 0 || live.besideRobot === '' ? live.scene.robot : live.besideRobot === AS_TOLD ? '' : live.besideRobot;
@@ -24,11 +24,11 @@ export const robotOf = name => live.catalogue.robots.find(r => r.name === name);
 export const halfAngle = name => (sensorOf(name).half_angle_deg ?? live.catalogue.transducers.find(one => one.name === live.scene.sonar).half_angle_deg) * Math.PI / 180;
 export const isOriginal = world => /^(original|ray)$/.test(world.sensor);
 export const turned = ([x, z], turn) => [x * Math.cos(turn) + z * Math.sin(turn), z * Math.cos(turn) - x * Math.sin(turn)];
+const robotAt = i => i === 0 ? 0 : FIRST + 2 * live.catalogue.sonars + (i - 1) * (3 + 2 * live.catalogue.sonars);
 // The robots of a frame: where each is, and where in the frame its ranges begin; its reasons follow them.
 export function robotsOf(frame) {
-  const n = live.catalogue.sonars;
   return Array.from({ length: live.scene.robots }, (_, i) => {
-    const at = i === 0 ? 0 : FIRST + 2 * n + (i - 1) * (3 + 2 * n);
+    const at = robotAt(i);
     return { x: frame[at], z: frame[at + 1], heading: frame[at + 2], at: i === 0 ? FIRST : at + 3 };
   });
 }
@@ -104,6 +104,7 @@ export function change(keep) {
     world.known = world.known.filter(step => step < keep);
     world.upTo = Math.min(world.upTo, keep);
     world.asking = false;
+    world.moved = null;
   }
   live.now = Math.max(0, keep === 0 ? live.now : Math.min(live.now, keep));
   fault('');
@@ -115,19 +116,30 @@ export function endStep() {
   const round = typeNow().round_m / live.scene.speed_m_per_s / live.catalogue.step_s;
   return Math.min(live.catalogue.most_steps, Math.max(2000, 500 * Math.ceil(4 * round / 500))) - 1;
 }
-export const most = () => Math.max(0, Math.min(...active().map(w => w.upTo)) - 1);
+// What was moved by hand stands there at once: until the program has answered, that step is what was seen, with the thing at its new place.
+const reach = world => world.moved ? Math.max(world.upTo, world.moved.step + 1) : world.upTo;
+export const most = () => Math.max(0, Math.min(...active().map(reach)) - 1);
 // The step that is shown: the last one that is known by now.
 export function stepOf(world) {
-  let step = Math.min(Math.floor(live.now), world.upTo - 1);
+  let step = Math.min(Math.floor(live.now), reach(world) - 1);
+  if (world.moved && step >= world.upTo) return world.moved.step;
   while (step > 0 && !world.frames[step]) step--;
   return step;
 }
-export const frameOf = world => world.frames[stepOf(world)];
+export const frameOf = world => world.moved && stepOf(world) >= world.upTo ? world.moved.frame : world.frames[stepOf(world)];
+function movedIn(frame, thing, to, turn, number) {
+  const copy = [...frame], at = thing === 'robot' ? robotAt(number) : FIRST - 3;
+  copy[at] = to[0];
+  copy[at + 1] = to[1];
+  if (thing === 'obstacle') copy[at + 2] = turn;
+  return copy;
+}
 
 export function setPlaying(on) { live.playing = on; if (on) live.wish = 0; $('play').textContent = on ? 'Pause' : 'Play'; live.dirty = true; }
 // Where nobody has been yet it waits until the world is stepped so far.
 export function go(step) { setPlaying(false); live.now = Math.max(0, Math.min(most(), step)); live.wish = step > live.now ? Math.min(step, endStep()) : 0; live.dirty = true; }
 export function move(thing, at, turn, number = 0) {
+  const seen = worlds.map(frameOf);
   const step = Math.floor(live.now), to = at.map(v => Math.round(Math.max(-20, Math.min(20, v)) * 1000) / 1000);
   if (thing === 'robot' && step === 0 && live.scene.robots === 1) {
     live.scene.start = to;
@@ -138,5 +150,6 @@ export function move(thing, at, turn, number = 0) {
     live.scene.moves.push(thing === 'robot' ? { step, robot: to, ...(number ? { number } : {}) } : { step, obstacle: to, turn_deg: Math.round(turn * 1800 / Math.PI) / 10 });
   }
   change(step);
+  worlds.forEach((world, i) => { if (seen[i]) world.moved = { step, frame: movedIn(seen[i], thing, to, turn, number) }; });
 }
 export const within = angle => Math.atan2(Math.sin(angle), Math.cos(angle));

@@ -61,7 +61,7 @@ class FoldersInBrowserTest {
   void look(@TempDir Path own) throws Exception {
     visitor = Visitor.at(studio.url(), own);
     visitor.resize(1280, 900, false);
-    visitor.await("document.querySelectorAll('#folders tbody tr').length === 10");
+    visitor.await("document.querySelectorAll('#folders tbody tr').length === 11");
   }
 
   @AfterEach
@@ -138,8 +138,12 @@ class FoldersInBrowserTest {
     visitor.click(".twin figure .bar button:nth-child(1)");
     visitor.await(
         "saved.length === 1 && !new DOMParser().parseFromString(saved[0], 'image/svg+xml').querySelector('parsererror')");
-    visitor.click(".chartbox .bar button:nth-child(2)");
+    visitor.click(".chartbox .bar button:nth-child(3)");
     visitor.await("saved.length === 2 && saved[1].split('\\n').length === 38");
+    // The chart as a picture: a line for each sensor, in its frame, with its name.
+    visitor.click(".chartbox .bar button:nth-child(1)");
+    visitor.await(
+        "saved.length === 3 && new DOMParser().parseFromString(saved[2], 'image/svg+xml').querySelectorAll('svg svg path').length >= 2 && saved[2].includes('>shadow</text>')");
     checkWholeAndForEverybody("document.querySelector('.readout td') !== null");
   }
 
@@ -187,7 +191,7 @@ class FoldersInBrowserTest {
     visitor.await(picture + " !== '" + before + "'");
     // The points of the chart are dots on the believed line now: none is a centimetre off.
     visitor.look(KEEP_WHAT_IS_SAVED);
-    visitor.click("[aria-label=\"Save range-error\"] button:nth-child(2)");
+    visitor.click("[aria-label=\"Save range-error\"] button:nth-child(3)");
     visitor.await(
         "saved.length === 1 && saved[0].split('\\n').slice(1, -1).every(l => Math.abs(Number(l.split(',')[1])) < 0.2 && Math.abs(Number(l.split(',')[2])) < 0.2)");
     checkWholeAndForEverybody("document.querySelector('#places') !== null");
@@ -198,6 +202,10 @@ class FoldersInBrowserTest {
     show(
         "open=diagnoses%2Fwall&with=diagnoses%2Fagain",
         "document.querySelectorAll('.verdict').length === 2");
+    visitor.await("document.querySelector('#rowsaid').textContent.startsWith('All ')");
+    visitor.click(".oneof button:nth-child(3)");
+    visitor.await(
+        "document.querySelector('.oneof button:nth-child(3)').getAttribute('aria-pressed') === 'true' && document.querySelectorAll('#rowsaid').length === 1");
     show("open=motion%2Frobot", "document.querySelectorAll('.bars .fill').length === 18");
     checkWholeAndForEverybody("document.querySelectorAll('.bars .fill').length === 18");
     show("open=batch", "document.querySelectorAll('#folders .fields select').length === 3");
@@ -209,7 +217,7 @@ class FoldersInBrowserTest {
     show("open=captures%2Fpost", "document.querySelector('.readout td') !== null");
     visitor.click(".opened a.watch");
     visitor.await(
-        "document.title.includes('sweep') && document.getElementById('obstacle').textContent === 'post'");
+        "!document.getElementById('watch').hidden && document.getElementById('captured').textContent === 'post'");
     // The last reading stands there in large type: 5800 us.
     visitor.await("Number(document.getElementById('reading').textContent) > 90");
     assertEquals("[]", visitor.violations());
@@ -235,11 +243,20 @@ class FoldersInBrowserTest {
     visitor.press("End", 35);
     visitor.await(picture + " !== '" + before + "'");
     visitor.look(KEEP_WHAT_IS_SAVED);
-    visitor.click("[aria-label=\"Save motion-error\"] button:nth-child(2)");
+    visitor.click("[aria-label=\"Save motion-error\"] button:nth-child(3)");
     visitor.await(
         "saved.length === 1 && saved[0].split('\\n').slice(1, -1).every(l => Math.abs(Number(l.split(',')[1])) < 0.05 && Math.abs(Number(l.split(',')[2])) < 0.05)");
     visitor.click("[aria-label=\"Save drive\"] button:nth-child(3)");
     visitor.await("saved.length === 2 && saved[1].split('\\n').length === 42");
+    // Beside another one: the drive of either, as chosen.
+    show("open=motion%2Frobot&with=motion%2Fsecond", "document.querySelector('.oneof') !== null");
+    visitor.click("#driveplaces button:nth-child(3)");
+    visitor.await("document.querySelector('#drivesaid').textContent.startsWith('time 0 to 10 s')");
+    visitor.click(".oneof button:nth-child(3)");
+    visitor.await("document.querySelector('#drivesaid').textContent.startsWith('All 80 windows')");
+    assertEquals(
+        "motion/second",
+        visitor.look("document.querySelector('.oneof [aria-pressed=true]').textContent"));
     checkWholeAndForEverybody("document.querySelector('#driveplaces') !== null");
   }
 
@@ -308,7 +325,7 @@ class FoldersInBrowserTest {
         visitor.look(
             "[...document.getElementById('sensor0').options].map(o => o.value).join(' ')"));
     assertEquals(
-        " wall robot",
+        " wall robot second",
         visitor.look("[...document.getElementById('robot').options].map(o => o.value).join(' ')"));
     visitor.look(
         "for (const [id, v] of [['sensor0', 'diagnosed-wall'], ['robot', 'robot']]) { const e = document.getElementById(id); e.value = v; e.dispatchEvent(new Event('change')); }");

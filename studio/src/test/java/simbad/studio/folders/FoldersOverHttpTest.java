@@ -83,7 +83,6 @@ class FoldersOverHttpTest {
     assertEquals(403, post("/folder?token=0", question).statusCode());
     assertEquals(
         403, post("/folder" + token(), question, "Origin", "http://evil.example").statusCode());
-    assertEquals(403, post("/capture", "{\"path\": \"captures/post\"}").statusCode());
   }
 
   /** Every path by every method, with no token and each that is nearly one, is forbidden. */
@@ -100,17 +99,20 @@ class FoldersOverHttpTest {
             "?TOKEN=" + right,
             "?token=" + right + "&token=" + right,
             "?x=1&token=" + right,
+            "?token=" + right + "&path=a&path=b",
+            "?path=captures/post",
+            "?path=a&token=" + right,
             "#?token=" + right);
     for (String path :
         List.of(
             "/",
-            "/bench",
+            "/views",
             "/catalogue",
             "/folders",
             "/folder",
             "/frames",
             "/loudness",
-            "/capture",
+            "/watch",
             "/trace",
             "/state.js",
             "/uPlot.min.css",
@@ -190,7 +192,7 @@ class FoldersOverHttpTest {
   @Test
   void garbageIsAnsweredWithItsFault() throws Exception {
     for (String body : List.of("", "\u0000", "[[[[", "{\"path\": 7}", "{\"path\": \"x\"} more")) {
-      for (String path : List.of("/folder", "/capture", "/trace", "/loudness", "/frames")) {
+      for (String path : List.of("/folder", "/trace", "/loudness", "/frames")) {
         HttpResponse<String> answer = post(path + token(), body);
         assertEquals(200, answer.statusCode(), body);
         assertTrue(answer.body().startsWith("{\"fault\":"), answer.body());

@@ -64,12 +64,13 @@ class FoldersTest {
             "diagnoses/wall sensing",
             "joint/wall joint",
             "motion/robot motion",
+            "motion/second motion",
             "runs/one run",
             "runs/two run"),
         found);
     assertEquals("explained: sound-speed", list.path("folders").get(4).path("about").asText());
     assertEquals("4 runs", list.path("folders").get(1).path("about").asText());
-    assertEquals("post · original, shadow", list.path("folders").get(8).path("about").asText());
+    assertEquals("post · original, shadow", list.path("folders").get(9).path("about").asText());
   }
 
   /** The page shows what the files say. */
@@ -158,7 +159,7 @@ class FoldersTest {
 
   @Test
   void capture_isAsFarAsItsJournal() throws Exception {
-    JsonNode state = MAPPER.readTree(folders.capture(question("captures/post")));
+    JsonNode state = MAPPER.readTree(folders.capture("captures/post"));
 
     assertEquals("post", state.path("obstacle").asText());
     assertEquals(61, state.path("pings").asInt());
@@ -237,7 +238,7 @@ class FoldersTest {
     DataFormatException refused =
         assertThrows(DataFormatException.class, () -> folders.open(question(path)));
     assertFalse(String.valueOf(refused.getMessage()).contains(folder.toString()), path);
-    assertThrows(DataFormatException.class, () -> folders.capture(question(path)));
+    assertThrows(DataFormatException.class, () -> folders.capture(path));
   }
 
   /** A file in a folder that is a link to elsewhere would be read on behalf of who asks. */

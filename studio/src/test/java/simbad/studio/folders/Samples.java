@@ -52,6 +52,7 @@ public final class Samples {
     diagnosis(folder.resolve("diagnoses/again"), folder.resolve("sets/wall"));
     MotionSamples.drive(folder.resolve("sets/robot"));
     MotionSamples.motion(folder.resolve("motion/robot"), folder.resolve("sets/robot"));
+    MotionSamples.motion(folder.resolve("motion/second"), folder.resolve("sets/robot"));
     dataSet(folder.resolve("sets/joint/wall"));
     MotionSamples.drive(folder.resolve("sets/joint/wall"));
     diagnosis(folder.resolve("joint/wall"), folder.resolve("sets/joint/wall"));

@@ -5,8 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.BufferedReader;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -18,12 +20,14 @@ import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import java.util.logging.Handler;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -48,6 +52,10 @@ class WebServerTest {
             throw new IllegalStateException("secret");
           });
 
+  /** What is followed; always another one, and large. */
+  private final Iterator<String> news =
+      Stream.iterate(0, i -> i + 1).map(i -> i + LARGE).iterator();
+
   private final List<Socket> sockets = new ArrayList<>();
 
   // Opened before each test.
@@ -67,9 +75,32 @@ class WebServerTest {
     }
   }
 
-  private static WebServer open(String address, int port) throws IOException {
+  private WebServer open(String address, int port) throws IOException {
     InetSocketAddress at = new InetSocketAddress(address, port);
-    return WebServer.open(at, Guard.of(at.getAddress()), ANSWERS, Map.of());
+    return WebServer.open(
+        at,
+        Guard.of(at.getAddress()),
+        new WebServer.Answers(
+            ANSWERS,
+            Map.of(),
+            Map.of("/news", path -> path.isEmpty() ? nextNews() : "of " + path)));
+  }
+
+  /** Where a path is answered. */
+  private static String at(WebServer server, String path) {
+    return server.url().replace("/?", "/" + path + "?");
+  }
+
+  private String at(String path) {
+    return at(server, path);
+  }
+
+  private String query() {
+    return "?" + URI.create(server.url()).getQuery();
+  }
+
+  private synchronized String nextNews() {
+    return news.next();
   }
 
   private int port() {
@@ -102,13 +133,13 @@ class WebServerTest {
   }
 
   private void checkAnswers() throws Exception {
-    assertEquals("{\"a\":1}", ask("GET", server.url() + "state").body());
+    assertEquals("{\"a\":1}", ask("GET", at("state")).body());
   }
 
   @Test
   void unfinishedRequests_keepNobodyOut() throws Exception {
     for (int i = 0; i < 300; i++) {
-      send("GET /state HTTP/1.1\r\nHost: localhost\r\nX-" + i + ": ");
+      send("GET /state" + query() + " HTTP/1.1\r\nHost: localhost\r\nX-" + i + ": ");
     }
     checkAnswers();
     assertEquals(-1, sockets.get(0).getInputStream().read(), "the eldest made room");
@@ -126,22 +157,43 @@ class WebServerTest {
   @Test
   void answersThatNobodyReads_keepNobodyOut() throws Exception {
     for (int i = 0; i < 150; i++) {
-      send("GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n");
+      send("GET /large" + query() + " HTTP/1.1\r\nHost: localhost\r\n\r\n");
       checkAnswers();
     }
+  }
+
+  /** Nobody waits for a follower: the eldest of too many gives way, though it hangs in a write. */
+  @Test
+  void followersThatNeverRead_keepNobodyOut() throws Exception {
+    String follow = "GET /news" + query() + " HTTP/1.1\r\nHost: localhost\r\n\r\n";
+    for (int i = 0; i < 100; i++) {
+      send(follow);
+    }
+    checkAnswers();
+    assertTrue(sockets.get(0).getInputStream().readAllBytes().length < LARGE.length(), "cut off");
+  }
+
+  /** The address may say what is followed, behind the token; each new state is an event. */
+  @Test
+  void follower_isToldWhatItsAddressNames() throws Exception {
+    Socket socket = send("GET /news" + query() + "&path=a%2Fb HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    BufferedReader lines =
+        new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8));
+    String told = lines.lines().filter(line -> line.startsWith("data: ")).findFirst().orElse("");
+    assertEquals("data: of a/b", told);
   }
 
   /** A connection serves one request, so that none outlives its time by sending one more. */
   @Test
   void connection_endsWithItsAnswer() throws Exception {
-    String request = "GET /state HTTP/1.1\r\nHost: localhost\r\n\r\n";
+    String request = "GET /state" + query() + " HTTP/1.1\r\nHost: localhost\r\n\r\n";
     assertEquals(2, answer(request + request).split("HTTP/1.1 200", -1).length);
   }
 
   /** A drop of a request at a time does not keep it alive. */
   @Test
   void drippingRequest_isCutOff() throws Exception {
-    Socket socket = send("GET /state HTTP/1.1\r\nHost: localhost\r\n");
+    Socket socket = send("GET /state" + query() + " HTTP/1.1\r\nHost: localhost\r\n");
     assertThrows(
         IOException.class,
         () -> {
@@ -165,8 +217,8 @@ class WebServerTest {
       HttpResponse<String> head = ask("HEAD", other.url());
       assertEquals(200, head.statusCode());
       assertEquals("", head.body());
-      ask("GET", other.url() + "broken");
-      ask("GET", other.url() + "x".repeat(100_000));
+      ask("GET", at(other, "broken"));
+      ask("GET", at(other, "x").repeat(100_000));
       answer("NONSENSE\r\n\r\n");
     } finally {
       System.setErr(before);
@@ -201,12 +253,12 @@ class WebServerTest {
     for (String field : List.of("Content-Type", "Content-Length", "Content-Security-Policy")) {
       assertEquals(get.headers().firstValue(field), head.headers().firstValue(field), field);
     }
-    assertEquals(404, ask("HEAD", server.url() + "none").statusCode());
+    assertEquals(404, ask("HEAD", at("none")).statusCode());
   }
 
   @Test
   void fault_isNotExplained() throws Exception {
-    HttpResponse<String> answer = ask("GET", server.url() + "broken");
+    HttpResponse<String> answer = ask("GET", at("broken"));
     assertEquals(500, answer.statusCode());
     assertFalse(answer.body().contains("secret"), answer.body());
   }
@@ -214,15 +266,15 @@ class WebServerTest {
   @ParameterizedTest
   @ValueSource(strings = {"POST", "PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "NEW"})
   void anythingButLooking_isRefused(String method) throws Exception {
-    HttpResponse<String> answer = ask(method, server.url() + "state");
+    HttpResponse<String> answer = ask(method, at("state"));
     assertEquals(405, answer.statusCode());
     assertEquals("GET, HEAD", answer.headers().firstValue("Allow").orElse(""));
   }
 
   @Test
   void unknownPath_isNotFound() throws Exception {
-    assertEquals(404, ask("GET", server.url() + "journal.txt").statusCode());
-    assertTrue(ask("GET", server.url() + "state/..%2f..%2fetc").statusCode() >= 400);
+    assertEquals(404, ask("GET", at("journal.txt")).statusCode());
+    assertTrue(ask("GET", at("state/..%2f..%2fetc")).statusCode() >= 400);
     assertThrows(IOException.class, () -> open("127.0.0.1", port()), "taken");
   }
 
@@ -230,7 +282,7 @@ class WebServerTest {
   @ValueSource(strings = {"/", "/state?a="})
   void longAddress_isRefused(String path) throws Exception {
     int status =
-        ask("GET", server.url().replaceAll("/$", path) + "x".repeat(1_000_000)).statusCode();
+        ask("GET", "http://localhost:" + port() + path + "x".repeat(1_000_000)).statusCode();
     assertTrue(status == 414 || status == 431, () -> "status " + status);
     checkAnswers();
   }
@@ -246,7 +298,7 @@ class WebServerTest {
         "X: y"
       })
   void foreignHostName_isRefused(String host) throws Exception {
-    String answer = answer("GET /state HTTP/1.1\r\n" + host + "\r\n\r\n");
+    String answer = answer("GET /state" + query() + " HTTP/1.1\r\n" + host + "\r\n\r\n");
     assertTrue(answer.matches("(?s)HTTP/1.1 40[03].*"), answer);
     assertFalse(answer.contains("\"a\""), answer);
   }
@@ -254,13 +306,13 @@ class WebServerTest {
   @ParameterizedTest
   @ValueSource(strings = {"localhost", "127.0.0.1:80", "[::1]:8080"})
   void ownName_isAnswered(String host) throws Exception {
-    String answer = answer("GET /state HTTP/1.1\r\nHost: " + host + "\r\n\r\n");
+    String answer = answer("GET /state" + query() + " HTTP/1.1\r\nHost: " + host + "\r\n\r\n");
     assertTrue(answer.startsWith("HTTP/1.1 200"), answer);
   }
 
   @Test
   void pageOfAnotherSite_isRefused() throws Exception {
-    String from = "GET /state HTTP/1.1\r\nHost: localhost:80\r\nOrigin: ";
+    String from = "GET /state" + query() + " HTTP/1.1\r\nHost: localhost:80\r\nOrigin: ";
     assertTrue(answer(from + "http://evil.example\r\n\r\n").startsWith("HTTP/1.1 403"));
     assertTrue(answer(from + "null\r\n\r\n").startsWith("HTTP/1.1 403"));
     assertTrue(answer(from + "http://localhost:80\r\n\r\n").startsWith("HTTP/1.1 200"));
@@ -283,7 +335,7 @@ class WebServerTest {
   @Test
   void everyAnswer_bringsThePolicy() throws Exception {
     for (String path : List.of("", "state", "none", "broken")) {
-      HttpResponse<String> answer = ask("GET", server.url() + path);
+      HttpResponse<String> answer = ask("GET", at(path));
       String policy = answer.headers().firstValue("Content-Security-Policy").orElse("");
       assertTrue(policy.startsWith("default-src 'none'; "), path + ": " + policy);
       assertTrue(policy.endsWith("; style-src 'self'; script-src 'self'"), policy);

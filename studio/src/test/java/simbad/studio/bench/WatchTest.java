@@ -3,12 +3,17 @@ package simbad.studio.bench;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.BufferedReader;
+import java.io.InputStream;
+import java.io.InputStreamReader;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
@@ -21,8 +26,9 @@ import simbad.bench.capture.TriedDistance;
 import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.FrameLine;
 import simbad.bench.protocol.PingStatus;
+import simbad.studio.Studio;
 
-class LivePageTest {
+class WatchTest {
   private static final InetSocketAddress LOCAL =
       new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
 
@@ -30,17 +36,34 @@ class LivePageTest {
     return new LiveState("post", SweepPlan.ofBearings(4), new Ranging(20, FirmwareMode.FRAME));
   }
 
-  private static HttpResponse<String> get(String method, String url) throws Exception {
-    return HttpClient.newHttpClient()
-        .send(
-            HttpRequest.newBuilder(URI.create(url))
-                .method(method, HttpRequest.BodyPublishers.noBody())
-                .build(),
-            HttpResponse.BodyHandlers.ofString());
+  private static URI watch(Studio studio) {
+    URI page = URI.create(studio.url());
+    return URI.create("http://localhost:" + page.getPort() + "/watch?" + page.getQuery());
+  }
+
+  private static InputStream stream(Studio studio) throws Exception {
+    HttpResponse<InputStream> answer =
+        HttpClient.newHttpClient()
+            .send(
+                HttpRequest.newBuilder(watch(studio)).build(),
+                HttpResponse.BodyHandlers.ofInputStream());
+    assertEquals(200, answer.statusCode());
+    String type = answer.headers().firstValue("Content-Type").orElse("");
+    assertTrue(type.startsWith("text/event-stream"), type);
+    return answer.body();
+  }
+
+  /** The data of the next event. */
+  private static String next(BufferedReader lines) throws Exception {
+    String line = lines.readLine();
+    while (line != null && !line.startsWith("data: ")) {
+      line = lines.readLine();
+    }
+    return String.valueOf(line).substring("data: ".length());
   }
 
   @Test
-  void page_showsReadingAndThresholds() throws Exception {
+  void stream_tellsReadingAndThresholds_asTheyCome() throws Exception {
     LiveState live = state();
     SweepState sweep = new SweepState();
     for (int i = 0; i < 20; i++) {
@@ -59,20 +82,16 @@ class LivePageTest {
     sweep.take(new Entry.Done(0));
     live.take(new Entry.Done(0), sweep);
     live.read(new FrameLine.Ping(21, PingStatus.ECHO, OptionalInt.of(5828), 70));
-    try (LivePage page = LivePage.open(LOCAL, live)) {
-      assertTrue(page.url().startsWith("http://localhost:"), page.url());
-      HttpResponse<String> html = get("GET", page.url());
-      assertEquals(200, html.statusCode());
-      assertTrue(html.body().contains("<title>Simbad Sonar: sweep</title>"));
-      assertTrue(
-          html.headers()
-              .firstValue("Content-Security-Policy")
-              .orElse("")
-              .contains("script-src 'self'"));
-      String json = get("GET", page.url() + "state").body();
+    try (Studio studio = Studio.ofCapture(LOCAL, Path.of("none"), live);
+        BufferedReader lines =
+            new BufferedReader(new InputStreamReader(stream(studio), StandardCharsets.UTF_8))) {
+      assertTrue(studio.url().matches("http://localhost:\\d+/\\?token=[0-9a-f]{32}#capture"));
+      String json = next(lines);
       assertTrue(json.contains("\"reading_cm\":\"100.0\""), json);
       assertTrue(json.contains("\"points\":[[0.0,1.0"), json);
       assertTrue(json.contains("\"done\":1,\"pings\":20,\"bearing_deg\":90.0"), json);
+      live.read(new FrameLine.Ping(22, PingStatus.ECHO, OptionalInt.of(11656), 70));
+      assertTrue(next(lines).contains("\"reading_cm\":\"200.0\""));
     }
   }
 }

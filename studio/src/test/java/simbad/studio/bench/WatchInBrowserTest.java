@@ -24,11 +24,12 @@ import simbad.bench.capture.TriedDistance;
 import simbad.bench.protocol.FirmwareMode;
 import simbad.bench.protocol.FrameLine;
 import simbad.bench.protocol.PingStatus;
+import simbad.studio.Studio;
 import simbad.studio.Visitor;
 
-/** The page of a sweep in headless Chromium, served as in a capture. */
+/** The studio at a capture in headless Chromium, served as in a capture. */
 @Timeout(180)
-class LivePageInBrowserTest {
+class WatchInBrowserTest {
   private static final String PLOT =
       "JSON.stringify(document.getElementById('plot').getBoundingClientRect())";
   private static final String SHOWN = "document.getElementById('reading').textContent";
@@ -36,7 +37,7 @@ class LivePageInBrowserTest {
   /** What sticks out of its box, and whether the page is wider than the window. */
   private static final String CUT =
       """
-      [...document.querySelectorAll('div, h1')].filter(e => e.scrollWidth > e.clientWidth)
+      [...document.querySelectorAll('#watch div, #watch h2')].filter(e => e.scrollWidth > e.clientWidth)
         .map(e => e.id + ' ' + e.textContent).join('; ')
         + (document.documentElement.scrollWidth > innerWidth ? ' wide' : '')""";
 
@@ -61,19 +62,20 @@ class LivePageInBrowserTest {
     live.read(new FrameLine.Ping(pings, status, echo, 70));
   }
 
-  private Visitor watcher(LivePage page) throws Exception {
+  private Visitor watcher(Studio page) throws Exception {
     assumeTrue(Visitor.isThere(), "no Chromium on this machine: the page is not looked at");
     return Visitor.at(page.url(), folder);
   }
 
-  private static LivePage open(LiveState live) throws Exception {
-    return LivePage.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), live);
+  private Studio open(LiveState live) throws Exception {
+    return Studio.ofCapture(
+        new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), folder.resolve("later"), live);
   }
 
   @ParameterizedTest
-  @CsvSource({"1280, 800", "390, 844", "1920, 1080", "844, 390"})
+  @CsvSource({"1280, 800", "390, 844", "1920, 1080", "844, 390", "2560, 1440"})
   void lostEcho_movesNothing_andIsNotCutOff(int width, int height) throws Exception {
-    try (LivePage page = open(live);
+    try (Studio page = open(live);
         Visitor watcher = watcher(page)) {
       watcher.resize(width, height, width < 900);
       List<String> places = new ArrayList<>();
@@ -91,10 +93,35 @@ class LivePageInBrowserTest {
     }
   }
 
-  /** Nobody polls a server that is gone for nothing: the page says so, and in time. */
+  /** It opens at the capture; the live world and the capture's folder are on the same page. */
+  @Test
+  void captureIsAViewOfTheStudio_withItsPictureToSave() throws Exception {
+    take(PingStatus.ECHO, 1);
+    try (Studio page = open(live);
+        Visitor watcher = watcher(page)) {
+      watcher.await(SHOWN + " === '100.0'");
+      watcher.look(
+          "window.saved = []; const make = URL.createObjectURL; URL.createObjectURL = blob => { blob.text().then(text => saved.push(text)); return make(blob); }");
+      watcher.click("#watchsvg");
+      watcher.await(
+          "saved.length === 1 && saved[0].includes('<circle') && saved[0].includes('stroke')");
+      watcher.click("#watchcsv");
+      watcher.await("saved.length === 2 && saved[1].startsWith('bearing_deg,threshold_m')");
+      watcher.click("#to-live");
+      watcher.await("document.getElementById('rows').children.length === 12");
+      watcher.click("#to-folders");
+      watcher.await("document.getElementById('fault').textContent.includes('no such folder')");
+      watcher.click("#to-watch");
+      watcher.await(
+          "document.getElementById('state').textContent.length > 0 && !document.getElementById('watch').hidden");
+      assertEquals("", watcher.look("document.getElementById('fault').textContent"));
+    }
+  }
+
+  /** Nobody follows a server that is gone for nothing: the page says so, and in time. */
   @Test
   void endOfTheCapture_isSaid() throws Exception {
-    LivePage page = open(live);
+    Studio page = open(live);
     take(PingStatus.ECHO, 1);
     try (Visitor watcher = watcher(page)) {
       watcher.await(SHOWN + " === '100.0'");

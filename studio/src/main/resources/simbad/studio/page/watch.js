@@ -1,5 +1,5 @@
-// A capture, as it goes on: for a person two metres off.
-import { ask } from './kit.js';
+// A capture, as it goes on: for a person two metres off. The program tells what is new (server-sent events).
+import { csvText, giveText, savedSvg } from './kit.js';
 
 const svg = document.getElementById("plot");
 const RADIUS = 300;
@@ -67,7 +67,7 @@ function draw(state) {
   }
   scale(most);
 }
-let begun, before = {readings: -1}, since = Date.now(), drawn = "", failures = 0;
+let begun, before = {readings: -1}, since = Date.now(), failures = 0, source = null, clock = null;
 function left(state) {
   if (!begun || state.done < begun.done) begun = {done: state.done, at: Date.now()};
   if (state.done === begun.done) return "";
@@ -77,7 +77,7 @@ function left(state) {
 function tell(state) {
   const number = /^[0-9.]+$/.test(state.reading_cm);
   put("reading", number ? Number(state.reading_cm).toFixed(1) : state.reading_cm, number ? "large" : "large alarm");
-  put("obstacle", state.obstacle);
+  put("captured", state.obstacle);
   put("bearing", state.bearing_deg + "\u00b0");
   const last = (state.levels || []).slice(-1)[0];
   put("level", last ? (last[3] ? "LOST at " : "at ") + (last[0] * 100).toFixed(1) + " cm to the axis: "
@@ -87,33 +87,48 @@ function tell(state) {
   document.getElementById("progress").value = state.done / state.bearings;
 }
 function live(state) {
-  // In a folder readings are counted in the journal alone.
-  if (state.readings !== before.readings || state.pings !== before.pings) since = Date.now();
-  before = state;
   const silentS = Math.round((Date.now() - since) / 1000);
   if (state.done === state.bearings) put("state", "all bearings are done", "line fine");
   else if (silentS >= 3) put("state", "no reading for " + silentS + " s (paused, or the board is silent)", "line alarm");
   else put("state", "live", "line fine");
 }
-if (location.hash) { const home = document.getElementById('home'); home.href = './' + location.search + '#' + new URLSearchParams({open: decodeURIComponent(location.hash.slice(1))}); home.hidden = false; }
-async function show() {
-  try {
-    // Of a capture in the studio's folder the page's address says which.
-    const folder = decodeURIComponent(location.hash.slice(1));
-    const state = folder ? await ask("/capture", {path: folder}) : await ask("/state"), text = JSON.stringify(state);
-    if (state.fault) throw new Error(state.fault);
-    failures = 0;
-    if (state.bearings) {
-      if (text !== drawn) { tell(state); draw(state); drawn = text; }
-      live(state);
-    } else put("state", "the capture begins", "line");
-  } catch (gone) {
-    // One answer may be lost on a busy machine or network.
-    if (++failures < 3) return setTimeout(show, 300);
-    const whole = before.bearings && before.done === before.bearings;
-    put("state", whole ? "done: the capture has ended" : "NOT LIVE: the capture has ended or cannot be reached", whole ? "line fine" : "line alarm");
-    if (!whole) put("reading", "-", "large alarm");
-  }
-  return setTimeout(show, 300);
+// How long nothing was read is told by the clock, not by the program.
+const SILENT_EVERY_MS = 500, LOST_AFTER = 3;
+function hear(state) {
+  failures = 0;
+  if (state.fault) return gone(state.fault);
+  if (!state.bearings) return put("state", "the capture begins", "line");
+  // In a folder readings are counted in the journal alone.
+  if (state.readings !== before.readings || state.pings !== before.pings) since = Date.now();
+  before = state;
+  tell(state);
+  draw(state);
+  return live(state);
 }
-show();
+function gone(why) {
+  const whole = before.bearings && before.done === before.bearings;
+  put("state", whole ? "done: the capture has ended" : "NOT LIVE: " + why, whole ? "line fine" : "line alarm");
+  if (!whole) put("reading", "-", "large alarm");
+}
+// Without a path it is the capture that this very program makes.
+export function watch(path) {
+  leave();
+  begun = undefined;
+  before = {readings: -1};
+  since = Date.now();
+  failures = 0;
+  document.getElementById("home").href = "#" + new URLSearchParams({open: path || "."});
+  source = new EventSource("watch" + location.search + (path ? "&path=" + encodeURIComponent(path) : ""));
+  source.onmessage = event => hear(JSON.parse(event.data));
+  // The browser asks again by itself; one answer may be lost on a busy machine or network.
+  source.onerror = () => { if (++failures >= LOST_AFTER || source.readyState === EventSource.CLOSED) gone("the capture has ended or cannot be reached"); };
+  clock = setInterval(() => { if (before.bearings && failures === 0) live(before); }, SILENT_EVERY_MS);
+}
+export function leave() {
+  if (source) source.close();
+  clearInterval(clock);
+  source = null;
+}
+const HEADS = ["bearing_deg", "threshold_m", "low_m", "high_m"];
+document.getElementById("watchsvg").addEventListener("click", () => giveText("capture.svg", savedSvg(svg), "image/svg+xml"));
+document.getElementById("watchcsv").addEventListener("click", () => giveText("capture.csv", csvText(HEADS, before.points || []), "text/csv"));
