@@ -21,8 +21,8 @@ import simbad.sonar.format.DataFormatException;
     description = {
       "Make a data set from a log of your own: a table of ranges, with the places of "
           + "sensor and target as far as you know them.",
-      "What you do not say is guessed from the columns' names, asked for at a "
-          + "terminal, or assumed. Every assumption is written into scene.json.",
+      "If you leave something out, the command guesses it from the columns' names, asks "
+          + "for it at a terminal, or assumes it. It writes every assumption into scene.json.",
       "Guide: docs/guide/own-log.md."
     },
     footer = {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.demo.Demo;
@@ -21,7 +22,8 @@ import simbad.demo.DemoManager;
     footer = {
       "",
       "Example: simbad demo --list",
-      "Example: simbad demo PickCherriesDemo --headless --steps 500"
+      "Example: simbad demo PickCherriesDemo --headless --steps 500",
+      "Example: simbad demo angle --robot diagnosed:diagnoses/my-robot --headless"
     })
 final class DemoCommand extends Subcommand {
   private static final int DEFAULT_STEPS = 2000;
@@ -46,6 +48,8 @@ final class DemoCommand extends Subcommand {
       description = "With --headless: steps of 0.05 s. Default: " + DEFAULT_STEPS + ".")
   private @Nullable Integer steps;
 
+  @Mixin private DemoRobot robot = new DemoRobot();
+
   @Override
   protected void run() throws Exception {
     if (list) {
@@ -64,7 +68,10 @@ final class DemoCommand extends Subcommand {
     if (!headless) {
       WindowsAllowed.ask();
     }
-    Demo demo = DemoArgument.find(name).orElseThrow(() -> wrongUsage(DemoArgument.unknown(name)));
+    Demo demo =
+        robot.in(
+            DemoArgument.find(name).orElseThrow(() -> wrongUsage(DemoArgument.unknown(name))),
+            this);
     if (headless) {
       runHeadless(demo, steps == null ? DEFAULT_STEPS : steps);
     } else {

@@ -5,11 +5,14 @@ import java.text.DecimalFormatSymbols;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
+import simbad.motion.effect.MotionForm;
+import simbad.motion.effect.MotionForms;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.effect.Definition;
@@ -26,9 +29,10 @@ import simbad.sonar.scene.UniformDetection;
 @Command(
     name = "effects",
     description = {
-      "List the effects of a sensor that a diagnosis can name: a line for each.",
-      "With names, explain these: what happens, what causes it, and the forms with "
-          + "their parameters.",
+      "List the effects that a diagnosis can name, a line for each: first those of a "
+          + "sensor, then those of a robot's motion.",
+      "With names, explain these: what happens, what causes it (for a sensor's effects), "
+          + "and the forms with their parameters.",
       "A form is a formula for how the effect acts; at its neutral values it changes "
           + "nothing. The forms shown are those for one SRF04 and one obstacle. Jars on "
           + "the class path can bring more effects."
@@ -37,8 +41,8 @@ import simbad.sonar.scene.UniformDetection;
       "",
       "Example: simbad effects",
       "Example: simbad effects gain early-timeout",
-      "Effects of a robot's motion: docs/guide/motion.md. An effect of your own: "
-          + "docs/guide/own-effect.md"
+      "Example: simbad effects turn-bias",
+      "More on motion: docs/guide/motion.md. An effect of your own: docs/guide/own-effect.md"
     })
 final class EffectsCommand extends Subcommand {
   private static final List<String> SENSORS = List.of("sonar");
@@ -53,24 +57,48 @@ final class EffectsCommand extends Subcommand {
 
   @Override
   protected void run() {
-    List<Definition> asked = new ArrayList<>();
-    for (String word : words) {
-      asked.add(Definitions.of(Definitions.find(word).orElseThrow(() -> unknown(word))));
+    if (words.isEmpty()) {
+      Definitions.all().forEach(one -> list(one.effect().word(), one.happens()));
+      out().println();
+      out().println("Effects of a robot's motion:");
+      MotionForms.vocabulary().forEach(word -> list(word, MotionForms.happens(word)));
     }
-    if (asked.isEmpty()) {
-      Definitions.all().forEach(this::list);
+    List<Runnable> answers = words.stream().map(this::answer).toList();
+    answers.forEach(Runnable::run);
+  }
+
+  /** All names are looked up before anything is printed. */
+  private Runnable answer(String word) {
+    Optional<Effect> effect = Definitions.find(word);
+    if (effect.isEmpty() && MotionForms.vocabulary().contains(word)) {
+      return () -> explainMotion(word);
     }
-    asked.forEach(this::explain);
+    Definition definition = Definitions.of(effect.orElseThrow(() -> unknown(word)));
+    return () -> explain(definition);
   }
 
   private RuntimeException unknown(String word) {
-    List<String> known = Definitions.effects().stream().map(Effect::word).toList();
+    List<String> known = new ArrayList<>(MotionForms.vocabulary());
+    Definitions.effects().forEach(effect -> known.add(effect.word()));
     return wrongUsage(
         "'" + word + "' is not the name of an effect" + SimilarWords.suggestion(word, known));
   }
 
-  private void list(Definition definition) {
-    out().printf(Locale.ROOT, "%-20s %s%n", definition.effect(), definition.happens());
+  private void list(String word, String happens) {
+    out().printf(Locale.ROOT, "%-20s %s%n", word, happens);
+  }
+
+  private void explainMotion(String word) {
+    out().println(word + ": " + MotionForms.happens(word));
+    MotionForms.ALL.stream()
+        .filter(form -> form.effect().equals(word))
+        .forEach(form -> out().println("  form " + text(form)));
+  }
+
+  private static String text(MotionForm form) {
+    return form.parameters().stream()
+        .map(one -> text(one.name(), one.low(), one.high(), one.neutral()))
+        .collect(Collectors.joining("; ", form.form() + ": ", ""));
   }
 
   private void explain(Definition definition) {
@@ -92,13 +120,11 @@ final class EffectsCommand extends Subcommand {
   }
 
   private static String text(Parameter parameter) {
-    return parameter.name()
-        + " "
-        + text(parameter.low())
-        + " to "
-        + text(parameter.high())
-        + ", neutral at "
-        + text(parameter.neutral());
+    return text(parameter.name(), parameter.low(), parameter.high(), parameter.neutral());
+  }
+
+  private static String text(String name, double low, double high, double neutral) {
+    return name + " " + text(low) + " to " + text(high) + ", neutral at " + text(neutral);
   }
 
   private static String text(double value) {

@@ -16,8 +16,10 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import simbad.experiments.control.Tuning;
 import simbad.experiments.report.RunOrigin;
 import simbad.experiments.run.Experiment;
+import simbad.experiments.run.Pace;
 import simbad.experiments.run.RobotKind;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.RunSettings;
@@ -89,6 +91,14 @@ final class RunCommand extends Subcommand {
           "Stand still for this many seconds after each step, so that a late robot has "
               + "done what it was told. Default: 0.")
   private double waitS;
+
+  @Option(
+      names = "--turn-rate",
+      paramLabel = "RAD_PER_S",
+      description =
+          "How fast the robot is told to turn at most. A faster turn becomes a longer one on the "
+              + "spot. Set it for a --robot that turns slowly. Default: 2 pi, one turn per second.")
+  private double turnRateRadPerS = Tuning.TURN_RATE;
 
   @Mixin private DriveOptions drive = new DriveOptions();
 
@@ -172,11 +182,17 @@ final class RunCommand extends Subcommand {
     double speedMPerS = drive.speedMPerS(this);
     List<SensorKind> kinds = kinds();
     Optional<Point> place = start == null ? Optional.empty() : Optional.of(point(start));
-    if (!(waitS >= 0 && waitS <= RunSettings.MOST_WAIT_S)) {
-      throw wrongUsage("--wait: " + waitS + " is not in [0, " + RunSettings.MOST_WAIT_S + "] s");
+    if (!(waitS >= 0 && waitS <= Pace.MOST_WAIT_S)) {
+      throw wrongUsage("--wait: " + waitS + " is not in [0, " + Pace.MOST_WAIT_S + "] s");
+    }
+    double least = Pace.LEAST_TURN_RATE_RAD_PER_S;
+    if (!(turnRateRadPerS >= least && turnRateRadPerS <= Tuning.TURN_RATE)) {
+      throw wrongUsage(
+          "--turn-rate: " + turnRateRadPerS + " is not in [" + least + ", 2 pi] rad/s");
     }
     RunSettings settings =
-        new RunSettings(types(), kinds, drive.sonar(), speedMPerS, place, seed).waiting(waitS);
+        new RunSettings(types(), kinds, drive.sonar(), speedMPerS, place, seed)
+            .at(new Pace(turnRateRadPerS, waitS));
     return keepsReadings ? settings.keepingReadings() : settings;
   }
 

@@ -1,6 +1,7 @@
 package simbad.cli;
 
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
 /** {@code simbad view}: the window. */
@@ -19,10 +20,14 @@ final class ViewCommand extends Subcommand {
       description = "The first demo, a name from simbad demo --list. Default: ${DEFAULT-VALUE}.")
   private String name = "AngleDemo";
 
+  @Mixin private DemoRobot robot = new DemoRobot();
+
   @Override
   protected void run() throws Exception {
     WindowsAllowed.ask();
     DemoWindow.showRunning(
-        DemoArgument.find(name).orElseThrow(() -> wrongUsage(DemoArgument.unknown(name))));
+        robot.in(
+            DemoArgument.find(name).orElseThrow(() -> wrongUsage(DemoArgument.unknown(name))),
+            this));
   }
 }

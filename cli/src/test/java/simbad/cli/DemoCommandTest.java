@@ -3,8 +3,12 @@ package simbad.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -80,6 +84,32 @@ class DemoCommandTest {
     Shell shell = Shell.simbad(command.split(" ", -1));
     assertEquals(1, shell.status());
     assertTrue(shell.err().contains("there is no display; simbad demo NAME --headless"));
+  }
+
+  /** It takes its time: in 40 steps it has hardly begun, and a robot as told is on its way. */
+  @Test
+  void robot_movesAsAnother(@TempDir Path folder) throws IOException {
+    Path late = folder.resolve("late.json");
+    Files.writeString(
+        late, "{\"format\": \"motion-gap/1\", \"kinematics\": \"unicycle\", \"latency_s\": 0.2}");
+    String told = Shell.simbad("demo", "angle", "--headless", "--steps", "400").out();
+    String moved =
+        Shell.simbad("demo", "angle", "--headless", "--steps", "400", "--robot", "" + late).out();
+    assertTrue(moved.startsWith("ObstacleDemo: 400 steps"), moved);
+    assertTrue(drove(moved) < drove(told) / 2, moved + told);
+    assertTrue(drove(moved) > 0, moved);
+    checkRefused(
+        "--robot needs the demo of an obstacle",
+        "demo",
+        "LineDemo",
+        "--headless",
+        "--robot",
+        "" + late);
+    checkRefused("nowhere.json", "demo", "angle", "--headless", "--robot", "nowhere.json");
+  }
+
+  private static double drove(String said) {
+    return Double.parseDouble(said.replaceAll("(?s).*drove ([0-9.]+) m.*", "$1"));
   }
 
   @Test

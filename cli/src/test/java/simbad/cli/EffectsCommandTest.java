@@ -3,8 +3,12 @@ package simbad.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import simbad.motion.effect.MotionForms;
 import simbad.sonar.effect.Definitions;
 
 class EffectsCommandTest {
@@ -13,7 +17,10 @@ class EffectsCommandTest {
     Shell shell = Shell.simbad("effects");
     assertEquals(0, shell.status(), shell.err());
     List<String> lines = shell.out().lines().toList();
-    assertEquals(Definitions.effects().size(), lines.size());
+    int sensing = Definitions.effects().size();
+    assertEquals(List.of("", "Effects of a robot's motion:"), lines.subList(sensing, sensing + 2));
+    assertEquals(MotionForms.vocabulary().size(), lines.size() - sensing - 2);
+    assertTrue(lines.get(sensing + 2).matches("speed-scale +the robot drives .*"), shell.out());
     assertTrue(lines.get(0).matches("sound-speed +sound is faster .*"), lines.get(0));
   }
 
@@ -30,6 +37,21 @@ class EffectsCommandTest {
           form of the level model level: gain_db -40 to 40, neutral at 0
         """;
     assertTrue(shell.out().endsWith(gain), shell.out());
+  }
+
+  /** The page has the same words as the command. */
+  @Test
+  void effectsOfMotion_areExplained_asInTheGuide() throws IOException {
+    String page = Files.readString(Path.of("../docs/guide/motion.md"));
+    for (String word : MotionForms.vocabulary()) {
+      Shell shell = Shell.simbad("effects", word);
+      assertEquals(0, shell.status(), shell.err());
+      String first = shell.out().lines().findFirst().orElseThrow();
+      assertEquals(word + ": " + MotionForms.happens(word), first);
+      assertTrue(page.contains("| `" + word + "` | " + MotionForms.happens(word) + " |"), word);
+    }
+    assertTrue(
+        Shell.simbad("effects", "turn-bias").out().contains("  form "), "the form of turn-bias");
   }
 
   @Test

@@ -16,6 +16,7 @@ import simbad.experiments.workers.Workers;
 public final class SparkCluster implements Cluster {
   @Override
   public Workers connect(String master) throws IOException {
+    MasterAddress.requireAnswer(master);
     ShippedCode code = ShippedCode.ofThisProgram();
     SparkConf conf =
         new SparkConf()

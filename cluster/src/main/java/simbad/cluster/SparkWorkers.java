@@ -34,6 +34,20 @@ final class SparkWorkers implements Workers {
   public <R extends Serializable> void run(
       Job<R> job, long from, long to, PieceReceiver<? super R> receiver)
       throws IOException, InterruptedException {
+    try {
+      runInWaves(job, from, to, receiver);
+    } catch (IllegalStateException e) {
+      // Spark says so of all that is asked of it once it has given up its master.
+      if (spark.sc().isStopped()) {
+        throw new IOException("Spark: the connection to the master ended", e);
+      }
+      throw e;
+    }
+  }
+
+  private <R extends Serializable> void runInWaves(
+      Job<R> job, long from, long to, PieceReceiver<? super R> receiver)
+      throws IOException, InterruptedException {
     Broadcast<Job<R>> sent = spark.broadcast(job);
     Deque<JavaFutureAction<List<R>>> waves = new ArrayDeque<>();
     try {

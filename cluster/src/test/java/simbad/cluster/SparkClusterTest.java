@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ServiceLoader;
@@ -125,5 +126,35 @@ class SparkClusterTest {
     IOException fault =
         assertThrows(IOException.class, () -> new SparkCluster().connect("nowhere"));
     assertTrue(String.valueOf(fault.getMessage()).startsWith("--spark nowhere: "), "" + fault);
+  }
+
+  private static void checkRefused(String master, String why) {
+    IOException fault =
+        assertThrows(IOException.class, () -> new SparkCluster().connect(master), master);
+    String said = String.valueOf(fault.getMessage());
+    assertTrue(said.startsWith("--spark " + master + ": ") && said.contains(why), said);
+    assertTrue(said.endsWith("expected a running Spark master, spark://HOST:PORT"), said);
+    assertEquals(1, said.lines().count(), said);
+  }
+
+  @Test
+  void masterThatDoesNotAnswer_isSaidWithItsHost() throws IOException {
+    checkRefused("spark://nowhere.invalid:1", "host nowhere.invalid is not known");
+    int free;
+    try (ServerSocket socket = new ServerSocket(0)) {
+      free = socket.getLocalPort();
+    }
+    checkRefused(
+        "spark://127.0.0.1:" + free, "host 127.0.0.1 does not answer on port " + free + " (");
+    checkRefused(
+        "spark://nowhere.invalid:1,127.0.0.1:" + free,
+        "host nowhere.invalid is not known; host 127.0.0.1 does not answer");
+  }
+
+  @Test
+  void masterWithoutPort_isSaid() {
+    checkRefused("spark://nowhere", "'nowhere' is not HOST:PORT");
+    checkRefused("spark://nowhere:0", "'nowhere:0' is not HOST:PORT");
+    checkRefused("spark://nowhere:70000", "'nowhere:70000' is not HOST:PORT");
   }
 }

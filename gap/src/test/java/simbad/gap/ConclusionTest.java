@@ -17,8 +17,8 @@ import simbad.gap.fixture.Worlds;
 import simbad.gap.score.Blocks;
 import simbad.gap.score.GapGain;
 import simbad.gap.score.GapMeter;
+import simbad.gap.score.HeldOut.Scored;
 import simbad.gap.score.Probabilities;
-import simbad.gap.score.Scored;
 import simbad.gap.search.Weighed;
 import simbad.sonar.ping.PingLog;
 

@@ -8,7 +8,7 @@ import simbad.gap.diagnosis.Interval;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
-import simbad.gap.score.Scored;
+import simbad.gap.score.HeldOut.Scored;
 import simbad.sonar.change.Gain;
 import simbad.sonar.check.DoorWalk;
 import simbad.sonar.check.Samples;

@@ -77,6 +77,27 @@ public final class ChangedModel {
         outputs.stream().sorted(Comparator.comparingInt(OutputChange::order)).toList());
   }
 
+  /** Several ways of reporting, one after the other. */
+  private record OutputChain(List<OutputChange> outputs) implements Report {
+    @Override
+    public double reported(double rangeM) {
+      double reported = rangeM;
+      for (OutputChange output : outputs) {
+        reported = output.reported(reported);
+      }
+      return reported;
+    }
+
+    @Override
+    public double leastRange(double reportedM) {
+      double least = reportedM;
+      for (int i = outputs.size() - 1; i >= 0; i--) {
+        least = outputs.get(i).leastRange(least);
+      }
+      return least;
+    }
+  }
+
   /** Returns the changes. */
   public List<Change> changes() {
     return changes;

@@ -16,7 +16,7 @@ import simbad.sonar.scene.SonarSpec;
 
 /**
  * A spec with the contents of its files: which run every number means. The seed changes fastest,
- * then speed, controller, effects, sensor file, sensor, and the scene slowest. Thread-safe.
+ * then speed, controller, effects, sensor file, robot, sensor, and the scene slowest. Thread-safe.
  */
 final class BatchPlan {
   /** More is a slip, and would take weeks. */
@@ -25,6 +25,7 @@ final class BatchPlan {
   private final BatchSpec spec;
   private final List<BatchScene> scenes;
   private final List<SensorChoice> sensors;
+  private final List<RobotChoice> robots;
   private final List<SonarChoice> sonars;
   private final List<EffectList> effects;
   private final MixedRadix radix;
@@ -34,11 +35,13 @@ final class BatchPlan {
       BatchSpec spec,
       List<BatchScene> scenes,
       List<SensorChoice> sensors,
+      List<RobotChoice> robots,
       List<SonarChoice> sonars,
       MixedRadix radix) {
     this.spec = spec;
     this.scenes = List.copyOf(scenes);
     this.sensors = List.copyOf(sensors);
+    this.robots = List.copyOf(robots);
     this.sonars = List.copyOf(sonars);
     this.effects = spec.effects().stream().map(EffectList::new).toList();
     this.radix = radix;
@@ -58,19 +61,21 @@ final class BatchPlan {
   static BatchPlan read(BatchSpec spec, InputPlace place) throws DataFormatException {
     List<BatchScene> scenes = SceneList.read(spec, place);
     List<SensorChoice> sensors = sensors(spec, place);
+    List<RobotChoice> robots = robots(spec, place);
     List<SonarChoice> sonars = sonars(spec, place);
     MixedRadix radix =
         new MixedRadix(
             List.of(
                 (long) scenes.size(),
                 (long) sensors.size(),
+                (long) robots.size(),
                 (long) sonars.size(),
                 (long) Math.max(1, spec.effects().size()),
                 spec.controllers().size(),
                 spec.speedsMPerS().size(),
                 spec.seeds().size()));
     checkRuns(spec, radix.product());
-    BatchPlan plan = new BatchPlan(spec, scenes, sensors, sonars, radix);
+    BatchPlan plan = new BatchPlan(spec, scenes, sensors, robots, sonars, radix);
     plan.checkNames();
     return plan;
   }
@@ -82,6 +87,15 @@ final class BatchPlan {
       sensors.add(SensorChoice.read(spec.sensors().get(i), i + 1, place));
     }
     return sensors;
+  }
+
+  private static List<RobotChoice> robots(BatchSpec spec, InputPlace place)
+      throws DataFormatException {
+    List<RobotChoice> robots = new ArrayList<>();
+    for (int i = 0; i < spec.robots().size(); i++) {
+      robots.add(RobotChoice.read(spec.robots().get(i), i + 1, place));
+    }
+    return robots.isEmpty() ? List.of(RobotChoice.AS_TOLD) : robots;
   }
 
   private static List<SonarChoice> sonars(BatchSpec spec, InputPlace place)
@@ -117,6 +131,7 @@ final class BatchPlan {
   private void checkNames() throws DataFormatException {
     checkDistinct("obstacles or scenes", scenes.stream().map(BatchScene::label).toList());
     checkDistinct("sensors", sensors.stream().map(choice -> choice.kind().word()).toList());
+    checkDistinct("robots", robots.stream().map(RobotChoice::label).toList());
     checkDistinct("sensor_files", sonars.stream().map(SonarChoice::label).toList());
   }
 
@@ -164,12 +179,12 @@ final class BatchPlan {
     long[] digits = radix.digits(order.map(o -> o.at(number)).orElse(number));
     BatchScene scene = scenes.get(Math.toIntExact(digits[0]));
     SensorChoice sensor = sensors.get(Math.toIntExact(digits[1]));
-    SonarChoice sonar = sonars.get(Math.toIntExact(digits[2]));
+    SonarChoice sonar = sonars.get(Math.toIntExact(digits[3]));
     SonarSpec figures = sonar.in(scene);
     SensorKind kind = sensor.kind();
     String atWork = "";
     if (!effects.isEmpty()) {
-      EffectList list = effects.get(Math.toIntExact(digits[3]));
+      EffectList list = effects.get(Math.toIntExact(digits[4]));
       try {
         kind = sensor.with(list, figures, scene);
         atWork = EffectList.label(list.model(figures, scene));
@@ -181,12 +196,18 @@ final class BatchPlan {
         new Circuit(
             scene.circled(),
             scene.around(),
-            kind,
+            robots.get(Math.toIntExact(digits[2])).under(kind),
             figures,
-            spec.speedsMPerS().at(digits[5]),
+            spec.speedsMPerS().at(digits[6]),
             Optional.empty(),
-            spec.seeds().at(digits[6]));
+            spec.seeds().at(digits[7]));
     return new BatchRun(
-        number, scene, sonar.label(), atWork, spec.controllers().at(digits[4]), circuit);
+        number,
+        scene,
+        sonar.label(),
+        atWork,
+        spec.controllers().at(digits[5]),
+        spec.pace(),
+        circuit);
   }
 }

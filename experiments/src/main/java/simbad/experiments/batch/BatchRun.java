@@ -1,6 +1,7 @@
 package simbad.experiments.batch;
 
 import simbad.experiments.run.Circuit;
+import simbad.experiments.run.Pace;
 import simbad.experiments.run.Trace;
 
 /**
@@ -11,6 +12,7 @@ import simbad.experiments.run.Trace;
  * @param sensorFile how a row names the sonar's figures
  * @param effects how a row names the effects at work; empty: none
  * @param controller of the robot
+ * @param pace how much time the robot is given for each decision
  * @param circuit what the robot does
  */
 record BatchRun(
@@ -19,9 +21,10 @@ record BatchRun(
     String sensorFile,
     String effects,
     ControllerSetting controller,
+    Pace pace,
     Circuit circuit) {
 
   Trace drive() {
-    return circuit.drive(controller.controller(circuit.speedMPerS()));
+    return circuit.drive(pace.of(controller.controller(circuit.speedMPerS())), pace.mostSteps());
   }
 }

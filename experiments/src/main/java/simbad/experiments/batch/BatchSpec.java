@@ -7,6 +7,8 @@ import java.util.Optional;
 import simbad.experiments.control.ControllerMaker;
 import simbad.experiments.control.Controllers;
 import simbad.experiments.control.EdgeFollowerMaker;
+import simbad.experiments.control.Tuning;
+import simbad.experiments.run.Pace;
 import simbad.experiments.run.RunSettings;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.JsonInput;
@@ -18,11 +20,13 @@ import simbad.sonar.format.JsonInput;
  * @param obstacles names of the catalogue, tables, folders
  * @param scenes files
  * @param sensors words as on the command line; where the spec has none, original and shadow
+ * @param robots words as on the command line, or "told"; empty: one that does what it is told
  * @param sensorFiles files; empty: each scene's own, for obstacles that of the SRF04
  * @param effects lists of effects; empty: none
  * @param makers the controllers' kinds
  * @param controllers kinds with their parameters' values
  * @param speedsMPerS of the robot
+ * @param pace how much time robots are given for each decision
  * @param seeds of all chance
  * @param sample of the product; empty: all of it
  * @param traces whether they are kept
@@ -32,11 +36,13 @@ record BatchSpec(
     List<JsonInput> obstacles,
     List<JsonInput> scenes,
     List<JsonInput> sensors,
+    List<JsonInput> robots,
     List<JsonInput> sensorFiles,
     List<JsonInput> effects,
     List<ControllerMaker> makers,
     BatchChoices<ControllerSetting> controllers,
     BatchChoices<Double> speedsMPerS,
+    Pace pace,
     BatchChoices<Long> seeds,
     Optional<Sample> sample,
     boolean traces) {
@@ -49,10 +55,13 @@ record BatchSpec(
     "obstacles",
     "scenes",
     "sensors",
+    "robots",
     "sensor_files",
     "effects",
     "controllers",
     "speeds_m_per_s",
+    "turn_rate_rad_per_s",
+    "wait_s",
     "seeds",
     "sample",
     "traces"
@@ -78,11 +87,13 @@ record BatchSpec(
             SpecFields.items(root, "scenes"),
             SpecFields.items(
                 root.has("sensors") ? root : JsonInput.parse(file, SENSORS), "sensors"),
+            SpecFields.items(root, "robots"),
             SpecFields.items(root, "sensor_files"),
             SpecFields.items(root, "effects"),
             makers(root),
             controllers(root),
             speeds(root),
+            pace(root),
             root.has("seeds") ? seeds(root.field("seeds")) : BatchChoices.of(List.of(1L)),
             root.has("sample") ? Optional.of(sample(root.field("sample"))) : Optional.empty(),
             root.has("traces") && root.field("traces").truth());
@@ -127,6 +138,23 @@ record BatchSpec(
             root.field("speeds_m_per_s"),
             speed -> speed > 0 && speed <= RunSettings.GREATEST_SPEED_M_PER_S,
             "a speed in (0, " + RunSettings.GREATEST_SPEED_M_PER_S + "] m/s"));
+  }
+
+  private static Pace pace(JsonInput root) throws DataFormatException {
+    double turnRate = Tuning.TURN_RATE;
+    if (root.has("turn_rate_rad_per_s")) {
+      double least = Pace.LEAST_TURN_RATE_RAD_PER_S;
+      turnRate =
+          root.field("turn_rate_rad_per_s")
+              .number(v -> v >= least && v <= Tuning.TURN_RATE, "in [" + least + ", 2 pi] rad/s");
+    }
+    double wait = 0;
+    if (root.has("wait_s")) {
+      wait =
+          root.field("wait_s")
+              .number(v -> v >= 0 && v <= Pace.MOST_WAIT_S, "in [0, " + Pace.MOST_WAIT_S + "] s");
+    }
+    return new Pace(turnRate, wait);
   }
 
   private static BatchChoices<Long> seeds(JsonInput value) throws DataFormatException {

@@ -6,6 +6,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import simbad.experiments.run.DiagnosedFolder;
+import simbad.motion.format.DiagnosedMotion;
+import simbad.motion.format.MotionFolder;
 import simbad.obstacles.ObstacleFiles;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.JsonInput;
@@ -28,6 +31,7 @@ final class InputFiles {
     inputs.obstacles(spec.obstacles());
     inputs.files(SceneList.SCENES, spec.scenes());
     inputs.sensors(spec.sensors());
+    inputs.robots(spec.robots());
     inputs.files(SENSOR_FILES, spec.sensorFiles());
     return inputs.texts;
   }
@@ -62,6 +66,22 @@ final class InputFiles {
         String copy = InputPlace.copyName(SensorChoice.DIMENSION, i + 1, name.get());
         take(copy, folder.resolve("scene.json"));
         take(copy, folder.resolve("model.json"));
+      }
+    }
+  }
+
+  private void robots(List<JsonInput> list) throws DataFormatException {
+    for (int i = 0; i < list.size(); i++) {
+      Optional<Path> name = RobotChoice.path(list.get(i));
+      if (name.isPresent()) {
+        Path path = place.of(RobotChoice.DIMENSION, i + 1, name.get());
+        String copy = InputPlace.copyName(RobotChoice.DIMENSION, i + 1, name.get());
+        if (DiagnosedFolder.in(list.get(i).text()).isPresent()) {
+          take(copy, path.resolve(MotionFolder.ROBOT));
+          take(copy, path.resolve(DiagnosedMotion.MODEL));
+        } else {
+          take(copy.substring(0, copy.lastIndexOf('/')), path);
+        }
       }
     }
   }

@@ -16,6 +16,9 @@ public record Tuning(
     double greatestTurnRateRadPerS,
     double crossingAngleRad,
     double curlRadPerStepM) {
+  /** The greatest rate of turning, radians per second: one turn per second. */
+  public static final double TURN_RATE = 2 * Math.PI;
+
   private static final double ANY = Double.POSITIVE_INFINITY;
 
   /** A robot takes no bend faster, for what the tables show is a few centimetres small. */
@@ -41,7 +44,7 @@ public record Tuning(
     // The curl is per length of way, so that a faster robot drives a larger picture of the same
     // line.
     double stepM = speedMPerS * stepS;
-    return new Tuning(speedMPerS, stepS, 2 * Math.PI, Math.toRadians(30), 0.01 / stepM);
+    return new Tuning(speedMPerS, stepS, TURN_RATE, Math.toRadians(30), 0.01 / stepM);
   }
 
   /** Of the robot where it turns: a picture that grew with the speed would cut off corners. */

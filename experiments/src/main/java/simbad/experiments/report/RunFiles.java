@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
+import simbad.experiments.control.Tuning;
 import simbad.experiments.dataset.MadeDataSet;
 import simbad.experiments.run.RunResult;
 import simbad.experiments.run.ShareGrid;
@@ -135,8 +136,11 @@ public final class RunFiles {
     document.put("format", "sonar-run/1");
     document.put("version", origin.version());
     document.put("seed", origin.settings().seed());
-    if (origin.settings().waitS() > 0) {
-      document.put("wait_s", origin.settings().waitS());
+    if (origin.settings().pace().turnRateRadPerS() < Tuning.TURN_RATE) {
+      document.put("turn_rate_rad_s", origin.settings().pace().turnRateRadPerS());
+    }
+    if (origin.settings().pace().waitS() > 0) {
+      document.put("wait_s", origin.settings().pace().waitS());
     }
     document.put("speed_m_per_s", origin.settings().speedMPerS());
     document.put("sensor", origin.settings().sonar().name());

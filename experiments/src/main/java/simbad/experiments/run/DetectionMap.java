@@ -66,8 +66,7 @@ public record DetectionMap(ShareGrid disagreement, double agreement) {
 
   /** Measures one belt. */
   static DetectionMap of(ObstacleType type, SensorKind sensor, RunSettings settings) {
-    SplittableRandom random =
-        new SplittableRandom(~Circumnavigation.seed(type, sensor, settings.seed()));
+    SplittableRandom random = new SplittableRandom(~Circuit.seed(type, sensor, settings.seed()));
     RangeSensorBelt belt = sensor.beltWithoutMemory(settings.sonar(), random);
     Probe probe = new Probe(type, belt, settings.sonar().mountHeightM());
     DetectionShadow shadow = new DetectionShadow(type.thresholds().table());

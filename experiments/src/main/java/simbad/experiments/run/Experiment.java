@@ -7,7 +7,6 @@ import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import simbad.experiments.control.Controller;
 import simbad.experiments.control.EdgeFollower;
-import simbad.experiments.control.StopAndGo;
 import simbad.experiments.control.Tuning;
 import simbad.obstacles.ObstacleType;
 
@@ -43,9 +42,9 @@ public final class Experiment {
   private static RunResult runOne(ObstacleType type, SensorKind sensor, RunSettings settings) {
     Circuit circuit = Circuit.of(type, sensor, settings);
     Controller follower = new EdgeFollower(Tuning.standard(settings.speedMPerS(), Circuit.STEP_S));
-    int waits = settings.waitSteps();
-    Controller controller = waits == 0 ? follower : new StopAndGo(follower, waits);
-    Trace trace = circuit.drive(controller, 1 + waits, settings.keepsReadings());
+    Trace trace =
+        circuit.drive(
+            settings.pace().of(follower), settings.pace().mostSteps(), settings.keepsReadings());
     return new RunResult(
         type,
         sensor,

@@ -34,7 +34,21 @@ public final class FollowerRobot extends Agent {
    */
   public FollowerRobot(
       Pose start, RangeSensorBelt belt, double mountHeightM, Controller controller) {
-    super(new Vector3d(start.position().xM(), 0, start.position().zM()), "robot");
+    this("robot", start, belt, mountHeightM, controller);
+  }
+
+  /**
+   * Creates the same with a name of its own.
+   *
+   * @param name among others
+   * @param start where it sets off, its heading taken up when the behaviour starts
+   * @param belt its sonars, read in every step
+   * @param mountHeightM of the belt above the floor
+   * @param controller drives it
+   */
+  public FollowerRobot(
+      String name, Pose start, RangeSensorBelt belt, double mountHeightM, Controller controller) {
+    super(new Vector3d(start.position().xM(), 0, start.position().zM()), name);
     Checks.finite("mountHeightM", mountHeightM);
     radius = RADIUS_M;
     height = HEIGHT_M;
@@ -46,7 +60,7 @@ public final class FollowerRobot extends Agent {
   }
 
   /** Lets it move otherwise than it is told. */
-  void movesBy(KinematicModel model) {
+  public void movesBy(KinematicModel model) {
     setKinematicModel(model);
   }
 

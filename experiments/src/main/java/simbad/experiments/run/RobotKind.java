@@ -29,11 +29,26 @@ public record RobotKind(String name, MotionChain motion) {
    */
   public static RobotKind read(String word) throws DataFormatException {
     Optional<String> diagnosed = DiagnosedFolder.in(word);
-    if (diagnosed.isPresent()) {
-      Path folder = Path.of(diagnosed.get());
-      return new RobotKind(name(folder), DiagnosedMotion.read(folder));
-    }
-    Path file = Path.of(word);
+    return diagnosed.isPresent() ? diagnosed(Path.of(diagnosed.get())) : believed(Path.of(word));
+  }
+
+  /**
+   * Reads a robot as a diagnosis found it, which is called as the folder is.
+   *
+   * @param folder that a diagnosis of motion left
+   * @throws DataFormatException if a file is missing or wrong
+   */
+  public static RobotKind diagnosed(Path folder) throws DataFormatException {
+    return new RobotKind(name(folder), DiagnosedMotion.read(folder));
+  }
+
+  /**
+   * Reads a robot as it is believed to be, which is called as the file is.
+   *
+   * @param file a robot.json
+   * @throws DataFormatException if it is missing or wrong
+   */
+  public static RobotKind believed(Path file) throws DataFormatException {
     return new RobotKind(name(file).replaceFirst("[.]json$", ""), DiagnosedMotion.believed(file));
   }
 

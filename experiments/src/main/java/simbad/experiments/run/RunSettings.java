@@ -3,7 +3,6 @@ package simbad.experiments.run;
 import java.util.List;
 import java.util.Optional;
 import simbad.obstacles.ObstacleType;
-import simbad.sonar.check.Checks;
 import simbad.sonar.frame.Point;
 import simbad.sonar.scene.SonarSpec;
 
@@ -17,7 +16,7 @@ import simbad.sonar.scene.SonarSpec;
  * @param start where the robot starts, the obstacle at the origin; by default on the bearing of the
  *     greatest threshold, half-way out
  * @param seed of all chance
- * @param waitS how long the robot stands still after each decision, seconds, at least 0
+ * @param pace how much time the robot is given for each decision
  * @param keepsReadings whether what the belt reads in each step is kept
  */
 public record RunSettings(
@@ -27,7 +26,7 @@ public record RunSettings(
     double speedMPerS,
     Optional<Point> start,
     long seed,
-    double waitS,
+    Pace pace,
     boolean keepsReadings) {
   /** Thesis, section 4.3. */
   public static final double THESIS_SPEED_M_PER_S = 0.01;
@@ -37,7 +36,6 @@ public record RunSettings(
     obstacles = List.copyOf(obstacles);
     sensors = List.copyOf(sensors);
     requireSpeed(speedMPerS);
-    Checks.within("waitS", waitS, 0, MOST_WAIT_S);
   }
 
   /** Of a robot that never waits, and whose readings are not kept. */
@@ -48,27 +46,19 @@ public record RunSettings(
       double speedMPerS,
       Optional<Point> start,
       long seed) {
-    this(obstacles, sensors, sonar, speedMPerS, start, seed, 0, false);
+    this(obstacles, sensors, sonar, speedMPerS, start, seed, Pace.AT_ONCE, false);
   }
 
-  /** Returns the same with a robot that stands still for so many seconds after each decision. */
-  public RunSettings waiting(double seconds) {
+  /** Returns the same with a robot that is given so much time for each decision. */
+  public RunSettings at(Pace other) {
     return new RunSettings(
-        obstacles, sensors, sonar, speedMPerS, start, seed, seconds, keepsReadings);
+        obstacles, sensors, sonar, speedMPerS, start, seed, other, keepsReadings);
   }
 
   /** Returns the same, and what the belt reads in each step is kept. */
   public RunSettings keepingReadings() {
-    return new RunSettings(obstacles, sensors, sonar, speedMPerS, start, seed, waitS, true);
+    return new RunSettings(obstacles, sensors, sonar, speedMPerS, start, seed, pace, true);
   }
-
-  /** Returns the same in steps of the simulator. */
-  int waitSteps() {
-    return (int) Math.round(waitS / Circuit.STEP_S);
-  }
-
-  /** A robot that waits longer takes a day round an obstacle. */
-  public static final double MOST_WAIT_S = 5;
 
   /** A faster robot would pass by the obstacle between two steps. */
   public static final double GREATEST_SPEED_M_PER_S = 1;

@@ -133,6 +133,28 @@ class BatchJobTest {
     }
   }
 
+  /** A late robot that is given its time goes the same way round; its file is copied. */
+  @Test
+  void robots_areADimension_andAreGivenTime() throws Exception {
+    Path late = folder.resolve("late.json");
+    Files.writeString(
+        late, "{\"format\": \"motion-gap/1\", \"kinematics\": \"unicycle\", \"latency_s\": 0.2}");
+    BatchJob job =
+        Specs.job(
+            folder,
+            "\"sensors\": [\"shadow\"], \"robots\": [\"told\", \"late.json\"],"
+                + "\"turn_rate_rad_per_s\": 1, \"wait_s\": 0.25, \"seeds\": [1]");
+    Files.delete(late);
+    assertEquals(
+        List.of("shadow", "shadow-on-late"),
+        rows(job).stream().map(row -> field(job, row, "sensor")).toList());
+    assertEquals(number(job, 0, "way_m"), number(job, 1, "way_m"), 0.02);
+    assertEquals(1, number(job, 1, "edge_kept"), 0.05);
+    assertTrue(job.inputs().containsKey("robots/2/late.json"), job.inputs().keySet().toString());
+    BatchJob hasty = Specs.job(folder, "\"sensors\": [\"shadow\"], \"seeds\": [1]");
+    assertTrue(number(hasty, 0, "simulated_s") < number(job, 0, "simulated_s") / 3);
+  }
+
   /** A gain of 1 changes nothing, one of 0.5 halves the thresholds: the way round too. */
   @Test
   void effects_actOnTheShadowSensor() throws Exception {

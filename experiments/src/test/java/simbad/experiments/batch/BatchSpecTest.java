@@ -48,7 +48,7 @@ class BatchSpecTest {
       quoteCharacter = '`',
       textBlock =
           """
-          'sensor': ['shadow']|sensor: is not a field here, expected one of format, obstacles, scenes, sensors, sensor_files, effects, controllers, speeds_m_per_s, seeds, sample, traces
+          'sensor': ['shadow']|sensor: is not a field here, expected one of format, obstacles, scenes, sensors, robots, sensor_files, effects, controllers, speeds_m_per_s, turn_rate_rad_per_s, wait_s, seeds, sample, traces
           'seeds': []|seeds: is empty, expected at least one
           'sensors': []|sensors: is empty, expected at least one
           'effects': []|effects: is empty, expected at least one
@@ -70,6 +70,10 @@ class BatchSpecTest {
           'sensors': ['noisy'], 'effects': [[{'effect': 'gain'}]]|effects.0.0.form: is missing
           'sensors': ['noisy'], 'effects': [[{'effect': 'gain', 'form': 'factor', 'parameters': {'factor': 9}}]]|effects.0.0.parameters.factor: 9 is not a number in [0.2, 3.0]
           'sensors': ['ray'], 'effects': [[{'effect': 'dropout', 'form': 'single', 'parameters': {'share': 0.1}}]]|sensors.0: effects act on the nominal model, so on the sensors shadow and noisy only
+          'robots': []|robots: is empty, expected at least one
+          'robots': ['diagnosed:']|robots.0: "diagnosed:" is not the name of a file or folder
+          'turn_rate_rad_per_s': 0|turn_rate_rad_per_s: 0 is not in [0.001, 2 pi] rad/s
+          'wait_s': 6|wait_s: 6 is not in [0, 5.0] s
           'traces': 1|traces: 1 is not true or false
           'obstacles': ['square', '']|obstacles.1: "" is not the name of a file or folder
           'sample': {'runs': 1}|sample.seed: is missing

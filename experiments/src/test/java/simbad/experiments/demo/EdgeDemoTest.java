@@ -3,17 +3,21 @@ package simbad.experiments.demo;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import javax.vecmath.Point3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simbad.demo.DemoManager;
+import simbad.experiments.run.FollowerRobot;
 import simbad.gui.Simbatch;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.SonarObstacle;
 import simbad.sim.World;
 import simbad.sonar.frame.Angles;
+import simbad.sonar.frame.Placement;
 import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.Overlap;
 
@@ -50,6 +54,32 @@ class EdgeDemoTest {
     }
     // It weaves across the edge, 30 degrees to each side, and walks triangles in narrow places.
     assertTrue(demo.robot.getOdometer() < 2 * edge.perimeterM(), "" + demo.robot.getOdometer());
+  }
+
+  /** Each on its own angle; a robot that turns late and slowly comes as near the edge. */
+  @Test
+  void realRobots_followTheEdge_eachInItsOwnWay() {
+    RealRobotsDemo demo = (RealRobotsDemo) DemoManager.find("RealRobotsDemo").orElseThrow();
+    Simbatch simulation = new Simbatch(demo, false);
+    simulation.reset();
+    for (int i = 0; i < 40_000; i++) {
+      simulation.step();
+    }
+    assertEquals(
+        List.of("as told", "create-1", "create-2", "create-3"),
+        demo.robots.stream().map(FollowerRobot::getName).toList());
+    Set<Double> driven = new HashSet<>();
+    for (int i = 0; i < demo.robots.size(); i++) {
+      SonarObstacle angle = demo.angles.get(i);
+      Outline edge = Outline.of(angle.type().thresholds().table().points());
+      Point3d at = new Point3d();
+      demo.robots.get(i).getCoords(at);
+      Placement place = angle.worldFromObstacle();
+      double off = edge.distanceM(at.x - place.xM(), at.z - place.zM());
+      assertTrue(off < 0.05, demo.robots.get(i).getName() + ": " + off);
+      driven.add(demo.robots.get(i).getOdometer());
+    }
+    assertEquals(4, driven.size(), "no two move alike");
   }
 
   /** Nine types far enough apart that no two lie over each other, each turned another way. */

@@ -50,7 +50,7 @@ final class JointPage {
     page.section("The motion");
     page.say(
         Html.strong(diagnosis.motion().verdict().word()), ": ", diagnosis.motion().headline(), ".");
-    MotionPage.add(page, diagnosis.motion());
+    MotionPage.add(page, log.drive(), diagnosis.motion());
     page.section("Files and program");
     List<Html> files = new ArrayList<>();
     files.add(Html.of("program ", provenance.version(), ", seed ", provenance.seed()));

@@ -14,6 +14,7 @@ import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.gap.motion.MotionDiagnosis;
 import simbad.gap.motion.MotionFinding;
 import simbad.gap.motion.MotionPlace;
+import simbad.motion.format.MotionData;
 
 /** The page of a diagnosis of motion: what is at work, how far the gap shrinks, where it lies. */
 public final class MotionPage {
@@ -40,30 +41,31 @@ public final class MotionPage {
   /**
    * Returns the page as HTML.
    *
-   * @param dataset its name
+   * @param data what was diagnosed
    * @param audit what was found of the data
    * @param diagnosis what was found
    * @param provenance what it was made by
    */
   public static String of(
-      String dataset,
+      MotionData data,
       List<AuditFinding> audit,
       MotionDiagnosis diagnosis,
       DiagnosisProvenance provenance) {
+    String dataset = data.name();
     String verdict = diagnosis.verdict().word();
     Page page = new Page(dataset + ": " + verdict, "How the robot moves: " + dataset);
     page.verdict(Html.strong(verdict), ": ", diagnosis.headline(), ".").note(LIMITS);
     AuditSection.add(page, audit, dataset);
-    add(page, diagnosis);
+    add(page, data, diagnosis);
     new MotionPage(page).origin(diagnosis, provenance);
     return page.html();
   }
 
   /** Adds all but the verdict, the audit and what it was made of. */
-  static void add(Page page, MotionDiagnosis diagnosis) {
+  static void add(Page page, MotionData data, MotionDiagnosis diagnosis) {
     MotionPage own = new MotionPage(page);
     own.effects(diagnosis);
-    own.gap(diagnosis.gap());
+    own.gap(data, diagnosis);
     own.budget(diagnosis.budget());
     own.places(diagnosis.places());
     own.hidden(diagnosis.undetectable());
@@ -144,7 +146,8 @@ public final class MotionPage {
             : " This log cannot tell it from " + String.join(", ", finding.ties()) + ".");
   }
 
-  private void gap(MotionDiagnosis.Gap gap) {
+  private void gap(MotionData data, MotionDiagnosis diagnosis) {
+    MotionDiagnosis.Gap gap = diagnosis.gap();
     page.section("How well the models forecast");
     page.say(
         "Continuous ranked probability score of forecasts, on stretches of the log "
@@ -169,7 +172,10 @@ public final class MotionPage {
       }
     }
     page.table(table);
-    page.pictures(pictures(gap));
+    List<PagePicture> pictures = pictures(gap);
+    TrackPlan.of(data.runs(), data.robot().motion(), diagnosis.forecast().chain())
+        .ifPresent(pictures::add);
+    page.pictures(pictures);
   }
 
   private static List<PagePicture> pictures(MotionDiagnosis.Gap gap) {

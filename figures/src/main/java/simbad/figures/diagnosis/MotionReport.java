@@ -33,8 +33,7 @@ public final class MotionReport {
       throws IOException {
     MotionFiles.write(folder, data, audit, diagnosis, provenance);
     TextFile.write(
-        folder.resolve(DiagnosisReport.PAGE),
-        MotionPage.of(data.name(), audit, diagnosis, provenance));
+        folder.resolve(DiagnosisReport.PAGE), MotionPage.of(data, audit, diagnosis, provenance));
   }
 
   /**

@@ -182,9 +182,19 @@ final class ReportPage {
     List<Html> items = new ArrayList<>();
     items.add(Html.of("program ", origin.version()));
     items.add(Html.of("seed ", origin.settings().seed()));
-    if (origin.settings().waitS() > 0) {
+    if (origin.settings().pace().turnRateRadPerS() < Tuning.TURN_RATE) {
       items.add(
-          Html.of("the robot stands still for ", origin.settings().waitS(), " s after each step"));
+          Html.of(
+              "the robot is told to turn at ",
+              origin.settings().pace().turnRateRadPerS(),
+              " rad/s at most; a faster turn becomes a longer one on the spot"));
+    }
+    if (origin.settings().pace().waitS() > 0) {
+      items.add(
+          Html.of(
+              "the robot stands still for ",
+              origin.settings().pace().waitS(),
+              " s after each step"));
     }
     items.add(robot(origin));
     items.add(sonar(origin.settings().sonar()));

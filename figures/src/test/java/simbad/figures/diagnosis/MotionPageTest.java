@@ -1,8 +1,10 @@
 package simbad.figures.diagnosis;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -17,8 +19,11 @@ import simbad.gap.motion.MotionDiagnosis;
 import simbad.gap.motion.MotionFinding;
 import simbad.gap.motion.MotionPlace;
 import simbad.motion.Command;
+import simbad.motion.MotionRun;
 import simbad.motion.Robot;
+import simbad.motion.TrackPose;
 import simbad.motion.forecast.MotionForecast;
+import simbad.motion.format.MotionData;
 
 class MotionPageTest {
   private static final DiagnosisProvenance ORIGIN =
@@ -33,6 +38,19 @@ class MotionPageTest {
           "",
           "",
           Severity.NOTE);
+
+  /** Half a minute at 0.1 m/s, half as fast as told in its last ten seconds. */
+  private static final MotionData DRIVE =
+      new MotionData("a<b>", Robot.EXACT_UNICYCLE, List.of(drive()), List.of());
+
+  private static MotionRun drive() {
+    List<TrackPose> track = new ArrayList<>();
+    for (int i = 0; i <= 300; i++) {
+      double t = i / 10.0;
+      track.add(new TrackPose(t, 0.1 * Math.min(t, 20) + 0.05 * Math.max(0, t - 20), 0, 0));
+    }
+    return new MotionRun("first", List.of(new Command(0, 0.1, 0)), track);
+  }
 
   private static String page(Verdict verdict, List<MotionFinding> findings) {
     double[][] before = {{0.004, 0.001, 0.02}, {0.01, 0.002, 0.03}, {0.02, 0.01, 0.05}};
@@ -56,7 +74,16 @@ class MotionPageTest {
                     List.of("speed-scale", "wheel-scale"), List.of(new Command(0, 0.1, 0)), 12)),
             List.of(),
             MotionForecast.believed(Robot.EXACT_UNICYCLE));
-    return MotionPage.of("a<b>", List.of(AUDITED), diagnosis, ORIGIN);
+    return MotionPage.of(DRIVE, List.of(AUDITED), diagnosis, ORIGIN);
+  }
+
+  /** Two of six forecasts are off, by 25 cm each: 8.3 cm on average. */
+  @Test
+  void theTrack_isDrawnWithItsForecasts() {
+    String page = page(Verdict.NONE, List.of());
+    assertTrue(page.contains("track, from 0.0 to 30.0 s of run first"), page);
+    assertTrue(page.contains("they are off by 8.3&nbsp;cm and 8.3&nbsp;cm on average"), page);
+    assertEquals(6, page.split("class=\"told\"", -1).length - 1);
   }
 
   @Test

@@ -20,6 +20,8 @@ import simbad.gap.unexplained.Constants;
 import simbad.gap.unexplained.SetupDoubt;
 import simbad.gap.unexplained.Surprise;
 import simbad.sonar.catalogue.LevelForms;
+import simbad.sonar.catalogue.SetupForms;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
@@ -246,8 +248,7 @@ public final class Calibration implements SetupDoubt {
       return this;
     }
     Suspicion suspicion = new Suspicion(reference.get(), log, explanation, clumping);
-    // A set-up known to a decibel would show each day's difference as an effect.
-    Hypothesis more = heldOut.isPresent() ? DaysDifference.taken(setup, explanation) : setup;
+    Hypothesis more = heldOut.isPresent() ? withinDays(setup, explanation) : setup;
     for (int i = 0; i < explanation.forms().size(); i++) {
       more = suspicion.settled(more, i);
     }
@@ -257,6 +258,26 @@ public final class Calibration implements SetupDoubt {
     return more.equals(setup)
         ? rivalled(log, explanation)
         : new Calibration(reference, more, heldOut, leeway);
+  }
+
+  /**
+   * A set-up with what of an explanation differs from one day to the next though nothing was
+   * changed: the air's temperature by half a degree and its absorption with it, a supply's voltage,
+   * what was put up again by tape and protractor. A set-up that is known to a decibel would show
+   * each of these as an effect.
+   */
+  private static Hypothesis withinDays(Hypothesis setup, Hypothesis explanation) {
+    Hypothesis taken = setup;
+    for (int i = 0; i < explanation.forms().size(); i++) {
+      Form form = explanation.forms().get(i);
+      double[] values = explanation.valuesOf(i);
+      Form asSetup = SetupForms.of(form);
+      if (Definitions.of(form.effect()).isWithinDays(form, values)
+          && !setup.forms().contains(asSetup)) {
+        taken = taken.and(asSetup, values);
+      }
+    }
+    return taken;
   }
 
   /**

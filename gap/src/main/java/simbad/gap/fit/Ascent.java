@@ -1,5 +1,6 @@
 package simbad.gap.fit;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import org.hipparchus.linear.ArrayRealVector;
@@ -61,10 +62,16 @@ final class Ascent {
     parameters = start.parameters();
     step = new double[start.size() - from];
     for (int i = 0; i < step.length; i++) {
-      step[i] = FIRST_STEP * scale[from + i];
+      step[i] = Math.min(FIRST_STEP * scale[from + i], widest(i));
     }
     here = new Fit(start, logLikelihood.applyAsDouble(start));
     highest = here;
+  }
+
+  /** From one end of its interval a value steps to the middle at most. */
+  private double widest(int value) {
+    Parameter parameter = parameters.get(from + value);
+    return (parameter.high() - parameter.low()) / 2;
   }
 
   /** Returns whether the likelihood followed its parabolas to a top. */
@@ -132,7 +139,7 @@ final class Ascent {
     for (int i = 0; i < step.length; i++) {
       double bend = Math.abs(parabola.bend[i][i]);
       if (bend > 0) {
-        double most = scale[from + i];
+        double most = Math.min(scale[from + i], widest(i));
         step[i] = Math.max(SHORTEST_STEP * most, Math.min(most, STEP_DEVIATIONS / Math.sqrt(bend)));
       }
     }
@@ -155,7 +162,7 @@ final class Ascent {
 
   private Parabola parabola() {
     int size = step.length;
-    Parabola parabola = new Parabola(size);
+    Parabola parabola = new Parabola(step.clone());
     double[] side = new double[size];
     double[] rise = new double[size];
     for (int i = 0; i < size; i++) {
@@ -185,22 +192,36 @@ final class Ascent {
 
   /** Slopes and downward bends at a place. */
   private static final class Parabola {
+    private final double[] step;
     private final double[] slope;
     private final double[][] bend;
 
-    Parabola(int size) {
-      slope = new double[size];
-      bend = new double[size][size];
+    Parabola(double[] step) {
+      this.step = step;
+      slope = new double[step.length];
+      bend = new double[step.length][step.length];
     }
 
-    /** The way to its top, each value in units of its own bend. */
+    /**
+     * A value in units of which no bend is over 1: by its own or, where it says little alone but
+     * much beside another, by what they bend together over a step of each.
+     */
+    private double unit(int value) {
+      double most = 0;
+      for (int i = 0; i < step.length; i++) {
+        most = Math.max(most, Math.abs(bend[value][i]) * step[i] * step[value]);
+      }
+      return most > 0 ? step[value] / Math.sqrt(most) : 0;
+    }
+
+    /** The way to its top. */
     double[] move() {
       int size = slope.length;
       double[] unit = new double[size];
+      Arrays.setAll(unit, this::unit);
       double[][] scaled = new double[size][size];
       RealVector right = new ArrayRealVector(size);
       for (int i = 0; i < size; i++) {
-        unit[i] = bend[i][i] == 0 ? 0 : 1 / Math.sqrt(Math.abs(bend[i][i]));
         right.setEntry(i, slope[i] * unit[i]);
         for (int j = 0; j <= i; j++) {
           scaled[i][j] = bend[i][j] * unit[i] * unit[j];

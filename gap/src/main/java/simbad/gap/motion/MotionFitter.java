@@ -106,10 +106,32 @@ final class MotionFitter {
     MotionFit best = new MotionFit(start, base.residuals(), base.noises(), base.score());
     int first = base.hypothesis().values().length;
     List<MotionParameter> parameters = form.parameters();
+    if (isSecondNothingAlone(parameters)) {
+      return settled(scannedBeside(best, first, parameters), 1);
+    }
     for (int i = 0; i < parameters.size(); i++) {
       best = scanned(best, first + i, parameters.get(i).tries().apply(use));
     }
     return settled(best, 1);
+  }
+
+  /** Where there is no limit, by how much it would fall says nothing. */
+  private static boolean isSecondNothingAlone(List<MotionParameter> parameters) {
+    return parameters.size() == 2
+        && Double.isInfinite(parameters.get(0).neutral())
+        && Double.isFinite(parameters.get(1).neutral());
+  }
+
+  /** The second value is looked for beside each try of the first. */
+  private MotionFit scannedBeside(MotionFit base, int first, List<MotionParameter> parameters) {
+    double[] others = parameters.get(1).tries().apply(use);
+    MotionFit best = base;
+    for (double value : parameters.get(0).tries().apply(use)) {
+      MotionFit own = with(base.hypothesis().withValue(first, value), base.noises());
+      MotionFit both = scanned(own, first + 1, others);
+      best = both.score() > best.score() ? both : best;
+    }
+    return best;
   }
 
   private MotionFit scanned(MotionFit base, int index, double[] tries) {

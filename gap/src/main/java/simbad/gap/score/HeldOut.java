@@ -15,6 +15,7 @@ import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.Refit;
+import simbad.sonar.check.Checks;
 
 /**
  * Scores sets of effects on rows that they were not fitted on: values fitted on every other block
@@ -25,6 +26,21 @@ public final class HeldOut {
 
   private final CalibratedLog given;
   private final Blocks blocks;
+
+  /**
+   * A hypothesis with its evidence.
+   *
+   * @param hypothesis with the values that fit the whole log best
+   * @param inSample log likelihood of the whole log, natural
+   * @param heldOut log likelihood of each half of the blocks under values fitted on the other half
+   */
+  public record Scored(Hypothesis hypothesis, double inSample, double heldOut) {
+    /** Refuses what is no number. */
+    public Scored {
+      Checks.number("inSample", inSample);
+      Checks.number("heldOut", heldOut);
+    }
+  }
 
   /**
    * Scores on a log.

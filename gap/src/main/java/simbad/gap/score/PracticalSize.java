@@ -7,6 +7,7 @@ import java.util.TreeSet;
 import simbad.definition.Effect;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.score.HeldOut.Scored;
 
 /**
  * Which effects of an explanation do not show in the gap: with many rows an effect is found long

@@ -8,6 +8,7 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 import simbad.definition.Effect;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.score.HeldOut.Scored;
 import simbad.sonar.check.Checks;
 
 /** How probable each set of effects is among those that were fitted, and each effect. */

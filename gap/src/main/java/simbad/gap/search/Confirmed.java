@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.Set;
 import simbad.definition.Effect;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.score.HeldOut.Scored;
 import simbad.gap.score.Probabilities;
-import simbad.gap.score.Scored;
 
 /**
  * Effects that are at work beyond doubt, though something is left over beside them. A near clamp

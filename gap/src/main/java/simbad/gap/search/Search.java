@@ -25,7 +25,7 @@ import simbad.gap.fit.Refit;
 import simbad.gap.fit.Screen;
 import simbad.gap.score.Blocks;
 import simbad.gap.score.HeldOut;
-import simbad.gap.score.Scored;
+import simbad.gap.score.HeldOut.Scored;
 import simbad.gap.unexplained.Misfit;
 import simbad.sonar.check.Checks;
 import simbad.sonar.effect.Form;

@@ -11,6 +11,8 @@ import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import simbad.definition.Parameter;
 import simbad.sonar.change.RangeOffset;
 import simbad.sonar.effect.Form;
@@ -81,6 +83,30 @@ class AscentTest {
   void values_stayInTheirIntervals() {
     Ascent ascent = ascent(v -> line(v[0] - 12, v[1]), 8, -1);
     assertEquals(10, ascent.climb(0.02).hypothesis().values()[0], 1e-9);
+  }
+
+  /** At an end of an interval that is a fiftieth of the scale: codes near 0 of a sensor of 4 m. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.013, 0.04})
+  void narrowInterval_isClimbedFromAnyPlace(double start) {
+    Parameter narrow = Parameter.of("code", 3, 0, 0.04, 0.0);
+    Form form = new Form(Optional.empty(), "code", List.of(narrow), v -> new RangeOffset(v[0]));
+    Ascent ascent =
+        new Ascent(
+            set -> -square(100 * (set.values()[0] - 0.03)),
+            Hypothesis.NONE.and(form, start),
+            0,
+            new double[] {1});
+    assertEquals(0.03, ascent.climb(1e-4).hypothesis().values()[0], 2e-3);
+  }
+
+  /** A value that says nothing alone, and much beside the other. */
+  @Test
+  void valuesThatOnlyMatterTogether_areClimbed() {
+    Ascent ascent = ascent(v -> new double[] {-square(v[0] * v[1] - 1), 0, 0}, 0, 0);
+    Fit top = ascent.climb(1e-4);
+    assertTrue(top.logLikelihood() >= -1, top.toString());
+    Arrays.stream(top.hypothesis().values()).forEach(v -> assertTrue(Double.isFinite(v)));
   }
 
   /** Of what gains nothing, or is the same everywhere, the start is the top. */

@@ -34,6 +34,10 @@ final class Drives {
   double deadTurn;
   double mostSpeed = Double.POSITIVE_INFINITY;
   double mostTurn = Double.POSITIVE_INFINITY;
+
+  /** Speed that a radian per second of turning takes from the greatest one. */
+  double lostPerTurn;
+
   double speedStep;
   double turnStep;
   double forwardM;
@@ -127,7 +131,8 @@ final class Drives {
         waitsS = unsteadyS > 0 ? unsteadyS * random.nextDouble() : 0;
         now = random.nextDouble() < dropped ? now : commands.get(at);
       }
-      double asked = driven(now.speedMPerS(), deadSpeed, mostSpeed, speedStep);
+      double left = Math.max(0, mostSpeed - lostPerTurn * Math.abs(now.turnRadPerS()));
+      double asked = driven(now.speedMPerS(), deadSpeed, left, speedStep);
       v = followed(v, less(asked), acceleration);
       w = followed(w, driven(now.turnRadPerS(), deadTurn, mostTurn, turnStep), 5 * acceleration);
       if (random.nextDouble() < slips / 60 * DT && v != 0) {

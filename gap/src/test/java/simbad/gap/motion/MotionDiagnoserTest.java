@@ -47,6 +47,7 @@ class MotionDiagnoserTest {
         world(8, "actuation-lag", d -> d.acceleration = 1),
         world(10, "saturation", d -> d.mostSpeed = 0.23),
         world(11, "saturation", d -> d.mostTurn = 0.85),
+        world(9, "saturation", MotionDiagnoserTest::slowWhileTurning),
         world(12, "command-quantization", d -> d.speedStep = 0.04),
         world(15, "dead-band", d -> d.lessSpeed = 0.02),
         world(16, "command-quantization", d -> d.cutStep = 0.04),
@@ -59,6 +60,11 @@ class MotionDiagnoserTest {
         world(55, "slip", d -> d.slips = 6),
         world(31, "actuation-latency speed-scale", MotionDiagnoserTest::lateAndSlow),
         world(32, "actuation-lag turn-bias", MotionDiagnoserTest::laggingAndTurning));
+  }
+
+  private static void slowWhileTurning(Drives drives) {
+    drives.mostSpeed = 0.3;
+    drives.lostPerTurn = 0.15;
   }
 
   private static void lateAndSlow(Drives drives) {

@@ -9,6 +9,7 @@ import simbad.definition.Effect;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
+import simbad.gap.score.HeldOut.Scored;
 
 class PracticalSizeTest {
   private static Set<Effect> unseen(double offsetM, double gainedNats, double nats) {

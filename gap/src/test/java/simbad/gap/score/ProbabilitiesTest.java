@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
+import simbad.gap.score.HeldOut.Scored;
 
 class ProbabilitiesTest {
   private static final Hypothesis GAIN = Worlds.effect(Effect.GAIN, "factor", 0.8);

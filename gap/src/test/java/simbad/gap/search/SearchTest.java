@@ -12,7 +12,7 @@ import simbad.definition.Effect;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
-import simbad.gap.score.Scored;
+import simbad.gap.score.HeldOut.Scored;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.frame.Pose;

@@ -12,8 +12,8 @@ import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.gap.score.GapGain;
 import simbad.gap.score.GapMeter;
+import simbad.gap.score.HeldOut.Scored;
 import simbad.gap.score.Probabilities;
-import simbad.gap.score.Scored;
 import simbad.sonar.sensing.ReadingRow;
 
 class WeighedTest {

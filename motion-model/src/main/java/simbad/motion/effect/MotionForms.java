@@ -2,6 +2,7 @@ package simbad.motion.effect;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import simbad.motion.Robot;
@@ -27,6 +28,7 @@ public final class MotionForms {
           DeadBand.LESS,
           Saturation.SPEED,
           Saturation.TURN,
+          Saturation.TURN_FIRST,
           Quantization.FORM,
           Quantization.CUT,
           CaptureOffset.POINT,
@@ -41,6 +43,30 @@ public final class MotionForms {
 
   /** Now and then less way than commanded. */
   public static final String SLIP = "slip";
+
+  private static final Map<String, String> HAPPENS =
+      Map.ofEntries(
+          Map.entry("speed-scale", "the robot drives faster or slower than commanded, by a factor"),
+          Map.entry("turn-scale", "the robot turns faster or slower than commanded, by a factor"),
+          Map.entry("wheel-scale", "both wheels are larger or smaller than believed"),
+          Map.entry("turn-bias", "the robot turns by itself, at a constant rate"),
+          Map.entry(
+              "wheel-asymmetry",
+              "the robot turns by itself while it drives, because one wheel is larger"),
+          Map.entry("actuation-latency", "commands act late"),
+          Map.entry("actuation-lag", "the speed follows a command only gradually"),
+          Map.entry("dead-band", "small commands do nothing, or a part of every speed is lost"),
+          Map.entry(
+              "saturation",
+              "speeds above a limit are cut; the limit may be lower while the robot turns"),
+          Map.entry("command-quantization", "speeds come in steps"),
+          Map.entry("time-offset", "the clocks of commands and track differ"),
+          Map.entry(
+              "capture-offset",
+              "the tracker follows another point of the robot, or its heading is turned"),
+          Map.entry("motion-noise", "the motion scatters more than believed"),
+          Map.entry(
+              "slip", "now and then the wheels slip: the robot goes less far than commanded"));
 
   private MotionForms() {}
 
@@ -65,6 +91,20 @@ public final class MotionForms {
     return Stream.concat(ALL.stream().map(MotionForm::effect), Stream.of(SLIP, MOTION_NOISE))
         .distinct()
         .toList();
+  }
+
+  /**
+   * Says in a few words what happens.
+   *
+   * @param effect a name of the {@link #vocabulary}
+   * @throws IllegalArgumentException for any other name
+   */
+  public static String happens(String effect) {
+    String happens = HAPPENS.get(effect);
+    if (happens == null) {
+      throw new IllegalArgumentException("'" + effect + "' is not the name of an effect of motion");
+    }
+    return happens;
   }
 
   /**

@@ -1,6 +1,7 @@
 package simbad.motion.effect;
 
 import java.util.List;
+import java.util.stream.DoubleStream;
 import simbad.motion.CommandUse;
 
 /** Large commands are cut. */
@@ -32,7 +33,38 @@ final class Saturation {
           "cut turn rates at %s rad/s",
           false);
 
+  /** Of the greatest speed over the greatest rate that were commanded. */
+  private static final double[] SHARES = {0.1, 0.2, 0.35, 0.5, 0.75, 1};
+
+  /**
+   * Turning goes first: what the motors have left is for driving, so the greatest speed falls with
+   * the rate of turning. A drive of two wheels whose rims reach M turns at w and goes ahead at M -
+   * |w| times half its wheel base.
+   */
+  static final MotionForm TURN_FIRST =
+      new MotionForm(
+          "saturation",
+          "saturation: speed while turning",
+          List.of(
+              RIM.tried(use -> CommandUse.among(use.speeds(), TRIES)),
+              MotionParameter.smooth("lost_m_per_rad", 0, 5, 0, 0.02).tried(Saturation::lost)),
+          p ->
+              new WholeCommandChange(
+                  (v, w) -> cut(v, Math.max(0, p[0] - p[1] * Math.abs(w))), (v, w) -> w),
+          "cut speeds at %s m/s, and further while the robot turns",
+          false);
+
   private Saturation() {}
+
+  private static double[] lost(CommandUse use) {
+    double[] speeds = use.speeds();
+    double[] turns = use.turns();
+    return speeds.length == 0 || turns.length == 0
+        ? new double[0]
+        : DoubleStream.of(SHARES)
+            .map(share -> share * speeds[speeds.length - 1] / turns[turns.length - 1])
+            .toArray();
+  }
 
   /** Of each wheel by itself. */
   static MotionForm wheels(double wheelBaseM) {

@@ -45,8 +45,25 @@ public final class DiagnosedMotion {
    * @throws DataFormatException naming file, line and field of the first fault
    */
   public static MotionChain read(Path folder) throws DataFormatException {
-    JsonInput json = model(folder);
-    Robot robot = RobotFile.read(folder.resolve(MotionFolder.ROBOT));
+    return mean(model(folder), RobotFile.read(folder.resolve(MotionFolder.ROBOT)));
+  }
+
+  /**
+   * Reads the same from texts.
+   *
+   * @param folder how messages name it
+   * @param robot what stands in robot.json
+   * @param model what stands in motion.json
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public static MotionChain parse(Path folder, String robot, String model)
+      throws DataFormatException {
+    JsonInput believed = JsonInput.parse(folder.resolve(MotionFolder.ROBOT), robot);
+    return mean(JsonInput.parse(folder.resolve(MODEL), model), RobotFile.of(believed));
+  }
+
+  private static MotionChain mean(JsonInput json, Robot robot) throws DataFormatException {
+    requireFormat(json);
     List<MotionChange> changes = new ArrayList<>(robot.motion().changes());
     for (FittedMotion fitted : forms(json, robot)) {
       boolean moves =
@@ -66,6 +83,7 @@ public final class DiagnosedMotion {
    */
   public static MotionForecast forecast(Path folder) throws DataFormatException {
     JsonInput json = model(folder);
+    requireFormat(json);
     Robot robot = RobotFile.read(folder.resolve(MotionFolder.ROBOT));
     MotionChain chain = robot.motion();
     for (FittedMotion fitted : forms(json, robot)) {
@@ -107,11 +125,13 @@ public final class DiagnosedMotion {
       throw DataFormatException.inFile(
           file, "does not exist, expected what simbad diagnose makes of a motion folder");
     }
-    JsonInput json = JsonInput.read(file);
+    return JsonInput.read(file);
+  }
+
+  private static void requireFormat(JsonInput json) throws DataFormatException {
     if (!json.text("format").equals(FORMAT)) {
       throw json.field("format").isNot("\"" + FORMAT + "\"");
     }
-    return json;
   }
 
   /** What only scatters stood among the forms in files of older programs: it moves nothing. */

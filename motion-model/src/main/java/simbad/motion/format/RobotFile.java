@@ -20,7 +20,10 @@ final class RobotFile {
   private RobotFile() {}
 
   static Robot read(Path file) throws DataFormatException {
-    JsonInput json = JsonInput.parse(file, TextFile.read(file));
+    return of(JsonInput.parse(file, TextFile.read(file)));
+  }
+
+  static Robot of(JsonInput json) throws DataFormatException {
     if (!json.text("format").equals(FORMAT)) {
       throw json.field("format").isNot("\"" + FORMAT + "\"");
     }

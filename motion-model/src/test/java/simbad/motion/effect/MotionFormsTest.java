@@ -1,6 +1,7 @@
 package simbad.motion.effect;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -8,6 +9,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import simbad.motion.Capture;
 import simbad.motion.Command;
+import simbad.motion.CommandUse;
 import simbad.motion.Displacement;
 import simbad.motion.MotionChain;
 import simbad.motion.MotionChange;
@@ -85,6 +87,40 @@ class MotionFormsTest {
     assertEquals(5, speed.commandedTurn(5));
     assertEquals(0.8, turn.commandedTurn(3));
     assertEquals(3, turn.commandedSpeed(3));
+  }
+
+  /** Two wheels 0.2 m apart whose rims reach 0.3 m/s, and a robot that must turn. */
+  @Test
+  void saturationWhileTurning_leavesForDrivingWhatTurningLeaves() {
+    MotionChange first = change("saturation: speed while turning", 0.3, 0.1);
+
+    assertEquals(0.3, way(1, 0, first, 1).alongM(), 1e-9);
+    assertEquals(2, first.commanded(new Command(0, 1, 2)).turnRadPerS());
+    assertEquals(0.1, first.commanded(new Command(0, 1, -2)).speedMPerS(), 1e-12);
+    assertEquals(-0.1, first.commanded(new Command(0, -1, 2)).speedMPerS(), 1e-12);
+    assertEquals(0, first.commanded(new Command(0, 1, 4)).speedMPerS());
+    Command small = new Command(7, 0.05, -2);
+    assertSame(small, first.commanded(small));
+    double[] neutral =
+        MotionForms.find("saturation: speed while turning").orElseThrow().neutralValues();
+    assertEquals(
+        9,
+        change("saturation: speed while turning", neutral)
+            .commanded(new Command(0, 9, 9))
+            .speedMPerS());
+  }
+
+  /** No turns were commanded, or nothing at all: there is nothing to try. */
+  @Test
+  void saturationWhileTurning_isTriedOnlyWhereTurnsWereCommanded() {
+    MotionForm form = MotionForms.find("saturation: speed while turning").orElseThrow();
+    CommandUse straight = new CommandUse(new double[] {0.2}, new double[0], new double[0]);
+    CommandUse both = new CommandUse(new double[] {0.2}, new double[] {0.5}, new double[0]);
+
+    assertEquals(0, form.parameters().get(1).tries().apply(straight).length);
+    double[] tries = form.parameters().get(1).tries().apply(both);
+    assertEquals(0.04, tries[0], 1e-12);
+    assertEquals(0.4, tries[tries.length - 1], 1e-12);
   }
 
   @Test

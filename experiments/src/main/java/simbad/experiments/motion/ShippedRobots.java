@@ -1,0 +1,48 @@
+package simbad.experiments.motion;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import simbad.motion.MotionChain;
+import simbad.motion.format.DiagnosedMotion;
+import simbad.sonar.format.DataFormatException;
+
+/** The real robots whose motion comes with the project (data/robots). */
+public final class ShippedRobots {
+  private static final String FOLDER = "/simbad/experiments/robots/";
+
+  private ShippedRobots() {}
+
+  /** Returns their names. */
+  public static List<String> names() {
+    return List.of("create-1", "create-2", "create-3");
+  }
+
+  /**
+   * Returns how a robot moves.
+   *
+   * @param name one of {@link #names()}
+   */
+  public static MotionChain motion(String name) {
+    String robot = text(name + "/robot.json");
+    String model = text(name + "/" + DiagnosedMotion.MODEL);
+    try {
+      return DiagnosedMotion.parse(Path.of("robots", name), robot, model);
+    } catch (DataFormatException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  private static String text(String file) {
+    try (InputStream in = ShippedRobots.class.getResourceAsStream(FOLDER + file)) {
+      byte[] bytes = Objects.requireNonNull(in, file).readAllBytes();
+      return new String(bytes, StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}
