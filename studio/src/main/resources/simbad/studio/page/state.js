@@ -54,7 +54,7 @@ async function fetchFrames(world, from, count, every) {
     const answer = await ask('/frames', { scene: sceneOf(world), from, count, every });
     if (asked !== live.edition) return;
     if (answer.fault) { fault(answer.fault); live.playing = false; return; }
-    fault('');
+    clear();
     answer.frames.forEach((frame, i) => {
       const step = from + i * every;
       world.frames[step] ??= frame;
@@ -79,6 +79,8 @@ export async function allFrames(world) {
   }
   return all;
 }
+// What another view says is not the live world's to take away.
+function clear() { if (!$('live').hidden) fault(''); }
 const louds = new Map();
 // Where the obstacle is how loud to a sensor that hears by levels; nothing until it is known.
 export function loudness(sensor) {
@@ -107,7 +109,7 @@ export function change(keep) {
     world.moved = null;
   }
   live.now = Math.max(0, keep === 0 ? live.now : Math.min(live.now, keep));
-  fault('');
+  clear();
   words();
   live.dirty = true;
 }
