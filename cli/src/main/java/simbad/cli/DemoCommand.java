@@ -23,7 +23,7 @@ import simbad.demo.DemoManager;
       "",
       "Example: simbad demo --list",
       "Example: simbad demo PickCherriesDemo --headless --steps 500",
-      "Example: simbad demo angle --robot diagnosed:diagnoses/my-robot --headless"
+      "Example: simbad demo angle --robot diagnosed:data/robots/create-1 --headless"
     })
 final class DemoCommand extends Subcommand {
   private static final int DEFAULT_STEPS = 2000;
