@@ -25,6 +25,6 @@ record BatchRun(
     Circuit circuit) {
 
   Trace drive() {
-    return circuit.drive(pace.of(controller.controller(circuit.speedMPerS())), pace.mostSteps());
+    return circuit.drive(controller.controller(circuit.speedMPerS()), pace, false);
   }
 }

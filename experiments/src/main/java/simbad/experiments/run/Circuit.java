@@ -70,28 +70,18 @@ public record Circuit(
    * @return where the robot was
    */
   public Trace drive(Controller controller) {
-    return drive(controller, 1, false);
+    return drive(controller, Pace.AT_ONCE, false);
   }
 
   /**
-   * Does the same with a controller that gives the robot time.
+   * Does the same with a robot that is given time.
    *
    * @param controller that has read nothing yet
-   * @param times how many steps it takes for one of a controller that never waits, at least 1
-   */
-  public Trace drive(Controller controller, int times) {
-    return drive(controller, times, false);
-  }
-
-  /**
-   * Does the same, and may keep what was read.
-   *
-   * @param controller that has read nothing yet
-   * @param times how many steps it takes for one of a controller that never waits, at least 1
+   * @param pace how much time the robot is given for each decision
    * @param keepsReadings whether the trace shall have what the belt read
    */
-  Trace drive(Controller controller, int times, boolean keepsReadings) {
-    return new Drive(this, controller, keepsReadings).drive(times);
+  public Trace drive(Controller controller, Pace pace, boolean keepsReadings) {
+    return new Drive(this, pace.of(controller), keepsReadings).drive(pace.mostSteps());
   }
 
   /**

@@ -42,9 +42,7 @@ public final class Experiment {
   private static RunResult runOne(ObstacleType type, SensorKind sensor, RunSettings settings) {
     Circuit circuit = Circuit.of(type, sensor, settings);
     Controller follower = new EdgeFollower(Tuning.standard(settings.speedMPerS(), Circuit.STEP_S));
-    Trace trace =
-        circuit.drive(
-            settings.pace().of(follower), settings.pace().mostSteps(), settings.keepsReadings());
+    Trace trace = circuit.drive(follower, settings.pace(), settings.keepsReadings());
     return new RunResult(
         type,
         sensor,

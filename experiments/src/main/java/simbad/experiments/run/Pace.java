@@ -34,7 +34,7 @@ public record Pace(double turnRateRadPerS, double waitS) {
   }
 
   /** Returns the most steps that a decision takes. */
-  public int mostSteps() {
+  int mostSteps() {
     return isAtOnce() ? 1 : 1 + waitSteps() + (int) Math.ceil(Tuning.TURN_RATE / turnRateRadPerS);
   }
 
