@@ -15,7 +15,8 @@ import simbad.sonar.frame.Point;
 
 /**
  * A stretch of the track from above, with what was forecast of it before and after: of all
- * stretches of half a minute the one whose forecasts were farthest off before.
+ * stretches of half a minute, or of what a shorter run has, the one whose forecasts were farthest
+ * off before.
  */
 final class TrackPlan {
   private static final double AHEAD_S = 5;
@@ -68,8 +69,9 @@ final class TrackPlan {
     for (MotionRun run : runs) {
       TrackPlan plan = new TrackPlan(run, before, after);
       List<Forecast> all = plan.forecasts();
-      for (int i = 0; i + FORECASTS <= all.size(); i++) {
-        List<Forecast> stretch = all.subList(i, i + FORECASTS);
+      int size = Math.min(FORECASTS, all.size());
+      for (int i = 0; size > 0 && i + size <= all.size(); i++) {
+        List<Forecast> stretch = all.subList(i, i + size);
         double error = error(stretch, plan.before);
         if (isUnbroken(stretch) && error > most) {
           most = error;
@@ -86,8 +88,12 @@ final class TrackPlan {
   }
 
   private static boolean isUnbroken(List<Forecast> stretch) {
-    double lastsS = stretch.get(FORECASTS - 1).to.timeS() - stretch.get(0).from.timeS();
-    return lastsS < FORECASTS * AHEAD_S + 2 * NEAR_S;
+    return last(stretch).timeS() - stretch.get(0).from.timeS()
+        < stretch.size() * (AHEAD_S + NEAR_S);
+  }
+
+  private static TrackPose last(List<Forecast> stretch) {
+    return stretch.get(stretch.size() - 1).to;
   }
 
   /** One after the other, from where the track is known to where it is known again. */
@@ -106,7 +112,7 @@ final class TrackPlan {
 
   private PagePicture picture(List<Forecast> stretch) {
     double fromS = stretch.get(0).from.timeS();
-    double toS = stretch.get(FORECASTS - 1).to.timeS();
+    double toS = last(stretch).timeS();
     List<Point> seen =
         run.track().stream()
             .filter(pose -> pose.timeS() >= fromS && pose.timeS() <= toS)

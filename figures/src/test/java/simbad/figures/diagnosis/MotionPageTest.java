@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simbad.gap.audit.AuditCheck;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.audit.Severity;
@@ -19,9 +21,11 @@ import simbad.gap.motion.MotionDiagnosis;
 import simbad.gap.motion.MotionFinding;
 import simbad.gap.motion.MotionPlace;
 import simbad.motion.Command;
+import simbad.motion.MotionChain;
 import simbad.motion.MotionRun;
 import simbad.motion.Robot;
 import simbad.motion.TrackPose;
+import simbad.motion.effect.MotionForms;
 import simbad.motion.forecast.MotionForecast;
 import simbad.motion.format.MotionData;
 
@@ -44,8 +48,12 @@ class MotionPageTest {
       new MotionData("a<b>", Robot.EXACT_UNICYCLE, List.of(drive()), List.of());
 
   private static MotionRun drive() {
+    return drive(300);
+  }
+
+  private static MotionRun drive(int poses) {
     List<TrackPose> track = new ArrayList<>();
-    for (int i = 0; i <= 300; i++) {
+    for (int i = 0; i <= poses; i++) {
       double t = i / 10.0;
       track.add(new TrackPose(t, 0.1 * Math.min(t, 20) + 0.05 * Math.max(0, t - 20), 0, 0));
     }
@@ -75,6 +83,19 @@ class MotionPageTest {
             List.of(),
             MotionForecast.believed(Robot.EXACT_UNICYCLE));
     return MotionPage.of(DRIVE, List.of(AUDITED), diagnosis, ORIGIN);
+  }
+
+  /** Of twelve seconds two forecasts, of three none. */
+  @ParameterizedTest
+  @CsvSource({"120, 2", "30, 0", "0, 0"})
+  void aShortTrack_isDrawnAsFarAsItGoes(int poses, int forecasts) {
+    MotionChain told = Robot.EXACT_UNICYCLE.motion();
+    MotionChain slow = told.with(MotionForms.find("speed-scale").orElseThrow().change(0.5));
+    String drawn =
+        TrackPlan.of(List.of(drive(poses)), slow, told)
+            .map(picture -> picture.drawing().toString())
+            .orElse("");
+    assertEquals(forecasts, drawn.split("class=\"told\"", -1).length - 1);
   }
 
   /** Two of six forecasts are off, by 25 cm each: 8.3 cm on average. */
