@@ -14,6 +14,8 @@ import simbad.definition.Parameter;
 import simbad.gap.audit.Audit;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.calibrate.Calibration;
+import simbad.gap.calibrate.Laws;
+import simbad.gap.calibrate.Laws.Law;
 import simbad.gap.calibrate.ModelError;
 import simbad.gap.calibrate.SetupLeave;
 import simbad.gap.design.Experiments;
@@ -101,10 +103,21 @@ public final class Diagnoser {
    */
   public Diagnosis diagnose(DataSet data, List<AuditFinding> audit, Hypothesis offered) {
     PingLog log = new PingLog(data.readings());
-    Calibration calibration =
+    List<Law> laws =
         data.reference().isEmpty()
-            ? Calibration.none(data.setup(), log)
-            : Calibration.of(data.setup(), new PingLog(data.reference()));
+            ? List.of(new Law(Calibration.none(data.setup(), log), 0))
+            : Laws.of(data.setup(), new PingLog(data.reference()), log);
+    Inquiry inquiry = inquiry(data, log, laws.get(0).calibration(), offered);
+    if (laws.size() > 1) {
+      Inquiry other = inquiry(data, log, laws.get(1).calibration(), offered);
+      double lead = inquiry.nats(laws.get(0)) - other.nats(laws.get(1));
+      inquiry = lead >= 0 ? inquiry : other;
+    }
+    return diagnosis(inquiry, conclude(inquiry), audit);
+  }
+
+  /** Searches until the set-up holds what belongs to it and nothing is left to try. */
+  private Inquiry inquiry(DataSet data, PingLog log, Calibration calibration, Hypothesis offered) {
     Inquiry inquiry = inquire(data, log, calibration, offered);
     for (int round = 0; round < ROUNDS; round++) {
       Calibration more = inquiry.settled();
@@ -119,8 +132,7 @@ public final class Diagnoser {
         inquiry = inquire(data, log, more, offered);
       }
     }
-    inquiry = inquiry.isFull() ? inquiry : inquiry.further();
-    return diagnosis(inquiry, conclude(inquiry), audit);
+    return inquiry.isFull() ? inquiry : inquiry.further();
   }
 
   /**
@@ -153,6 +165,15 @@ public final class Diagnoser {
           ? Weighed.ofSome(given, sets, worthNats, calibration.temperature())
               .map(some -> new Inquiry(given, calibration, worthNats, search, sets, some, isFull))
           : Optional.empty();
+    }
+
+    /** How well reference and log are foretold by a law with this explanation, less its cost. */
+    double nats(Law law) {
+      Hypothesis best = best();
+      double cost =
+          Probabilities.COST_NATS * best.forms().size()
+              + Probabilities.NATS_PER_VALUE * best.size();
+      return law.nats(given, calibration, best) - cost;
     }
 
     /** The set-up with what of this belongs to it. */

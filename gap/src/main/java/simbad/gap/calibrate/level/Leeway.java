@@ -79,7 +79,7 @@ public final class Leeway {
    * @param rangeM the same of ranges, metres
    */
   static Leeway of(Known known, double excessDb, double rangeM) {
-    RealMatrix excess = known.covariance.copy();
+    RealMatrix excess = withTurns(known.covariance, known.ranges.byBearing().size());
     double off = excessDb * excessDb;
     add(excess, Layout.LEVEL, DAYS_GAIN_DB * DAYS_GAIN_DB);
     add(excess, Layout.ABSORPTION, DAYS_ABSORPTION_DB_PER_M * DAYS_ABSORPTION_DB_PER_M);
@@ -90,6 +90,20 @@ public final class Leeway {
       add(excess, Layout.RECEIVER + knot, off);
     }
     return new Leeway(known, excess, ofRanges(known.ranges, rangeM), level);
+  }
+
+  /**
+   * The values' covariance and, behind it, by how much each obstacle is turned otherwise than on
+   * the day of the reference: a lobe of a few degrees shows that in its levels.
+   */
+  private static RealMatrix withTurns(RealMatrix covariance, int targets) {
+    int size = covariance.getRowDimension();
+    RealMatrix all = MatrixUtils.createRealMatrix(size + targets, size + targets);
+    all.setSubMatrix(covariance.getData(), 0, 0);
+    for (int target = 0; target < targets; target++) {
+      add(all, size + target, DAYS_TURN_RAD * DAYS_TURN_RAD);
+    }
+    return all;
   }
 
   /** What levels are off at one place says nothing of the next. */
@@ -319,7 +333,8 @@ public final class Leeway {
             predictor.row(Trials.trial(geometry, line, read).with(added[line], 1, 0));
         Predictor.Excess own = predictor.excess(row);
         predictor.slope(row, own, slope);
-        pulls.level[ping] = pull(slope);
+        int turn = excessCovariance.getRowDimension() - targets + row.trial().target();
+        pulls.level[ping] = pull(slope).and(turn, predictor.perTurnDb(row));
         pulls.place[ping] = place(row.trial());
         if (read) {
           pulls.range[ping] = ofRange(row.trial(), own.decibels());

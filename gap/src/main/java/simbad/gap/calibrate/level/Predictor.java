@@ -87,6 +87,19 @@ final class Predictor {
     return new Excess(level, Math.sqrt(variance));
   }
 
+  /** Returns by how much the excess of a trial rises with its bearing, decibels per radian. */
+  double perTurnDb(Row row) {
+    Believed own = targets.get(row.trial.target());
+    double rise =
+        strengthDb(own, row.here, row.trial.target())
+            - strengthDb(own, row.next, row.trial.target());
+    return -rise * LevelForms.BEARINGS / Angles.TURN_RAD;
+  }
+
+  private double strengthDb(Believed own, int lobe, int target) {
+    return own.loss(lobe - layout.lobe(target, 0)).decibels(values) + values[lobe];
+  }
+
   /** How an excess, in units of its deviation, changes with the values. */
   static final class Slope {
     private final int[] index = new int[Loss.SIZE + 6];
