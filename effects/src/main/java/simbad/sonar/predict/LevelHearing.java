@@ -21,11 +21,15 @@ import simbad.sonar.scene.SonarSpec;
  * read late by the walk of its excess. A buffer that is filled anew.
  */
 final class LevelHearing {
+  /** A least range is known to a step of the readings that it was read off, or to this, metres. */
+  private static final double LEAST_STEP_M = 0.005;
+
   private final Geometry geometry;
   private final LevelEars ears;
   private final LevelLaw law;
   private final LevelChange[] changes;
   private final double minRangeM;
+  private final double stepM;
   private final double maxRangeM;
   private final double heardShare;
 
@@ -60,6 +64,7 @@ final class LevelHearing {
             .filter(change -> !(change instanceof LevelStrength || change instanceof EchoPath))
             .toArray(LevelChange[]::new);
     minRangeM = sensor.minRangeM();
+    stepM = Math.max(LEAST_STEP_M, sensor.resolutionM());
     maxRangeM = sensor.maxRangeM();
     heardShare = 1 - sensor.missRate();
     double variance = 0;
@@ -75,7 +80,12 @@ final class LevelHearing {
 
   boolean isInRange(int line) {
     double nearest = geometry.nearestM(line);
-    return nearest >= minRangeM && nearest <= maxRangeM;
+    return nearest > minRangeM - stepM && nearest <= maxRangeM;
+  }
+
+  /** The chance that the sensor hears so near: its least range lies anywhere in the last step. */
+  private double nearShare(double nearestM) {
+    return Math.min(1, (nearestM - minRangeM) / stepM + 1);
   }
 
   /**
@@ -104,7 +114,7 @@ final class LevelHearing {
     deviationDb[size] = together(geometry.excessDeviationDb(line), moreScatterDb);
     addedM[size] = geometry.pathM(line);
     addedDeviationM[size] = geometry.pathDeviationM(line);
-    kept[size] = keptShare * heardShare;
+    kept[size] = keptShare * heardShare * nearShare(distanceM[size]);
     held[size] = heldShare;
     excessDb[size] =
         scaled(excess, line, hysteresis == null ? factor : factor(hysteresis, factor, line, false));

@@ -156,6 +156,17 @@ class LevelFormsTest {
     assertTrue(chance(0.06, 0, offset) < 0.02 * chance(0.06, 0));
   }
 
+  /** The least range of 2 cm was read in steps of one: it lies anywhere in the last one. */
+  @Test
+  void nearerThanTheLeastRange_theChanceFallsOverAStep() {
+    double near = chance(0.030001, 0);
+
+    assertTrue(near > 0.9, () -> "chance " + near);
+    assertEquals(near / 2, chance(0.025, 0), 0.01);
+    assertEquals(near, chance(0.029999, 0), 1e-3);
+    assertEquals(0, chance(0.0199, 0));
+  }
+
   @Test
   void strengthsByBearing_takeThePlaceOfThresholds() {
     double[] values = new double[3 * LevelForms.BEARINGS];
