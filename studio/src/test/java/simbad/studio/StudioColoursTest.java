@@ -43,6 +43,7 @@ class StudioColoursTest {
     Map<String, Color> colours = colours(dark);
     assertEquals(List.of(), ColourSight.alike(colours, "c0", "c4", "c2", "c3", "quiet"));
     assertEquals(List.of(), ColourSight.alike(colours, "c1", "c0", "quiet"));
+    assertEquals(List.of(), ColourSight.alike(colours, "c0", "c1", "c2", "c3", "c4", "c5"));
     assertEquals(List.of(), ColourSight.alike(colours, "low", "high", "c3", "soft"));
   }
 

@@ -87,5 +87,5 @@ export function effects(diagnosis, other) {
   const heads = other ? ['effect', '#this one', 'values', '#the other', 'values'] : ['effect', '#probability', 'values, with 95 % intervals', 'what to do'];
   const rows = names.map(name => { const a = of(diagnosis, name), b = of(other, name); return other ? [name, percent(a && a.probability), values(a), percent(b && b.probability), values(b)] : [name, percent(a.probability), values(a), a.remedy || '']; });
   const unknown = other ? ['unknown', percent(diagnosis.unknown_probability), '', percent(other.unknown_probability), ''] : ['unknown', percent(diagnosis.unknown_probability), '', ''];
-  return el('section', {}, el('h3', {}, 'Effects at work'), table('Effects at work', heads, [...rows, unknown]));
+  return el('section', { class: 'effects' }, el('h3', {}, 'Effects at work'), table('Effects at work', heads, [...rows, unknown]));
 }
