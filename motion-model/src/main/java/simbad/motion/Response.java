@@ -89,7 +89,7 @@ public record Response(
      *
      * @param targets that hold through each step, the first of no step
      */
-    public void follow(double[] targets) {
+    void follow(double[] targets) {
       if (most == Double.POSITIVE_INFINITY) {
         followFreely(targets);
         return;

@@ -120,7 +120,7 @@ final class MotionFitter {
     MotionFit best = new MotionFit(start, from.residuals(), from.noises(), from.score());
     int first = from.hypothesis().values().length;
     List<MotionParameter> parameters = form.parameters();
-    if (isSecondNothingAlone(parameters)) {
+    if (parameters.size() == 2 && parameters.get(1).beside()) {
       return stepped(base, likeliest(best, pairs(start, first, parameters)));
     }
     for (int i = 0; i < parameters.size(); i++) {
@@ -132,13 +132,6 @@ final class MotionFitter {
 
   private MotionFit stepped(Slopes base, MotionFit from) {
     return settled(from, new Slopes(given, from, Optional.of(base)), 1);
-  }
-
-  /** Where there is no limit, by how much it would fall says nothing. */
-  private static boolean isSecondNothingAlone(List<MotionParameter> parameters) {
-    return parameters.size() == 2
-        && Double.isInfinite(parameters.get(0).neutral())
-        && Double.isFinite(parameters.get(1).neutral());
   }
 
   /** The second value is looked for beside each try of the first. */
