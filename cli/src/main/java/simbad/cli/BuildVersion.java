@@ -1,11 +1,11 @@
 package simbad.cli;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.util.Objects;
+import java.io.StringReader;
 import java.util.Properties;
 import java.util.regex.Pattern;
 import picocli.CommandLine.IVersionProvider;
+import simbad.sonar.format.ShippedText;
 
 /** The version and commit of this program, as the build wrote them down. */
 final class BuildVersion implements IVersionProvider {
@@ -24,10 +24,7 @@ final class BuildVersion implements IVersionProvider {
    */
   static String text() throws IOException {
     Properties build = new Properties();
-    try (InputStream in =
-        Objects.requireNonNull(BuildVersion.class.getResourceAsStream("build.properties"))) {
-      build.load(in);
-    }
+    build.load(new StringReader(ShippedText.read(BuildVersion.class, "build.properties")));
     String commit = build.getProperty("commit");
     String known = COMMIT.matcher(commit).matches() ? commit : "unknown";
     return build.getProperty("version") + " (commit " + known + ")";

@@ -22,7 +22,6 @@ import picocli.CommandLine.Parameters;
 import simbad.definition.Effect;
 import simbad.experiments.motion.JointFiles;
 import simbad.figures.diagnosis.DiagnosisReport;
-import simbad.figures.diagnosis.JointReport;
 import simbad.figures.diagnosis.MotionReport;
 import simbad.gap.Diagnoser;
 import simbad.gap.audit.Audit;
@@ -248,7 +247,7 @@ final class DiagnoseCommand extends Subcommand {
         return new AuditSummary(data.name(), audit, target);
       }
       JointDiagnosis diagnosis = new JointDiagnoser(data, log.drive()).diagnose(diagnoser, heard);
-      JointReport.write(staged.path(), folder, log, diagnosis, provenance);
+      DiagnosisReport.write(staged.path(), folder, log, diagnosis, provenance);
       staged.publish();
       if (corrected != null) {
         correct(corrected, CorrectedScene.of(data.setup(), diagnosis.sensing()));

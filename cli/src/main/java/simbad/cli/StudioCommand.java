@@ -90,7 +90,7 @@ final class StudioCommand extends Subcommand {
       throw wrongUsage("--port: " + port + " is not in [0, " + GREATEST_PORT + "]");
     }
     if (folder.isEmpty() && !data.isEmpty()) {
-      throw wrongUsage("--data: wants a FOLDER with diagnoses");
+      throw wrongUsage("--data: expected FOLDER with it, a folder with diagnoses");
     }
     Optional<Folders> folders =
         folder.isPresent() ? Optional.of(Folders.of(folder.get(), data)) : Optional.empty();

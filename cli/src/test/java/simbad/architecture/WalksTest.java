@@ -26,7 +26,7 @@ class WalksTest {
         lines.stream()
             .dropWhile(line -> !line.startsWith(begin))
             .skip(2)
-            .takeWhile(line -> line.matches("\\d\\. .*"))
+            .takeWhile(line -> line.matches("(\\d\\.|-) .*"))
             .toList();
     return TYPE.matcher(String.join("\n", walk))
         .results()
@@ -62,5 +62,13 @@ class WalksTest {
   @Test
   void readingToVerdict_hasAtMost15Stops() throws IOException {
     checkWalk("The walk of a row of readings.csv", "DiagnoseCommand", "Verdict", 15);
+  }
+
+  /** The page says how many there are with all that is asked on the way. */
+  @Test
+  void readingToVerdict_withAllThatIsAskedOnTheWay() throws IOException {
+    Set<String> all = stops("The walk of a row of readings.csv");
+    all.addAll(stops("Seven more types are asked on the way."));
+    assertEquals(22, all.size(), all.toString());
   }
 }

@@ -146,7 +146,7 @@ class BatchCommandTest {
   @Test
   void interruptedBatch_saysWhatIsThere() throws Exception {
     Process process = startAndWaitForTwelveRows("stopped");
-    checkRefused(batch(spec, "stopped"), 1, "another process is at this batch");
+    checkRefused(batch(spec, "stopped"), 1, "another process is working on this batch");
     // Unlike the process's own method, this leaves its output open.
     process.toHandle().destroy();
     String output = outputOf(process);

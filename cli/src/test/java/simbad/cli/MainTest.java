@@ -157,7 +157,12 @@ class MainTest {
     checkComplaint(
         simbad("probe", "--depth", "x"),
         2,
-        "simbad probe: Invalid value for option '--depth': 'x' is not an int"
+        "simbad probe: Invalid value for option '--depth': 'x' is not a whole number"
+            + " (see simbad probe --help)");
+    checkComplaint(
+        simbad("probe", "--depth", "12345678901"),
+        2,
+        "simbad probe: Invalid value for option '--depth': '12345678901' is too large"
             + " (see simbad probe --help)");
     checkComplaint(
         simbad("help", "nix"), 2, "simbad: Unknown subcommand 'nix'. (see simbad --help)");

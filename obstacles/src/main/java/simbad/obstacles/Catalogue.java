@@ -1,9 +1,5 @@
 package simbad.obstacles;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -16,6 +12,7 @@ import java.util.Set;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.OutlineFile;
 import simbad.sonar.format.SensorFile;
+import simbad.sonar.format.ShippedText;
 import simbad.sonar.format.TableDocument;
 import simbad.sonar.format.TableFile;
 import simbad.sonar.scene.SonarSpec;
@@ -185,15 +182,7 @@ public final class Catalogue {
     }
   }
 
-  /** These files are part of the program: one that is missing or wrong is a fault of the build. */
   private static String text(String name) {
-    try (InputStream in = Catalogue.class.getResourceAsStream(FOLDER + name)) {
-      if (in == null) {
-        throw new IllegalStateException(name + " is not in the program");
-      }
-      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ShippedText.read(Catalogue.class, FOLDER + name);
   }
 }

@@ -58,6 +58,7 @@ final class Legend extends JPanel {
       case SHADOW -> "detection shadow";
       case EDGE -> "its edge: the thresholds";
       case TRAIL -> "where it has been";
+      case AXES -> "axes: x red, y green, z blue";
     };
   }
 

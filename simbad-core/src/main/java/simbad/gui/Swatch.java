@@ -27,6 +27,8 @@ record Swatch(Sign sign, boolean dark) implements Icon {
   private static final Color SILENT = new Color(240, 128, 64);
   private static final Color ECHO = new Color(226, 40, 36);
   private static final Color SAND = new Color(222, 184, 135);
+  private static final Color X_AXIS = new Color(217, 38, 26);
+  private static final Color Z_AXIS = new Color(26, 77, 230);
   private static final Color RIM = new Color(128, 128, 128, 120);
   private static final BasicStroke LINE = new BasicStroke(2.2f);
 
@@ -50,6 +52,7 @@ record Swatch(Sign sign, boolean dark) implements Icon {
       case SILENT -> paintBeam(graphics, SILENT, 0.45);
       case ECHO -> paintBeam(graphics, ECHO, 1);
       case SHADOW -> paintSand(graphics);
+      case AXES -> paintAxes(graphics);
       case EDGE -> paintLine(graphics, new Color(palette.edgeRgb()), 1);
       default -> paintLine(graphics, new Color(palette.trailRgb()), 1);
     }
@@ -62,6 +65,14 @@ record Swatch(Sign sign, boolean dark) implements Icon {
     graphics.setColor(RIM);
     graphics.setStroke(new BasicStroke(1));
     graphics.draw(patch);
+  }
+
+  /** The x and the z axis, seen from above. */
+  private static void paintAxes(Graphics2D graphics) {
+    graphics.setColor(X_AXIS);
+    graphics.draw(new Line2D.Double(2, 2, WIDTH - 2, 2));
+    graphics.setColor(Z_AXIS);
+    graphics.draw(new Line2D.Double(2, 2, 2, HEIGHT - 1));
   }
 
   private static void paintBeam(Graphics2D graphics, Color color, double share) {

@@ -13,5 +13,7 @@ public enum Sign {
   /** The edge of a detection shadow. */
   EDGE,
   /** Where an agent has been. */
-  TRAIL
+  TRAIL,
+  /** The world's axes at the origin. */
+  AXES
 }

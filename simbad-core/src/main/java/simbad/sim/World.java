@@ -60,6 +60,7 @@ public class World {
   private final Lock stepLock = new Lock();
   private long staticRevision;
   private final int surroundings;
+  private final boolean hasAxes;
   private volatile int viewPoint;
   private @Nullable SimpleAgent viewedAgent;
   private volatile @Nullable WorldView view;
@@ -69,6 +70,7 @@ public class World {
   /** Creates a world with the environment's static objects; the simulator adds the agents. */
   public World(EnvironmentDescription environment) {
     worldSize = environment.worldSize;
+    hasAxes = environment.hasAxis;
     viewPoint = environment.worldViewPoint;
     habits.addAll(environment.compatibility);
     touched = environment.touched();
@@ -263,7 +265,14 @@ public class World {
 
   /** Returns what a legend of the canvas explains; without a canvas, nothing. */
   public synchronized Set<Sign> signs() {
-    return view == null ? Set.of() : view.signs();
+    if (view == null) {
+      return Set.of();
+    }
+    Set<Sign> signs = view.signs();
+    if (hasAxes && !signs.isEmpty()) {
+      signs.add(Sign.AXES);
+    }
+    return signs;
   }
 
   /**

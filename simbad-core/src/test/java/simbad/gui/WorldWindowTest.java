@@ -144,7 +144,8 @@ class WorldWindowTest {
               "robot, red nose ahead",
               "sensor without echo",
               "echo, as long as its range",
-              "where it has been"),
+              "where it has been",
+              "axes: x red, y green, z blue"),
           texts);
       int heightWith = desk.world().getHeight();
       assertTrue(legend.isShowing());

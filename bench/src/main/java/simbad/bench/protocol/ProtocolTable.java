@@ -1,15 +1,12 @@
 package simbad.bench.protocol;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import simbad.sonar.format.CsvTable;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.ShippedText;
 
 /** The table docs/protocol.csv, from which the firmware is made as well. Immutable. */
 public final class ProtocolTable {
@@ -45,15 +42,10 @@ public final class ProtocolTable {
 
   /** Returns the table that belongs to this version. */
   public static ProtocolTable shipped() {
-    try (InputStream in = ProtocolTable.class.getResourceAsStream(FILE)) {
-      if (in == null) {
-        throw new IllegalStateException(FILE + " is not in the program");
-      }
-      return parse(Path.of(FILE), new String(in.readAllBytes(), StandardCharsets.UTF_8));
+    try {
+      return parse(Path.of(FILE), ShippedText.read(ProtocolTable.class, FILE));
     } catch (DataFormatException e) {
       throw new IllegalStateException(e);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
     }
   }
 

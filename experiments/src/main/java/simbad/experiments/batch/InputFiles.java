@@ -30,8 +30,14 @@ final class InputFiles {
     InputFiles inputs = new InputFiles(place);
     inputs.obstacles(spec.obstacles());
     inputs.files(SceneList.SCENES, spec.scenes());
-    inputs.sensors(spec.sensors());
-    inputs.robots(spec.robots());
+    inputs.choices(
+        SensorChoice.DIMENSION, spec.sensors(), SensorChoice::folder, "scene.json", "model.json");
+    inputs.choices(
+        RobotChoice.DIMENSION,
+        spec.robots(),
+        RobotChoice::path,
+        MotionFolder.ROBOT,
+        DiagnosedMotion.MODEL);
     inputs.files(SENSOR_FILES, spec.sensorFiles());
     return inputs.texts;
   }
@@ -58,30 +64,28 @@ final class InputFiles {
     }
   }
 
-  private void sensors(List<JsonInput> list) throws DataFormatException {
-    for (int i = 0; i < list.size(); i++) {
-      Optional<Path> name = SensorChoice.folder(list.get(i));
-      if (name.isPresent()) {
-        Path folder = place.of(SensorChoice.DIMENSION, i + 1, name.get());
-        String copy = InputPlace.copyName(SensorChoice.DIMENSION, i + 1, name.get());
-        take(copy, folder.resolve("scene.json"));
-        take(copy, folder.resolve("model.json"));
-      }
-    }
+  /** What an entry of a list names; empty where it names no file. */
+  private interface Naming {
+    Optional<Path> path(JsonInput where) throws DataFormatException;
   }
 
-  private void robots(List<JsonInput> list) throws DataFormatException {
+  /** Of a diagnosis' folder only the files that a batch reads. */
+  private void choices(
+      String dimension, List<JsonInput> list, Naming naming, String... filesOfDiagnosis)
+      throws DataFormatException {
     for (int i = 0; i < list.size(); i++) {
-      Optional<Path> name = RobotChoice.path(list.get(i));
-      if (name.isPresent()) {
-        Path path = place.of(RobotChoice.DIMENSION, i + 1, name.get());
-        String copy = InputPlace.copyName(RobotChoice.DIMENSION, i + 1, name.get());
-        if (DiagnosedFolder.in(list.get(i).text()).isPresent()) {
-          take(copy, path.resolve(MotionFolder.ROBOT));
-          take(copy, path.resolve(DiagnosedMotion.MODEL));
-        } else {
-          take(copy.substring(0, copy.lastIndexOf('/')), path);
-        }
+      Optional<Path> name = naming.path(list.get(i));
+      if (name.isEmpty()) {
+        continue;
+      }
+      Path path = place.of(dimension, i + 1, name.get());
+      String copy = InputPlace.copyName(dimension, i + 1, name.get());
+      if (DiagnosedFolder.in(list.get(i).text()).isEmpty()) {
+        take(copy.substring(0, copy.lastIndexOf('/')), path);
+        continue;
+      }
+      for (String file : filesOfDiagnosis) {
+        take(copy, path.resolve(file));
       }
     }
   }

@@ -82,7 +82,7 @@ public final class ResultLog implements AutoCloseable {
       lock = null;
     }
     if (lock == null) {
-      throw new IOException(file + ": another process is at this batch");
+      throw new IOException(file + ": another process is working on this batch");
     }
   }
 

@@ -1,8 +1,5 @@
 package simbad.experiments.export;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
@@ -14,6 +11,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.ShippedText;
 import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.shape.Outline;
 
@@ -129,7 +127,7 @@ public final class SonarHeader {
 
   /** A template with its places filled. */
   static String filled(String template, Map<String, String> values) {
-    Matcher tokens = TOKEN.matcher(template(template));
+    Matcher tokens = TOKEN.matcher(ShippedText.read(SonarHeader.class, template));
     return tokens.replaceAll(
         token -> Matcher.quoteReplacement(Objects.requireNonNull(values.get(token.group(1)))));
   }
@@ -214,13 +212,5 @@ public final class SonarHeader {
                     .mapToObj(value)
                     .collect(Collectors.joining(", ", "  ", "")))
         .collect(Collectors.joining(",\n"));
-  }
-
-  private static String template(String name) {
-    try (InputStream in = Objects.requireNonNull(SonarHeader.class.getResourceAsStream(name))) {
-      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new IllegalStateException(name + " cannot be read from the jar", e);
-    }
   }
 }

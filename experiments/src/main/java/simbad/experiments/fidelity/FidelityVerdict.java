@@ -43,17 +43,17 @@ public record FidelityVerdict(List<LimitCheck> checks) {
   private static LimitCheck round(RunResult result) {
     boolean isClosed = result.trace().isClosed();
     return new LimitCheck(
-        "the robot gets round",
+        "the robot completes its round",
         "yes",
         isClosed ? "yes" : "no",
-        "the robot did not get round",
+        "the robot did not complete its round",
         isClosed);
   }
 
   private static LimitCheck agreement(RunResult result, double least) {
     double agreement = result.map().agreement();
     return new LimitCheck(
-        "agreement with the table over places and headings",
+        String.format(Locale.ROOT, "agrees with the table, of %,d poses", result.map().poses()),
         "at least " + plain(100 * least) + " %",
         text("%.2f %%", 100 * agreement),
         text("agrees at %.2f %% of the poses", 100 * agreement),
@@ -62,7 +62,7 @@ public record FidelityVerdict(List<LimitCheck> checks) {
 
   private static LimitCheck radial(OptionalDouble mean, double greatest) {
     return new LimitCheck(
-        "mean of |r − T| over the bearings",
+        "mean radial error |r - T|",
         atMost(greatest),
         mean.isPresent() ? centimetres(mean.getAsDouble()) : NO_BEARING,
         radialWords(mean),
@@ -73,7 +73,7 @@ public record FidelityVerdict(List<LimitCheck> checks) {
     boolean isThere = result.hasLateralErrors();
     double mean = result.errors().lateralMeanM();
     return new LimitCheck(
-        "mean distance of the trace from the edge",
+        "mean distance from the edge",
         atMost(greatest),
         isThere ? centimetres(mean) : NO_TRACE,
         lateralWords(result),
@@ -83,7 +83,7 @@ public record FidelityVerdict(List<LimitCheck> checks) {
   private static LimitCheck unreached(RunResult result, int most) {
     int unreached = result.errors().unreachedBearings();
     return new LimitCheck(
-        "bearings that the trace leaves out",
+        "bearings not reached",
         "at most " + most,
         unreached + " of " + result.errors().radialM().size(),
         unreached + " bearings not reached",
@@ -94,7 +94,7 @@ public record FidelityVerdict(List<LimitCheck> checks) {
   private static LimitCheck kept(EdgeKept edge) {
     double share = edge.share().orElse(1);
     return new LimitCheck(
-        text("edge that has the trace within %.0f cm", CM * EdgeKept.NEAR_M),
+        text("edge kept: the trace came within %.0f cm", CM * EdgeKept.NEAR_M),
         "at least " + plain(100 * EdgeKept.LEAST_SHARE) + " %",
         edge.share().isPresent() ? text("%.1f %%", 100 * share) : "there is no edge",
         text("keeps %.1f %% of the edge", 100 * share),

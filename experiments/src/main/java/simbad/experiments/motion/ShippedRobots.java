@@ -1,15 +1,11 @@
 package simbad.experiments.motion;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Objects;
 import simbad.motion.MotionChain;
 import simbad.motion.format.DiagnosedMotion;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.ShippedText;
 
 /** The real robots whose motion comes with the project (data/robots). */
 public final class ShippedRobots {
@@ -38,11 +34,6 @@ public final class ShippedRobots {
   }
 
   private static String text(String file) {
-    try (InputStream in = ShippedRobots.class.getResourceAsStream(FOLDER + file)) {
-      byte[] bytes = Objects.requireNonNull(in, file).readAllBytes();
-      return new String(bytes, StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ShippedText.read(ShippedRobots.class, FOLDER + file);
   }
 }

@@ -82,7 +82,7 @@ final class BatchPage {
             "sensor",
             "#runs",
             "#failed",
-            "#not round",
+            "#round not completed",
             "#edge not kept",
             "#" + ErrorWords.MEAN,
             "#" + ErrorWords.MAX);

@@ -5,14 +5,16 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.SplittableRandom;
 import simbad.experiments.diagnosis.DiagnosisFolder;
+import simbad.experiments.motion.JointFiles;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.DiagnosisProvenance;
+import simbad.gap.joint.JointDiagnosis;
 import simbad.sonar.format.TextFile;
 import simbad.sonar.predict.FittedModel;
 
-/** A diagnosis's folder with its page. */
+/** The folder of a diagnosis of readings, or of a joint log, with its page. */
 public final class DiagnosisReport {
   /** The page's name in the folder. */
   public static final String PAGE = "report.html";
@@ -33,9 +35,35 @@ public final class DiagnosisReport {
       Path folder, Path source, DataSet data, Diagnosis diagnosis, DiagnosisProvenance provenance)
       throws IOException {
     FittedModel model = DiagnosisFolder.write(folder, source, data, diagnosis, provenance);
-    List<RowFinding> rows =
-        RowSurvey.of(data, model.changes(), new SplittableRandom(provenance.seed()));
+    List<RowFinding> rows = rows(data, model, provenance);
     TextFile.write(folder.resolve(PAGE), DiagnosisPage.of(diagnosis, data, rows, provenance));
+  }
+
+  /**
+   * Writes everything of a joint log.
+   *
+   * @param folder exists and is empty
+   * @param source the data set's own folder
+   * @param log what was diagnosed
+   * @param diagnosis of it
+   * @param provenance what it was made by
+   * @throws IOException if something cannot be written
+   */
+  public static void write(
+      Path folder,
+      Path source,
+      JointFiles.Log log,
+      JointDiagnosis diagnosis,
+      DiagnosisProvenance provenance)
+      throws IOException {
+    FittedModel model = JointFiles.write(folder, source, log, diagnosis, provenance);
+    List<RowFinding> rows = rows(log.data(), model, provenance);
+    TextFile.write(folder.resolve(PAGE), JointPage.of(log, diagnosis, rows, provenance));
+  }
+
+  private static List<RowFinding> rows(
+      DataSet data, FittedModel model, DiagnosisProvenance provenance) {
+    return RowSurvey.of(data, model.changes(), new SplittableRandom(provenance.seed()));
   }
 
   /**

@@ -122,13 +122,7 @@ final class FirstScreen {
   }
 
   private static String words(BudgetEntry entry) {
-    String name =
-        switch (entry.what()) {
-          case BudgetEntry.REST -> "not explained";
-          case BudgetEntry.FLOOR -> "scatter (floor)";
-          default -> entry.what();
-        };
-    return name
+    return Names.part(entry.what())
         + " "
         + Numbers.fixed(entry.cm(), 2)
         + " ("

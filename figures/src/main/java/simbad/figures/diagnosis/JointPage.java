@@ -68,6 +68,11 @@ final class JointPage {
     for (Shared one : diagnosis.shared()) {
       page.say(one.words(), ".");
     }
+    VerdictWords.addUnknown(
+        page,
+        diagnosis.verdict(),
+        diagnosis.unknownProbability(),
+        " is at work, in the readings or in the motion, is ");
     if (!diagnosis.isHeard()) {
       page.note("The readings are too few to say anything.");
     }

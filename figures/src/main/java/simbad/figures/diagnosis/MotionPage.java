@@ -133,7 +133,9 @@ public final class MotionPage {
       String unit = PlaceWords.unit(parameter.name());
       table.row(
           Html.code(parameter.name()),
-          Numbers.number(parameter.value()) + unit + (parameter.atBound() ? " (bound)" : ""),
+          Tables.value(parameter.value(), parameter.ci95())
+              + unit
+              + (parameter.atBound() ? " (bound)" : ""),
           Tables.interval(parameter.ci95(), unit));
     }
     page.table(table);
@@ -193,11 +195,11 @@ public final class MotionPage {
   }
 
   private void budget(List<MotionDiagnosis.Part> budget) {
-    page.section("Parts of the gap");
+    page.section("Parts of the gap before");
     Table table = Table.of("part", "#share of the gap before", "#95\u00a0% interval");
     for (MotionDiagnosis.Part part : budget) {
       table.row(
-          part.what(),
+          Names.part(part.what()),
           Numbers.percent(part.share()),
           Numbers.percent(part.ci95().low()) + " to " + Numbers.percent(part.ci95().high()));
     }
@@ -237,13 +239,11 @@ public final class MotionPage {
         "Scores of forecasts over half a second. Each component is in units of its "
             + "mean before. q is the expected share of false finds.");
     Table table =
-        Table.of(
-            "slice", "#from", "#to", "#windows", "#share of the gap", "#before", "#after", "#q");
+        Table.of("place", "kind", "#windows", "#share of the gap", "#before", "#after", "#q");
     for (MotionPlace place : places.subList(0, Math.min(MOST_PLACES, places.size()))) {
       table.row(
-          Html.of(Html.code(place.axis()), " ", place.name()),
-          end(place.axis(), place.low()),
-          end(place.axis(), place.high()),
+          PlaceWords.words(place),
+          place.component(),
           place.rows(),
           Numbers.percent(place.share()),
           Numbers.fixed(place.before(), 2),
@@ -251,10 +251,5 @@ public final class MotionPage {
           Numbers.qValue(place.qValue()));
     }
     page.table(table);
-  }
-
-  /** Clocks that count from 1970 need all their digits. */
-  private static String end(String axis, double value) {
-    return axis.equals("t_s") ? Numbers.fixed(value, 0) : Numbers.number(value);
   }
 }

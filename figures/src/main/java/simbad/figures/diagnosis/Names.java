@@ -3,10 +3,20 @@ package simbad.figures.diagnosis;
 import java.util.Collection;
 import java.util.List;
 import simbad.definition.Effect;
+import simbad.gap.diagnosis.BudgetEntry;
 
-/** Names of effects in a sentence. */
+/** Names of effects and of parts of a gap, as pages say them. */
 final class Names {
   private Names() {}
+
+  /** A part of the gap, of readings or of motion. */
+  static String part(String what) {
+    return switch (what) {
+      case BudgetEntry.REST -> "not explained";
+      case BudgetEntry.FLOOR -> "scatter (floor)";
+      default -> what;
+    };
+  }
 
   /** Names as a list in words: a, b and c. */
   static String list(Collection<Effect> effects) {

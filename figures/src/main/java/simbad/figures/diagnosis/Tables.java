@@ -90,14 +90,18 @@ final class Tables {
     String unit = PlaceWords.unit(parameter.name());
     table.row(
         Html.code(parameter.name()),
-        Numbers.number(parameter.value()) + unit,
+        value(parameter.value(), parameter.ci95()) + unit,
         interval(parameter.ci95(), unit));
+  }
+
+  static String value(double value, Interval ci95) {
+    return Numbers.number(value, ci95.low(), ci95.high());
   }
 
   static String interval(Interval ends, String unit) {
     return Double.isInfinite(ends.low()) && Double.isInfinite(ends.high())
         ? "not known from these data"
-        : Numbers.number(ends.low()) + " to " + Numbers.number(ends.high()) + unit;
+        : value(ends.low(), ends) + " to " + value(ends.high(), ends) + unit;
   }
 
   void undetectable(List<Undetectable> undetectable) {

@@ -134,12 +134,14 @@ final class VerdictWords {
   /** Adds what stands under the verdict: ties and the chance of something unknown. */
   static void addSecond(Page page, Diagnosis diagnosis) {
     ties(diagnosis).forEach(page::note);
-    if (diagnosis.verdict() != Verdict.UNDECIDED
-        && diagnosis.unknownProbability() >= WORTH_SAYING) {
+    addUnknown(page, diagnosis.verdict(), diagnosis.unknownProbability(), " is at work is ");
+  }
+
+  /** Adds the probability that something unknown is there, with the words between the two. */
+  static void addUnknown(Page page, Verdict verdict, double probability, String between) {
+    if (verdict != Verdict.UNDECIDED && probability >= WORTH_SAYING) {
       page.say(
-          "The probability that something unknown is at work is ",
-          Numbers.probability(diagnosis.unknownProbability()),
-          ".");
+          "The probability that something unknown", between, Numbers.probability(probability), ".");
     }
   }
 

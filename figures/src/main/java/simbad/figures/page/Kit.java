@@ -1,12 +1,10 @@
 package simbad.figures.page;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Base64;
+import simbad.sonar.format.ShippedText;
 
 /** The style sheet and the script of every page, and what the browser is told of them. */
 final class Kit {
@@ -23,14 +21,7 @@ final class Kit {
 
   /** Lines end alike on every machine, whatever a checkout made of them. */
   private static String resource(String name) {
-    try (InputStream in = Kit.class.getResourceAsStream(name)) {
-      if (in == null) {
-        throw new IllegalStateException(name + " is missing in the jar");
-      }
-      return new String(in.readAllBytes(), StandardCharsets.UTF_8).replace("\r\n", "\n");
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ShippedText.read(Kit.class, name).replace("\r\n", "\n");
   }
 
   private static String sha256(String text) {

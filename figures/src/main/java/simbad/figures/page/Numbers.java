@@ -9,7 +9,11 @@ import java.math.RoundingMode;
  * text.
  */
 public final class Numbers {
-  private static final MathContext DIGITS = new MathContext(3);
+  private static final int DIGITS = 3;
+
+  /** A diagnosis.json has no more. */
+  private static final int MOST_DIGITS = 6;
+
   private static final int MOST_DECIMALS = 6;
   private static final double NEARLY = 0.005;
 
@@ -17,15 +21,33 @@ public final class Numbers {
 
   /** Returns a number with three digits; no bound for infinity. */
   public static String number(double value) {
+    return number(value, DIGITS);
+  }
+
+  private static String number(double value, int digits) {
     if (!Double.isFinite(value)) {
       return Double.isNaN(value) ? "unknown" : "no bound";
     }
-    BigDecimal rounded = new BigDecimal(value).round(DIGITS);
+    BigDecimal rounded = new BigDecimal(value).round(new MathContext(digits));
     if (rounded.scale() > MOST_DECIMALS) {
       rounded = rounded.setScale(MOST_DECIMALS, RoundingMode.HALF_EVEN);
     }
     String text = rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();
     return text.replace('-', '\u2212');
+  }
+
+  /**
+   * Returns a number with as many digits as its interval tells, three at least.
+   *
+   * @param value to say: the estimate, or an end of the interval
+   * @param low end of the interval; may be infinite
+   * @param high end of the interval; may be infinite
+   */
+  public static String number(double value, double low, double high) {
+    double steps = Math.abs(value) / (high - low);
+    // The interval is some steps of the last digit wide.
+    int digits = steps > 0 && Double.isFinite(steps) ? (int) Math.ceil(Math.log10(steps)) + 1 : 0;
+    return number(value, Math.min(MOST_DIGITS, Math.max(DIGITS, digits)));
   }
 
   /** Returns centimetres with two decimals and their unit. */

@@ -140,6 +140,12 @@ final class ReportPage {
             + "the robot is near the edge. If the robot cut off a lobe, less of the edge is "
             + "kept and the distance from the edge is large. Map agrees: the share of places "
             + "and headings at which belt and table agree whether the obstacle is heard.");
+    page.soft(
+        "In errors.csv and errors.json the columns of figures are called "
+            + "mean_abs_cm, rms_cm, median_abs_cm, max_abs_cm, lateral_mean_cm, lateral_p95_cm, "
+            + "edge_kept, edge_to_trace_max_cm, unreached_bearings, "
+            + (isCompared ? "reduction_vs_original, " : "")
+            + "map_agreement, in this order.");
   }
 
   /** Without an original sensor there is nothing to be smaller than. */

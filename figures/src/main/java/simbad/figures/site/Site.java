@@ -2,7 +2,6 @@ package simbad.figures.site;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -14,6 +13,7 @@ import java.util.Objects;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import simbad.figures.markup.Markup;
+import simbad.sonar.format.ShippedText;
 import simbad.sonar.format.TextFile;
 import simbad.sonar.format.WholeFile;
 
@@ -70,7 +70,7 @@ public final class Site {
     }
     site.writeIndex(out);
     for (String name : List.of("site.css", "site.js")) {
-      WholeFile.write(out.resolve(name), resource(name));
+      TextFile.write(out.resolve(name), ShippedText.read(Site.class, name));
     }
     return site.pages.size();
   }
@@ -207,11 +207,5 @@ public final class Site {
     TextFile.write(
         out.resolve("search-index.js"),
         "const PAGES = " + new ObjectMapper().writeValueAsString(index) + ";\n");
-  }
-
-  private static byte[] resource(String name) throws IOException {
-    try (InputStream in = Objects.requireNonNull(Site.class.getResourceAsStream(name))) {
-      return in.readAllBytes();
-    }
   }
 }

@@ -132,7 +132,8 @@ class MotionPageTest {
     assertTrue(page.contains("0.94 to 0.96"));
     assertTrue(page.contains("cannot tell it from wheel-scale."));
     assertTrue(page.contains("<td class=\"n\">4.00&nbsp;mm</td><td class=\"n\">2.00&nbsp;mm</td>"));
-    assertTrue(page.contains("<code>speed_m_s</code>"));
+    assertTrue(page.contains("<td>speed 0 to 0.1&nbsp;m/s</td><td>along</td>"));
+    assertTrue(page.contains("<td>not explained</td>"));
     assertTrue(page.contains("would tell speed-scale from wheel-scale"));
     assertTrue(page.contains("Perhaps dead-band: 12&nbsp;%"));
     assertTrue(page.contains("track.csv from row 8 on: two holes."));

@@ -23,6 +23,24 @@ class NumbersTest {
     assertEquals(text, Numbers.number(value));
   }
 
+  /** An interval is some steps of the last digit wide; a diagnosis has no more than six digits. */
+  @ParameterizedTest
+  @CsvSource({
+    "1.0501, 1.04989, 1.05032, 1.0501",
+    "1.04989, 1.04989, 1.05032, 1.0499",
+    "0.95, 0.94, 0.96, 0.95",
+    "343.139, 300, 400, 343",
+    "1.23456789, 1.23456788, 1.2345679, 1.23457",
+    "-2.34567, -2.35, -2.34, \u22122.346",
+    "2.34567, -Infinity, Infinity, 2.35",
+    "2.34567, 2, Infinity, 2.35",
+    "0, 0, 0.1, 0",
+    "2.34567, 2.34567, 2.34567, 2.35"
+  })
+  void estimates_haveTheDigitsOfTheirInterval(double value, double low, double high, String text) {
+    assertEquals(text, Numbers.number(value, low, high));
+  }
+
   @ParameterizedTest
   @CsvSource({
     "1, 100\u00a0%",

@@ -1,15 +1,13 @@
 package simbad.studio.web;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.Objects;
 import java.util.function.Supplier;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import simbad.sonar.format.ShippedText;
 
 /**
  * Pages out of the jar with all the scripts and style sheets that they link to. A link is a name in
@@ -44,7 +42,8 @@ public final class PageFiles {
       throws IOException {
     PageFiles files = new PageFiles(guard.query());
     for (Map.Entry<String, String> page : pages.entrySet()) {
-      Content html = Content.html(files.linked(read(OWN + page.getValue())));
+      Content html =
+          Content.html(files.linked(ShippedText.read(PageFiles.class, OWN + page.getValue())));
       files.answers.put(page.getKey(), () -> html);
     }
     return files.answers;
@@ -71,15 +70,8 @@ public final class PageFiles {
     boolean ofCharts = name.startsWith(OF_CHARTS);
     // There before it is followed: two files may link to each other.
     answers.put("/" + name, () -> Content.html(""));
-    String text = read((ofCharts ? CHARTS : OWN) + name);
+    String text = ShippedText.read(PageFiles.class, (ofCharts ? CHARTS : OWN) + name);
     Content content = new Content(type + "; charset=utf-8", ofCharts ? text : linked(text));
     answers.put("/" + name, () -> content);
-  }
-
-  private static String read(String resource) throws IOException {
-    try (InputStream in =
-        Objects.requireNonNull(PageFiles.class.getResourceAsStream(resource), resource)) {
-      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-    }
   }
 }

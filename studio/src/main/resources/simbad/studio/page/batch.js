@@ -1,6 +1,7 @@
 // A batch: a dot per run, one column against another, and what each sensor came to.
 import { el, number, table } from './kit.js';
 import { chart, colour } from './charts.js';
+import { SERIES } from './sheet.js';
 
 const LISTED = 100;
 
@@ -22,7 +23,7 @@ export function showBatch(page, answer, other) {
     if (made) made.close();
     host.replaceChildren();
     made = chart({ name: 'batch', label: ys.value + ' against ' + xs.value, x: dots.map(dot => dot.x), xLabel: xs.value, yLabel: ys.value, height: 380,
-      series: groups.map((group, i) => ({ name: group || '(empty)', values: dots.map(dot => dot.of === group ? dot.y : null), colour: colour(i), points: true })) });
+      series: groups.map((group, i) => ({ name: group || '(empty)', values: dots.map(dot => dot.of === group ? dot.y : null), colour: colour(i), points: true, ring: i >= SERIES.length })) });
     host.append(made.element);
   };
   const middle = list => { const sorted = list.filter(v => v !== null).sort((a, b) => a - b); const half = sorted.length / 2; return sorted.length ? (sorted[Math.ceil(half) - 1] + sorted[Math.floor(half)]) / 2 : null; };
@@ -35,8 +36,8 @@ export function showBatch(page, answer, other) {
         kept(middle(rows.map(row => value(source, row, 'edge_kept'))))];
     });
   });
-  page.append(el('section', {}, el('p', {}, answer.all_rows + ' runs, ' + failed + ' failed.' + (answer.all_rows > answer.rows.length ? ' The first ' + answer.rows.length + ' are shown.' : '')),
-    table('Medians', [...(other ? ['batch'] : []), 'obstacle', 'sensor', '#runs', '#mean error, cm (median)', '#lateral mean, cm', '#edge kept'], groupRows)),
+  page.append(el('section', {}, el('p', {}, answer.all_rows + ' runs, ' + failed + ' failed.' + (answer.all_rows > answer.rows.length ? ' The first ' + answer.rows.length + ' are shown.' : '') + ' Medians of the runs:'),
+    table('Medians', [...(other ? ['batch'] : []), 'obstacle', 'sensor', '#runs', '#mean cm', '#beside cm', '#edge kept'], groupRows)),
   el('section', {}, el('div', { class: 'fields' }, xLabel, yLabel, byLabel), host),
   el('section', {}, el('h3', {}, 'Runs'), table('Runs', columns, answer.rows.slice(0, LISTED)), answer.rows.length > LISTED ? el('p', { class: 'note' }, 'The first ' + LISTED + ' rows; the csv of the chart has all dots.') : null));
   draw();

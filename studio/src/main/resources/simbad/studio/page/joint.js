@@ -3,7 +3,9 @@ import { el, number, table } from './kit.js';
 import { motionParts } from './motion.js';
 import { showSensing } from './sensing.js';
 
-const estimate = one => !one || one.value === undefined || one.value === null || (one.ci95 || [null])[0] === null ? 'open' : number(one.value, 4) + ' (' + number(one.ci95[0], 4) + ' to ' + number(one.ci95[1], 4) + ')';
+// Half a unit of the last digit goes up, as in the program's own sentence.
+const four = value => number(value + 1e-9 * Math.abs(value), 4);
+const estimate = one => !one || one.value === undefined || one.value === null || (one.ci95 || [null])[0] === null ? 'open' : four(one.value) + ' (' + four(one.ci95[0]) + ' to ' + four(one.ci95[1]) + ')';
 export function showJoint(page, answer, other) {
   const shared = answer.diagnosis.shared || [], motion = answer.diagnosis.motion || {};
   const closeSensing = showSensing(page, answer, other);

@@ -16,7 +16,8 @@ export function wake() {
   requestAnimationFrame(tick);
 }
 // A picture 30 times a second looks smooth; words and numbers that change oftener nobody can read.
-const BETWEEN_PICTURES_MS = 30, BETWEEN_WORDS_MS = 100;
+// The screen's frames come a little early or late, or not at all: the time of the next picture follows from the one before, not from when that was drawn.
+const BETWEEN_PICTURES_MS = 1000 / 30, EARLY_MS = 4, BETWEEN_WORDS_MS = 100;
 function tick(time) {
   const passed = Math.min(0.1, (time - live.before) / 1000);
   live.before = time;
@@ -28,8 +29,8 @@ function tick(time) {
     }
     if (live.wish > live.now) { live.now = Math.min(most(), live.wish); live.dirty = true; }
     active().forEach(fetchAhead);
-    if (live.dirty && time - live.drawn >= BETWEEN_PICTURES_MS) {
-      live.drawn = time;
+    if (live.dirty && time >= live.due - EARLY_MS) {
+      live.due = Math.max(live.due + BETWEEN_PICTURES_MS, time);
       active().forEach((world, i) => draw(i));
       live.dirty = false;
       if (live.playing && time - live.told < BETWEEN_WORDS_MS) live.untold = true; else tell(time);

@@ -110,9 +110,10 @@ function paint(g, v, colours, main, sensors, bearing, threshold) {
   g.setLineDash([]); g.fillStyle = colours.ink;
   g.beginPath(); g.arc(v.x(tx), v.y(tz), 4.5 * u, 0, 2 * Math.PI); g.fill();
 }
+// The words are those of the program's own tables (ErrorWords).
 function summary(name, sensors) {
   return el('section', {}, el('h3', {}, 'Errors round ' + name), table('Errors round ' + name,
-    ['sensor', '#mean, cm', '#RMS, cm', '#maximum, cm', '#lateral mean, cm', '#edge kept', '#edge to trace, max, cm', '#not reached'],
-    sensors.map(({ sensor, result: r }) => [sensor, number(r.mean_abs_cm, 2), number(r.rms_cm, 2), number(r.max_abs_cm, 1), number(r.lateral_mean_cm, 2),
-      r.edge_kept === null || r.edge_kept === undefined ? '\u2013' : number(100 * r.edge_kept, 1) + ' %', number(r.edge_to_trace_max_cm, 1), r.unreached_bearings + ' of ' + r.bearings])));
+    ['sensor', '#mean cm', '#RMS cm', '#max cm', '#beside cm', '#edge kept', '#from edge', '#unreached'],
+    sensors.map(({ sensor, result: r }) => [sensor, number(r.mean_abs_cm, 2), number(r.rms_cm, 2), number(r.max_abs_cm, 2), number(r.lateral_mean_cm, 2),
+      r.edge_kept === null || r.edge_kept === undefined ? '\u2013' : number(100 * r.edge_kept, 1) + ' %', number(r.edge_to_trace_max_cm, 2), r.unreached_bearings + '/' + r.bearings])));
 }

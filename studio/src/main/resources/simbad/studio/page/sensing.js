@@ -78,7 +78,7 @@ function rows(page, answer, closing) {
   const turn = to => { t = to; if (range) range.update(values()); say(); plan.draw(); };
   const say = () => {
     const shown = mine(), where = chosen < 0 ? 'All' : place(answer.diagnosis.where[chosen].slice) + ':';
-    said.textContent = where + ' ' + shown.length + ' rows; mean gap ' + number(mean(shown.map(r => r[column.gap_before_cm])), 2) + ' cm before, ' + number(mean(shown.map(r => r[column.gap_after_cm])), 2) + ' cm after'
+    said.textContent = where + ' ' + shown.length + ' rows; mean gap ' + number(mean(shown.map(r => r[column.gap_before_cm])), 2) + ' cm before, ' + number(mean(shown.map(r => r[column.gap_after_cm])), 2) + ' cm after, with the model that was fitted to all rows'
       + (answer.every > 1 ? '. Every ' + answer.every + 'th of ' + answer.all_rows + ' rows is shown' : '') + '.';
   };
   const choose = index => {

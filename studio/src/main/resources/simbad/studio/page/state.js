@@ -6,7 +6,7 @@ export const FORMAT = 'simbad-studio/1', MOVE_M = 0.05, TURN_DEG = 5, HANDLE_PX 
 // While it plays, frames are asked for so often, and no trail is coarser than this.
 const FRAMES_PER_S = 30, TRAIL_M = 0.01, FAR_STEPS = 2000, AROUND = 50;
 export const live = {
-  catalogue: null, colours: {}, beside: '', besideRobot: '', now: 0, playing: false, before: 0, drawn: 0, told: 0, near: '', zoom: 1, off: [0, 0], robot: 0, chosen: -1, edition: 0,
+  catalogue: null, colours: {}, beside: '', besideRobot: '', now: 0, playing: false, before: 0, due: 0, told: 0, near: '', zoom: 1, off: [0, 0], robot: 0, chosen: -1, edition: 0,
   held: null, dirty: true, wish: 0,
   scene: { format: FORMAT, obstacle: '', sensor: '', sonar: 'srf04', robot: '', robots: 1, speed_m_per_s: 0.01, seed: 1, moves: [] },
 };

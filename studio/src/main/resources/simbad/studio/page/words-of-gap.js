@@ -6,7 +6,7 @@ export const percent = share => share === null || share === undefined ? '\u2013'
 const UNITS = [['_m_s', ' m/s'], ['_rad_s', ' rad/s'], ['_deg_s', ' \u00b0/s'], ['_per_m', ' 1/m'], ['_deg', '\u00b0'], ['_cm', ' cm'], ['_db', ' dB'], ['_m', ' m'], ['_s', ' s']];
 export function unit(name) { const found = UNITS.find(([end]) => name.endsWith(end)); return found ? found[1] : ''; }
 // Clocks that count from 1970 need all their digits.
-const end = (key, value) => String(key === 't_s' ? value : Number(value.toPrecision(3))).replace('-', '\u2212');
+const end = (key, value) => key === 't_s' ? number(value, 1).replace(/\.0$/, '') : String(Number(value.toPrecision(3))).replace('-', '\u2212');
 export function place(slice) {
   const names = { bearing_deg: 'bearing', distance_m: 'distance', off_axis_deg: 'off-axis angle', t_s: 'time', speed_m_s: 'speed', turn_rad_s: 'turn rate', since_change_s: 'since the last change', speed_change_m_s: 'change of speed', heading_deg: 'heading', x_m: 'x', z_m: 'z' };
   const all = Object.entries(slice).map(([key, value]) => (names[key] || key) + ' ' + (typeof value === 'string' ? value
@@ -68,6 +68,11 @@ export function budget(entries) {
     saveBars('parts', 'Parts of the gap before' + (inCm ? ', cm' : ''), () => { let from = 0; return entries.map((one, i) => { const share = Math.max(0, value(one)) / all, row = { name: name(one), colour: COLOURS[style(one, i)], from, share, text: text(value(one)) }; from += share; return row; }); },
       ['part', inCm ? 'cm' : 'share', 'low', 'high'], entries.map(one => [one.what, value(one), ...one.ci95])));
 }
+// As many digits as the interval tells, three at least.
+function digits(value, ends) {
+  const told = ends[0] === null || ends[1] === null ? 0 : Math.ceil(Math.log10(Math.abs(value) / (ends[1] - ends[0]))) + 1;
+  return String(Number(value.toPrecision(Number.isFinite(told) ? Math.min(6, Math.max(3, told)) : 3))).replace('-', '\u2212');
+}
 const LEAST = 0.01, MOST_VALUES = 6;
 export function effects(diagnosis, other) {
   const of = (source, name) => source && (source.effects || []).find(one => one.name === name);
@@ -76,11 +81,11 @@ export function effects(diagnosis, other) {
     const all = effect ? Object.entries(effect.parameters || {}) : [];
     return !effect ? '\u2013' : all.length > MOST_VALUES ? all.length + ' values: the curve below' : all.map(([key, value]) => {
     const ends = (effect.ci95 || {})[key] || [null, null];
-    return key + ' ' + (value === null ? 'no bound' : Number(value.toPrecision(3))) + unit(key) + (ends[0] === null ? '' : ' (' + Number(ends[0].toPrecision(3)) + ' to ' + Number(ends[1].toPrecision(3)) + ')');
+    return key + ' ' + (value === null ? 'no bound' : digits(value, ends)) + unit(key) + (ends[0] === null || ends[1] === null ? '' : ' (' + digits(ends[0], ends) + ' to ' + digits(ends[1], ends) + ')');
     }).join('; ');
   };
   const heads = other ? ['effect', '#this one', 'values', '#the other', 'values'] : ['effect', '#probability', 'values, with 95 % intervals', 'what to do'];
   const rows = names.map(name => { const a = of(diagnosis, name), b = of(other, name); return other ? [name, percent(a && a.probability), values(a), percent(b && b.probability), values(b)] : [name, percent(a.probability), values(a), a.remedy || '']; });
-  const unknown = other ? ['something else', percent(diagnosis.unknown_probability), '', percent(other.unknown_probability), ''] : ['something else', percent(diagnosis.unknown_probability), '', ''];
-  return el('section', {}, el('h3', {}, 'Effects at work'), table('Effects at work', heads, [...rows, unknown]));
+  const unknown = other ? ['unknown', percent(diagnosis.unknown_probability), '', percent(other.unknown_probability), ''] : ['unknown', percent(diagnosis.unknown_probability), '', ''];
+  return el('section', { class: 'effects' }, el('h3', {}, 'Effects at work'), table('Effects at work', heads, [...rows, unknown]));
 }
