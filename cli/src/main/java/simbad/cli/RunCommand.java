@@ -142,9 +142,27 @@ final class RunCommand extends Subcommand {
       TextFile.write(staged.path().resolve("run.log"), log(begun));
       staged.publish();
       RunSummary.print(out(), results);
+      results.stream().filter(this::isLost).map(this::advice).forEach(err()::println);
       out().println();
       out().println("written to " + folder + " (open " + folder.resolve("report.html") + ")");
     }
+  }
+
+  /** Tells whether a robot that moves in its own way never found the edge. */
+  private boolean isLost(RunResult result) {
+    return result.sensor().robot().isPresent() && result.missesTheEdge();
+  }
+
+  private String advice(RunResult result) {
+    return "note: "
+        + result.sensor().word()
+        + " never found the edge of "
+        + result.type().name()
+        + ": tell it to turn more slowly than "
+        + String.format(Locale.ROOT, "%.3g", turnRateRadPerS)
+        + " rad/s (--turn-rate), or give it time after each step (--wait, now "
+        + waitS
+        + " s)";
   }
 
   private List<RunResult> experiment(RunSettings settings) {
@@ -209,6 +227,9 @@ final class RunCommand extends Subcommand {
     List<SensorKind> all = new ArrayList<>(kinds);
     if (robot != null) {
       RobotKind moving = RobotKind.read(robot);
+      moving
+          .beyond(drive.speedMPerS(this), turnRateRadPerS)
+          .ifPresent(beyond -> err().println("note: --robot: " + beyond));
       kinds.forEach(kind -> all.add(kind.on(moving)));
     }
     return all;

@@ -118,6 +118,35 @@ class RobotRunTest {
     assertTrue(Files.readString(folder.resolve("waited/errors.json")).contains("\"wait_s\""));
   }
 
+  /** Of a log of slow bends nothing follows for turns on the spot; one line says so. */
+  @Test
+  void beyondTheLog_isSaid() throws IOException {
+    String robot = diagnosis("slow", "");
+    Path model = folder.resolve("slow/motion.json");
+    String within = "\"commanded\": {\"max_speed_m_s\": 0.05, \"max_turn_rad_s\": 0.4}";
+    Files.writeString(model, Files.readString(model).replace("\"forms\"", within + ",\n\"forms\""));
+    Shell shell = run("beyond", "--robot", robot);
+    checkDone(shell);
+    assertEquals(
+        "note: --robot: the log of slow has commands of up to 0.0500 m/s and 0.400 rad/s, this run"
+            + " asks for up to 0.0500 m/s and 6.28 rad/s: how the robot moves there is not known",
+        shell.err().strip());
+    assertEquals("", run("within", "--robot", robot, "--turn-rate", "0.4").err());
+  }
+
+  /** A robot that hardly turns drives away; the last line says what may help. */
+  @Test
+  void lostRobot_isAdvised() throws IOException {
+    String stiff =
+        "{\"form\": \"saturation: turning\", \"parameters\": {\"max_turn_rad_s\": 0.02}}";
+    Shell shell = run("lost", "--robot", diagnosis("stiff", stiff));
+    checkDone(shell);
+    assertEquals(
+        "note: shadow-on-stiff never found the edge of circle: tell it to turn more slowly than 6.28"
+            + " rad/s (--turn-rate), or give it time after each step (--wait, now 0.0 s)",
+        shell.err().strip());
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

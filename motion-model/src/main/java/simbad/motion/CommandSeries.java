@@ -1,58 +1,56 @@
 package simbad.motion;
 
-import java.util.Arrays;
-
 /**
- * A run's commands as the way and the turn that they ask for up to a time. Held commands make these
- * piecewise straight, so the mean command of a step is exact wherever the step lies.
+ * The mean speed and the mean rate of turning that commands ask for in each step of a grid. Held
+ * commands make these exact wherever a command changes within a step.
+ *
+ * @param speeds by step, m/s; the first is of no step and 0
+ * @param turns the same of the rates, rad/s
  */
-final class CommandSeries {
-  private final double[] timesS;
-  private final double[] speeds;
-  private final double[] turns;
-  private final double[] ways;
-  private final double[] angles;
+@SuppressWarnings("ArrayRecordComponent") // Numbers by step, never compared.
+record CommandSeries(double[] speeds, double[] turns) {
+  private static final double PER_S = 1 / Way.STEP_S;
 
-  CommandSeries(Command[] commands) {
-    int n = commands.length;
-    timesS = new double[n];
-    speeds = new double[n];
-    turns = new double[n];
-    ways = new double[n];
-    angles = new double[n];
-    for (int i = 0; i < n; i++) {
-      Command command = commands[i];
-      timesS[i] = command.timeS();
-      speeds[i] = command.speedMPerS();
-      turns[i] = command.turnRadPerS();
-      if (i > 0) {
-        double held = timesS[i] - timesS[i - 1];
-        ways[i] = ways[i - 1] + speeds[i - 1] * held;
-        angles[i] = angles[i - 1] + turns[i - 1] * held;
+  /**
+   * Computes the means; before the first command the robot stands.
+   *
+   * @param commands in order of time
+   * @param startS where the first step begins
+   * @param size one more than steps
+   */
+  static CommandSeries of(Command[] commands, double startS, int size) {
+    double[] speeds = new double[size];
+    double[] turns = new double[size];
+    Command held = new Command(startS, 0, 0);
+    int next = 0;
+    for (; next < commands.length && commands[next].timeS() <= startS; next++) {
+      held = commands[next];
+    }
+    double nextS = timeS(commands, next);
+    double endS = startS;
+    for (int i = 1; i < size; i++) {
+      double fromS = endS;
+      endS = startS + i * Way.STEP_S;
+      if (nextS > endS) {
+        speeds[i] = held.speedMPerS();
+        turns[i] = held.turnRadPerS();
+        continue;
       }
+      double way = 0;
+      double angle = 0;
+      for (; nextS <= endS; nextS = timeS(commands, ++next)) {
+        way += held.speedMPerS() * (nextS - fromS);
+        angle += held.turnRadPerS() * (nextS - fromS);
+        fromS = nextS;
+        held = commands[next];
+      }
+      speeds[i] = (way + held.speedMPerS() * (endS - fromS)) * PER_S;
+      turns[i] = (angle + held.turnRadPerS() * (endS - fromS)) * PER_S;
     }
+    return new CommandSeries(speeds, turns);
   }
 
-  /** Before the first command the robot stands. */
-  int index(double timeS) {
-    int at = Arrays.binarySearch(timesS, timeS);
-    return at >= 0 ? at : -at - 2;
-  }
-
-  /** Moves an index that was right for an earlier time. */
-  int forward(int index, double timeS) {
-    int at = index;
-    while (at + 1 < timesS.length && timesS[at + 1] <= timeS) {
-      at++;
-    }
-    return at;
-  }
-
-  double way(int index, double timeS) {
-    return index < 0 ? 0 : ways[index] + speeds[index] * (timeS - timesS[index]);
-  }
-
-  double angle(int index, double timeS) {
-    return index < 0 ? 0 : angles[index] + turns[index] * (timeS - timesS[index]);
+  private static double timeS(Command[] commands, int index) {
+    return index < commands.length ? commands[index].timeS() : Double.POSITIVE_INFINITY;
   }
 }

@@ -84,6 +84,36 @@ public record Response(
       return constantS > 0 ? -Math.expm1(-stepS / constantS) : 1;
     }
 
+    /**
+     * Puts the mean rate of each step in the place of its target, from rest.
+     *
+     * @param targets that hold through each step, the first of no step
+     */
+    void follow(double[] targets) {
+      if (most == Double.POSITIVE_INFINITY) {
+        followFreely(targets);
+        return;
+      }
+      double now = 0;
+      for (int i = 1; i < targets.length; i++) {
+        double next = next(now, targets[i]);
+        targets[i] = mean(now, targets[i], next);
+        now = next;
+      }
+    }
+
+    /** The same without a greatest change: exponentials alone, or at once. */
+    private void followFreely(double[] targets) {
+      double now = 0;
+      for (int i = 1; i < targets.length && share < 1; i++) {
+        double target = targets[i];
+        double off = now - target;
+        boolean falls = Math.abs(target) < Math.abs(now);
+        targets[i] = target + off * (falls ? brakingKept : kept);
+        now -= off * (falls ? brakingShare : share);
+      }
+    }
+
     /** Returns the rate after a step towards a target. */
     public double next(double now, double target) {
       double part = Math.abs(target) < Math.abs(now) ? brakingShare : share;

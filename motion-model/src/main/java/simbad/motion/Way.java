@@ -10,11 +10,11 @@ public final class Way {
   /** Between two poses of the grid, seconds. */
   public static final double STEP_S = 0.02;
 
-  /** Below it an arc is its chord. */
-  private static final double STRAIGHT_RAD = 1e-6;
-
-  /** Up to it the sine's series needs five terms. */
+  /** Up to it the series of sine and cosine need five terms. */
   private static final double SMALL_RAD = 0.1;
+
+  /** The last of the sine's. */
+  private static final double LAST = 1.0 / 362880;
 
   /** Rounding of so many rotations stays beneath any use. */
   private static final int AFRESH = 256;
@@ -60,33 +60,19 @@ public final class Way {
     int size = (int) Math.ceil((toS - fromS) / STEP_S) + 2;
     Way way = new Way(fromS, size, chain.capture());
     Stages stages = Stages.of(chain);
-    CommandSeries series = new CommandSeries(stages.commanded(run.commands()));
-    way.drive(series, stages, chain.delayS(), chain.response().over(STEP_S));
+    CommandSeries means =
+        CommandSeries.of(stages.commanded(run.commands()), fromS - chain.delayS(), size);
+    Response.Step follow = chain.response().over(STEP_S);
+    follow.speed().follow(means.speeds());
+    follow.turn().follow(means.turns());
+    way.drive(stages, means);
     return way;
   }
 
-  private void drive(CommandSeries series, Stages stages, double late, Response.Step follow) {
-    int index = series.index(startS - late);
-    double way = series.way(index, startS - late);
-    double angle = series.angle(index, startS - late);
-    double speed = 0;
-    double turn = 0;
+  private void drive(Stages stages, CommandSeries means) {
     for (int i = 1; i < xs.length; i++) {
-      double timeS = startS + i * STEP_S - late;
-      index = series.forward(index, timeS);
-      double nextWay = series.way(index, timeS);
-      double nextAngle = series.angle(index, timeS);
-      double toSpeed = (nextWay - way) / STEP_S;
-      double toTurn = (nextAngle - angle) / STEP_S;
-      double nextSpeed = follow.speed().next(speed, toSpeed);
-      double nextTurn = follow.turn().next(turn, toTurn);
-      double speedOverGround = stages.speed(follow.speed().mean(speed, toSpeed, nextSpeed));
-      double turned = follow.turn().mean(turn, toTurn, nextTurn);
-      step(i, speedOverGround, stages.turn(turned, speedOverGround));
-      speed = nextSpeed;
-      turn = nextTurn;
-      way = nextWay;
-      angle = nextAngle;
+      double speed = stages.speed(means.speeds()[i]);
+      step(i, speed, stages.turn(means.turns()[i], speed));
     }
   }
 
@@ -96,29 +82,35 @@ public final class Way {
    */
   private void step(int i, double speedMPerS, double turnRadPerS) {
     double half = turnRadPerS * STEP_S / 2;
-    double sin = sine(half);
-    double cos = Math.abs(half) >= SMALL_RAD ? Math.cos(half) : Math.sqrt(1 - sin * sin);
-    double chord = speedMPerS * STEP_S * (Math.abs(half) < STRAIGHT_RAD ? 1 : sin / half);
+    double square = half * half;
+    boolean small = Math.abs(half) < SMALL_RAD;
+    double chord = small ? chord(square) : Math.sin(half) / half;
+    double sin = half * chord;
+    double cos = small ? cosine(square) : Math.cos(half);
     double middleX = directionX * cos - directionY * sin;
     double middleY = directionX * sin + directionY * cos;
-    xs[i] = xs[i - 1] + chord * middleX;
-    ys[i] = ys[i - 1] + chord * middleY;
+    double way = speedMPerS * STEP_S * chord;
+    xs[i] = xs[i - 1] + way * middleX;
+    ys[i] = ys[i - 1] + way * middleY;
     headings[i] = headings[i - 1] + turnRadPerS * STEP_S;
     directionX = middleX * cos - middleY * sin;
     directionY = middleX * sin + middleY * cos;
-    if (i % AFRESH == 0 || Math.abs(half) >= SMALL_RAD) {
+    if (i % AFRESH == 0 || !small) {
       directionX = Math.cos(headings[i]);
       directionY = Math.sin(headings[i]);
     }
   }
 
-  /** Exact to the last digit or two. */
-  private static double sine(double rad) {
-    if (Math.abs(rad) >= SMALL_RAD) {
-      return Math.sin(rad);
-    }
-    double square = rad * rad;
-    return rad * (1 - square / 6 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72))));
+  /** An angle's sine over the angle, by its square; exact to the last digit or two. */
+  private static double chord(double square) {
+    return 1 + square * (-1.0 / 6 + square * (1.0 / 120 + square * (-1.0 / 5040 + square * LAST)));
+  }
+
+  /** The same of the cosine. */
+  private static double cosine(double square) {
+    return 1
+        + square
+            * (-1.0 / 2 + square * (1.0 / 24 + square * (-1.0 / 720 + square * (1.0 / 40320))));
   }
 
   /**

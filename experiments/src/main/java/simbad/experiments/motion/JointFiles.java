@@ -53,7 +53,7 @@ public final class JointFiles {
       throws IOException {
     FittedModel model =
         DiagnosisFolder.write(folder, source, log.data(), diagnosis.sensing(), provenance);
-    MotionFiles.writeModel(folder, log.drive().robot(), diagnosis.motion());
+    MotionFiles.writeModel(folder, log.drive(), diagnosis.motion());
     WholeFile.write(
         folder.resolve(MotionFolder.ROBOT), Files.readAllBytes(source.resolve(MotionFolder.ROBOT)));
     TextFile.write(

@@ -19,6 +19,7 @@ import simbad.gap.diagnosis.Interval;
 import simbad.gap.motion.MotionDiagnosis;
 import simbad.gap.motion.MotionFinding;
 import simbad.gap.motion.MotionPlace;
+import simbad.motion.CommandReach;
 import simbad.motion.Robot;
 import simbad.motion.forecast.Windows;
 import simbad.motion.format.DiagnosedMotion;
@@ -58,16 +59,18 @@ public final class MotionFiles {
     conclude(json, diagnosis);
     provenance(json.putObject("provenance"), data, provenance, diagnosis.gap().windows());
     write(folder, json);
-    writeModel(folder, data.robot(), diagnosis);
+    writeModel(folder, data, diagnosis);
   }
 
   /** Writes what a robot can be driven with, and the next drive where there is one. */
-  static void writeModel(Path folder, Robot robot, MotionDiagnosis diagnosis) throws IOException {
+  static void writeModel(Path folder, MotionData data, MotionDiagnosis diagnosis)
+      throws IOException {
     TextFile.write(
         folder.resolve(DiagnosedMotion.MODEL),
-        DiagnosedMotion.text(diagnosis.fitted(), diagnosis.forecast().spreads()));
+        DiagnosedMotion.text(
+            diagnosis.fitted(), diagnosis.forecast().spreads(), CommandReach.of(data.runs())));
     if (diagnosis.next().isPresent()) {
-      TextFile.write(folder.resolve(NEXT), next(robot, diagnosis.next().get()));
+      TextFile.write(folder.resolve(NEXT), next(data.robot(), diagnosis.next().get()));
     }
   }
 

@@ -1,7 +1,9 @@
 package simbad.experiments.run;
 
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
+import simbad.motion.CommandReach;
 import simbad.motion.MotionChain;
 import simbad.motion.format.DiagnosedMotion;
 import simbad.sonar.format.DataFormatException;
@@ -11,14 +13,46 @@ import simbad.sonar.format.DataFormatException;
  *
  * @param name in files and tables; what cannot stand in a file's name becomes a hyphen
  * @param motion how it moves
+ * @param reach of the commands that it was seen under
  */
-public record RobotKind(String name, MotionChain motion) {
+public record RobotKind(String name, MotionChain motion, CommandReach reach) {
   /** Makes the name one of a file. */
   public RobotKind {
     name = name.replaceAll("[^A-Za-z0-9_.-]", "-");
     if (name.isEmpty()) {
       throw new IllegalArgumentException("a robot needs a name");
     }
+  }
+
+  /**
+   * Describes a robot of which no log is known.
+   *
+   * @param name in files and tables
+   * @param motion how it moves
+   */
+  public RobotKind(String name, MotionChain motion) {
+    this(name, motion, CommandReach.ANY);
+  }
+
+  /**
+   * Says that a run asks for more than is known of the robot; empty where it does not.
+   *
+   * @param speedMPerS greatest that is asked for
+   * @param turnRadPerS the same of the rate of turning
+   */
+  public Optional<String> beyond(double speedMPerS, double turnRadPerS) {
+    return reach.holds(speedMPerS, turnRadPerS)
+        ? Optional.empty()
+        : Optional.of(
+            String.format(
+                Locale.ROOT,
+                "the log of %s has commands of up to %.3g m/s and %.3g rad/s, this run asks for up"
+                    + " to %.3g m/s and %.3g rad/s: how the robot moves there is not known",
+                name,
+                reach.speedMPerS(),
+                reach.turnRadPerS(),
+                speedMPerS,
+                turnRadPerS));
   }
 
   /**
@@ -39,7 +73,7 @@ public record RobotKind(String name, MotionChain motion) {
    * @throws DataFormatException if a file is missing or wrong
    */
   public static RobotKind diagnosed(Path folder) throws DataFormatException {
-    return new RobotKind(name(folder), DiagnosedMotion.read(folder));
+    return new RobotKind(name(folder), DiagnosedMotion.read(folder), DiagnosedMotion.reach(folder));
   }
 
   /**

@@ -38,6 +38,11 @@ public record RunResult(
     return trace.firstOnEdge() < trace.size() && type.thresholds().table().greatestM() > 0;
   }
 
+  /** Tells whether there is an edge that the robot never found. */
+  public boolean missesTheEdge() {
+    return trace.firstOnEdge() == trace.size() && type.thresholds().table().greatestM() > 0;
+  }
+
   /** Returns the forms of a diagnosed sensor's model that say nothing of this obstacle. */
   public List<FittedForm> idleForms() {
     return sensor.model().map(model -> model.idleIn(world())).orElse(List.of());

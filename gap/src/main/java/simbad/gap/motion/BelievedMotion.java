@@ -3,10 +3,12 @@ package simbad.gap.motion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import simbad.motion.MotionChain;
 import simbad.motion.MotionRun;
 import simbad.motion.Robot;
 import simbad.motion.effect.FittedMotion;
+import simbad.motion.effect.MotionForm;
 import simbad.motion.effect.MotionParameter;
 import simbad.motion.forecast.MotionForecast;
 import simbad.motion.format.MotionData;
@@ -61,13 +63,14 @@ record BelievedMotion(
   }
 
   /**
-   * Takes what a log shows for a part of the set-up where the reference does not speak against it:
-   * a reference tells each value within bounds only, and set-ups are off by about what is
-   * practical. Empty where all of it is a change.
+   * Takes what a log shows for a part of the set-up where log and reference may have it in common:
+   * both tell each value within bounds only, and set-ups are off by about what is practical. Empty
+   * where all of it is a change.
    *
    * @param found explanation of the log
+   * @param gains by how many nats each of its forms makes the log likelier
    */
-  Optional<BelievedMotion> learning(ScoredMotion found) {
+  Optional<BelievedMotion> learning(ScoredMotion found, ToDoubleFunction<MotionForm> gains) {
     if (reference.isEmpty()) {
       return Optional.empty();
     }
@@ -77,7 +80,7 @@ record BelievedMotion(
     for (FittedMotion one : found.hypothesis().fitted()) {
       MotionChain with = chain.with(one.change());
       double against = (logDensity(trusted, chain) - logDensity(trusted, with)) / trusted.clumping;
-      if (against + unusual(one) < Odds.COST_NATS) {
+      if (together(against + unusual(one), gains.applyAsDouble(one.form())) < Odds.COST_NATS) {
         chain = with;
         more.add(one);
       }
@@ -87,6 +90,14 @@ record BelievedMotion(
         : Optional.of(
             new BelievedMotion(
                 MotionGap.forecast(trusted.given.runs(), chain), noises, more, reference));
+  }
+
+  /**
+   * What two logs lose where they have one value instead of two, to second order: one loses a where
+   * it takes the other's value, the other b, and a value between costs the least, 1 / (1/a + 1/b).
+   */
+  private static double together(double a, double b) {
+    return a > 0 && b > 0 ? a * b / (a + b) : 0;
   }
 
   private double logDensity(Reference trusted, MotionChain chain) {

@@ -1,5 +1,6 @@
 package simbad.gap.motion;
 
+import java.util.ArrayList;
 import java.util.List;
 import simbad.motion.Command;
 
@@ -25,6 +26,22 @@ final class CommandTrail {
   /** Returns the command that is held at a time; before the first one, that. */
   static Command held(List<Command> commands, double timeS) {
     return commands.get(Math.max(0, first(commands, Math.nextUp(timeS)) - 1));
+  }
+
+  /**
+   * Returns the commands that act between two times.
+   *
+   * @param commands of a run
+   * @param fromS from when; what was held then is given then
+   * @param toS till when, not before
+   */
+  static List<Command> between(List<Command> commands, double fromS, double toS) {
+    Command held = held(commands, fromS);
+    List<Command> own = new ArrayList<>();
+    own.add(new Command(Math.max(fromS, held.timeS()), held.speedMPerS(), held.turnRadPerS()));
+    int start = first(commands, Math.nextUp(own.get(0).timeS()));
+    own.addAll(commands.subList(start, Math.max(start, first(commands, Math.nextUp(toS)))));
+    return own;
   }
 
   /**

@@ -5,6 +5,7 @@ import java.util.stream.IntStream;
 import org.hipparchus.linear.Array2DRowRealMatrix;
 import org.hipparchus.linear.ArrayRealVector;
 import org.hipparchus.linear.RealMatrix;
+import org.hipparchus.linear.RealVector;
 import org.hipparchus.linear.SingularValueDecomposition;
 
 /**
@@ -12,6 +13,15 @@ import org.hipparchus.linear.SingularValueDecomposition;
  * each block of the log, so that blocks can be left out at no cost.
  */
 final class Linear {
+  /** A log is compared with itself in so many parts, */
+  private static final int PARTS = 10;
+
+  /** of so many blocks each, */
+  private static final int LEAST_IN_PART = 2;
+
+  /** unless these are so few that they say nothing. */
+  private static final int LEAST_PARTS = 4;
+
   private final MotionSteps given;
   private final Whitening[] white;
 
@@ -33,6 +43,7 @@ final class Linear {
   }
 
   private void gather(int c) {
+    double information = white[c].information();
     for (int i = 0; i < given.size(); i++) {
       int block = given.block(i);
       double weight = white[c].weights[i];
@@ -40,7 +51,7 @@ final class Linear {
         double weighted = weight * columns[p][c][i];
         vectors[block][p] += weighted * white[c].white[i];
         for (int q = 0; q <= p; q++) {
-          matrices[block][p][q] += weighted * columns[q][c][i];
+          matrices[block][p][q] += information * weighted * columns[q][c][i];
         }
       }
     }
@@ -105,43 +116,79 @@ final class Linear {
     return scores;
   }
 
-  /** Returns standard errors of the values, from how far blocks pull apart (White 1982). */
+  /**
+   * Returns standard errors of the values, from how far blocks pull apart (White 1982) and parts of
+   * the log beyond that.
+   */
   double[] standardErrors() {
     double[] errors = new double[columns.length];
     if (columns.length == 0) {
       return errors;
     }
-    double[][] matrix = matrix(block -> true);
-    for (int p = 0; p < matrix.length; p++) {
-      matrix[p][p] += 1e-12;
-    }
-    Array2DRowRealMatrix pulls = new Array2DRowRealMatrix(vectors);
-    RealMatrix inverse =
-        new SingularValueDecomposition(new Array2DRowRealMatrix(matrix)).getSolver().getInverse();
-    RealMatrix between = inverse.multiply(pulls.transpose().multiply(pulls)).multiply(inverse);
+    RealMatrix inverse = inverse();
+    RealMatrix between = inverse.multiply(pulls()).multiply(inverse);
     double few = (double) given.blockCount() / Math.max(1, given.blockCount() - columns.length);
-    for (int p = 0; p < matrix.length; p++) {
+    for (int p = 0; p < errors.length; p++) {
       double own = Math.max(inverse.getEntry(p, p), few * between.getEntry(p, p));
-      errors[p] = Math.sqrt(Math.max(0, own));
+      errors[p] = Math.sqrt(Math.max(0, wandering() * own));
     }
     return errors;
   }
 
+  private RealMatrix inverse() {
+    double[][] matrix = matrix(block -> true);
+    for (int p = 0; p < matrix.length; p++) {
+      matrix[p][p] += 1e-12;
+    }
+    return new SingularValueDecomposition(new Array2DRowRealMatrix(matrix))
+        .getSolver()
+        .getInverse();
+  }
+
+  /** The sum over all blocks of the squares of their pulls. */
+  private RealMatrix pulls() {
+    RealMatrix pulls = new Array2DRowRealMatrix(vectors);
+    return pulls.transpose().multiply(pulls);
+  }
+
   /**
-   * Returns by how many times blocks pull apart more than by chance, the mean over the values; 1
-   * without values.
+   * Returns by how many times blocks pull apart more than by chance, the mean over the values
+   * (Rotnitzky and Jewell 1990; Pauli, Racugno and Ventura 2011); 1 without values. What
+   * likelihoods gain is divided by it.
    */
   double clumping() {
-    double sum = 0;
-    for (int p = 0; p < columns.length; p++) {
-      double square = 0;
-      double expected = 0;
-      for (int b = 0; b < vectors.length; b++) {
-        square += vectors[b][p] * vectors[b][p];
-        expected += matrices[b][p][p];
-      }
-      sum += expected > 0 ? square / expected : 1;
+    return columns.length == 0
+        ? 1
+        : Math.max(1, inverse().multiply(pulls()).getTrace() / columns.length) * wandering();
+  }
+
+  /**
+   * Returns by how many times the pulls of whole parts of the log are larger than those of its
+   * blocks foretell, the mean over the values: what the robot does wanders for minutes. At least 1,
+   * and 1 where the log has too few blocks to say.
+   */
+  private double wandering() {
+    int n = vectors.length;
+    int parts = Math.min(PARTS, n / LEAST_IN_PART);
+    if (parts < LEAST_PARTS || n < 2 * columns.length) {
+      return 1;
     }
-    return columns.length == 0 ? 1 : Math.max(1, sum / columns.length);
+    double[][] sums = new double[parts][columns.length];
+    int[] sizes = new int[parts];
+    for (int b = 0; b < n; b++) {
+      int part = (int) ((long) b * parts / n);
+      sizes[part]++;
+      for (int p = 0; p < columns.length; p++) {
+        sums[part][p] += vectors[b][p] / Math.sqrt(n);
+      }
+    }
+    RealMatrix usual =
+        new SingularValueDecomposition(pulls().scalarMultiply(1.0 / n)).getSolver().getInverse();
+    double square = 0;
+    for (int part = 0; part < parts; part++) {
+      RealVector own = new ArrayRealVector(sums[part]);
+      square += own.dotProduct(usual.operate(own)) * n / sizes[part];
+    }
+    return Math.max(1, square / (columns.length * (parts - 1.0)));
   }
 }

@@ -51,7 +51,7 @@ public final class MotionDiagnoser {
     }
     Told told = told(base, given);
     for (int round = 0; round < MOST_ROUNDS; round++) {
-      Optional<BelievedMotion> learnt = base.learning(told.odds().best());
+      Optional<BelievedMotion> learnt = base.learning(told.odds().best(), told::gain);
       if (learnt.isEmpty()) {
         break;
       }

@@ -10,9 +10,6 @@ package simbad.gap.motion;
  */
 @SuppressWarnings("ArrayRecordComponent") // Numbers by step, never compared.
 record MotionFit(MotionHypothesis hypothesis, double[][] residuals, Noise[] noises, double score) {
-  /** What chance gains per value that is fitted. */
-  private static final double NATS_PER_VALUE = 0.5;
-
   /** Returns the residuals made white, by component. */
   Whitening[] white(MotionSteps given) {
     Whitening[] white = new Whitening[residuals.length];
@@ -22,8 +19,12 @@ record MotionFit(MotionHypothesis hypothesis, double[][] residuals, Noise[] nois
     return white;
   }
 
-  /** Returns the score less what chance alone would have gained. */
-  double promise() {
-    return score - NATS_PER_VALUE * hypothesis.values().length;
+  /**
+   * Returns the score less what other logs would miss of it (Takeuchi 1976).
+   *
+   * @param perValue by how many times blocks pull apart more than by chance
+   */
+  double promise(double perValue) {
+    return score - perValue * hypothesis.values().length;
   }
 }

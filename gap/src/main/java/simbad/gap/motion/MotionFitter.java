@@ -1,7 +1,10 @@
 package simbad.gap.motion;
 
-import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
 import simbad.motion.CommandUse;
 import simbad.motion.effect.MotionForm;
 import simbad.motion.effect.MotionParameter;
@@ -14,13 +17,18 @@ final class MotionFitter {
   private static final double STRONGEST = 1e3;
 
   /** A value that jumps is looked for by these shares of it. */
-  private static final double[] NUDGES = {0.03, -0.03, 0.01, -0.01, 0.003, -0.003};
+  private static final double[] NUDGES = {0.03, -0.03, 0.01, -0.01, 0.003, -0.003, 0.001, -0.001};
+
+  /** Of many values that are tried, so many are tried on the whole log. */
+  private static final int KEPT = 4;
 
   private final MotionSteps given;
+  private final MotionSteps sample;
   private final CommandUse use;
 
   MotionFitter(MotionSteps given, CommandUse use) {
     this.given = given;
+    sample = given.sample();
     this.use = use;
   }
 
@@ -61,13 +69,15 @@ final class MotionFitter {
 
   /** Damped steps of Gauss and Newton, the noise as it is. */
   MotionFit settled(MotionFit from, int rounds) {
+    return settled(from, new Slopes(given, from), rounds);
+  }
+
+  private MotionFit settled(MotionFit from, Slopes first, int rounds) {
     MotionFit best = from;
+    Slopes slopes = first;
     double damping = 1e-4;
-    for (int round = 0; round < rounds; round++) {
-      Slopes slopes = new Slopes(given, best);
-      if (slopes.isEmpty()) {
-        return best;
-      }
+    for (int round = 0; round < rounds && !slopes.isEmpty(); round++) {
+      slopes = round == 0 ? first : new Slopes(given, best);
       MotionFit next = best;
       for (; damping < STRONGEST && next.score() <= best.score(); damping *= 30) {
         next = with(slopes.stepped(damping), best.noises());
@@ -100,52 +110,72 @@ final class MotionFitter {
   /**
    * Puts a form beside a fit: each of its values in turn from what its definition says to try, then
    * a step of all values. The noise stays, so that the score is a lower bound.
+   *
+   * @param base slopes of the fit
+   * @param form that is put beside it
    */
-  MotionFit screened(MotionFit base, MotionForm form) {
-    MotionHypothesis start = base.hypothesis().with(form, form.neutralValues());
-    MotionFit best = new MotionFit(start, base.residuals(), base.noises(), base.score());
-    int first = base.hypothesis().values().length;
+  MotionFit screened(Slopes base, MotionForm form) {
+    MotionFit from = base.fit();
+    MotionHypothesis start = from.hypothesis().with(form, form.neutralValues());
+    MotionFit best = new MotionFit(start, from.residuals(), from.noises(), from.score());
+    int first = from.hypothesis().values().length;
     List<MotionParameter> parameters = form.parameters();
-    if (isSecondNothingAlone(parameters)) {
-      return settled(scannedBeside(best, first, parameters), 1);
+    if (parameters.size() == 2 && parameters.get(1).beside()) {
+      return stepped(base, likeliest(best, pairs(start, first, parameters)));
     }
     for (int i = 0; i < parameters.size(); i++) {
-      best = scanned(best, first + i, parameters.get(i).tries().apply(use));
+      double[] tries = parameters.get(i).tries().apply(use);
+      best = likeliest(best, tried(best.hypothesis(), first + i, tries));
     }
-    return settled(best, 1);
+    return stepped(base, best);
   }
 
-  /** Where there is no limit, by how much it would fall says nothing. */
-  private static boolean isSecondNothingAlone(List<MotionParameter> parameters) {
-    return parameters.size() == 2
-        && Double.isInfinite(parameters.get(0).neutral())
-        && Double.isFinite(parameters.get(1).neutral());
+  private MotionFit stepped(Slopes base, MotionFit from) {
+    return settled(from, new Slopes(given, from, Optional.of(base)), 1);
   }
 
   /** The second value is looked for beside each try of the first. */
-  private MotionFit scannedBeside(MotionFit base, int first, List<MotionParameter> parameters) {
+  private List<MotionHypothesis> pairs(
+      MotionHypothesis start, int first, List<MotionParameter> parameters) {
     double[] others = parameters.get(1).tries().apply(use);
+    return tried(start, first, parameters.get(0).tries().apply(use)).stream()
+        .flatMap(own -> Stream.concat(Stream.of(own), tried(own, first + 1, others).stream()))
+        .toList();
+  }
+
+  private static List<MotionHypothesis> tried(MotionHypothesis from, int index, double[] tries) {
+    MotionParameter parameter = from.parameters().get(index);
+    return Arrays.stream(tries)
+        .filter(value -> value != from.values()[index])
+        .mapToObj(value -> from.withValue(index, parameter.within(value)))
+        .toList();
+  }
+
+  private MotionFit likeliest(MotionFit base, List<MotionHypothesis> candidates) {
     MotionFit best = base;
-    for (double value : parameters.get(0).tries().apply(use)) {
-      MotionFit own = with(base.hypothesis().withValue(first, value), base.noises());
-      MotionFit both = scanned(own, first + 1, others);
-      best = both.score() > best.score() ? both : best;
+    for (MotionHypothesis candidate : promising(candidates, base.noises())) {
+      MotionFit fit = with(candidate, base.noises());
+      best = fit.score() > best.score() ? fit : best;
     }
     return best;
   }
 
-  private MotionFit scanned(MotionFit base, int index, double[] tries) {
-    MotionParameter parameter = base.hypothesis().parameters().get(index);
-    List<MotionFit> fits = new ArrayList<>();
-    for (double value : tries) {
-      if (value != base.hypothesis().values()[index]) {
-        fits.add(with(base.hypothesis().withValue(index, parameter.within(value)), base.noises()));
-      }
+  /** Of many candidates the few that a part of a long log finds likeliest. */
+  private List<MotionHypothesis> promising(List<MotionHypothesis> candidates, Noise[] noises) {
+    if (candidates.size() <= KEPT || sample.size() == given.size()) {
+      return candidates;
     }
-    MotionFit best = base;
-    for (MotionFit fit : fits) {
-      best = fit.score() > best.score() ? fit : best;
-    }
-    return best;
+    return candidates.stream()
+        .map(one -> new Tried(one, -sampleScore(one, noises)))
+        .sorted(Comparator.comparingDouble(Tried::loss))
+        .limit(KEPT)
+        .map(Tried::hypothesis)
+        .toList();
+  }
+
+  private record Tried(MotionHypothesis hypothesis, double loss) {}
+
+  private double sampleScore(MotionHypothesis hypothesis, Noise[] noises) {
+    return Whitening.logDensity(sample, noises, sample.residuals(hypothesis.chain()));
   }
 }

@@ -21,6 +21,9 @@ import simbad.motion.forecast.Windows;
 final class MotionGap {
   private static final int GROUPS = 20;
 
+  /** What a robot does differs from part to part of a drive, and from drive to drive. */
+  private static final int PARTS = 10;
+
   /** Twice the mean pinball loss of 19 quantiles that are right, of a Gaussian, over its sigma. */
   private static final double GAUSSIAN = gaussian();
 
@@ -130,7 +133,7 @@ final class MotionGap {
     return residuals;
   }
 
-  /** Returns a chain with how far it is off on all windows. */
+  /** Returns a chain with how far it may be off on another drive. */
   static MotionForecast forecast(List<MotionRun> runs, MotionChain chain) {
     MotionGap own = new MotionGap(runs);
     return new MotionForecast(
@@ -139,24 +142,24 @@ final class MotionGap {
             .mapToObj(
                 horizon -> {
                   List<Window> cut = Windows.of(runs, horizon);
-                  return Spread.of(own.asked(cut), own.residuals(cut, chain));
+                  return Spread.ofAnother(own.asked(cut), own.residuals(cut, chain), PARTS);
                 })
             .toList());
   }
 
   /** Returns the mean of the nine of a chain that was fitted to all, in units of the nominal. */
   double fitted(MotionChain chain) {
-    MotionForecast all = forecast(runs, chain);
     double[] horizons = Windows.horizonsS();
     double sum = 0;
     for (int h = 0; h < horizons.length; h++) {
       List<Window> cut = Windows.of(runs, horizons[h]);
       double[][] residuals = residuals(cut, chain);
       double[] asked = asked(cut);
+      Spread spread = Spread.of(asked, residuals);
       for (int c = 0; c < 3; c++) {
         double own = 0;
         for (int i = 0; i < residuals.length; i++) {
-          own += Spread.score(all.spreads().get(h).at(asked[i], c), residuals[i][c]);
+          own += Spread.score(spread.at(asked[i], c), residuals[i][c]);
         }
         sum += before[h][c] > 0 ? own / residuals.length / before[h][c] / 9 : 1.0 / 9;
       }

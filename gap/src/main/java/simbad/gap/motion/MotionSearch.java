@@ -51,6 +51,9 @@ final class MotionSearch {
   private final List<MotionForm> forms;
   private final Map<Set<String>, MotionFit> fits = new LinkedHashMap<>();
 
+  /** The largest that a set which was built upon has shown. */
+  private double clumping = 1;
+
   MotionSearch(MotionSteps given, Robot robot) {
     this.given = given;
     fitter = new MotionFitter(given, CommandUse.of(given.runs(), robot.wheelBaseM()));
@@ -70,7 +73,7 @@ final class MotionSearch {
     keep(nominal);
     List<MotionFit> added = grown(nominal, forms, REFINED);
     MotionFit set = nominal;
-    while (!added.isEmpty() && added.get(0).promise() - set.promise() > WORTH_NATS) {
+    while (!added.isEmpty() && promise(added.get(0)) - promise(set) > WORTH_NATS) {
       MotionFit before = set;
       set = swapped(added.get(0));
       List<MotionForm> open =
@@ -93,10 +96,11 @@ final class MotionSearch {
     boolean better = true;
     while (better) {
       MotionFit base = best.fit();
+      Slopes slopes = best.slopes();
       Optional<ScoredMotion> next =
           MotionForms.PLAIN.parallelStream()
               .filter(form -> apart(base.hypothesis(), form))
-              .map(form -> ScoredMotion.of(given, fitter.fit(fitter.screened(base, form))))
+              .map(form -> ScoredMotion.of(given, fitter.fit(fitter.screened(slopes, form))))
               .max(Comparator.comparingDouble(ScoredMotion::heldOut));
       better = next.isPresent() && next.get().heldOut() > best.heldOut() + LEAST_NATS;
       best = better ? next.get() : best;
@@ -119,13 +123,19 @@ final class MotionSearch {
     return set.forms().get(set.forms().size() - 1);
   }
 
+  private double promise(MotionFit fit) {
+    return fit.promise(clumping);
+  }
+
   /** The base with one form more, the best first. */
   private List<MotionFit> grown(MotionFit base, List<MotionForm> open, int most) {
+    Slopes slopes = new Slopes(given, base);
+    clumping = Math.max(clumping, slopes.linear().clumping());
     List<MotionFit> screened =
         best(
             open.parallelStream()
                 .filter(form -> apart(base.hypothesis(), form))
-                .map(form -> fitter.screened(base, form))
+                .map(form -> fitter.screened(slopes, form))
                 .toList());
     List<MotionFit> refined =
         screened.stream().limit(most).toList().parallelStream().map(fitter::fit).toList();
@@ -158,7 +168,7 @@ final class MotionSearch {
     List<MotionForm> members = set.hypothesis().forms();
     for (int i = 0; i < members.size() - 1 && members.size() <= SWAPPED; i++) {
       MotionFit other = inPlaceOf(swapped, members.get(i).effect());
-      swapped = other.promise() > swapped.promise() ? other : swapped;
+      swapped = promise(other) > promise(swapped) ? other : swapped;
     }
     return swapped;
   }
@@ -177,15 +187,15 @@ final class MotionSearch {
     }
   }
 
-  private static List<MotionFit> best(List<MotionFit> fits) {
-    return fits.stream().sorted(Comparator.comparingDouble(fit -> -fit.promise())).toList();
+  private List<MotionFit> best(List<MotionFit> fits) {
+    return fits.stream().sorted(Comparator.comparingDouble(fit -> -promise(fit))).toList();
   }
 
   private void keep(MotionFit fit) {
     if (!matters(fit.hypothesis())) {
       return;
     }
-    fits.merge(fit.hypothesis().effects(), fit, (a, b) -> b.promise() > a.promise() ? b : a);
+    fits.merge(fit.hypothesis().effects(), fit, (a, b) -> promise(b) > promise(a) ? b : a);
   }
 
   /** What is off by less than half of what would matter to anybody is no effect. */
@@ -207,7 +217,7 @@ final class MotionSearch {
   private List<ScoredMotion> scored(Set<String> found) {
     Comparator<MotionFit> order =
         Comparator.comparingDouble(
-            fit -> Odds.COST_NATS * fit.hypothesis().effects().size() - fit.promise());
+            fit -> Odds.COST_NATS * fit.hypothesis().effects().size() - promise(fit));
     List<MotionFit> front = fits.values().stream().sorted(order).limit(SCORED).toList();
     Set<MotionFit> all = new LinkedHashSet<>(front);
     all.add(fits.get(Set.<String>of()));

@@ -31,6 +31,12 @@ final class MotionSteps {
   /** By so much the moment at which a command acts may vary. */
   private static final double UNSTEADY_S = 0.15;
 
+  /** A sample of a long log has some more. */
+  private static final int SAMPLED_BLOCKS = 20;
+
+  /** What was commanded longer ago hardly acts. */
+  private static final double SETTLING_S = 4;
+
   /** Even a robot that stands is not known to stand still. */
   private static final double STANDING = 0.05;
 
@@ -38,6 +44,8 @@ final class MotionSteps {
   private final List<Stretch> left;
   private final List<Step> steps = new ArrayList<>();
   private final double[] loads;
+  private final double[] durationsS;
+  private final boolean[] chained;
   private final int[] blocks;
   private final int[] folds;
 
@@ -84,8 +92,11 @@ final class MotionSteps {
     }
     weigh();
     loads = steps.stream().mapToDouble(Step::load).toArray();
+    durationsS = steps.stream().mapToDouble(Step::durationS).toArray();
+    chained = new boolean[steps.size()];
     seen = new double[COMPONENTS][steps.size()];
     for (int i = 0; i < steps.size(); i++) {
+      chained[i] = steps.get(i).chained;
       Displacement own = Displacement.between(steps.get(i).from, steps.get(i).to);
       for (int c = 0; c < COMPONENTS; c++) {
         seen[c][i] = own.component(c);
@@ -139,6 +150,42 @@ final class MotionSteps {
     return new MotionSteps(runs, List.copyOf(stretches));
   }
 
+  /**
+   * Returns a part of a long log, some blocks of it with the commands shortly before: what is tried
+   * on it costs a part too. A log that is not long is returned as it is.
+   */
+  MotionSteps sample() {
+    int every = blockCount() / SAMPLED_BLOCKS;
+    if (every < 2) {
+      return this;
+    }
+    List<MotionRun> parts = new ArrayList<>();
+    for (int i = 0; i < size(); ) {
+      int end = i + 1;
+      while (end < size() && chained[end] && blocks[end] == blocks[i]) {
+        end++;
+      }
+      if (blocks[i] % every == 0) {
+        parts.add(part(steps.subList(i, end)));
+      }
+      i = end;
+    }
+    return new MotionSteps(parts);
+  }
+
+  /** Chained steps as a run of their own. */
+  private MotionRun part(List<Step> of) {
+    List<TrackPose> track = new ArrayList<>();
+    track.add(of.get(0).from);
+    of.forEach(step -> track.add(step.to));
+    MotionRun run = runs.get(of.get(0).run);
+    return new MotionRun(
+        run.name(),
+        CommandTrail.between(
+            run.commands(), track.get(0).timeS() - SETTLING_S, track.get(of.size()).timeS()),
+        track);
+  }
+
   private void weigh() {
     List<Exertion> exertions = runs.stream().map(Exertion::of).toList();
     double[] asked =
@@ -187,6 +234,14 @@ final class MotionSteps {
 
   Step step(int index) {
     return steps.get(index);
+  }
+
+  boolean isChained(int step) {
+    return chained[step];
+  }
+
+  double durationS(int step) {
+    return durationsS[step];
   }
 
   int blockCount() {

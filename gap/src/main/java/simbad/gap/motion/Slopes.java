@@ -3,6 +3,7 @@ package simbad.gap.motion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import simbad.motion.effect.MotionParameter;
 
 /**
@@ -28,11 +29,27 @@ final class Slopes {
   private final Linear linear;
 
   Slopes(MotionSteps given, MotionFit fit) {
+    this(given, fit, Optional.empty());
+  }
+
+  /**
+   * Computes the slopes.
+   *
+   * @param given the steps
+   * @param fit whose values are moved
+   * @param before slopes of a fit whose forms come first in this one; what is the same is taken
+   */
+  Slopes(MotionSteps given, MotionFit fit, Optional<Slopes> before) {
     this.given = given;
     this.fit = fit;
+    // Only where the further forms change nothing are residuals the very same.
+    Optional<Slopes> same = before.filter(one -> one.fit.residuals() == fit.residuals());
     white = fit.white(given);
     free = free(fit.hypothesis());
-    raw = free.parallelStream().map(this::column).toArray(double[][][]::new);
+    raw =
+        free.parallelStream()
+            .map(index -> same.flatMap(one -> one.rawOf(index)).orElseGet(() -> column(index)))
+            .toArray(double[][][]::new);
     columns = Arrays.stream(raw).map(this::whitened).toArray(double[][][]::new);
     linear = new Linear(given, white, columns);
   }
@@ -46,6 +63,11 @@ final class Slopes {
       }
     }
     return free;
+  }
+
+  private Optional<double[][]> rawOf(int index) {
+    int at = free.indexOf(index);
+    return at < 0 ? Optional.empty() : Optional.of(raw[at]);
   }
 
   private double[][] column(int index) {
@@ -71,6 +93,10 @@ final class Slopes {
     double[][] result = new double[column.length][];
     Arrays.setAll(result, c -> white[c].of(column[c]));
     return result;
+  }
+
+  MotionFit fit() {
+    return fit;
   }
 
   Whitening[] white() {

@@ -1,5 +1,7 @@
 package simbad.gap.motion;
 
+import simbad.motion.effect.MotionForm;
+
 /**
  * What a log says, slips left out or not.
  *
@@ -8,4 +10,12 @@ package simbad.gap.motion;
  * @param gap before and after the most probable set
  * @param scatter beside it
  */
-record Told(MotionSteps given, Odds odds, MotionGap gap, NoiseFindings scatter) {}
+record Told(MotionSteps given, Odds odds, MotionGap gap, NoiseFindings scatter) {
+  /** Returns by how much a form of the most probable set makes the log likelier, in nats. */
+  double gain(MotionForm form) {
+    MotionFit best = odds.best().fit();
+    double[][] without = given.residuals(best.hypothesis().without(form).chain());
+    double lost = best.score() - Whitening.logDensity(given, best.noises(), without);
+    return lost / odds.clumping();
+  }
+}

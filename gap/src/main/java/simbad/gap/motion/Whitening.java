@@ -54,27 +54,30 @@ final class Whitening {
     double tracker = noise.tracker() * noise.tracker();
     double process = noise.process() * noise.process();
     double nu = noise.freedom();
+    double perWeight = 1 / (nu + 1);
     double error = 0;
     double errorVar = tracker;
+    LogProduct sizes = new LogProduct();
+    LogProduct variances = new LogProduct();
     for (int i = 0; i < residuals.length; i++) {
-      MotionSteps.Step step = given.step(i);
-      if (!step.chained()) {
+      if (!given.isChained(i)) {
         error = 0;
         errorVar = tracker;
       }
-      double variance = errorVar + process * loads[i] * step.durationS() + tracker;
+      double variance = errorVar + process * loads[i] * given.durationS(i) + tracker;
       double innovation = residuals[i] + error;
-      double scale = Math.sqrt(variance);
-      double z = innovation / scale;
-      scales[i] = scale;
-      white[i] = z;
-      weights[i] = (nu + 1) / (nu + z * z);
-      logDensity += logDensity(z, scale);
+      double square = innovation * innovation;
+      scales[i] = Math.sqrt(variance);
+      white[i] = innovation / scales[i];
+      weights[i] = (nu + 1) * variance / (nu * variance + square);
+      sizes.times(1 + square / (nu * variance));
+      variances.times(variance);
       // Given Student's t, a far residual came with a variance that was larger by so much.
-      gains[i] = tracker / (variance * Math.max(1, 1 / weights[i]));
+      gains[i] = tracker / Math.max(variance, (nu * variance + square) * perWeight);
       error = gains[i] * innovation;
       errorVar = tracker * (1 - gains[i]);
     }
+    logDensity = residuals.length * constant - (nu + 1) / 2 * sizes.log() - variances.log() / 2;
   }
 
   double logDensity(double z, double scale) {
@@ -101,12 +104,21 @@ final class Whitening {
     return logDensity(z, scales[step]);
   }
 
+  /**
+   * Returns what a residual tells of its mean, over its weight: (nu + 1) / (nu + 3) for Student's t
+   * (Lange, Little and Taylor 1989). Weights alone would say too much, as if far residuals were
+   * known to be far whatever the mean is.
+   */
+  double information() {
+    return (noise.freedom() + 1) / (noise.freedom() + 3);
+  }
+
   /** Makes a column of slopes white by the same filter, its gains as they are. */
   double[] of(double[] column) {
     double[] result = new double[column.length];
     double error = 0;
     for (int i = 0; i < column.length; i++) {
-      double innovation = column[i] + (given.step(i).chained() ? error : 0);
+      double innovation = column[i] + (given.isChained(i) ? error : 0);
       result[i] = innovation / scales[i];
       error = gains[i] * innovation;
     }

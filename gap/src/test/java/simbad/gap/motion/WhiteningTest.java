@@ -1,6 +1,7 @@
 package simbad.gap.motion;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -8,6 +9,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import simbad.motion.Command;
+import simbad.motion.MotionChain;
 import simbad.motion.MotionRun;
 import simbad.motion.TrackPose;
 
@@ -86,5 +88,38 @@ class WhiteningTest {
     Noise found = NoiseFit.afresh(given, three)[0];
     assertEquals(2, found.tracker(), 0.2);
     assertEquals(Math.sqrt(2 * 4 + 9 * 0.5), Math.sqrt(found.variance(0.5, 1)), 0.4);
+  }
+
+  /** Of many factors one logarithm is as good as one of each. */
+  @Test
+  void logProduct_isTheSumOfTheLogarithms() {
+    SplittableRandom random = new SplittableRandom(9);
+    LogProduct product = new LogProduct();
+    double sum = 0;
+    assertEquals(0, product.log());
+    for (int i = 0; i < 3000; i++) {
+      double factor = Math.exp(random.nextDouble(-40, 30));
+      product.times(factor);
+      sum += Math.log(factor);
+    }
+    assertEquals(sum, product.log(), 1e-8);
+  }
+
+  /** A log of 500 s is sampled by every second of its blocks, and these are as they were. */
+  @Test
+  void sample_isAPartOfALongLog() {
+    MotionSteps given = given(2501);
+    MotionSteps sample = given.sample();
+    assertEquals(50, given.blockCount());
+    assertEquals(1250, sample.size());
+    double[][] all = given.residuals(MotionChain.EXACT);
+    double[][] some = sample.residuals(MotionChain.EXACT);
+    for (int i = 0; i < 50; i++) {
+      assertEquals(given.step(i).from(), sample.step(i).from());
+      assertEquals(given.step(100 + i).to(), sample.step(50 + i).to());
+      assertEquals(all[0][100 + i], some[0][50 + i], 1e-9);
+    }
+    MotionSteps shorter = given(1000);
+    assertSame(shorter, shorter.sample());
   }
 }

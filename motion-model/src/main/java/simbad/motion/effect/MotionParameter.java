@@ -13,6 +13,7 @@ import simbad.sonar.check.Checks;
  * @param neutral value at which nothing changes; within the bounds, may be infinite
  * @param practical change that would matter to somebody; above 0, infinite where it matters only by
  *     what other values make of it
+ * @param beside whether it says nothing while the value before it is neutral
  * @param stepped whether motion jumps as the value changes, so that slopes say nothing
  * @param tries values that a fit tries first, by what was commanded
  */
@@ -22,6 +23,7 @@ public record MotionParameter(
     double high,
     double neutral,
     double practical,
+    boolean beside,
     boolean stepped,
     Function<CommandUse, double[]> tries) {
   private static final double PROBE = 0.1;
@@ -47,22 +49,27 @@ public record MotionParameter(
   static MotionParameter smooth(
       String name, double low, double high, double neutral, double practical) {
     return new MotionParameter(
-        name, low, high, neutral, practical, false, use -> new double[] {neutral});
+        name, low, high, neutral, practical, false, false, use -> new double[] {neutral});
   }
 
   /** Returns the same with values that a fit tries, which lie within the bounds. */
   MotionParameter tried(double... values) {
-    return new MotionParameter(name, low, high, neutral, practical, stepped, use -> values.clone());
+    return tried(use -> values.clone());
   }
 
   /** Returns the same with values that a fit tries by what was commanded. */
   MotionParameter tried(Function<CommandUse, double[]> values) {
-    return new MotionParameter(name, low, high, neutral, practical, stepped, values);
+    return new MotionParameter(name, low, high, neutral, practical, beside, stepped, values);
   }
 
   /** Returns the same, jumping. */
   MotionParameter inSteps() {
-    return new MotionParameter(name, low, high, neutral, practical, true, tries);
+    return new MotionParameter(name, low, high, neutral, practical, beside, true, tries);
+  }
+
+  /** Returns the same of a value that says nothing while the one before it is neutral. */
+  MotionParameter besideTheOneBefore() {
+    return new MotionParameter(name, low, high, neutral, practical, true, stepped, tries);
   }
 
   /** Returns by how much the value is moved to see how motion changes. */

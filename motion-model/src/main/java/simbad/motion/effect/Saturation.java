@@ -47,7 +47,9 @@ final class Saturation {
           "saturation: speed while turning",
           List.of(
               RIM.tried(use -> CommandUse.among(use.speeds(), TRIES)),
-              MotionParameter.smooth("lost_m_per_rad", 0, 5, 0, 0.02).tried(Saturation::lost)),
+              MotionParameter.smooth("lost_m_per_rad", 0, 5, 0, 0.02)
+                  .besideTheOneBefore()
+                  .tried(Saturation::lost)),
           p ->
               new WholeCommandChange(
                   (v, w) -> cut(v, Math.max(0, p[0] - p[1] * Math.abs(w))), (v, w) -> w),

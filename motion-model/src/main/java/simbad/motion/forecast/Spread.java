@@ -1,6 +1,7 @@
 package simbad.motion.forecast;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import simbad.sonar.check.Checks;
 
 /**
@@ -60,23 +61,61 @@ public record Spread(double[] limits, double[][][] quantiles) {
     }
     double[][][] quantiles = new double[classes][3][];
     for (int k = 0; k < classes; k++) {
+      int[] members = members(exertions, limits, k);
       for (int c = 0; c < 3; c++) {
-        quantiles[k][c] = quantiles(own(exertions, residuals, limits, k, c));
+        int component = c;
+        quantiles[k][c] =
+            quantiles(Arrays.stream(members).mapToDouble(i -> residuals[i][component]).toArray());
       }
     }
     return new Spread(limits, quantiles);
   }
 
-  private static double[] own(
-      double[] exertions, double[][] residuals, double[] limits, int klass, int component) {
-    double[] values = new double[residuals.length];
-    int n = 0;
-    for (int i = 0; i < values.length; i++) {
-      if (index(limits, exertions[i]) == klass) {
-        values[n++] = residuals[i][component];
+  /**
+   * Learns from residuals how those of another drive of the same length lie. Of each class and
+   * component the means of a drive's parts say how well the mean of all is known; the mean of
+   * another drive is off by as much again. So the quantiles are wider, about their median, as if
+   * that were added to each residual.
+   *
+   * @param exertions by window
+   * @param residuals by window and component, in order of time
+   * @param parts that a drive is cut into, at least 2
+   */
+  public static Spread ofAnother(double[] exertions, double[][] residuals, int parts) {
+    Checks.atLeast("parts", parts, 2);
+    Spread spread = of(exertions, residuals);
+    double[][][] wider = new double[spread.quantiles.length][3][];
+    for (int k = 0; k < wider.length; k++) {
+      int[] members = members(exertions, spread.limits, k);
+      for (int c = 0; c < 3; c++) {
+        double times = times(members, residuals, c, parts);
+        double[] own = spread.quantiles[k][c];
+        double middle = own[QUANTILES / 2];
+        wider[k][c] = Arrays.stream(own).map(q -> middle + times * (q - middle)).toArray();
       }
     }
-    return Arrays.copyOf(values, n);
+    return new Spread(spread.limits, wider);
+  }
+
+  /** By how many times residuals scatter more with the mean of another drive. */
+  private static double times(int[] members, double[][] residuals, int component, int parts) {
+    double mean =
+        Arrays.stream(members).mapToDouble(i -> residuals[i][component]).average().orElse(0);
+    double[] sums = new double[parts];
+    double square = 0;
+    for (int i : members) {
+      double off = residuals[i][component] - mean;
+      sums[(int) ((long) i * parts / residuals.length)] += off;
+      square += off * off;
+    }
+    double ofSum = Arrays.stream(sums).map(sum -> sum * sum).sum() * parts / (parts - 1.0);
+    return square > 0 ? Math.sqrt(1 + 2 * ofSum / members.length / square) : 1;
+  }
+
+  private static int[] members(double[] exertions, double[] limits, int klass) {
+    return IntStream.range(0, exertions.length)
+        .filter(i -> index(limits, exertions[i]) == klass)
+        .toArray();
   }
 
   private static int index(double[] limits, double exertion) {

@@ -5,9 +5,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import simbad.motion.Capture;
+import simbad.motion.CommandReach;
 import simbad.motion.MotionChain;
 import simbad.motion.MotionChange;
 import simbad.motion.Robot;
@@ -31,6 +33,9 @@ public final class DiagnosedMotion {
 
   private static final String FORMAT = "motion-model/1";
   private static final String PARAMETERS = "parameters";
+  private static final String COMMANDED = "commanded";
+  private static final String MAX_SPEED = "max_speed_m_s";
+  private static final String MAX_TURN = "max_turn_rad_s";
   private static final String[] COMPONENTS = {"along_m", "across_m", "turn_rad"};
   private static final double MOST = 1e9;
   private static final Set<String> SCATTERING = Set.of(MotionForms.SLIP, MotionForms.MOTION_NOISE);
@@ -119,6 +124,25 @@ public final class DiagnosedMotion {
     return RobotFile.read(file);
   }
 
+  /**
+   * Reads how far the commands reached of the log that a diagnosis was made of.
+   *
+   * @param folder with motion.json; what older programs wrote does not say
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public static CommandReach reach(Path folder) throws DataFormatException {
+    JsonInput json = model(folder);
+    if (!json.has(COMMANDED)) {
+      return CommandReach.ANY;
+    }
+    JsonInput reach = json.field(COMMANDED);
+    return new CommandReach(size(reach.field(MAX_SPEED)), size(reach.field(MAX_TURN)));
+  }
+
+  private static double size(JsonInput json) throws DataFormatException {
+    return json.number(v -> v >= 0 && v <= MOST, "a finite number of at least 0");
+  }
+
   private static JsonInput model(Path folder) throws DataFormatException {
     Path file = folder.resolve(MODEL);
     if (!Files.exists(file)) {
@@ -202,8 +226,9 @@ public final class DiagnosedMotion {
    *
    * @param forms with values; infinite ones are left out
    * @param spreads how far forecasts may be off, by horizon
+   * @param reach of the log's commands
    */
-  public static String text(List<FittedMotion> forms, List<Spread> spreads) {
+  public static String text(List<FittedMotion> forms, List<Spread> spreads, CommandReach reach) {
     StringBuilder text = new StringBuilder("{\n  \"format\": \"" + FORMAT + "\",\n  \"forms\": [");
     String before = "\n";
     for (FittedMotion fitted : forms) {
@@ -211,13 +236,27 @@ public final class DiagnosedMotion {
       text.append("\", \"" + PARAMETERS + "\": {").append(parameters(fitted)).append("}}");
       before = ",\n";
     }
-    text.append("\n  ],\n  \"spread\": [");
+    text.append("\n  ],\n").append(text(reach)).append("  \"spread\": [");
     before = "\n";
     for (int h = 0; h < spreads.size(); h++) {
       text.append(before).append(text(Windows.horizonsS()[h], spreads.get(h)));
       before = ",\n";
     }
     return text.append("\n  ]\n}\n").toString();
+  }
+
+  /** Infinity is no number of JSON: what bounds nothing is not said. */
+  private static String text(CommandReach reach) {
+    return reach.equals(CommandReach.ANY)
+        ? ""
+        : String.format(
+            Locale.ROOT,
+            "  \"%s\": {\"%s\": %s, \"%s\": %s},\n",
+            COMMANDED,
+            MAX_SPEED,
+            reach.speedMPerS(),
+            MAX_TURN,
+            reach.turnRadPerS());
   }
 
   private static String parameters(FittedMotion fitted) {

@@ -153,4 +153,26 @@ class ForecastTest {
     assertArrayEquals(new double[0], CommandUse.among(new double[0], 5));
     assertArrayEquals(new double[] {0.48, 0.24}, CommandUse.falling(use.speeds(), 0.5, 2), 1e-12);
   }
+
+  /**
+   * Ten parts of 20 residuals that lie about -1 and 1 in turn: the means of the parts scatter by
+   * one, that of all by one over the root of ten, and a tenth of a variance of 2 comes twice.
+   */
+  @Test
+  void anotherDrive_isOffByWhatPartsDifferIn() {
+    double[] exertions = new double[200];
+    double[][] residuals = new double[200][3];
+    for (int i = 0; i < 200; i++) {
+      residuals[i][0] = (i / 20 % 2 == 0 ? 1 : -1) + (i % 2 == 0 ? 1 : -1);
+      residuals[i][1] = i % 2 == 0 ? 1 : -1;
+    }
+    Spread own = Spread.of(exertions, residuals);
+    Spread another = Spread.ofAnother(exertions, residuals, 10);
+    double wider = Math.sqrt(1 + 2 * (1.0 / 9) / 2);
+    int last = Spread.QUANTILES - 1;
+    assertEquals(wider * own.at(0, 0)[last], another.at(0, 0)[last], 1e-12);
+    // Parts that do not differ leave all as it is.
+    assertEquals(own.at(0, 1)[last], another.at(0, 1)[last], 1e-12);
+    assertEquals(0, another.at(0, 2)[last]);
+  }
 }

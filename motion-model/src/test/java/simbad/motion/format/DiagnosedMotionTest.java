@@ -13,6 +13,7 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import simbad.motion.CommandReach;
 import simbad.motion.MotionChain;
 import simbad.motion.Robot;
 import simbad.motion.effect.FittedMotion;
@@ -44,7 +45,8 @@ class DiagnosedMotionTest {
     write(
         DiagnosedMotion.text(
             List.of(fitted("speed-scale", 0.95), fitted("capture-offset: heading", 0.02)),
-            spreads()));
+            spreads(),
+            new CommandReach(0.3, 1.5)));
   }
 
   private void write(String text) throws IOException {
@@ -58,6 +60,16 @@ class DiagnosedMotionTest {
     assertArrayEquals(new double[] {0.25}, read.spreads().get(0).limits());
     assertEquals(2.1, read.spreads().get(2).at(0.3, 2)[18]);
     assertEquals(0, read.spreads().get(2).at(0.2, 2)[18]);
+  }
+
+  /** What a program before this one wrote says nothing of commands. */
+  @Test
+  void reach_isWhatWasCommanded() throws IOException, DataFormatException {
+    assertEquals(new CommandReach(0.3, 1.5), DiagnosedMotion.reach(folder));
+    String good = Files.readString(folder.resolve(DiagnosedMotion.MODEL));
+    write(good.replaceFirst("  \"commanded\".*\n", ""));
+    assertEquals(CommandReach.ANY, DiagnosedMotion.reach(folder));
+    assertEquals(2, DiagnosedMotion.forecast(folder).chain().changes().size());
   }
 
   /** What is about the tracker does not move the robot. */
@@ -93,7 +105,8 @@ class DiagnosedMotionTest {
     checkFault(
         good.replace("\"exertion_limits_m\": [0.25]", "\"exertion_limits_m\": []"), "along_m");
     checkFault(good.replaceFirst("\\[0.0, 0.0, ", "[0.0, "), "19 quantiles");
-    checkFault(DiagnosedMotion.text(List.of(), spreads().subList(0, 2)), "a list of 3");
+    checkFault(
+        DiagnosedMotion.text(List.of(), spreads().subList(0, 2), CommandReach.ANY), "a list of 3");
     Files.delete(folder.resolve(DiagnosedMotion.MODEL));
     DataFormatException none =
         assertThrows(DataFormatException.class, () -> DiagnosedMotion.read(folder));

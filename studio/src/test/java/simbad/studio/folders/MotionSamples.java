@@ -9,6 +9,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import simbad.gap.diagnosis.DataSetFolder;
+import simbad.motion.CommandReach;
 import simbad.motion.Robot;
 import simbad.motion.effect.FittedMotion;
 import simbad.motion.effect.MotionForms;
@@ -108,7 +109,7 @@ final class MotionSamples {
     Spread exact = Spread.one(new double[3][Spread.QUANTILES]);
     Files.writeString(
         folder.resolve("motion.json"),
-        DiagnosedMotion.text(List.of(slow), Collections.nCopies(3, exact)));
+        DiagnosedMotion.text(List.of(slow), Collections.nCopies(3, exact), CommandReach.ANY));
   }
 
   private static ObjectNode said() throws IOException {
