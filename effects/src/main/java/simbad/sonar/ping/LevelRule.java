@@ -27,6 +27,9 @@ public record LevelRule(
     double maxRangeM,
     double rangeScale)
     implements SensorChange {
+  /** A least range is known to no less than this, metres. */
+  private static final double LEAST_STEP_M = 0.005;
+
   /** Checks the figures; NaN is refused. */
   public LevelRule {
     Checks.finite("squintRad", squintRad);
@@ -42,6 +45,16 @@ public record LevelRule(
   public static LevelRule of(SonarSpec sensor) {
     return new LevelRule(
         sensor.levelLaw(), 0, sensor.missRate(), 0, 0, sensor.minRangeM(), sensor.maxRangeM(), 1);
+  }
+
+  /**
+   * Returns within what a sensor's least range is known: it was read off in steps of the readings,
+   * so it lies anywhere in the last one, from the stated least range down.
+   *
+   * @return metres, at least 5 mm
+   */
+  public static double leastRangeStepM(SonarSpec sensor) {
+    return Math.max(LEAST_STEP_M, sensor.resolutionM());
   }
 
   /** There is no cone: all before the baffle counts, and the beam says how much. */

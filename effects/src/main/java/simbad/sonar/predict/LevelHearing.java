@@ -12,6 +12,7 @@ import simbad.sonar.ping.EchoPath;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.LevelChange;
 import simbad.sonar.ping.LevelEars;
+import simbad.sonar.ping.LevelRule;
 import simbad.sonar.ping.LevelStrength;
 import simbad.sonar.ping.QuickNormal;
 import simbad.sonar.scene.SonarSpec;
@@ -21,9 +22,6 @@ import simbad.sonar.scene.SonarSpec;
  * read late by the walk of its excess. A buffer that is filled anew.
  */
 final class LevelHearing {
-  /** A least range is known to a step of the readings that it was read off, or to this, metres. */
-  private static final double LEAST_STEP_M = 0.005;
-
   private final Geometry geometry;
   private final LevelEars ears;
   private final LevelLaw law;
@@ -64,7 +62,7 @@ final class LevelHearing {
             .filter(change -> !(change instanceof LevelStrength || change instanceof EchoPath))
             .toArray(LevelChange[]::new);
     minRangeM = sensor.minRangeM();
-    stepM = Math.max(LEAST_STEP_M, sensor.resolutionM());
+    stepM = LevelRule.leastRangeStepM(sensor);
     maxRangeM = sensor.maxRangeM();
     heardShare = 1 - sensor.missRate();
     double variance = 0;

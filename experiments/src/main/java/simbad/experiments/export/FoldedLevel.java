@@ -66,9 +66,13 @@ final class FoldedLevel {
     return rule.map(LevelRule::squintRad).orElse(0.0);
   }
 
-  /** Returns the sensor with the ranges that the law was calibrated to. */
+  /**
+   * Returns the sensor with the ranges that the law was calibrated to: the least is that from which
+   * on an echo is more likely than not.
+   */
   SonarSpec sensor(SonarSpec changed) {
-    return changed.withRange(rule().minRangeM(), rule().maxRangeM());
+    double least = rule().minRangeM() - LevelRule.leastRangeStepM(changed) / 2;
+    return changed.withRange(Math.max(0, least), rule().maxRangeM());
   }
 
   /**

@@ -191,6 +191,39 @@ class LevelDiagnosisHeaderTest {
     assertTrue(wholeOther <= poses.size() / 1000, wholeOther + " whole ones");
   }
 
+  /**
+   * A least range lies anywhere in its last step: half of that step is heard more often than not.
+   * Left out is where that and the strength are both unsure, which a header has no figure for.
+   */
+  @Test
+  void aroundTheLeastRange_itReadsWhatTheDiagnosedModelExpects() throws Exception {
+    Compilers.need("gcc");
+    FittedModel model = model(true, "");
+    LevelHeader header = new LevelHeader(new FoldedDiagnosis(model, ""), "sonar");
+    List<int[]> poses = HeaderPoses.all(0.07, 5);
+    List<String> lines = readInC(header, "gcc", poses);
+    Geometry geometry = model.diagnosed().geometry(new PingLog(rows(poses)));
+    List<ReadingDistribution> forecast = model.diagnosed().forecast(geometry);
+    double least = setup().sensor().minRangeM();
+    int within = 0;
+    int other = 0;
+    for (int i = 0; i < lines.size(); i++) {
+      double metres = Double.parseDouble(lines.get(i).split(" ", -1)[1]);
+      double expected = median(forecast.get(i));
+      boolean alike = metres < 0 ? expected < 0 : Math.abs(metres - expected) < 1e-4;
+      double nearer = least - geometry.nearestM(i);
+      boolean isSure =
+          Math.abs(geometry.excessDb(i)) > geometry.excessDeviationDb(i)
+              && Math.abs(nearer - 0.0025) > 0.0005;
+      if (nearer > 0 && isSure) {
+        other += alike ? 0 : 1;
+        within += expected >= 0 ? 1 : 0;
+      }
+    }
+    assertTrue(within > 100, within + " echoes nearer than the least range");
+    assertTrue(other <= poses.size() / 5000, other + " of " + poses.size() + " read otherwise");
+  }
+
   /** The middle of what is expected; -1 for no echo. */
   private static double median(ReadingDistribution one) {
     return one.noEchoProbability() > 0.5 ? -1 : one.quantileM(0.5, NO_ECHO_M);
