@@ -90,19 +90,12 @@ public final class Calibration implements SetupDoubt {
   }
 
   /**
-   * Calibrates the law that the scene states, else the one of the two that foretells rows of the
-   * reference better which it was not fitted on.
+   * Calibrates the law that the scene states; the threshold rule where it states none ({@link Laws}
+   * chooses between the two).
    */
   public static Calibration of(SensingSetup setup, PingLog reference) {
-    Optional<SensorLaw.Model> stated = setup.sensor().law().model();
-    if (stated.isPresent()) {
-      return stated.get() == SensorLaw.Model.LEVEL
-          ? ofLevel(setup, reference, ModelError.ofLevel(setup, reference))
-          : ofThreshold(setup, reference);
-    }
-    SensingSetup level = setup.under(SensorLaw.Model.LEVEL);
-    return new Blocks(reference).canBeHeldOut() && new Rivals(setup, reference).isLevelBetter()
-        ? ofLevel(level, reference, ModelError.ofLevel(level, reference))
+    return setup.sensor().law().isLevel()
+        ? ofLevel(setup, reference, ModelError.ofLevel(setup, reference))
         : ofThreshold(setup, reference);
   }
 

@@ -37,11 +37,6 @@ final class Rivals {
     blocks = new Blocks(reference);
   }
 
-  /** Tells whether the level law foretells better. */
-  boolean isLevelBetter() {
-    return gainedNats() > 0;
-  }
-
   /** Returns by how much the level law foretells better, natural logarithm. */
   double gainedNats() {
     LevelCalibrator calibrator = new LevelCalibrator(level, reference);

@@ -91,9 +91,9 @@ final class Predictor {
   double perTurnDb(Row row) {
     Believed own = targets.get(row.trial.target());
     double rise =
-        strengthDb(own, row.here, row.trial.target())
-            - strengthDb(own, row.next, row.trial.target());
-    return -rise * LevelForms.BEARINGS / Angles.TURN_RAD;
+        strengthDb(own, row.next, row.trial.target())
+            - strengthDb(own, row.here, row.trial.target());
+    return rise * LevelForms.BEARINGS / Angles.TURN_RAD;
   }
 
   private double strengthDb(Believed own, int lobe, int target) {
