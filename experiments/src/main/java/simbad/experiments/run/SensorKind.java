@@ -157,8 +157,8 @@ public final class SensorKind {
     return robot;
   }
 
-  /** Returns the name of the sensor alone. */
-  String hearing() {
+  /** Returns the name of the sensor alone, without the robot that it sits on. */
+  public String hearing() {
     return robot
         .map(moving -> word.substring(0, word.length() - ("-on-" + moving.name()).length()))
         .orElse(word);

@@ -77,7 +77,11 @@ final class DiagnosisPage {
         " simulator as it is \u00a0 ",
         Html.key("after"),
         " diagnosed model. The pictures show all rows, also those used for the fit. "
-            + "The gaps above are from held-out rows only, which the fit never saw.");
+            + "The gaps above are from held-out rows only, which the fit never saw."
+            + (diagnosis.calibration().size() > 0
+                ? " They begin at the set-up as its reference shows it. The simulator as it is "
+                    + "does not know the reference; the diagnosed model does."
+                : ""));
     List<PagePicture> pictures = new ArrayList<>();
     List<Obstacle> obstacles = data.setup().scene().obstacles();
     for (int i = 0; i < Math.min(MOST_MAPS, obstacles.size()); i++) {

@@ -116,7 +116,7 @@ public record ErrorPlot(Caption caption, List<ErrorSeries> series, List<PolarPoi
         series.name(),
         column(points, 0),
         column(points, 1),
-        PlotLook.of(series.role()).slim(),
+        PlotLook.of(series.role()).slim().withPattern(series.pattern()),
         SeriesStyle.LINE);
   }
 

@@ -118,7 +118,7 @@ final class PlanView {
         series.name(),
         PlotCurve.joined(x, series.style()),
         PlotCurve.joined(y, series.style()),
-        PlotLook.of(series.role()),
+        PlotLook.of(series.role()).withPattern(series.pattern()),
         series.style());
   }
 }

@@ -92,6 +92,7 @@ final class RunPictures {
               "trace, " + result.sensor().word() + " sensor",
               SensorRoles.of(result.sensor()),
               SeriesStyle.LINE,
+              SensorRoles.pattern(result.sensor()),
               places(result.trace())));
     }
     return new PolarPlot(
@@ -109,6 +110,7 @@ final class RunPictures {
           new ErrorSeries(
               result.sensor().word() + " sensor",
               SensorRoles.of(result.sensor()),
+              SensorRoles.pattern(result.sensor()),
               bearingErrors(result)));
     }
     ObstacleType type = results.get(0).type();

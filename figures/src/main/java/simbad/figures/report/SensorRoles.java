@@ -2,15 +2,24 @@ package simbad.figures.report;
 
 import java.util.Optional;
 import simbad.experiments.run.SensorKind;
+import simbad.figures.plot.PolarSeries;
 import simbad.figures.plot.SeriesRole;
 
 /** What a sensor's curve stands for in every picture. */
 public final class SensorRoles {
   private SensorRoles() {}
 
-  /** Returns the role of a sensor: one of its own, or {@link SeriesRole#OTHER}. */
+  /**
+   * Returns the role of a sensor: one of its own, or {@link SeriesRole#OTHER}. On a robot that
+   * moves in its own way a sensor keeps its role and is dashed otherwise.
+   */
   public static SeriesRole of(SensorKind sensor) {
-    return usual(sensor.word()).orElse(SeriesRole.OTHER);
+    return usual(sensor.hearing()).orElse(SeriesRole.OTHER);
+  }
+
+  /** Returns the dash of a sensor's curve: that of its role, or the one of moving robots. */
+  static int pattern(SensorKind sensor) {
+    return sensor.robot().isPresent() ? PolarSeries.SECOND : 0;
   }
 
   /**

@@ -22,7 +22,8 @@ final class SensorStyle {
   private SensorStyle() {}
 
   static String of(RunResult result) {
-    return "trace " + SensorRoles.of(result.sensor()).name().toLowerCase(Locale.ROOT);
+    String role = SensorRoles.of(result.sensor()).name().toLowerCase(Locale.ROOT);
+    return "trace " + role + (SensorRoles.pattern(result.sensor()) == 0 ? "" : " second");
   }
 
   /** The results in the order in which they are drawn. */

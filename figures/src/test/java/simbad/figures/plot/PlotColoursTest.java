@@ -1,5 +1,6 @@
 package simbad.figures.plot;
 
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
@@ -18,6 +19,20 @@ class PlotColoursTest {
         if (one.compareTo(other) < 0) {
           assertTrue(differ(PlotLook.of(one), PlotLook.of(other)), one + " and " + other);
         }
+      }
+    }
+  }
+
+  /** A sensor on a robot that moves in its own way is dashed as none is by itself. */
+  @Test
+  void secondSeriesOfARole_areToldApart() {
+    for (SeriesRole role : SeriesRole.values()) {
+      PlotLook second = PlotLook.of(role).withPattern(PolarSeries.SECOND);
+      float[] dash = second.stroke().getDashArray();
+      for (SeriesRole other : SeriesRole.values()) {
+        assertFalse(
+            Arrays.equals(dash, PlotLook.of(other).stroke().getDashArray()),
+            role + " and " + other);
       }
     }
   }
