@@ -14,6 +14,8 @@ import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.effect.Probe;
+import simbad.sonar.level.Air;
+import simbad.sonar.level.LevelDefaults;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 
@@ -36,7 +38,7 @@ public final class AbsorptionEffect implements Definition {
 
   @Override
   public String cause() {
-    return "warmer or drier air, fog, dust";
+    return "air of another temperature or humidity";
   }
 
   @Override
@@ -52,14 +54,22 @@ public final class AbsorptionEffect implements Definition {
         .toList();
   }
 
+  /**
+   * No air takes more than {@link Air#mostDbPerM} says: what seems to take more is no air. A room's
+   * air is what may have been believed in vain.
+   */
   @Override
   public List<Form> levelForms(SensingSetup setup, List<String> sensors) {
+    double hz = setup.sensor().law().level().frequencyHz().orElse(LevelDefaults.FREQUENCY_HZ);
+    double most = Air.mostDbPerM(hz) - Air.leastDbPerM(hz);
+    double least = -Air.ROOM.absorptionDbPerM(hz);
+    double[] starts = {0.6 * least, 0.3 * least, most / 5, 2 * most / 5, 3 * most / 4};
     return List.of(
         Form.of(
             effect(),
             "level",
             v -> new LevelAbsorption(v[0]),
-            Parameter.of("added_db_per_m", 0, -1.3, 6, -0.8, -0.4, 0.4, 0.8, 1.5, 3)));
+            Parameter.of("added_db_per_m", 0, least, most, starts)));
   }
 
   /** 0.05 for each metre is a tenth at two; a fifth of a decibel per metre. */

@@ -20,7 +20,10 @@ import simbad.sonar.level.StrengthTable;
 import simbad.sonar.ping.EchoPath;
 import simbad.sonar.ping.LevelRule;
 import simbad.sonar.ping.LevelStrength;
+import simbad.sonar.ping.NearEcho;
+import simbad.sonar.ping.NearField;
 import simbad.sonar.ping.Scenes;
+import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
 
@@ -46,6 +49,8 @@ public final class LevelForms {
 
   /** No ranger hears further than so many times what is said of it. */
   private static final double FURTHEST_TIMES = 5;
+
+  private static final String NEAR_FIELD = "near-field:";
 
   /** Name of the law's form. */
   public static final String LAW = "level";
@@ -227,6 +232,25 @@ public final class LevelForms {
         parameters);
   }
 
+  /**
+   * Returns the form of where an obstacle's echo comes from: 1 for where it adds up.
+   *
+   * @param setup of which the carrier counts
+   * @param label of the obstacle
+   */
+  public static Form nearField(SensingSetup setup, String label) {
+    Optional<String> only = Optional.of(label);
+    int at = Scenes.labels(setup.scene()).indexOf(label);
+    Obstacle obstacle = setup.scene().obstacles().get(at);
+    NearEcho known =
+        new NearEcho(only, Optional.of(new NearField(obstacle, wavenumberPerM(setup))));
+    NearEcho none = new NearEcho(only, Optional.empty());
+    return form(
+        NEAR_FIELD + label,
+        v -> v[0] == 0 ? none : known,
+        List.of(Parameter.of("where_it_adds_up", 0, 0, 1)));
+  }
+
   private static StrengthTable table(double[] v, int number) {
     return StrengthTable.of(Arrays.copyOfRange(v, number * BEARINGS, (number + 1) * BEARINGS));
   }
@@ -241,7 +265,7 @@ public final class LevelForms {
       return Optional.of(law(setup));
     }
     return Scenes.labels(setup.scene()).stream()
-        .flatMap(label -> Stream.of(strength(label), path(label)))
+        .flatMap(label -> Stream.of(strength(label), path(label), nearField(setup, label)))
         .filter(form -> form.name().equals(name))
         .findFirst();
   }

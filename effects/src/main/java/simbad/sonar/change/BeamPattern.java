@@ -48,7 +48,7 @@ public record BeamPattern(double widthRad, double power, Law law, Angle angle)
     double off =
         switch (angle) {
           case CENTRE -> Math.abs(geometry.offAxisRad(line));
-          case NEAREST -> geometry.nearestOffAxisRad(line);
+          case NEAREST -> Math.abs(geometry.echoOffAxisRad(line));
           case OUTLINE -> geometry.outlineOffAxisRad(line);
         };
     double u = Math.min(off, geometry.coneHalfAngleRad()) / widthRad;

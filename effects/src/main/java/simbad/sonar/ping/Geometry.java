@@ -48,7 +48,7 @@ public final class Geometry {
 
   private final double[] outlineOffAxisRad;
 
-  private final double[] nearestOffAxisRad;
+  private final double[] echoOffAxisRad;
   private final double[] longestEdgeM;
 
   /** Of lines under the level law: not a number until it is asked for. */
@@ -119,7 +119,7 @@ public final class Geometry {
     thresholdM = new double[lines];
     offAxisRad = new double[lines];
     outlineOffAxisRad = new double[lines];
-    nearestOffAxisRad = new double[lines];
+    echoOffAxisRad = new double[lines];
     ears = LevelEars.of(changes, scene, labels);
     excessDb = new double[ears == null ? 0 : lines];
     excessDeviationDb = new double[excessDb.length];
@@ -208,7 +208,7 @@ public final class Geometry {
       thresholdM[line] = sight.thresholdM();
       offAxisRad[line] = Double.NaN;
       outlineOffAxisRad[line] = Double.NaN;
-      nearestOffAxisRad[line] = Double.NaN;
+      echoOffAxisRad[line] = Double.NaN;
       if (ears != null) {
         excessDb[line] = Double.NaN;
       }
@@ -403,19 +403,26 @@ public final class Geometry {
   }
 
   /**
-   * Returns the angle from the heading to the point of the obstacle that is nearest in the cone,
-   * radians in [0, pi]; the cone's half angle where none is.
+   * Returns the angle from the heading to where an obstacle's echo comes from: the point that is
+   * nearest in the cone, or what a calibration under the level law knows better.
+   *
+   * @return radians in [-pi, pi], positive counter-clockwise; the cone's half angle where the
+   *     obstacle has no point in the cone
    */
-  public double nearestOffAxisRad(int line) {
-    return Math.abs(nearestSignedOffAxisRad(line));
+  public double echoOffAxisRad(int line) {
+    if (Double.isNaN(echoOffAxisRad[line])) {
+      echoOffAxisRad[line] =
+          ears != null && ears.hasNearField(line % obstacles)
+              ? centreOfEcho(ears, line)
+              : nearestOffAxis(line);
+    }
+    return echoOffAxisRad[line];
   }
 
-  /** Returns the same with its sign, positive counter-clockwise. */
-  public double nearestSignedOffAxisRad(int line) {
-    if (Double.isNaN(nearestOffAxisRad[line])) {
-      nearestOffAxisRad[line] = nearestOffAxis(line);
-    }
-    return nearestOffAxisRad[line];
+  private double centreOfEcho(LevelEars known, int line) {
+    return nearestM[line] == Double.POSITIVE_INFINITY
+        ? coneHalfAngleRad()
+        : Angles.signed(offAxisRad(line) + known.offCentreRad(this, line));
   }
 
   private double nearestOffAxis(int line) {

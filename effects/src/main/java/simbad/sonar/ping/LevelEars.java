@@ -36,6 +36,7 @@ public final class LevelEars {
   private final List<Obstacle> obstacles;
   private final LevelStrength[] strength;
   private final EchoPath[] path;
+  private final NearField[] near;
 
   private LevelEars(
       LevelRule rule, Scene scene, List<String> labels, List<? extends Change> changes) {
@@ -43,12 +44,16 @@ public final class LevelEars {
     obstacles = scene.obstacles();
     strength = new LevelStrength[labels.size()];
     path = new EchoPath[labels.size()];
+    near = new NearField[labels.size()];
     for (int i = 0; i < strength.length; i++) {
       for (LevelStrength one : Change.only(LevelStrength.class, changes)) {
         strength[i] = one.isOf(labels.get(i)) ? one : strength[i];
       }
       for (EchoPath one : Change.only(EchoPath.class, changes)) {
         path[i] = one.isOf(labels.get(i)) ? one : path[i];
+      }
+      for (NearEcho one : Change.only(NearEcho.class, changes)) {
+        near[i] = one.isOf(labels.get(i)) ? one.field().orElse(near[i]) : near[i];
       }
     }
   }
@@ -92,8 +97,8 @@ public final class LevelEars {
   }
 
   /**
-   * Returns what a wider piston adds to the level in the direction of an obstacle's nearest point:
-   * it hears there what this one hears further off its axis.
+   * Returns what a wider piston adds to the level in the direction of an obstacle's echo: it hears
+   * there what this one hears further off its axis.
    *
    * @param factor of the radius, positive
    * @param geometry of all pings
@@ -101,7 +106,7 @@ public final class LevelEars {
    * @return decibels
    */
   public double widenedDb(double factor, Geometry geometry, int line) {
-    double offAxis = geometry.nearestSignedOffAxisRad(line) - rule.squintRad();
+    double offAxis = geometry.echoOffAxisRad(line) - rule.squintRad();
     return widenedDb(law().beam(), offAxis, factor) - beamDb(law().beam(), offAxis);
   }
 
@@ -130,12 +135,32 @@ public final class LevelEars {
     return Math.max(LEAST_BEAM_DB, beam.twoWayDb(offAxisRad));
   }
 
+  /** Tells whether more is known of where an obstacle's echo comes from than its nearest point. */
+  boolean hasNearField(int obstacle) {
+    return near[obstacle] != null;
+  }
+
+  /** By how much its echo is stronger at this distance than its strength says, decibels. */
+  public double nearDb(Geometry geometry, int line) {
+    NearField known = near[line % near.length];
+    return known == null
+        ? 0
+        : known.addedDb(geometry.bearingRad(line), geometry.centreDistanceM(line));
+  }
+
+  /** From where its echo comes, as an angle from the direction of its centre, radians. */
+  double offCentreRad(Geometry geometry, int line) {
+    return near[line % near.length].offCentreRad(
+        geometry.bearingRad(line), geometry.centreDistanceM(line));
+  }
+
   /** By how much the echo of an obstacle exceeds the threshold before any effect, decibels. */
   double excessDb(Geometry geometry, int line) {
-    double offAxis = geometry.nearestSignedOffAxisRad(line) - rule.squintRad();
+    double offAxis = geometry.echoOffAxisRad(line) - rule.squintRad();
     return strengthDb(line % strength.length, geometry.bearingRad(line))
         + law().levelDb()
         + beamDb(law().beam(), offAxis)
+        + nearDb(geometry, line)
         - law().lossDb(geometry.centreDistanceM(line));
   }
 
@@ -158,7 +183,7 @@ public final class LevelEars {
   /** How far that may be off, from ping to ping and for want of knowledge, decibels. */
   double deviationDb(Geometry geometry, int line) {
     double own = law().excessSdDb();
-    double offAxis = geometry.nearestSignedOffAxisRad(line) - rule.squintRad();
+    double offAxis = geometry.echoOffAxisRad(line) - rule.squintRad();
     double aim = aimDb(law().beam(), offAxis);
     double squint = aim * rule.squintDeviationRad() / AIM_RAD;
     double ringing = ringingDb(geometry.nearestM(line));

@@ -80,7 +80,7 @@ class EffectDetailsTest {
 
   private static double nearestOffAxis(Pose pose) {
     PingLog log = new PingLog(List.of(Logs.row(0, pose, Logs.SILENCE)));
-    return new ChangedModel(BOX, List.of()).geometry(log).nearestOffAxisRad(0);
+    return Math.abs(new ChangedModel(BOX, List.of()).geometry(log).echoOffAxisRad(0));
   }
 
   /** From 0.625 m by 0.15 m a ping; at 1.125 m, 0.6 m from where it began, round again. */

@@ -533,10 +533,10 @@ class EffectsClosedFormTest {
     double toCornerRad = Math.atan2(0.175, 0.875);
     for (double turnedRad : new double[] {0, Math.toRadians(20), Math.toRadians(-5)}) {
       Geometry geometry = geometry(Pose.of(0, 0.3, turnedRad));
-      assertEquals(Math.abs(toCornerRad - turnedRad), geometry.nearestOffAxisRad(0), 1e-9);
+      assertEquals(Math.abs(toCornerRad - turnedRad), Math.abs(geometry.echoOffAxisRad(0)), 1e-9);
     }
     Geometry aside = geometry(Pose.of(0, 0.3, Math.toRadians(45)));
-    assertEquals(Math.toRadians(27.5), aside.nearestOffAxisRad(0), 1e-9);
+    assertEquals(Math.toRadians(27.5), aside.echoOffAxisRad(0), 1e-9);
   }
 
   private static Geometry geometry(Pose pose) {

@@ -78,7 +78,7 @@ final class Wandering {
     add(
         SIDE,
         false,
-        line -> Math.toDegrees(geometry.nearestSignedOffAxisRad(line)),
+        line -> Math.toDegrees(geometry.echoOffAxisRad(line)),
         at ->
             said("at about %.0f degrees ", Math.abs(at))
                 + (at < 0 ? "to the right" : "to the left"));

@@ -1,5 +1,7 @@
 package simbad.sonar.level;
 
+import java.util.stream.IntStream;
+
 /**
  * Still air at one atmosphere.
  *
@@ -10,6 +12,8 @@ public record Air(double temperatureC, double humidityPercent) {
   /** A room: what is assumed of a bench that does not say. */
   public static final Air ROOM = new Air(20, 50);
 
+  private static final double COLDEST_C = -40;
+  private static final double WARMEST_C = 60;
   private static final double ZERO_C_IN_K = 273.15;
   private static final double REFERENCE_K = 293.15;
   private static final double TRIPLE_POINT_K = 273.16;
@@ -18,7 +22,7 @@ public record Air(double temperatureC, double humidityPercent) {
 
   /** Checks both figures. */
   public Air {
-    require("temperatureC", temperatureC, -40, 60);
+    require("temperatureC", temperatureC, COLDEST_C, WARMEST_C);
     require("humidityPercent", humidityPercent, 0, 100);
   }
 
@@ -62,6 +66,30 @@ public record Air(double temperatureC, double humidityPercent) {
     double nitrogen = 0.1068 * Math.exp(-3352.0 / kelvin) / (nitrogenHz + f2 / nitrogenHz);
     double classical = 1.84e-11 * Math.sqrt(ratio);
     return NEPER_IN_DB * f2 * (classical + Math.pow(ratio, -2.5) * (oxygen + nitrogen));
+  }
+
+  /**
+   * Returns what air takes at most, at any temperature and humidity that this formula is for: at 40
+   * kHz 2.2 dB for each metre, at 60 degrees Celsius and 7 %.
+   *
+   * @param frequencyHz positive
+   * @return decibels per metre of the way
+   */
+  public static double mostDbPerM(double frequencyHz) {
+    return IntStream.rangeClosed(0, 100)
+        .mapToDouble(percent -> new Air(WARMEST_C, percent).absorptionDbPerM(frequencyHz))
+        .max()
+        .orElseThrow();
+  }
+
+  /**
+   * Returns what air takes at least, of the same: at 40 kHz 0.23 dB for each metre, in dry cold.
+   *
+   * @param frequencyHz positive
+   * @return decibels per metre of the way
+   */
+  public static double leastDbPerM(double frequencyHz) {
+    return new Air(COLDEST_C, 0).absorptionDbPerM(frequencyHz);
   }
 
   /** Molar concentration of water vapour in percent. */

@@ -35,6 +35,26 @@ class AirTest {
     assertEquals(dbPerKm, 1000 * Air.ROOM.absorptionDbPerM(frequencyHz), 0.01 * dbPerKm);
   }
 
+  /** Found by looking at each degree and each percent. */
+  @Test
+  void mostAndLeast_areThoseOfAllAir() {
+    for (double hz : new double[] {25_000, 40_000, 60_000}) {
+      double most = 0;
+      double least = Double.POSITIVE_INFINITY;
+      for (int celsius = -40; celsius <= 60; celsius++) {
+        for (int percent = 0; percent <= 100; percent++) {
+          double here = new Air(celsius, percent).absorptionDbPerM(hz);
+          most = Math.max(most, here);
+          least = Math.min(least, here);
+        }
+      }
+      assertEquals(most, Air.mostDbPerM(hz), 1e-12);
+      assertEquals(least, Air.leastDbPerM(hz), 1e-12);
+    }
+    assertEquals(2.2, Air.mostDbPerM(40_000), 0.05);
+    assertEquals(0.23, Air.leastDbPerM(40_000), 0.005);
+  }
+
   /**
    * ISO 9613-2:1996, table 2, which its authors computed by part 1: dB per km at the exact middles
    * of eight octaves, to the digits that it gives.

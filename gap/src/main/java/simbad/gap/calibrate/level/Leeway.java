@@ -330,7 +330,7 @@ public final class Leeway {
       if (line >= 0) {
         boolean read = geometry.log().echo(ping);
         Predictor.Row row =
-            predictor.row(Trials.trial(geometry, line, read).with(added[line], 1, 0));
+            predictor.row(Trials.trial(geometry, line, read).plus(added[line], 1, 0));
         Predictor.Excess own = predictor.excess(row);
         predictor.slope(row, own, slope);
         int turn = excessCovariance.getRowDimension() - targets + row.trial().target();

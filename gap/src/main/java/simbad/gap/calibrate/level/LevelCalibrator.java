@@ -36,6 +36,7 @@ public final class LevelCalibrator {
   private static final double MOST_REFERENCE_M = 3;
 
   private final SensingSetup setup;
+  private Hypothesis nearFields = Hypothesis.NONE;
   private final Geometry geometry;
   private final LevelLaw believed;
   private final List<Believed> targets = new ArrayList<>();
@@ -52,10 +53,25 @@ public final class LevelCalibrator {
     this.setup = setup;
     believed = setup.sensor().levelLaw();
     LevelRule rule = LevelRule.of(setup.sensor());
-    geometry = new Geometry(reference, setup, List.of(rule));
     setup.scene().obstacles().forEach(one -> targets.add(new Believed(one, believed)));
     layout = new Layout(targets);
     prior = new Prior(layout, setup.sensor(), targets, reference.sensors().size());
+    Geometry chosen = new Geometry(reference, setup, List.of(rule));
+    double evidence = evidence(chosen);
+    for (String label : Scenes.labels(setup.scene())) {
+      Form more = LevelForms.nearField(setup, label);
+      Hypothesis with = nearFields.and(more, 1);
+      List<Change> changes = new ArrayList<>(with.changes());
+      changes.add(rule);
+      Geometry other = new Geometry(reference, setup, changes);
+      double its = evidence(other);
+      if (its > evidence) {
+        nearFields = with;
+        chosen = other;
+        evidence = its;
+      }
+    }
+    geometry = chosen;
   }
 
   /**
@@ -94,6 +110,19 @@ public final class LevelCalibrator {
         || (effect instanceof EchoChange && !(effect instanceof RangeChange));
   }
 
+  /** How probable the whole reference is where echoes come from as they do there. */
+  private double evidence(Geometry here) {
+    Limits limits = Limits.of(here, setup.sensor(), Fold.ALL);
+    return levels(Trials.of(here, limits.of(setup.sensor()), Fold.ALL, List.of())).evidence();
+  }
+
+  private LevelFit levels(List<Trials.Trial> trials) {
+    Predictor predictor =
+        new Predictor(layout, believed, targets, LevelForms.wavenumberPerM(setup));
+    List<Trials.Trial> cones = Cones.of(setup.scene(), setup.sensor().coneHalfAngleRad());
+    return new LevelFit(prior, predictor, trials, cones, setup.sensor().missRate());
+  }
+
   private LevelCalibration fit(
       Limits limits, List<Trials.Trial> trials, List<Trials.Trial> ofRanges) {
     Predictor predictor =
@@ -105,7 +134,7 @@ public final class LevelCalibrator {
     RealMatrix covariance = fit.covariance();
     double[] law = law(fit, covariance, ranges, limits);
     Form form = LevelForms.law(setup);
-    Hypothesis calibrated = Hypothesis.NONE.and(form, law);
+    Hypothesis calibrated = nearFields.and(form, law);
     LevelLaw fitted = ((LevelRule) form.with(law)).law();
     List<String> labels = Scenes.labels(setup.scene());
     for (int target = 0; target < labels.size(); target++) {

@@ -24,6 +24,7 @@ final class LevelFit {
   private final List<Predictor.Row> cones;
   private final Misses misses;
   private double[] values;
+  private double cost;
   private RealMatrix information = MatrixUtils.createRealIdentityMatrix(1);
   private double[] gradient = {};
 
@@ -48,7 +49,7 @@ final class LevelFit {
     this.cones = cones.stream().map(predictor::row).toList();
     misses = new Misses(missRate);
     values = prior.mean();
-    double cost = Double.POSITIVE_INFINITY;
+    cost = Double.POSITIVE_INFINITY;
     for (int step = 0; step < STEPS; step++) {
       double next = step();
       if (cost - next < GAIN && step > 2) {
@@ -149,6 +150,13 @@ final class LevelFit {
   /** Returns the values. */
   double[] values() {
     return values.clone();
+  }
+
+  /**
+   * Returns how probable the log is, of all values, by Laplace; natural logarithm and a constant.
+   */
+  double evidence() {
+    return -cost - Matrices.logDeterminant(information) / 2;
   }
 
   /** Returns how improbable the values were before the log: natural logarithm. */

@@ -2,6 +2,7 @@ package simbad.gap.calibrate.level;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.hipparchus.linear.ArrayRealVector;
 import org.hipparchus.linear.CholeskyDecomposition;
 import org.hipparchus.linear.MatrixUtils;
@@ -15,56 +16,80 @@ import simbad.sonar.frame.Angles;
  * what lies far off.
  */
 final class PathFit {
-  private static final double DEGREES = 4;
-
   private final Believed target;
   private final double[][] prior;
+  private final List<Trials.Trial> read;
+
+  /** Of the echoes that were read, those of this obstacle. */
+  private final int[] own;
+
   private double[] added;
-  private double[] deviation;
+  private CholeskyDecomposition known;
+  private RealMatrix solved;
+  private double[] alone;
 
   /**
    * Creates one that knows no reading.
    *
    * @param target the obstacle
+   * @param number of this obstacle
+   * @param read echoes that were read, of all obstacles
    */
-  PathFit(Believed target) {
+  PathFit(Believed target, int number, List<Trials.Trial> read) {
     this.target = target;
+    this.read = read;
+    own = IntStream.range(0, read.size()).filter(i -> read.get(i).target() == number).toArray();
     prior = Prior.smooth(target.symmetry(), target.pathSpreadM());
     added = new double[target.orbits()];
-    deviation = new double[added.length];
-    Arrays.fill(deviation, target.pathSpreadM());
+    alone = added;
+    known = Matrices.positive(MatrixUtils.createRealMatrix(prior));
+    solved = MatrixUtils.createRealMatrix(added.length, 1);
   }
 
   /**
-   * Takes readings.
+   * Takes readings, and takes out of the equations of what all obstacles share what its own
+   * bearings explain.
    *
-   * @param trials echoes that were read, of which those of this obstacle count
-   * @param number of this obstacle
-   * @param beyondM by how much each was read too far, metres
-   * @param variance of each, square metres
+   * @param shared the equations
+   * @param row of each echo, how much each shared value counts
+   * @param weight of each echo, one over square metres
    */
-  void fit(List<Trials.Trial> trials, int number, double[] beyondM, double[] variance) {
+  void leave(Normal shared, double[][] row, double[] weight) {
+    if (own.length == 0) {
+      return;
+    }
+    int width = row[own[0]].length;
     RealMatrix precision = MatrixUtils.createRealMatrix(prior);
+    RealMatrix coupling = MatrixUtils.createRealMatrix(added.length, width);
     double[] right = new double[added.length];
-    for (int i = 0; i < beyondM.length; i++) {
-      if (trials.get(i).target() == number) {
-        int[] orbits = orbits(trials.get(i));
-        double share = share(trials.get(i));
-        double off = beyondM[i] - at(trials.get(i));
-        double own = (DEGREES + 1) / (DEGREES + off * off / variance[i]) / variance[i];
-        double[] weights = {1 - share, share};
-        for (int a = 0; a < 2; a++) {
-          right[orbits[a]] += own * weights[a] * beyondM[i];
-          for (int b = 0; b < 2; b++) {
-            precision.addToEntry(orbits[a], orbits[b], own * weights[a] * weights[b]);
-          }
+    for (int i : own) {
+      int[] orbits = orbits(read.get(i));
+      double share = share(read.get(i));
+      double[] weights = {1 - share, share};
+      for (int a = 0; a < 2; a++) {
+        double here = weight[i] * weights[a];
+        right[orbits[a]] += here * read.get(i).beyondM();
+        for (int b = 0; b < 2; b++) {
+          precision.addToEntry(orbits[a], orbits[b], here * weights[b]);
+        }
+        for (int k = 0; k < width; k++) {
+          coupling.addToEntry(orbits[a], k, here * row[i][k]);
         }
       }
     }
-    CholeskyDecomposition decomposition = Matrices.positive(precision);
-    added = decomposition.getSolver().solve(new ArrayRealVector(right)).toArray();
-    RealMatrix covariance = decomposition.getSolver().getInverse();
-    Arrays.setAll(deviation, i -> Math.sqrt(Math.max(0, covariance.getEntry(i, i))));
+    known = Matrices.positive(precision);
+    solved = known.getSolver().solve(coupling);
+    alone = known.getSolver().solve(new ArrayRealVector(right)).toArray();
+    shared.leave(coupling, solved, alone);
+  }
+
+  /** Takes the shared values, given which its own follow. */
+  void take(double[] shared) {
+    if (own.length > 0) {
+      double[] taken = solved.operate(shared);
+      added = new double[alone.length];
+      Arrays.setAll(added, i -> alone[i] - taken[i]);
+    }
   }
 
   /** What is added at the bearing of a trial, metres. */
@@ -73,11 +98,12 @@ final class PathFit {
     return added[orbits[0]] + share(trial) * (added[orbits[1]] - added[orbits[0]]);
   }
 
-  /** How far that may be off, metres. */
-  double deviationAt(Trials.Trial trial) {
-    int[] orbits = orbits(trial);
-    double share = share(trial);
-    return deviation[orbits[0]] + share * (deviation[orbits[1]] - deviation[orbits[0]]);
+  /** How far each may be off where the shared values are known, metres. */
+  private double[] deviations() {
+    RealMatrix covariance = known.getSolver().getInverse();
+    double[] deviations = new double[added.length];
+    Arrays.setAll(deviations, i -> Math.sqrt(Math.max(0, covariance.getEntry(i, i))));
+    return deviations;
   }
 
   private int[] orbits(Trials.Trial trial) {
@@ -98,6 +124,7 @@ final class PathFit {
   /** The values of {@link LevelForms#path}. */
   double[] values() {
     double[] values = new double[2 * LevelForms.BEARINGS];
+    double[] deviation = deviations();
     for (int i = 0; i < LevelForms.BEARINGS; i++) {
       int orbit = target.symmetry().orbit(i);
       values[i] = added[orbit];

@@ -32,8 +32,9 @@ final class RangeFit {
   private static final double LEAST_NOISE_M = 5e-4;
 
   private final double[] excessDb;
-  private final double[] beyondM;
+  private double[] beyondM;
   private final double stepVariance;
+  private final double believedNoiseM;
   private double[] walk = new double[LevelForms.WALK_DB.size()];
   private double[] noise = new double[LevelForms.NOISE_DB.size()];
 
@@ -48,6 +49,7 @@ final class RangeFit {
   RangeFit(double[] excessDb, double[] beyondM, double resolutionM, double noiseM) {
     this.excessDb = excessDb;
     this.beyondM = beyondM;
+    believedNoiseM = noiseM;
     stepVariance = resolutionM * resolutionM / 12;
     Arrays.fill(noise, Math.max(LEAST_NOISE_M, noiseM));
     for (int round = 0; round < ROUNDS; round++) {
@@ -100,20 +102,45 @@ final class RangeFit {
     return Matrices.positive(precision(new double[walk.length])).getSolver().getInverse();
   }
 
+  /** How surely the walk is 0 and even before any reading: 1 over square metres. */
+  static double[][] prior() {
+    double[][] precision = new double[LevelForms.WALK_DB.size()][LevelForms.WALK_DB.size()];
+    double stiff = 1 / (WALK_STEP_M * WALK_STEP_M);
+    for (int i = 0; i < precision.length; i++) {
+      precision[i][i] += 1 / (WALK_M * WALK_M);
+      if (i > 0) {
+        precision[i][i] += stiff;
+        precision[i - 1][i - 1] += stiff;
+        precision[i][i - 1] -= stiff;
+        precision[i - 1][i] -= stiff;
+      }
+    }
+    return precision;
+  }
+
+  /**
+   * Takes a walk that was fitted with more than the level, and finds how much is scattered about
+   * it.
+   *
+   * @param walkM at each of {@link LevelForms#WALK_DB}, metres
+   * @param newBeyondM by how much each echo was read too far, less what is none of the level's
+   * @return by how much the walk moved at most, metres
+   */
+  double take(double[] walkM, double[] newBeyondM) {
+    double moved = 0;
+    for (int i = 0; i < walkM.length; i++) {
+      moved = Math.max(moved, Math.abs(walkM[i] - walk[i]));
+    }
+    walk = walkM;
+    beyondM = newBeyondM;
+    noise = noise(believedNoiseM);
+    return moved;
+  }
+
   /** The precision of the walk; what is read, each with its own, is added to the right side. */
   private RealMatrix precision(double[] right) {
     int size = walk.length;
-    RealMatrix matrix = MatrixUtils.createRealMatrix(size, size);
-    for (int i = 0; i < size; i++) {
-      matrix.addToEntry(i, i, 1 / (WALK_M * WALK_M));
-      if (i > 0) {
-        double stiff = 1 / (WALK_STEP_M * WALK_STEP_M);
-        matrix.addToEntry(i, i, stiff);
-        matrix.addToEntry(i - 1, i - 1, stiff);
-        matrix.addToEntry(i, i - 1, -stiff);
-        matrix.addToEntry(i - 1, i, -stiff);
-      }
-    }
+    RealMatrix matrix = MatrixUtils.createRealMatrix(prior());
     for (int echo = 0; echo < excessDb.length; echo++) {
       double[] weight = weights(LevelForms.WALK_DB, excessDb[echo]);
       double variance = variance(excessDb[echo]);

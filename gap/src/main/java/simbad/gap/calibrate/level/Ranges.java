@@ -3,19 +3,22 @@ package simbad.gap.calibrate.level;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.scene.SonarSpec;
 
 /**
  * What echoes read of their distances: a share that is the air's, and what is added by the level
- * and by the bearing that an obstacle is seen from. Each is fitted in turn to what the others
- * leave.
+ * and by the bearing that an obstacle is seen from. All are fitted together: a share of the
+ * distance, a constant walk and the constant of an obstacle look much alike, and one after the
+ * other they settle too slowly. Student's weights for what lies far off.
  *
  * @param scale share of the distance
  * @param byLevel walk and noise
  * @param byBearing of each obstacle
  */
 record Ranges(double scale, RangeFit byLevel, List<PathFit> byBearing) {
-  private static final int ROUNDS = 4;
+  private static final int ROUNDS = 40;
+  private static final double SETTLED_M = 1e-5;
   private static final double DEGREES = 4;
 
   /** Three kelvin are half a per cent of the speed of sound. */
@@ -39,24 +42,57 @@ record Ranges(double scale, RangeFit byLevel, List<PathFit> byBearing) {
     List<Trials.Trial> read = trials.stream().filter(Trials.Trial::isRead).toList();
     double[] excess = new double[read.size()];
     Arrays.setAll(excess, i -> predictor.excess(predictor.row(read.get(i))).decibels());
+    double[] beyond = read.stream().mapToDouble(Trials.Trial::beyondM).toArray();
     List<PathFit> paths = new ArrayList<>();
-    targets.forEach(target -> paths.add(new PathFit(target)));
+    for (int target = 0; target < targets.size(); target++) {
+      paths.add(new PathFit(targets.get(target), target, read));
+    }
+    RangeFit walk = new RangeFit(excess, beyond, sensor.resolutionM(), sensor.rangeNoiseM());
     double scale = 1;
-    RangeFit walk = walk(excess, left(read, scale, paths), sensor);
-    for (int round = 1; round < ROUNDS; round++) {
-      double[] variance = walk.variances(excess);
-      scale = scale(read, walk.beyond(excess, left(read, 1, paths)), variance);
-      double[] left = walk.beyond(excess, left(read, scale, List.of()));
-      for (int target = 0; target < paths.size(); target++) {
-        paths.get(target).fit(read, target, left, variance);
+    for (int round = 0; round < ROUNDS; round++) {
+      double[] weight = weights(walk.beyond(excess, left(read, scale, paths)), walk, excess);
+      double[] shared = shared(read, excess, weight, paths);
+      double moved = Math.abs(1 + shared[0] - scale);
+      scale = 1 + shared[0];
+      moved += walk.take(Arrays.copyOfRange(shared, 1, shared.length), left(read, scale, paths));
+      if (moved < SETTLED_M) {
+        break;
       }
-      walk = walk(excess, left(read, scale, paths), sensor);
     }
     return new Ranges(scale, walk, paths);
   }
 
-  private static RangeFit walk(double[] excess, double[] left, SonarSpec sensor) {
-    return new RangeFit(excess, left, sensor.resolutionM(), sensor.rangeNoiseM());
+  /** By Student's distribution of four degrees, over the variance. */
+  private static double[] weights(double[] off, RangeFit walk, double[] excess) {
+    double[] weights = walk.variances(excess);
+    Arrays.setAll(
+        weights, i -> (DEGREES + 1) / (DEGREES + off[i] * off[i] / weights[i]) / weights[i]);
+    return weights;
+  }
+
+  /** The share of the distance over 1, and the walk; what bearings add is taken by the paths. */
+  private static double[] shared(
+      List<Trials.Trial> read, double[] excess, double[] weight, List<PathFit> paths) {
+    double[][] prior = RangeFit.prior();
+    Normal normal = new Normal(prior.length + 1);
+    normal.add(0, 0, 1 / (SCALE_SPREAD * SCALE_SPREAD));
+    for (int i = 0; i < prior.length; i++) {
+      for (int j = 0; j < prior.length; j++) {
+        normal.add(i + 1, j + 1, prior[i][j]);
+      }
+    }
+    double[][] row = new double[weight.length][];
+    for (int i = 0; i < weight.length; i++) {
+      double[] walk = RangeFit.weights(LevelForms.WALK_DB, excess[i]);
+      row[i] = new double[walk.length + 1];
+      row[i][0] = read.get(i).nearestM();
+      System.arraycopy(walk, 0, row[i], 1, walk.length);
+      normal.add(row[i], weight[i], read.get(i).beyondM());
+    }
+    paths.forEach(path -> path.leave(normal, row, weight));
+    double[] shared = normal.solve();
+    paths.forEach(path -> path.take(shared));
+    return shared;
   }
 
   /** What is read too far, less what a scale and paths say. */
@@ -64,21 +100,9 @@ record Ranges(double scale, RangeFit byLevel, List<PathFit> byBearing) {
     double[] left = new double[read.size()];
     for (int i = 0; i < left.length; i++) {
       Trials.Trial trial = read.get(i);
-      double path = paths.isEmpty() ? 0 : paths.get(trial.target()).at(trial);
-      left[i] = trial.beyondM() - (scale - 1) * trial.nearestM() - path;
+      left[i] =
+          trial.beyondM() - (scale - 1) * trial.nearestM() - paths.get(trial.target()).at(trial);
     }
     return left;
-  }
-
-  private static double scale(List<Trials.Trial> read, double[] left, double[] variance) {
-    double sum = 0;
-    double precision = 1 / (SCALE_SPREAD * SCALE_SPREAD);
-    for (int i = 0; i < left.length; i++) {
-      double own = (DEGREES + 1) / (DEGREES + left[i] * left[i] / variance[i]) / variance[i];
-      double nearest = read.get(i).nearestM();
-      sum += own * nearest * left[i];
-      precision += own * nearest * nearest;
-    }
-    return 1 + sum / precision;
   }
 }

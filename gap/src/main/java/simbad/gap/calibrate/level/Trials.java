@@ -2,6 +2,7 @@ package simbad.gap.calibrate.level;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import simbad.gap.fit.Fold;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
@@ -29,9 +30,9 @@ final class Trials {
    * @param bearingRad of the sensor in the obstacle's frame
    * @param centreM distance to the obstacle's centre, metres
    * @param nearestM distance to the nearest point of its outline, metres
-   * @param offAxisRad of that point, positive counter-clockwise
+   * @param offAxisRad of where its echo comes from, positive counter-clockwise
    * @param isRead whether its echo was read
-   * @param addedDb what effects add to the excess, decibels
+   * @param addedDb what the near field and effects add to the excess, decibels
    * @param share what effects leave of the chance of an echo, in [0, 1]
    * @param beyondM by how much the reading is longer than the nearest point's distance, metres; of
    *     no meaning where it was not read
@@ -47,7 +48,7 @@ final class Trials {
       double addedDb,
       double share,
       double beyondM) {
-    Trial with(double newAddedDb, double newShare, double newBeyondM) {
+    Trial plus(double moreDb, double newShare, double newBeyondM) {
       return new Trial(
           ping,
           target,
@@ -56,7 +57,7 @@ final class Trials {
           nearestM,
           offAxisRad,
           isRead,
-          newAddedDb,
+          addedDb + moreDb,
           newShare,
           newBeyondM);
     }
@@ -109,7 +110,7 @@ final class Trials {
     int line = ping * geometry.obstacles() + target;
     double added = geometry.addedDb(effects, line);
     double share = geometry.share(effects, line);
-    all.add(trial(geometry, line, isRead).with(added, share, beyondM));
+    all.add(trial(geometry, line, isRead).plus(added, share, beyondM));
   }
 
   /** Reads one line of sight, without effects. */
@@ -120,9 +121,9 @@ final class Trials {
         geometry.bearingRad(line),
         geometry.centreDistanceM(line),
         geometry.nearestM(line),
-        geometry.nearestSignedOffAxisRad(line),
+        geometry.echoOffAxisRad(line),
         isRead,
-        0,
+        Objects.requireNonNull(geometry.ears()).nearDb(geometry, line),
         1,
         0);
   }
