@@ -127,6 +127,9 @@ final class DiagnoseCommand extends Subcommand {
     if (corrected != null && (folders.size() != 1 || auditOnly)) {
       throw wrongUsage("--corrected: the scene of one data set is corrected, and after a fit");
     }
+    if (corrected != null && Files.isDirectory(corrected)) {
+      throw wrongUsage("--corrected: " + corrected + " is a folder, expected a file");
+    }
     List<Callable<DataSetSummary>> tasks = new ArrayList<>();
     folders.forEach(folder -> tasks.add(() -> diagnose(folder, diagnoser, version)));
     ExecutorService threads =
@@ -287,8 +290,7 @@ final class DiagnoseCommand extends Subcommand {
     for (String word : withhold) {
       effects.add(
           Definitions.find(word)
-              .orElseThrow(
-                  () -> wrongUsage("--withhold: '" + word + "' is not the name of an effect")));
+              .orElseThrow(() -> wrongUsage("--withhold: " + EffectWords.unknown(word))));
     }
     return effects;
   }

@@ -139,7 +139,7 @@ final class TablePredictCommand extends Subcommand {
     try {
       return new Air(temperatureC, humidityPercent);
     } catch (IllegalArgumentException e) {
-      throw wrongUsage("--temperature, --humidity: " + e.getMessage());
+      throw wrongUsage(e);
     }
   }
 }
