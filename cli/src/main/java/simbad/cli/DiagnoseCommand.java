@@ -205,7 +205,7 @@ final class DiagnoseCommand extends Subcommand {
         staged.publish();
         return new AuditSummary(data.name(), audit, target);
       }
-      Diagnosis diagnosis = diagnoser.diagnose(data, audit);
+      Diagnosis diagnosis = diagnoser.diagnose(data).with(audit);
       DiagnosisReport.write(staged.path(), folder, data, diagnosis, provenance);
       staged.publish();
       if (corrected != null) {
@@ -238,10 +238,11 @@ final class DiagnoseCommand extends Subcommand {
     Path target = out.resolve(source.name());
     DataSet data = source.read();
     MotionFolder drive = new MotionFolder(folder);
-    JointFiles.Log log = new JointFiles.Log(data, drive.read(source.name()), MotionAudit.of(drive));
-    List<AuditFinding> heard = Audit.of(data.setup(), data.readings(), data.reference());
-    List<AuditFinding> audit = new ArrayList<>(heard);
-    audit.addAll(log.audit());
+    MotionData motion = drive.read(source.name());
+    List<AuditFinding> audit =
+        new ArrayList<>(Audit.of(data.setup(), data.readings(), data.reference()));
+    audit.addAll(MotionAudit.of(drive));
+    JointFiles.Log log = new JointFiles.Log(data, motion, audit);
     DiagnosisProvenance provenance = new DiagnosisProvenance(source.sha256(), version, seed);
     try (StagedDirectory staged = StagedDirectory.beside(target)) {
       if (auditOnly || Audit.refuses(audit)) {
@@ -249,7 +250,7 @@ final class DiagnoseCommand extends Subcommand {
         staged.publish();
         return new AuditSummary(data.name(), audit, target);
       }
-      JointDiagnosis diagnosis = new JointDiagnoser(data, log.drive()).diagnose(diagnoser, heard);
+      JointDiagnosis diagnosis = new JointDiagnoser(data, log.drive()).diagnose(diagnoser);
       DiagnosisReport.write(staged.path(), folder, log, diagnosis, provenance);
       staged.publish();
       if (corrected != null) {
