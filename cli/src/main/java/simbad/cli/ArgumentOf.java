@@ -37,7 +37,7 @@ final class ArgumentOf {
 
   /** Whether a line is about a value as it was typed, or about something in that folder. */
   private static boolean begins(String line, String typed) {
-    String value = typed.replaceFirst("^" + DiagnosedFolder.PREFIX, "");
+    String value = DiagnosedFolder.in(typed).orElse(typed);
     return !value.isEmpty()
         && Stream.of(value + END, value + "/", "'" + value + "'" + END).anyMatch(line::startsWith);
   }
