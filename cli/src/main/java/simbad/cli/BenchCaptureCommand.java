@@ -158,7 +158,7 @@ final class BenchCaptureCommand extends Subcommand {
       settings.ranging();
       return settings;
     } catch (IllegalArgumentException e) {
-      throw wrongUsage(String.valueOf(e.getMessage()));
+      throw wrongUsage(e);
     }
   }
 

@@ -36,7 +36,7 @@ final class BenchImportCommand extends Subcommand {
     try {
       table = ThesisCapture.read(numbers, type.name(), type.outline(), obstacle.temperatureC());
     } catch (IllegalArgumentException e) {
-      throw wrongUsage(String.valueOf(e.getMessage()));
+      throw wrongUsage(e);
     }
     TableFile.write(file, table);
     out()

@@ -123,7 +123,7 @@ final class BenchMeasureCommand extends Subcommand {
           temperatureC == null ? OptionalDouble.empty() : OptionalDouble.of(temperatureC),
           FirmwareMode.FRAME);
     } catch (IllegalArgumentException e) {
-      throw wrongUsage(String.valueOf(e.getMessage()));
+      throw wrongUsage(e);
     }
   }
 

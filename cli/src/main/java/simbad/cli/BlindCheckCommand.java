@@ -229,7 +229,7 @@ final class BlindCheckCommand extends Subcommand {
   private CheckOrder order() throws IOException {
     for (String word : withhold) {
       if (Definitions.find(word).isEmpty()) {
-        throw wrongUsage("--withhold: '" + word + "' is not the name of an effect");
+        throw wrongUsage("--withhold: " + EffectWords.unknown(word));
       }
     }
     if (benchmark != null) {
@@ -291,9 +291,7 @@ final class BlindCheckCommand extends Subcommand {
     checkMotion();
     if (level != null && !level.equals(WAVE)) {
       throw wrongUsage(
-          "--level: the level of cases that are drawn is known; expected "
-              + WAVE
-              + ", or --foreign");
+          "--level: '" + level + "' is not " + WAVE + "; another level goes with --foreign");
     }
     if (level != null && (off || reference != null)) {
       throw wrongUsage(

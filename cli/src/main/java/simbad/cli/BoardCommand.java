@@ -189,7 +189,7 @@ final class BoardCommand extends Subcommand {
 
   private void requireRange(String option, double value) {
     if (!(value >= 0 && value < Double.POSITIVE_INFINITY)) {
-      throw wrongUsage(option + ": " + value + " is out of range");
+      throw wrongUsage(option + ": " + value + " is not a number of at least 0");
     }
   }
 }

@@ -28,20 +28,21 @@ final class Complaints {
   /** A folder that is not published yet goes by the name that it was to have. */
   private static final Pattern STAGED = Pattern.compile("\\.([^/]+)\\.unfinished-[^/:]+(?=/|:|$)");
 
+  private final CommandLine command;
   private final String commandName;
   private final PrintWriter err;
   private final boolean trace;
 
-  private Complaints(String commandName, PrintWriter err, boolean trace) {
-    this.commandName = commandName;
-    this.err = err;
+  private Complaints(CommandLine command, boolean trace) {
+    this.command = command;
+    this.commandName = command.getCommandSpec().qualifiedName();
+    this.err = command.getErr();
     this.trace = trace;
   }
 
   /** Complaints of a command that runs or cannot run. */
   static Complaints of(CommandLine command) {
-    return new Complaints(
-        command.getCommandSpec().qualifiedName(), command.getErr(), wantsTrace(command));
+    return new Complaints(command, wantsTrace(command));
   }
 
   /** Prints the line, and the stack trace where it is asked for; returns the exit status. */
@@ -52,7 +53,9 @@ final class Complaints {
       return ExitStatus.rules().of(fault);
     }
     String line = STAGED.matcher(line(fault)).replaceAll("$1");
-    err.println(commandName + ": " + OneLine.of(line, LONGEST));
+    boolean isInTheWay = ExitStatus.unwrapped(fault) instanceof FileAlreadyExistsException;
+    String argument = ArgumentOf.line(command.getCommandSpec(), line, isInTheWay);
+    err.println(commandName + ": " + OneLine.of(argument + line, LONGEST));
     if (trace) {
       fault.printStackTrace(err);
     }

@@ -108,6 +108,7 @@ final class DatasetMendCommand extends Subcommand {
         throw wrongUsage("--in: '" + name + "' is neither readings.csv nor reference.csv");
       }
     }
+    new DataSetFolder(set).require();
     try (StagedDirectory staged = StagedDirectory.beside(out)) {
       for (String name :
           List.of(DataSetFolder.SCENE, DataSetFolder.READINGS, DataSetFolder.REFERENCE)) {

@@ -127,6 +127,9 @@ final class DiagnoseCommand extends Subcommand {
     if (corrected != null && (folders.size() != 1 || auditOnly)) {
       throw wrongUsage("--corrected: the scene of one data set is corrected, and after a fit");
     }
+    if (corrected != null && Files.isDirectory(corrected)) {
+      throw wrongUsage("--corrected: " + corrected + " is a folder, expected a file");
+    }
     List<Callable<DataSetSummary>> tasks = new ArrayList<>();
     folders.forEach(folder -> tasks.add(() -> diagnose(folder, diagnoser, version)));
     ExecutorService threads =
@@ -202,7 +205,7 @@ final class DiagnoseCommand extends Subcommand {
         staged.publish();
         return new AuditSummary(data.name(), audit, target);
       }
-      Diagnosis diagnosis = diagnoser.diagnose(data, audit);
+      Diagnosis diagnosis = diagnoser.diagnose(data).with(audit);
       DiagnosisReport.write(staged.path(), folder, data, diagnosis, provenance);
       staged.publish();
       if (corrected != null) {
@@ -235,10 +238,11 @@ final class DiagnoseCommand extends Subcommand {
     Path target = out.resolve(source.name());
     DataSet data = source.read();
     MotionFolder drive = new MotionFolder(folder);
-    JointFiles.Log log = new JointFiles.Log(data, drive.read(source.name()), MotionAudit.of(drive));
-    List<AuditFinding> heard = Audit.of(data.setup(), data.readings(), data.reference());
-    List<AuditFinding> audit = new ArrayList<>(heard);
-    audit.addAll(log.audit());
+    MotionData motion = drive.read(source.name());
+    List<AuditFinding> audit =
+        new ArrayList<>(Audit.of(data.setup(), data.readings(), data.reference()));
+    audit.addAll(MotionAudit.of(drive));
+    JointFiles.Log log = new JointFiles.Log(data, motion, audit);
     DiagnosisProvenance provenance = new DiagnosisProvenance(source.sha256(), version, seed);
     try (StagedDirectory staged = StagedDirectory.beside(target)) {
       if (auditOnly || Audit.refuses(audit)) {
@@ -246,7 +250,7 @@ final class DiagnoseCommand extends Subcommand {
         staged.publish();
         return new AuditSummary(data.name(), audit, target);
       }
-      JointDiagnosis diagnosis = new JointDiagnoser(data, log.drive()).diagnose(diagnoser, heard);
+      JointDiagnosis diagnosis = new JointDiagnoser(data, log.drive()).diagnose(diagnoser);
       DiagnosisReport.write(staged.path(), folder, log, diagnosis, provenance);
       staged.publish();
       if (corrected != null) {
@@ -287,8 +291,7 @@ final class DiagnoseCommand extends Subcommand {
     for (String word : withhold) {
       effects.add(
           Definitions.find(word)
-              .orElseThrow(
-                  () -> wrongUsage("--withhold: '" + word + "' is not the name of an effect")));
+              .orElseThrow(() -> wrongUsage("--withhold: " + EffectWords.unknown(word))));
     }
     return effects;
   }

@@ -81,7 +81,10 @@ final class EffectsCommand extends Subcommand {
     List<String> known = new ArrayList<>(MotionForms.vocabulary());
     Definitions.effects().forEach(effect -> known.add(effect.word()));
     return wrongUsage(
-        "'" + word + "' is not the name of an effect" + SimilarWords.suggestion(word, known));
+        "'"
+            + word
+            + "' is not the name of an effect; simbad effects lists them"
+            + SimilarWords.suggestion(word, known));
   }
 
   private void list(String word, String happens) {

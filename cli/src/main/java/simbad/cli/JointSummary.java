@@ -3,7 +3,6 @@ package simbad.cli;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import simbad.experiments.motion.JointFiles;
 import simbad.gap.audit.AuditFinding;
@@ -20,9 +19,7 @@ record JointSummary(JointFiles.Log log, JointDiagnosis diagnosis, Path folder)
     implements DataSetSummary {
   @Override
   public List<AuditFinding> audit() {
-    List<AuditFinding> all = new ArrayList<>(diagnosis.sensing().audit());
-    all.addAll(log.audit());
-    return all;
+    return log.audit();
   }
 
   @Override

@@ -125,7 +125,7 @@ public final class Main {
   static CommandLine commandLine(List<? extends Subcommand> subcommands) {
     CommandLine simbad = new CommandLine(new RootCommand());
     subcommands.forEach(simbad::addSubcommand);
-    return NumberArgument.readBy(simbad)
+    return ArgumentText.readBy(simbad)
         .setAbbreviatedOptionsAllowed(false)
         .setCaseInsensitiveEnumValuesAllowed(true)
         .setExecutionStrategy(Main::execute)

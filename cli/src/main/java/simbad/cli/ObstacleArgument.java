@@ -63,12 +63,12 @@ final class ObstacleArgument {
   static DataFormatException unknown(String argument) throws DataFormatException {
     List<String> names = Catalogue.all().stream().map(ObstacleType::name).toList();
     return DataFormatException.inArgument(
-        "OBSTACLE '" + argument + "'",
-        "is neither "
+        "'" + argument + "'",
+        "no such obstacle, expected "
             + String.join(", ", names)
-            + " nor a table's file (*"
+            + ", a table's file (*"
             + SUFFIX
-            + ") nor a folder with outline and table"
+            + ") or a folder with outline and table"
             + SimilarWords.suggestion(argument, names));
   }
 }

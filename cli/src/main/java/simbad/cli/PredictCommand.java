@@ -82,11 +82,11 @@ final class PredictCommand extends Subcommand {
     if (Files.exists(out) && (Files.isDirectory(out) || Files.size(out) > 0)) {
       throw new FileAlreadyExistsException(out.toString());
     }
-    if (Files.isDirectory(rows)) {
+    Path scene = diagnosis.resolve(DataSetFolder.SCENE);
+    if (MotionFolder.isOne(rows) || (Files.isDirectory(rows) && !Files.exists(scene))) {
       write(motion(chosen));
       return;
     }
-    Path scene = diagnosis.resolve(DataSetFolder.SCENE);
     SensingSetup setup = SceneFile.read(scene);
     List<? extends Change> changes = chosen == Model.NOMINAL ? List.of() : changes(setup);
     List<ReadingRow> poses = ReadingsFile.readPoses(rows, SceneFile.format(scene));

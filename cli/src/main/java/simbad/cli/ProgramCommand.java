@@ -176,10 +176,13 @@ final class ProgramCommand extends Subcommand {
   }
 
   private void checkSwitches(String option, String switches) {
-    try {
-      Compatibility.parse(switches);
-    } catch (IllegalArgumentException e) {
-      throw wrongUsage(option + ": " + e.getMessage());
+    for (String name : switches.split(",", -1)) {
+      try {
+        Compatibility.parse(name);
+      } catch (IllegalArgumentException e) {
+        throw wrongUsage(
+            option + ": '" + name + "' is no switch; docs/compatibility.md lists them");
+      }
     }
   }
 

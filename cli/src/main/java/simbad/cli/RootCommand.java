@@ -1,7 +1,13 @@
 package simbad.cli;
 
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Stack;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.HelpCommand;
+import picocli.CommandLine.IParameterPreprocessor;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 
@@ -32,8 +38,22 @@ final class RootCommand extends CommandGroup {
   @Option(
       names = Complaints.TRACE_OPTION,
       scope = ScopeType.INHERIT,
-      preprocessor = TraceFileOption.class,
+      preprocessor = TraceFile.class,
       description = "With an error, print its stack trace (also: SIMBAD_TRACE=1).")
   @SuppressWarnings("UnusedVariable") // picocli's
   private boolean trace;
+
+  /** Of {@code simbad program}, {@code --trace} takes a file; of all other commands, nothing. */
+  static final class TraceFile implements IParameterPreprocessor {
+    @Override
+    @SuppressWarnings({"JdkObsolete", "NonApiType"}) // The signature is picocli's.
+    public boolean preprocess(
+        Stack<String> args, CommandSpec command, ArgSpec option, Map<String, Object> info) {
+      boolean takes = command.userObject() instanceof ProgramCommand && !args.isEmpty();
+      if (takes && !args.peek().startsWith("-")) {
+        ((ProgramCommand) command.userObject()).setTrace(Path.of(args.pop()));
+      }
+      return false;
+    }
+  }
 }

@@ -87,6 +87,20 @@ abstract class Subcommand implements Callable<Integer> {
     return new CommandLine.ParameterException(spec.commandLine(), problem);
   }
 
+  /**
+   * Wrong usage that a check of the library found. It names its value; the option is called the
+   * same, but for the unit.
+   *
+   * @param fault of one value
+   */
+  protected final CommandLine.ParameterException wrongUsage(IllegalArgumentException fault) {
+    String problem = String.valueOf(fault.getMessage());
+    String[] parts = problem.split(" = ", 2);
+    String option = "--" + parts[0].replaceFirst("(M|S|C|Deg|Percent)$", "");
+    boolean known = parts.length == 2 && spec.optionsMap().containsKey(option);
+    return wrongUsage(known ? option + ": " + parts[1] : problem);
+  }
+
   /** Prints the help of this command. */
   protected final void usage(PrintWriter to) {
     spec.commandLine().usage(to);

@@ -1,7 +1,10 @@
 package simbad.cli;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -9,10 +12,12 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.table.PredictedTable;
 import simbad.obstacles.Catalogue;
+import simbad.obstacles.ObstacleType;
 import simbad.scattering.FittedReceiver;
 import simbad.scattering.KnownThresholds;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.OutlineDocument;
+import simbad.sonar.format.OutlineFile;
 import simbad.sonar.format.SensorFile;
 import simbad.sonar.level.Air;
 import simbad.sonar.scene.SonarSpec;
@@ -84,12 +89,27 @@ final class TablePredictCommand extends Subcommand {
     if (bearings < 3 || bearings > MOST_BEARINGS) {
       throw wrongUsage("--bearings: " + bearings + " is not in [3, " + MOST_BEARINGS + "]");
     }
-    OutlineDocument section = OutlineArgument.parse(outline);
+    OutlineDocument section = section();
     checkSize(section);
     SonarSpec sonar = sensorFile == null ? Catalogue.srf04() : SensorFile.read(sensorFile);
     result.check();
     FittedReceiver calibration = withoutAngle ? FittedReceiver.WITHOUT_ANGLE : FittedReceiver.SRF04;
     result.give(PredictedTable.of(section, air, sonar, calibration, bearings), out());
+  }
+
+  /** The named obstacle's, that of a file, or that of a folder with one. */
+  private OutlineDocument section() throws DataFormatException {
+    if (ObstacleArgument.isPath(outline)) {
+      Path path = Path.of(outline);
+      return OutlineFile.read(Files.isDirectory(path) ? path.resolve("outline.csv") : path);
+    }
+    Optional<ObstacleType> known = Catalogue.findAny(outline);
+    if (known.isEmpty()) {
+      throw ObstacleArgument.unknown(outline);
+    }
+    ObstacleType type = known.get();
+    return new OutlineDocument(
+        type.parts(), Map.of("object", type.thresholds().header("object").orElse(type.name())));
   }
 
   private void checkSize(OutlineDocument section) throws DataFormatException {
@@ -119,7 +139,7 @@ final class TablePredictCommand extends Subcommand {
     try {
       return new Air(temperatureC, humidityPercent);
     } catch (IllegalArgumentException e) {
-      throw wrongUsage("--temperature, --humidity: " + e.getMessage());
+      throw wrongUsage(e);
     }
   }
 }

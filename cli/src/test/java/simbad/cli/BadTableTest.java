@@ -106,13 +106,14 @@ class BadTableTest {
   void run_ofADirectory_isRefused() throws IOException {
     Path directory = Files.createDirectory(folder.resolve("table.csv"));
     checkRefused(
-        directory + ": is a directory without outline.csv and table.csv", directory.toString());
+        "OBSTACLE: " + directory + ": is a folder without outline.csv and table.csv",
+        directory.toString());
   }
 
   @Test
   void run_ofAMissingFile_isRefused() throws IOException {
     Path missing = folder.resolve("missing.csv");
-    checkRefused(missing + ": no such file", missing.toString());
+    checkRefused("OBSTACLE: " + missing + ": no such file", missing.toString());
   }
 
   /** Root reads everything, so the file is one that cannot be read by anybody. */
@@ -129,8 +130,9 @@ class BadTableTest {
 
   @Test
   void run_ofAnUnknownName_listsTheNames() throws IOException {
-    checkRefused("OBSTACLE 'octagon': is neither square, round, angle, half-round,", "octagon");
-    checkRefused("OBSTACLE ''", "");
+    checkRefused(
+        "OBSTACLE: 'octagon': no such obstacle, expected square, round, angle,", "octagon");
+    checkRefused("'': no such obstacle", "");
   }
 
   @Test
@@ -142,7 +144,7 @@ class BadTableTest {
 
   @Test
   void run_ofANameWithAZeroByte_isRefused() throws IOException {
-    checkRefused("OBSTACLE", "a\0b");
+    checkRefused("'a b': no such obstacle", "a\0b");
   }
 
   @Test

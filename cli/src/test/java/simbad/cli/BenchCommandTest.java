@@ -333,10 +333,10 @@ class BenchCommandTest {
       delimiter = '|',
       value = {
         "2 | capture --obstacle angle --out x | exactly one of --port and --auto",
-        "2 | capture --auto --obstacle pots --out x | OBSTACLE 'pots'",
-        "2 | capture --auto --obstacle angle --out x --bearings 2 | bearings = 2.0 is not in",
-        "2 | capture --auto --obstacle angle --out x --pings 3 --misses 4 | misses = 4.0",
-        "2 | capture --auto --obstacle angle --out x --temperature 99 | temperatureC = 99.0",
+        "2 | capture --auto --obstacle pots --out x | --obstacle: 'pots': no such obstacle",
+        "2 | capture --auto --obstacle angle --out x --bearings 2 | --bearings: 2.0 is not in",
+        "2 | capture --auto --obstacle angle --out x --pings 3 --misses 4 | --misses: 4.0",
+        "2 | capture --auto --obstacle angle --out x --temperature 99 | --temperature: 99.0",
         "2 | capture --auto --obstacle angle --out x --sensor ears | --sensor: 'ears' is none",
         "2 | capture --auto --obstacle angle --out x --mode ears | --mode: 'ears' is neither",
         "2 | capture --auto --obstacle angle --out ../docs | ../docs",
@@ -346,7 +346,7 @@ class BenchCommandTest {
         "2 | resume nowhere | journal.txt: no such file",
         "2 | table nowhere --out x.csv | journal.txt: no such file",
         "2 | table nowhere --out ../README.md | README.md",
-        "2 | import nowhere.txt --obstacle angle --out x.csv | nowhere.txt: no such file",
+        "2 | import nowhere.txt --obstacle angle --out x.csv | FILE: nowhere.txt: no such file",
         "2 | import ../README.md --obstacle angle --out x.csv | README.md:",
         "2 | import ../README.md --obstacle angle --out ../LICENSE | LICENSE"
       })

@@ -214,8 +214,8 @@ class BenchMeasureCommandTest {
         "../README.md --auto --obstacle angle --out x.csv | README.md",
         "POSES --auto --obstacle angle --out ../README.md | README.md: does not begin with run",
         "POSES --auto --obstacle angle --out OTHER | row 2 does not have the pose",
-        "POSES --auto --obstacle pots --out NEW | OBSTACLE 'pots'",
-        "POSES --auto --obstacle angle --temperature 99 --out NEW | temperatureC = 99.0",
+        "POSES --auto --obstacle pots --out NEW | --obstacle: 'pots': no such obstacle",
+        "POSES --auto --obstacle angle --temperature 99 --out NEW | --temperature: 99.0",
         "POSES --auto --obstacle angle --sensor ears --out NEW | --sensor: 'ears' is none"
       })
   void badInput_isOneLine(String arguments, String message) throws Exception {

@@ -264,7 +264,7 @@ class BlindCheckCommandTest {
         "--jobs 2 --spark local[2] | mutually exclusive",
         "--spark local[2] | --spark: Spark is not among this program's jars",
         "--limit 0 | --limit: 0.0 is not in (0, 1000000.0] s",
-        "--level L3 | --level: the level of cases that are drawn is known",
+        "--level L3 | --level: 'L3' is not wave; another level goes with --foreign",
         "--foreign sets --cases 3 | --foreign: nothing is drawn",
         "--foreign sets --off | --foreign: nothing is drawn",
         "--level wave --off | --level wave: every case has a reference",

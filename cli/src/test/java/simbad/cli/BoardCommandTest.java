@@ -114,17 +114,17 @@ class BoardCommandTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "--script nowhere.csv | nowhere.csv: no such file",
+        "--script nowhere.csv | --script: nowhere.csv: no such file",
         "--script ../docs/protocol.csv | ../docs/protocol.csv:1: time_s: column is missing",
         "--script x.csv --distance 1 | --script says where things stand; it does not "
             + "go with --obstacle",
-        "--obstacle pots | OBSTACLE 'pots': is neither",
-        "--distance -1 | --distance: -1.0 is out of range",
+        "--obstacle pots | --obstacle: 'pots': no such obstacle, expected square",
+        "--distance -1 | --distance: -1.0 is not a number of at least 0",
         "--temperature -60 | --temperature: -60.0 is not in",
         "--clockwise NaN | --clockwise: NaN is not a number of degrees",
         "--sensor ears | --sensor: 'ears' is none of shadow, original, overlap, noisy, level, level-noisy",
-        "--pace -1 | --pace: -1.0 is out of range",
-        "--for NaN | --for: NaN is out of range"
+        "--pace -1 | --pace: -1.0 is not a number of at least 0",
+        "--for NaN | --for: NaN is not a number of at least 0"
       })
   void badInput_oneLineAndStatusTwo(String arguments, String message) {
     Shell shell = Shell.simbad(("board " + arguments).split(" ", -1));

@@ -250,8 +250,8 @@ class DiagnoseCommandTest {
     assertEquals(
         List.of(
             "simbad diagnose: " + bad + "/readings.csv:5: t_s: 'soon' is not a finite number",
-            "simbad diagnose: " + folder.resolve("nowhere") + ": no such folder",
-            "simbad diagnose: " + out.resolve("there") + ": exists already"),
+            "simbad diagnose: DATASET: " + folder.resolve("nowhere") + ": no such folder",
+            "simbad diagnose: --out: " + out.resolve("there") + ": exists already"),
         shell.complaints().stream().map(line -> line.replaceFirst(" of at most.*", "")).toList());
     assertTrue(shell.out().startsWith("good: none"), shell.out());
     assertEquals(

@@ -161,7 +161,7 @@ class ProgramCommandTest {
     checkRefused(
         "no such jar or folder", 2, Shell.simbad("program", WANDERER, "--class-path", "x"));
     checkRefused("--picture: 'each:1'", 2, wanderer("--picture", "each:1"));
-    checkRefused("--compat: simbad.compat = 1.3", 2, wanderer("--compat", "1.3"));
+    checkRefused("--compat: '1.3' is no switch", 2, wanderer("--compat", "1.3"));
     checkRefused("--steps: 0", 2, Shell.simbad("program", WANDERER, "--steps", "0"));
     checkRefused("has no class Other", 2, wanderer("--main", "Other"));
   }

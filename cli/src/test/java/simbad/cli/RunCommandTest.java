@@ -252,7 +252,7 @@ class RunCommandTest {
     Shell shell = run("out", table("small.csv", SMALL));
     assertEquals(2, shell.status());
     assertEquals(
-        List.of("simbad run: " + out + ": exists already"), shell.complaints(), shell.err());
+        List.of("simbad run: --out: " + out + ": exists already"), shell.complaints(), shell.err());
     assertEquals(List.of("theirs"), names("out"));
     Files.writeString(folder.resolve("file"), "kept");
     assertEquals(2, run("file", folder.resolve("small.csv")).status());

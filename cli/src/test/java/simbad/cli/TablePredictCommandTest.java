@@ -98,8 +98,8 @@ class TablePredictCommandTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "--temperature 100 | temperatureC = 100.0 is not in [-40.0, 60.0]",
-        "--humidity -1 | humidityPercent = -1.0 is not in [0.0, 100.0]",
+        "--temperature 100 | --temperature: 100.0 is not in [-40.0, 60.0]",
+        "--humidity -1 | --humidity: -1.0 is not in [0.0, 100.0]",
         "--bearings 2 | --bearings: 2 is not in [3, 3600]",
       })
   void badFigures_areRefused(String option, String complaint) throws IOException {

@@ -11,8 +11,6 @@ import java.util.Set;
 import java.util.TreeMap;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
-import simbad.gap.audit.Audit;
-import simbad.gap.audit.AuditFinding;
 import simbad.gap.calibrate.Calibration;
 import simbad.gap.calibrate.Laws;
 import simbad.gap.calibrate.Laws.Law;
@@ -79,29 +77,18 @@ public final class Diagnoser {
     this.withheld = Set.copyOf(withheld);
   }
 
-  /** Audits and diagnoses a data set; what the audit refuses is fitted all the same. */
+  /** Diagnoses a data set as it is: an audit is asked for before, and stands beside. */
   public Diagnosis diagnose(DataSet data) {
-    return diagnose(data, Audit.of(data.setup(), data.readings(), data.reference()));
-  }
-
-  /**
-   * Diagnoses a data set that was audited.
-   *
-   * @param data the data set
-   * @param audit what was found of it, which the diagnosis keeps
-   */
-  public Diagnosis diagnose(DataSet data, List<AuditFinding> audit) {
-    return diagnose(data, audit, Hypothesis.NONE);
+    return diagnose(data, Hypothesis.NONE);
   }
 
   /**
    * Diagnoses a data set of which something else has told already.
    *
    * @param data the data set
-   * @param audit what was found of it, which the diagnosis keeps
    * @param offered effects to start from as well, with values near those that fit
    */
-  public Diagnosis diagnose(DataSet data, List<AuditFinding> audit, Hypothesis offered) {
+  public Diagnosis diagnose(DataSet data, Hypothesis offered) {
     PingLog log = new PingLog(data.readings());
     List<Law> laws =
         data.reference().isEmpty()
@@ -113,7 +100,7 @@ public final class Diagnoser {
       double lead = inquiry.nats(laws.get(0)) - other.nats(laws.get(1));
       inquiry = lead >= 0 ? inquiry : other;
     }
-    return diagnosis(inquiry, conclude(inquiry), audit);
+    return diagnosis(inquiry, conclude(inquiry));
   }
 
   /** Searches until the set-up holds what belongs to it and nothing is left to try. */
@@ -303,7 +290,7 @@ public final class Diagnoser {
     return Places.find(given, weighed.gain().before(), weighed.gain().after(), blocks);
   }
 
-  private Diagnosis diagnosis(Inquiry inquiry, Told told, List<AuditFinding> audit) {
+  private Diagnosis diagnosis(Inquiry inquiry, Told told) {
     CalibratedLog given = inquiry.given;
     double clumping = inquiry.calibration.clumping();
     Blocks blocks = new Blocks(given.log());
@@ -331,7 +318,7 @@ public final class Diagnoser {
         attempts(sets, weighed.probabilities(), Constants.own().temperature(law)),
         told.signs,
         inquiry.calibration.modelError().map(ModelError::finding),
-        audit);
+        List.of());
   }
 
   /** For the first tie: what would tell the two apart. */

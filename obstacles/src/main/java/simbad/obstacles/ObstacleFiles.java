@@ -37,8 +37,7 @@ public final class ObstacleFiles {
   public static ObstacleType read(Path path) throws DataFormatException {
     if (Files.isDirectory(path)) {
       if (Files.notExists(path.resolve(OUTLINE)) && Files.notExists(path.resolve(TABLE))) {
-        throw DataFormatException.inFile(
-            path, "is a directory without " + OUTLINE + " and " + TABLE);
+        throw DataFormatException.inFile(path, "is a folder without " + OUTLINE + " and " + TABLE);
       }
       return type(name(path), path.resolve(OUTLINE), path.resolve(TABLE));
     }

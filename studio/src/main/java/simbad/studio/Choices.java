@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import simbad.experiments.diagnosis.DiagnosisFolder;
+import simbad.experiments.run.DiagnosedFolder;
 import simbad.experiments.run.RobotKind;
 import simbad.experiments.run.SensorKind;
 import simbad.motion.format.DiagnosedMotion;
@@ -27,9 +28,6 @@ public record Choices(
     List<SensorKind> sensors, List<RobotKind> robots, Map<String, String> options) {
   /** The sonar of a scene that names none. */
   static final String SONAR = "srf04";
-
-  /** How the command line says that something is what a diagnosis left. */
-  private static final String DIAGNOSED = "diagnosed:";
 
   /** Copies all. */
   public Choices {
@@ -61,7 +59,7 @@ public record Choices(
     List<RobotKind> allRobots = new ArrayList<>(robots);
     Map<String, String> allOptions = new HashMap<>(options);
     for (Path folder : folders.diagnoses(DiagnosisFolder.MODEL)) {
-      String word = DIAGNOSED + folder;
+      String word = DiagnosedFolder.PREFIX + folder;
       read(() -> SensorKind.read(word))
           .filter(kind -> isFree(allSensors.stream().map(SensorKind::word), kind.word()))
           .ifPresent(
@@ -71,7 +69,7 @@ public record Choices(
               });
     }
     for (Path folder : folders.diagnoses(DiagnosedMotion.MODEL)) {
-      String word = DIAGNOSED + folder;
+      String word = DiagnosedFolder.PREFIX + folder;
       read(() -> Optional.of(RobotKind.read(word)))
           .filter(kind -> isFree(allRobots.stream().map(RobotKind::name), kind.name()))
           .ifPresent(

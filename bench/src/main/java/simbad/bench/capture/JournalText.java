@@ -3,10 +3,10 @@ package simbad.bench.capture;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.TextFile;
 
 /**
  * What is known of a journal when it has been read.
@@ -30,10 +30,9 @@ public record JournalText(
    *     there twice, or if the file is no journal
    */
   public static JournalText read(Path file, Consumer<Entry> each) throws DataFormatException {
+    TextFile.requireFile(file);
     try (InputStream in = Files.newInputStream(file)) {
       return new JournalReader(file, each).read(new LineBytes(in));
-    } catch (NoSuchFileException e) {
-      throw DataFormatException.inFile(file, "no such file");
     } catch (IOException e) {
       throw DataFormatException.inFile(file, "cannot be read: " + e.getMessage());
     }

@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import simbad.sonar.check.Checks;
 import simbad.sonar.format.CsvTable;
@@ -81,7 +82,7 @@ public record TuningSurvey(List<Setting> settings, int leftOut, List<String> ave
     List<String> parameters = new ArrayList<>(List.of(ResultColumns.PARAMETER + along));
     curve.ifPresent(name -> parameters.add(ResultColumns.PARAMETER + name));
     table.requireColumns("sensor", ResultColumns.STATUS, "mean_abs_cm", "simulated_s");
-    table.requireColumns(parameters.toArray(String[]::new));
+    requireParameters(results, table, parameters);
     List<Setting> settings = new ArrayList<>();
     int leftOut = 0;
     for (int row = 0; row < table.size(); row++) {
@@ -96,6 +97,22 @@ public record TuningSurvey(List<Setting> settings, int leftOut, List<String> ave
           results, "no row has an error and a value of " + String.join(" and ", parameters));
     }
     return new TuningSurvey(settings, leftOut, averaged(table, parameters));
+  }
+
+  private static void requireParameters(Path results, CsvTable table, List<String> parameters)
+      throws DataFormatException {
+    for (String name : parameters) {
+      if (!table.columns().contains(name)) {
+        int prefix = ResultColumns.PARAMETER.length();
+        String known =
+            table.columns().stream()
+                .filter(column -> column.startsWith(ResultColumns.PARAMETER))
+                .map(column -> column.substring(prefix))
+                .collect(Collectors.joining(", "));
+        throw DataFormatException.inFile(
+            results, "no parameter '" + name.substring(prefix) + "', expected one of " + known);
+      }
+    }
   }
 
   private static boolean isUsable(CsvTable table, int row, List<String> parameters) {

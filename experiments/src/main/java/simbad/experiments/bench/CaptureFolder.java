@@ -56,6 +56,9 @@ public record CaptureFolder(Path path) {
    *     was ended before it had begun
    */
   public void requireFree() throws IOException {
+    if (Files.exists(path) && !Files.isDirectory(path)) {
+      throw new FileAlreadyExistsException(path.toString());
+    }
     if (Files.exists(path)) {
       try (Stream<Path> entries = Files.list(path)) {
         if (entries.anyMatch(entry -> !entry.equals(Journal.beginning(journal())))) {

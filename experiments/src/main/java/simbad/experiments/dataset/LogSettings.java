@@ -120,7 +120,7 @@ public final class LogSettings {
     if (number.isEmpty()
         || number.get().unit().isPresent()
         || !(number.get().value() >= least && number.get().value() <= most)) {
-      throw fault(option, "'" + text.get() + "' is not in [" + least + ", " + most + "]");
+      throw fault(option, "'" + text.get() + "' is not a number in [" + least + ", " + most + "]");
     }
     return Optional.of(number.get().value());
   }

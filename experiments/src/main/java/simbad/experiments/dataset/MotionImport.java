@@ -196,7 +196,7 @@ public final class MotionImport {
     if (unit.isEmpty() && settings.has(unitOption)) {
       throw LogSettings.fault(
           unitOption,
-          "'" + word + "' is not such a rate; expected for example " + usual.word() + "/s");
+          "'" + word + "' is not a unit for this column; expected one like " + usual.word() + "/s");
     }
     if (unit.isEmpty()) {
       assumptions.add("'" + name + "' is in " + usual.word() + "/s (--" + unitOption + ").");

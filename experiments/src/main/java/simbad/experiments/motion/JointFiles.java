@@ -66,7 +66,7 @@ public final class JointFiles {
    *
    * @param data scene and readings
    * @param drive commands and track
-   * @param audit what was found of commands and track; that of readings is in their diagnosis
+   * @param audit what was found of readings, and then of commands and track
    */
   public record Log(DataSet data, MotionData drive, List<AuditFinding> audit) {
     /** Copies the list. */
@@ -86,8 +86,7 @@ public final class JointFiles {
       Log log, JointDiagnosis diagnosis, DiagnosisProvenance provenance) {
     ObjectNode root = DiagnosisJson.tree(diagnosis.sensing(), log.data(), provenance);
     root.put("about", "joint");
-    List<AuditFinding> audit = new ArrayList<>(diagnosis.sensing().audit());
-    audit.addAll(log.audit());
+    List<AuditFinding> audit = new ArrayList<>(log.audit());
     audit.sort(Comparator.comparing(AuditFinding::severity).reversed());
     AuditJson.add(root.putArray("audit"), audit);
     root.put("verdict", diagnosis.verdict().word());

@@ -79,7 +79,8 @@ class TuningSurveyTest {
         assertThrows(
             DataFormatException.class,
             () -> TuningSurvey.read(file, "angle_deg", Optional.of("speed")));
-    assertTrue(("" + fault.getMessage()).contains("controller.speed"), "" + fault);
+    assertEquals(
+        file + ": no parameter 'speed', expected one of angle_deg, curl", fault.getMessage());
   }
 
   @Test

@@ -7,7 +7,6 @@ import simbad.experiments.motion.JointFiles;
 import simbad.figures.page.Html;
 import simbad.figures.page.Page;
 import simbad.figures.page.Table;
-import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.gap.diagnosis.Estimate;
 import simbad.gap.joint.JointDiagnosis;
@@ -41,9 +40,7 @@ final class JointPage {
     Page page = new Page(name + ": " + verdict, "What the robot hears and how it moves: " + name);
     JointPage own = new JointPage(page, diagnosis);
     own.answer();
-    List<AuditFinding> audit = new ArrayList<>(diagnosis.sensing().audit());
-    audit.addAll(log.audit());
-    AuditSection.add(page, audit, name);
+    AuditSection.add(page, log.audit(), name);
     own.shared();
     page.section("The readings");
     DiagnosisPage.add(page, diagnosis.sensing(), log.data(), rows);

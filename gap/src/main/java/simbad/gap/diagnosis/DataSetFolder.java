@@ -72,13 +72,7 @@ public final class DataSetFolder {
    * @throws DataFormatException naming file, line and field of the first fault
    */
   public DataSet read() throws DataFormatException {
-    if (!Files.exists(folder)) {
-      throw DataFormatException.inFile(folder, "no such folder");
-    }
-    if (!Files.isDirectory(folder)) {
-      throw DataFormatException.inFile(
-          folder, "is not a folder, expected one with " + SCENE + " and " + READINGS);
-    }
+    require();
     Path reference = folder.resolve(REFERENCE);
     SensingSetup setup = SceneFile.read(folder.resolve(SCENE));
     return new DataSet(
@@ -86,6 +80,21 @@ public final class DataSetFolder {
         setup,
         rows(folder.resolve(READINGS), setup),
         Files.exists(reference) ? rows(reference, setup) : List.of());
+  }
+
+  /**
+   * Checks that the folder is there.
+   *
+   * @throws DataFormatException if it is not, or is a file
+   */
+  public void require() throws DataFormatException {
+    if (!Files.exists(folder)) {
+      throw DataFormatException.inFile(folder, "no such folder");
+    }
+    if (!Files.isDirectory(folder)) {
+      throw DataFormatException.inFile(
+          folder, "is not a folder, expected one with " + SCENE + " and " + READINGS);
+    }
   }
 
   private List<ReadingRow> rows(Path file, SensingSetup setup) throws DataFormatException {

@@ -37,7 +37,8 @@ import simbad.sonar.scene.SensorLaw;
  * @param signs of something without a name, by the names that their weights have
  * @param setupError how far the calibrated set-up is off on rows of the reference that it was not
  *     fitted on; empty where none were held out
- * @param audit what was found of the data before anything was fitted, worst first
+ * @param audit what was found of the data before anything was fitted, worst first; empty where none
+ *     was asked for
  */
 public record Diagnosis(
     Verdict verdict,
@@ -76,6 +77,15 @@ public record Diagnosis(
 
   /** Returns the same with another model of what was concluded. */
   public Diagnosis with(Hypothesis model) {
+    return with(model, audit);
+  }
+
+  /** Returns the same with what an audit found of the data, worst first. */
+  public Diagnosis with(List<AuditFinding> findings) {
+    return with(fitted, findings);
+  }
+
+  private Diagnosis with(Hypothesis model, List<AuditFinding> findings) {
     return new Diagnosis(
         verdict,
         reason,
@@ -94,7 +104,7 @@ public record Diagnosis(
         tried,
         signs,
         setupError,
-        audit);
+        findings);
   }
 
   /** Returns by which law the set-up was taken to hear. */

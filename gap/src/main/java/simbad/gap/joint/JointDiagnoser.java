@@ -3,7 +3,6 @@ package simbad.gap.joint;
 import java.util.ArrayList;
 import java.util.List;
 import simbad.gap.Diagnoser;
-import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Estimate;
@@ -42,11 +41,10 @@ public final class JointDiagnoser {
    * Returns the diagnosis.
    *
    * @param diagnoser of the readings
-   * @param audit of them
    */
-  public JointDiagnosis diagnose(Diagnoser diagnoser, List<AuditFinding> audit) {
+  public JointDiagnosis diagnose(Diagnoser diagnoser) {
     MotionDiagnosis motion = mover.diagnose();
-    Diagnosis sensing = diagnoser.diagnose(data, audit, offered(motion));
+    Diagnosis sensing = diagnoser.diagnose(data, offered(motion));
     List<Shared> shared = new ArrayList<>();
     Diagnosis heard = sensing;
     MotionDiagnosis moved = motion;

@@ -22,7 +22,7 @@ class JointDiagnoserTest {
   private static final double LARGER = 1.05;
 
   private static JointDiagnosis diagnose(DataSet data, MotionData drive) {
-    return new JointDiagnoser(data, drive).diagnose(new Diagnoser(1, Set.of()), List.of());
+    return new JointDiagnoser(data, drive).diagnose(new Diagnoser(1, Set.of()));
   }
 
   private static JointDiagnosis diagnose(JointWorld world) {

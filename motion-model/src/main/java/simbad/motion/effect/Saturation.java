@@ -1,8 +1,11 @@
 package simbad.motion.effect;
 
 import java.util.List;
+import java.util.function.DoubleBinaryOperator;
 import java.util.stream.DoubleStream;
+import simbad.motion.Command;
 import simbad.motion.CommandUse;
+import simbad.motion.MotionChange;
 
 /** Large commands are cut. */
 final class Saturation {
@@ -81,5 +84,22 @@ final class Saturation {
 
   private static double cut(double command, double most) {
     return Math.abs(command) > most ? Math.copySign(most, command) : command;
+  }
+
+  /**
+   * A change of what is commanded in which speed and turn depend on each other.
+   *
+   * @param speed from commanded speed, m/s, and rate of turning, rad/s
+   * @param turn the same for the rate
+   */
+  private record WholeCommandChange(DoubleBinaryOperator speed, DoubleBinaryOperator turn)
+      implements MotionChange {
+    @Override
+    public Command commanded(Command command) {
+      double newSpeed = speed.applyAsDouble(command.speedMPerS(), command.turnRadPerS());
+      double newTurn = turn.applyAsDouble(command.speedMPerS(), command.turnRadPerS());
+      boolean same = newSpeed == command.speedMPerS() && newTurn == command.turnRadPerS();
+      return same ? command : new Command(command.timeS(), newSpeed, newTurn);
+    }
   }
 }

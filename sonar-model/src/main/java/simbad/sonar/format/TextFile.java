@@ -43,7 +43,7 @@ public final class TextFile {
       throw DataFormatException.inFile(file, "no such file");
     }
     if (Files.isDirectory(file)) {
-      throw DataFormatException.inFile(file, "is a directory, expected a file");
+      throw DataFormatException.inFile(file, "is a folder, expected a file");
     }
     if (!Files.isRegularFile(file)) {
       // A pipe may never end, a device never does.

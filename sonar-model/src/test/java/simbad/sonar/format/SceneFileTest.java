@@ -174,7 +174,7 @@ class SceneFileTest {
 
   @Test
   void notAFile() {
-    Faults.check(SceneFile::read, directory, ": ", "is a directory");
+    Faults.check(SceneFile::read, directory, ": ", "is a folder");
     Faults.check(SceneFile::read, directory.resolve("none.json"), ": ", "no such file");
   }
 }

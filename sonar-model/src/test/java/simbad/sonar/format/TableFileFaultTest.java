@@ -148,7 +148,7 @@ class TableFileFaultTest {
 
   @Test
   void notAFile() throws Exception {
-    Faults.check(TableFile::read, directory, ": ", "is a directory");
+    Faults.check(TableFile::read, directory, ": ", "is a folder");
     Faults.check(TableFile::read, directory.resolve("none.csv"), ": ", "no such file");
     Files.createSymbolicLink(directory.resolve("link"), directory.resolve("gone"));
     Faults.check(TableFile::read, directory.resolve("link"), ": ", "no such file");

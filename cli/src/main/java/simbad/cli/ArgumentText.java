@@ -1,15 +1,24 @@
 package simbad.cli;
 
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.TypeConversionException;
+import simbad.experiments.table.TableImport;
+import simbad.sonar.format.Provenance;
 
-/** Reads numbers of the command line; what is none is told in a reader's words, not in Java's. */
-final class NumberArgument {
-  private NumberArgument() {}
+/**
+ * Reads numbers and words of the command line; what is none is told in a reader's words, not in
+ * Java's.
+ */
+final class ArgumentText {
+  private ArgumentText() {}
 
-  /** Lets a command, with those that it has already, read its numbers. */
+  /** Lets a command, with those that it has already, read its numbers and words. */
   static CommandLine readBy(CommandLine command) {
     Stream.of(double.class, Double.class)
         .forEach(type -> register(command, type, Double::valueOf, "a number"));
@@ -17,7 +26,24 @@ final class NumberArgument {
         .forEach(type -> register(command, type, Integer::valueOf, "a whole number"));
     Stream.of(long.class, Long.class)
         .forEach(type -> register(command, type, Long::valueOf, "a whole number"));
+    word(command, Provenance.class);
+    word(command, TableImport.Unit.class);
     return command;
+  }
+
+  private static <E extends Enum<E>> void word(CommandLine command, Class<E> type) {
+    Map<String, E> words = new LinkedHashMap<>();
+    for (E constant : type.getEnumConstants()) {
+      words.put(constant.name().toLowerCase(Locale.ROOT), constant);
+    }
+    command.registerConverter(
+        type,
+        text ->
+            Optional.ofNullable(words.get(text.toLowerCase(Locale.ROOT)))
+                .orElseThrow(
+                    () ->
+                        new TypeConversionException(
+                            "'" + text + "' is not one of " + String.join(", ", words.keySet()))));
   }
 
   @SuppressWarnings("unchecked") // int.class is a Class<Integer>
