@@ -1,6 +1,7 @@
 package simbad.sonar.ping;
 
 import java.util.Arrays;
+import simbad.sonar.check.Checks;
 import simbad.sonar.frame.Angles;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.shape.Outline;
@@ -54,6 +55,7 @@ public final class NearField {
    * @param wavenumberPerM of the carrier, radians per metre
    */
   public NearField(Obstacle obstacle, double wavenumberPerM) {
+    Checks.positive("wavenumberPerM", wavenumberPerM);
     this.obstacle = obstacle;
     pieces = new Pieces(obstacle.outline(), wavenumberPerM);
     Arrays.fill(offCentreRad, Double.NaN);

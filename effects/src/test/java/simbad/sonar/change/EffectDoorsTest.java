@@ -3,6 +3,7 @@ package simbad.sonar.change;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 import simbad.definition.Effect;
@@ -10,14 +11,22 @@ import simbad.definition.Parameter;
 import simbad.sonar.check.DoorWalk;
 import simbad.sonar.check.Samples;
 import simbad.sonar.effect.Form;
+import simbad.sonar.frame.Placement;
+import simbad.sonar.frame.Point;
 import simbad.sonar.level.Beam;
 import simbad.sonar.level.Curve;
 import simbad.sonar.level.LevelLaw;
 import simbad.sonar.level.PistonBeam;
 import simbad.sonar.level.StrengthTable;
+import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.UniformDetection;
+import simbad.sonar.shape.Outline;
 
 /** NaN comes in by no public constructor and by no factory: what is made is made of numbers. */
 class EffectDoorsTest {
+  private static final Outline TRIANGLE =
+      Outline.of(List.of(new Point(-0.1, -0.1), new Point(-0.1, 0.1), new Point(0.1, 0.1)));
+
   private static Samples samples() {
     Curve curve = Curve.of(0, 0.1, 1, 0.2);
     Beam beam = PistonBeam.of(0.007, 700);
@@ -27,6 +36,9 @@ class EffectDoorsTest {
         .with(Curve.class, curve)
         .with(Beam.class, beam)
         .with(Form.class, form)
+        .with(
+            Obstacle.class,
+            new Obstacle("one", Placement.IDENTITY, TRIANGLE, new UniformDetection(1)))
         .with(StrengthTable.class, StrengthTable.of(new double[72]))
         .with(LevelLaw.class, new LevelLaw(30, 2, 1, beam, curve, 1, curve, curve, 0.01));
   }

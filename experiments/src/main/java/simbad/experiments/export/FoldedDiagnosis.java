@@ -33,6 +33,7 @@ import simbad.sonar.frame.Pose;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.LevelRule;
+import simbad.sonar.ping.NearEcho;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.ping.RangeChange;
 import simbad.sonar.ping.SceneChange;
@@ -49,8 +50,8 @@ import simbad.sonar.shape.ThresholdTable;
 
 /**
  * A diagnosis before one obstacle, its effects folded into the figures of a header: what scatters
- * is left out, what is more likely than not counts as certain. Effects without such a form are
- * refused by name.
+ * is left out, and where echoes come from near by; what is more likely than not counts as certain.
+ * Effects without such a form are refused by name.
  */
 public final class FoldedDiagnosis {
   /** A threshold that is the same all round becomes a polygon. */
@@ -118,7 +119,7 @@ public final class FoldedDiagnosis {
             || takeMemory(change);
     if (known) {
       folded.add(fitted.form().toString());
-    } else if (isScatter(change)) {
+    } else if (isScatter(change) || change instanceof NearEcho) {
       leftOut.add(fitted.form().toString());
     } else {
       throw new IllegalArgumentException(
