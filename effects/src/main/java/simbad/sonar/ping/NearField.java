@@ -13,7 +13,7 @@ import simbad.sonar.shape.Outline;
  *
  * <p>Computed by Kirchhoff's integral round the outline: each piece that faces the sensor answers
  * in proportion to the cosine of its angle, with the phase of its distance there and back. The
- * echo's place is the mean place of what adds up, its level the sum's, both over the band of a
+ * echo's place is the mean direction of what adds up, its level the sum's, both over the band of a
  * burst. The integral leaves out what bends round corners and is reflected twice, so the dips of
  * its level are too deep: more than 3 dB is not believed. It knows nothing of height.
  *
@@ -119,7 +119,7 @@ public final class NearField {
       double believedDb = pieces.echo(bearingRad, Math.min(MOST_REFERENCE_M, believedM)).levelDb;
       Echo echo = pieces.echo(bearingRad, DISTANCE_M[distance]);
       double added = echo.levelDb - believedDb;
-      offCentreRad[cell] = Math.atan2(echo.acrossM, DISTANCE_M[distance]);
+      offCentreRad[cell] = echo.offCentreRad;
       addedDb[cell] = Math.max(-MOST_DB, Math.min(MOST_DB, added));
       known = values[cell];
     }
@@ -129,10 +129,10 @@ public final class NearField {
   /**
    * One echo.
    *
-   * @param acrossM by how much its place lies to the left of the line to the centre, metres
+   * @param offCentreRad by how much it comes from the left of the line to the centre
    * @param levelDb its level, of no distance
    */
-  private record Echo(double acrossM, double levelDb) {}
+  private record Echo(double offCentreRad, double levelDb) {}
 
   /** Short pieces of an outline, in its own frame. */
   private static final class Pieces {
@@ -183,8 +183,9 @@ public final class NearField {
         double facing = -(awayX * outX[i] + awayZ * outZ[i]) / away;
         if (facing > 0) {
           double across = sightZ * awayX - sightX * awayZ;
+          double along = sightX * awayX + sightZ * awayZ;
           double way = 2 * wavenumberPerM * (away - distanceM);
-          sum.add(facing * distanceM / away, way, across);
+          sum.add(facing * distanceM / away, way, Math.atan2(across, along));
         }
       }
       return sum.echo();
@@ -195,22 +196,22 @@ public final class NearField {
   private static final class Sum {
     private final double[] real = new double[WAVES];
     private final double[] imaginary = new double[WAVES];
-    private final double[] realM = new double[WAVES];
-    private final double[] imaginaryM = new double[WAVES];
-    private double leftM = Double.NEGATIVE_INFINITY;
-    private double rightM = Double.POSITIVE_INFINITY;
+    private final double[] realSide = new double[WAVES];
+    private final double[] imaginarySide = new double[WAVES];
+    private double leftRad = Double.NEGATIVE_INFINITY;
+    private double rightRad = Double.POSITIVE_INFINITY;
 
-    void add(double weight, double phaseRad, double acrossM) {
-      leftM = Math.max(leftM, acrossM);
-      rightM = Math.min(rightM, acrossM);
+    void add(double weight, double phaseRad, double sideRad) {
+      leftRad = Math.max(leftRad, sideRad);
+      rightRad = Math.min(rightRad, sideRad);
       for (int wave = 0; wave < WAVES; wave++) {
         double phase = phaseRad * (1 + BAND * (2.0 * wave / (WAVES - 1) - 1));
         double inPhase = weight * Math.cos(phase);
         double behind = weight * Math.sin(phase);
         real[wave] += inPhase;
         imaginary[wave] += behind;
-        realM[wave] += inPhase * acrossM;
-        imaginaryM[wave] += behind * acrossM;
+        realSide[wave] += inPhase * sideRad;
+        imaginarySide[wave] += behind * sideRad;
       }
     }
 
@@ -219,14 +220,14 @@ public final class NearField {
       double moment = 0;
       for (int wave = 0; wave < WAVES; wave++) {
         power += real[wave] * real[wave] + imaginary[wave] * imaginary[wave];
-        moment += real[wave] * realM[wave] + imaginary[wave] * imaginaryM[wave];
+        moment += real[wave] * realSide[wave] + imaginary[wave] * imaginarySide[wave];
       }
       if (!(power > 0)) {
         return new Echo(0, 10 * Math.log10(LEAST_POWER));
       }
       // Of waves that all but cancel, the mean may lie beside the obstacle.
-      double across = Math.max(rightM, Math.min(leftM, moment / power));
-      return new Echo(across, 10 * Math.log10(Math.max(LEAST_POWER, power)));
+      double side = Math.max(rightRad, Math.min(leftRad, moment / power));
+      return new Echo(side, 10 * Math.log10(Math.max(LEAST_POWER, power)));
     }
   }
 }
