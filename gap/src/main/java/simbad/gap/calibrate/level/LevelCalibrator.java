@@ -134,7 +134,10 @@ public final class LevelCalibrator {
     RealMatrix covariance = fit.covariance();
     double[] law = law(fit, covariance, ranges, limits);
     Form form = LevelForms.law(setup);
-    Hypothesis calibrated = nearFields.and(form, law);
+    Hypothesis calibrated = Hypothesis.NONE.and(form, law);
+    for (Form near : nearFields.forms()) {
+      calibrated = calibrated.and(near, 1);
+    }
     LevelLaw fitted = ((LevelRule) form.with(law)).law();
     List<String> labels = Scenes.labels(setup.scene());
     for (int target = 0; target < labels.size(); target++) {
