@@ -135,9 +135,6 @@ public final class LevelCalibrator {
     double[] law = law(fit, covariance, ranges, limits);
     Form form = LevelForms.law(setup);
     Hypothesis calibrated = Hypothesis.NONE.and(form, law);
-    for (Form near : nearFields.forms()) {
-      calibrated = calibrated.and(near, 1);
-    }
     LevelLaw fitted = ((LevelRule) form.with(law)).law();
     List<String> labels = Scenes.labels(setup.scene());
     for (int target = 0; target < labels.size(); target++) {
@@ -150,6 +147,9 @@ public final class LevelCalibrator {
     }
     double noise = ranges.byLevel().noiseM()[1];
     calibrated = calibrated.and(tails(), TAIL_SHARE, Math.min(0.25, TAIL_TIMES * noise));
+    for (Form near : nearFields.forms()) {
+      calibrated = calibrated.and(near, 1);
+    }
     List<Named> values = Named.of(layout, fit, covariance);
     Leeway.Known known = new Leeway.Known(layout, predictor, covariance, ranges);
     return new LevelCalibration(calibrated, values, trials.size(), fit.priorCost(), known);
