@@ -35,7 +35,7 @@ class ObstacleArgumentTest {
   void ownType_mistyped_isSuggested() {
     Shell shell = Shell.simbad("table", "show", "wegde");
     assertEquals(2, shell.status());
-    assertTrue(shell.err().contains("leg-pair, wedge nor"), shell.err());
+    assertTrue(shell.err().contains("leg-pair, wedge, a table's file"), shell.err());
     assertTrue(shell.err().contains("did you mean wedge?"), shell.err());
   }
 }
