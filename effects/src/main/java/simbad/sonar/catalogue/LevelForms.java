@@ -265,6 +265,7 @@ public final class LevelForms {
       return Optional.of(law(setup));
     }
     return Scenes.labels(setup.scene()).stream()
+        .filter(label -> name.endsWith(":" + label))
         .flatMap(label -> Stream.of(strength(label), path(label), nearField(setup, label)))
         .filter(form -> form.name().equals(name))
         .findFirst();

@@ -13,8 +13,7 @@ import simbad.sonar.level.Curve;
  * @param addedM metres over the bearing in the obstacle's frame, radians in [0, 2 pi]
  * @param deviationM how far that may be off, over the same; nowhere below 0
  */
-public record EchoPath(Optional<String> only, Curve addedM, Curve deviationM)
-    implements LevelChange, ObstacleChange {
+public record EchoPath(Optional<String> only, Curve addedM, Curve deviationM) implements EarChange {
   /** Returns a curve round an obstacle through values at even bearings from 0 on. */
   public static Curve round(double... values) {
     double[] points = new double[2 * values.length + 2];
@@ -23,16 +22,5 @@ public record EchoPath(Optional<String> only, Curve addedM, Curve deviationM)
       points[2 * i + 1] = values[i % values.length];
     }
     return Curve.of(points);
-  }
-
-  @Override
-  public boolean changesGeometry() {
-    return true;
-  }
-
-  /** It moves echoes and makes none stronger. */
-  @Override
-  public double addedDb(LevelEars ears, Geometry geometry, int line) {
-    return 0;
   }
 }

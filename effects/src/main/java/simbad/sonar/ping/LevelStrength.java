@@ -18,15 +18,4 @@ public record LevelStrength(
     StrengthTable strengthDb,
     StrengthTable deviationDb,
     StrengthTable withApertureDb)
-    implements LevelChange, ObstacleChange {
-  @Override
-  public boolean changesGeometry() {
-    return true;
-  }
-
-  /** It is what the ears know, and adds nothing to it. */
-  @Override
-  public double addedDb(LevelEars ears, Geometry geometry, int line) {
-    return 0;
-  }
-}
+    implements EarChange {}

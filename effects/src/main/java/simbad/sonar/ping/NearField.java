@@ -24,7 +24,7 @@ public final class NearField {
   private static final double MOST_DB = 3;
 
   /** Even bearings at which it is known, from 0 on. */
-  public static final int BEARINGS = 144;
+  private static final int BEARINGS = 144;
 
   /** Distances to the centre at which it is known, metres; constant before and behind. */
   private static final double[] DISTANCE_M = {
@@ -32,7 +32,6 @@ public final class NearField {
   };
 
   private static final double LEAST_REFERENCE_M = 0.2;
-  private static final double MOST_REFERENCE_M = 4.53;
 
   /**
    * Half of the band in which a burst of eight periods has its energy, as a share of the carrier.
@@ -46,6 +45,10 @@ public final class NearField {
   private final Obstacle obstacle;
   private final double[] offCentreRad = new double[BEARINGS * DISTANCE_M.length];
   private final double[] addedDb = new double[offCentreRad.length];
+
+  /** Of the echo from the distance at which the strength is believed, by bearing. */
+  private final double[] believedDb = new double[BEARINGS];
+
   private final Pieces pieces;
 
   /**
@@ -60,10 +63,11 @@ public final class NearField {
     pieces = new Pieces(obstacle.outline(), wavenumberPerM);
     Arrays.fill(offCentreRad, Double.NaN);
     Arrays.fill(addedDb, Double.NaN);
+    Arrays.fill(believedDb, Double.NaN);
   }
 
   /** Returns the distances to the centre at which it is known, rising, metres. */
-  public static double[] distancesM() {
+  static double[] distancesM() {
     return DISTANCE_M.clone();
   }
 
@@ -115,13 +119,23 @@ public final class NearField {
     double known = values[cell];
     if (Double.isNaN(known)) {
       double bearingRad = bearing * Angles.TURN_RAD / BEARINGS;
-      double believedM = Math.max(LEAST_REFERENCE_M, obstacle.detection().thresholdM(bearingRad));
-      double believedDb = pieces.echo(bearingRad, Math.min(MOST_REFERENCE_M, believedM)).levelDb;
       Echo echo = pieces.echo(bearingRad, DISTANCE_M[distance]);
-      double added = echo.levelDb - believedDb;
+      double added = echo.levelDb - believedDb(bearing, bearingRad);
       offCentreRad[cell] = echo.offCentreRad;
       addedDb[cell] = Math.max(-MOST_DB, Math.min(MOST_DB, added));
       known = values[cell];
+    }
+    return known;
+  }
+
+  private double believedDb(int bearing, double bearingRad) {
+    double known = believedDb[bearing];
+    if (Double.isNaN(known)) {
+      double lostM = obstacle.detection().thresholdM(bearingRad);
+      double furthestM = DISTANCE_M[DISTANCE_M.length - 1];
+      double atM = Math.max(LEAST_REFERENCE_M, Math.min(furthestM, lostM));
+      known = pieces.echo(bearingRad, atM).levelDb;
+      believedDb[bearing] = known;
     }
     return known;
   }

@@ -36,7 +36,7 @@ public final class LevelCalibrator {
   private static final double MOST_REFERENCE_M = 3;
 
   private final SensingSetup setup;
-  private Hypothesis nearFields = Hypothesis.NONE;
+  private final Hypothesis nearFields;
   private final Geometry geometry;
   private final LevelLaw believed;
   private final List<Believed> targets = new ArrayList<>();
@@ -52,26 +52,32 @@ public final class LevelCalibrator {
   public LevelCalibrator(SensingSetup setup, PingLog reference) {
     this.setup = setup;
     believed = setup.sensor().levelLaw();
-    LevelRule rule = LevelRule.of(setup.sensor());
     setup.scene().obstacles().forEach(one -> targets.add(new Believed(one, believed)));
     layout = new Layout(targets);
     prior = new Prior(layout, setup.sensor(), targets, reference.sensors().size());
-    Geometry chosen = new Geometry(reference, setup, List.of(rule));
-    double evidence = evidence(chosen);
+    nearFields = nearFields(reference);
+    geometry = geometry(reference, nearFields);
+  }
+
+  /** Where an echo comes from near by, of those obstacles of which the reference says that. */
+  private Hypothesis nearFields(PingLog reference) {
+    Hypothesis chosen = Hypothesis.NONE;
+    double evidence = evidence(geometry(reference, chosen));
     for (String label : Scenes.labels(setup.scene())) {
-      Form more = LevelForms.nearField(setup, label);
-      Hypothesis with = nearFields.and(more, 1);
-      List<Change> changes = new ArrayList<>(with.changes());
-      changes.add(rule);
-      Geometry other = new Geometry(reference, setup, changes);
-      double its = evidence(other);
+      Hypothesis with = chosen.and(LevelForms.nearField(setup, label), 1);
+      double its = evidence(geometry(reference, with));
       if (its > evidence) {
-        nearFields = with;
-        chosen = other;
+        chosen = with;
         evidence = its;
       }
     }
-    geometry = chosen;
+    return chosen;
+  }
+
+  private Geometry geometry(PingLog reference, Hypothesis known) {
+    List<Change> changes = known.changes();
+    changes.add(LevelRule.of(setup.sensor()));
+    return new Geometry(reference, setup, changes);
   }
 
   /**
@@ -113,22 +119,23 @@ public final class LevelCalibrator {
   /** How probable the whole reference is where echoes come from as they do there. */
   private double evidence(Geometry here) {
     Limits limits = Limits.of(here, setup.sensor(), Fold.ALL);
-    return levels(Trials.of(here, limits.of(setup.sensor()), Fold.ALL, List.of())).evidence();
+    SonarSpec sensor = limits.of(setup.sensor());
+    return levels(predictor(), Trials.of(here, sensor, Fold.ALL, List.of())).evidence();
   }
 
-  private LevelFit levels(List<Trials.Trial> trials) {
-    Predictor predictor =
-        new Predictor(layout, believed, targets, LevelForms.wavenumberPerM(setup));
+  private Predictor predictor() {
+    return new Predictor(layout, believed, targets, LevelForms.wavenumberPerM(setup));
+  }
+
+  private LevelFit levels(Predictor predictor, List<Trials.Trial> trials) {
     List<Trials.Trial> cones = Cones.of(setup.scene(), setup.sensor().coneHalfAngleRad());
     return new LevelFit(prior, predictor, trials, cones, setup.sensor().missRate());
   }
 
   private LevelCalibration fit(
       Limits limits, List<Trials.Trial> trials, List<Trials.Trial> ofRanges) {
-    Predictor predictor =
-        new Predictor(layout, believed, targets, LevelForms.wavenumberPerM(setup));
-    List<Trials.Trial> cones = Cones.of(setup.scene(), setup.sensor().coneHalfAngleRad());
-    LevelFit fit = new LevelFit(prior, predictor, trials, cones, setup.sensor().missRate());
+    Predictor predictor = predictor();
+    LevelFit fit = levels(predictor, trials);
     predictor.set(fit.values());
     Ranges ranges = Ranges.of(predictor, ofRanges, targets, setup.sensor());
     RealMatrix covariance = fit.covariance();

@@ -9,14 +9,14 @@ final class Normal {
   private final RealMatrix left;
   private final double[] right;
 
-  Normal(int size) {
-    left = MatrixUtils.createRealMatrix(size, size);
-    right = new double[size];
-  }
-
-  /** Adds to what is known before any row. */
-  void add(int i, int j, double precision) {
-    left.addToEntry(i, j, precision);
+  /**
+   * Begins with what is known before any row: that each value is 0.
+   *
+   * @param precision how surely, copied
+   */
+  Normal(double[][] precision) {
+    left = MatrixUtils.createRealMatrix(precision);
+    right = new double[precision.length];
   }
 
   /** Adds a row: how much each value counts, how surely, and what was read. */
@@ -50,5 +50,10 @@ final class Normal {
   /** Returns the values. */
   double[] solve() {
     return Matrices.positive(left).getSolver().solve(new ArrayRealVector(right)).toArray();
+  }
+
+  /** Returns how surely the values are known: their covariance. */
+  RealMatrix covariance() {
+    return Matrices.positive(left).getSolver().getInverse();
   }
 }

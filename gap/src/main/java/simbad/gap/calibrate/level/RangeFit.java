@@ -2,8 +2,6 @@ package simbad.gap.calibrate.level;
 
 import java.util.Arrays;
 import java.util.List;
-import org.hipparchus.linear.ArrayRealVector;
-import org.hipparchus.linear.MatrixUtils;
 import org.hipparchus.linear.RealMatrix;
 import simbad.sonar.catalogue.LevelForms;
 
@@ -92,14 +90,22 @@ final class RangeFit {
   }
 
   private double[] walk() {
-    double[] right = new double[walk.length];
-    RealMatrix matrix = precision(right);
-    return Matrices.positive(matrix).getSolver().solve(new ArrayRealVector(right)).toArray();
+    return equations().solve();
   }
 
   /** Returns how surely the walk is known: the covariance of its values, square metres. */
   RealMatrix covariance() {
-    return Matrices.positive(precision(new double[walk.length])).getSolver().getInverse();
+    return equations().covariance();
+  }
+
+  /**
+   * Returns how much a range counts by Student's distribution, over its variance.
+   *
+   * @param off by how much it is off, metres
+   * @param variance square metres
+   */
+  static double weight(double off, double variance) {
+    return (DEGREES + 1) / (DEGREES + off * off / variance) / variance;
   }
 
   /** How surely the walk is 0 and even before any reading: 1 over square metres. */
@@ -137,23 +143,14 @@ final class RangeFit {
     return moved;
   }
 
-  /** The precision of the walk; what is read, each with its own, is added to the right side. */
-  private RealMatrix precision(double[] right) {
-    int size = walk.length;
-    RealMatrix matrix = MatrixUtils.createRealMatrix(prior());
+  private Normal equations() {
+    Normal equations = new Normal(prior());
     for (int echo = 0; echo < excessDb.length; echo++) {
-      double[] weight = weights(LevelForms.WALK_DB, excessDb[echo]);
-      double variance = variance(excessDb[echo]);
-      double off = beyondM[echo] - dot(weight, walk);
-      double own = (DEGREES + 1) / (DEGREES + off * off / variance) / variance;
-      for (int i = 0; i < size; i++) {
-        right[i] += own * weight[i] * beyondM[echo];
-        for (int j = 0; j < size; j++) {
-          matrix.addToEntry(i, j, own * weight[i] * weight[j]);
-        }
-      }
+      double[] row = weights(LevelForms.WALK_DB, excessDb[echo]);
+      double off = beyondM[echo] - dot(row, walk);
+      equations.add(row, weight(off, variance(excessDb[echo])), beyondM[echo]);
     }
-    return matrix;
+    return equations;
   }
 
   private double[] noise(double believedM) {

@@ -19,7 +19,6 @@ import simbad.sonar.scene.SonarSpec;
 record Ranges(double scale, RangeFit byLevel, List<PathFit> byBearing) {
   private static final int ROUNDS = 40;
   private static final double SETTLED_M = 1e-5;
-  private static final double DEGREES = 4;
 
   /** Three kelvin are half a per cent of the speed of sound. */
   private static final double SCALE_SPREAD = 0.005;
@@ -48,10 +47,12 @@ record Ranges(double scale, RangeFit byLevel, List<PathFit> byBearing) {
       paths.add(new PathFit(targets.get(target), target, read));
     }
     RangeFit walk = new RangeFit(excess, beyond, sensor.resolutionM(), sensor.rangeNoiseM());
+    double[][] rows = new double[excess.length][];
+    Arrays.setAll(rows, i -> row(read.get(i).nearestM(), excess[i]));
     double scale = 1;
     for (int round = 0; round < ROUNDS; round++) {
       double[] weight = weights(walk.beyond(excess, left(read, scale, paths)), walk, excess);
-      double[] shared = shared(read, excess, weight, paths);
+      double[] shared = shared(read, rows, weight, paths);
       double moved = Math.abs(1 + shared[0] - scale);
       scale = 1 + shared[0];
       moved += walk.take(Arrays.copyOfRange(shared, 1, shared.length), left(read, scale, paths));
@@ -62,34 +63,39 @@ record Ranges(double scale, RangeFit byLevel, List<PathFit> byBearing) {
     return new Ranges(scale, walk, paths);
   }
 
-  /** By Student's distribution of four degrees, over the variance. */
   private static double[] weights(double[] off, RangeFit walk, double[] excess) {
     double[] weights = walk.variances(excess);
-    Arrays.setAll(
-        weights, i -> (DEGREES + 1) / (DEGREES + off[i] * off[i] / weights[i]) / weights[i]);
+    Arrays.setAll(weights, i -> RangeFit.weight(off[i], weights[i]));
     return weights;
+  }
+
+  /** How much an echo says of the share of the distance over 1, and of the walk. */
+  private static double[] row(double nearestM, double excess) {
+    double[] walk = RangeFit.weights(LevelForms.WALK_DB, excess);
+    double[] row = new double[walk.length + 1];
+    row[0] = nearestM;
+    System.arraycopy(walk, 0, row, 1, walk.length);
+    return row;
+  }
+
+  private static double[][] prior() {
+    double[][] walk = RangeFit.prior();
+    double[][] prior = new double[walk.length + 1][walk.length + 1];
+    prior[0][0] = 1 / (SCALE_SPREAD * SCALE_SPREAD);
+    for (int i = 0; i < walk.length; i++) {
+      System.arraycopy(walk[i], 0, prior[i + 1], 1, walk.length);
+    }
+    return prior;
   }
 
   /** The share of the distance over 1, and the walk; what bearings add is taken by the paths. */
   private static double[] shared(
-      List<Trials.Trial> read, double[] excess, double[] weight, List<PathFit> paths) {
-    double[][] prior = RangeFit.prior();
-    Normal normal = new Normal(prior.length + 1);
-    normal.add(0, 0, 1 / (SCALE_SPREAD * SCALE_SPREAD));
-    for (int i = 0; i < prior.length; i++) {
-      for (int j = 0; j < prior.length; j++) {
-        normal.add(i + 1, j + 1, prior[i][j]);
-      }
-    }
-    double[][] row = new double[weight.length][];
+      List<Trials.Trial> read, double[][] rows, double[] weight, List<PathFit> paths) {
+    Normal normal = new Normal(prior());
     for (int i = 0; i < weight.length; i++) {
-      double[] walk = RangeFit.weights(LevelForms.WALK_DB, excess[i]);
-      row[i] = new double[walk.length + 1];
-      row[i][0] = read.get(i).nearestM();
-      System.arraycopy(walk, 0, row[i], 1, walk.length);
-      normal.add(row[i], weight[i], read.get(i).beyondM());
+      normal.add(rows[i], weight[i], read.get(i).beyondM());
     }
-    paths.forEach(path -> path.leave(normal, row, weight));
+    paths.forEach(path -> path.leave(normal, rows, weight));
     double[] shared = normal.solve();
     paths.forEach(path -> path.take(shared));
     return shared;
