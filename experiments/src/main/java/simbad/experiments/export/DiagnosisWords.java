@@ -43,12 +43,19 @@ final class DiagnosisWords {
   private static String effects(FoldedDiagnosis folded, String name) {
     String in = folded.folded().isEmpty() ? "none" : String.join(", ", folded.folded());
     String out = folded.leftOut().isEmpty() ? "none" : String.join(", ", folded.leftOut());
+    String near =
+        folded.nearFields().isEmpty()
+            ? ""
+            : " Left out as well, so that levels may differ by up to 3 dB near a large obstacle: "
+                + String.join(", ", folded.nearFields())
+                + ".";
     return SonarHeader.line(
             " * From a diagnosis. Effects included: "
                 + in
                 + ". Left out, since they only scatter: "
                 + out
-                + ".")
+                + "."
+                + near)
         + "\n * "
         + name
         + "_read_next reads with all of them; what it remembers is in "

@@ -19,6 +19,7 @@ import simbad.sonar.change.Hysteresis;
 import simbad.sonar.change.NearClamp;
 import simbad.sonar.change.NearLimit;
 import simbad.sonar.change.NoEchoCode;
+import simbad.sonar.change.NoiseTails;
 import simbad.sonar.change.RangeNoise;
 import simbad.sonar.change.RangeOffset;
 import simbad.sonar.change.SensorScatter;
@@ -67,6 +68,7 @@ public final class FoldedDiagnosis {
   private final FoldedLevel levels = new FoldedLevel();
   private final List<Change> geometric = new ArrayList<>();
   private final List<String> leftOut = new ArrayList<>();
+  private final List<String> nearFields = new ArrayList<>();
   private final List<String> folded = new ArrayList<>();
   private RangeFigures ranges = RangeFigures.AS_IT_IS;
   private double turnRad;
@@ -89,7 +91,9 @@ public final class FoldedDiagnosis {
     index = label.isEmpty() && labels.size() == 1 ? 0 : labels.indexOf(label);
     if (index < 0) {
       throw new IllegalArgumentException(
-          "obstacle '" + label + "' is not one of " + String.join(", ", labels));
+          (label.isEmpty() ? "the scene has several obstacles" : "obstacle '" + label + "'")
+              + (label.isEmpty() ? "; choose one of " : " is not one of ")
+              + String.join(", ", labels));
     }
     believed = scene.obstacles().get(index);
     isLevel = model.changes().stream().anyMatch(LevelRule.class::isInstance);
@@ -119,8 +123,10 @@ public final class FoldedDiagnosis {
             || takeMemory(change);
     if (known) {
       folded.add(fitted.form().toString());
-    } else if (isScatter(change) || change instanceof NearEcho) {
+    } else if (isScatter(change)) {
       leftOut.add(fitted.form().toString());
+    } else if (change instanceof NearEcho) {
+      nearFields.add(fitted.form().toString());
     } else {
       throw new IllegalArgumentException(
           "effect "
@@ -135,6 +141,7 @@ public final class FoldedDiagnosis {
 
   private static boolean isScatter(Change change) {
     return change instanceof RangeNoise
+        || (change instanceof NoiseTails tails && tails.share() < HALF)
         || (change instanceof Dropout dropout && dropout.share() < HALF);
   }
 
@@ -313,5 +320,10 @@ public final class FoldedDiagnosis {
   /** Returns which effects only scatter, and have no part in it. */
   List<String> leftOut() {
     return List.copyOf(leftOut);
+  }
+
+  /** Returns what is left out of where echoes come from near by. */
+  List<String> nearFields() {
+    return List.copyOf(nearFields);
   }
 }

@@ -17,6 +17,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.catalogue.LevelForms;
+import simbad.sonar.catalogue.SetupForms;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.FittedForm;
 import simbad.sonar.effect.Form;
@@ -90,7 +91,11 @@ class LevelDiagnosisHeaderTest {
       double bearing = i * 2 * Math.PI / LevelForms.BEARINGS;
       metres.add(i < LevelForms.BEARINGS ? 0.02 + 0.02 * Math.sin(2 * bearing) : 0.0);
     }
-    return List.of(new FittedForm(strength, decibels), new FittedForm(path, metres));
+    Form tails = SetupForms.find("tails", setup(), SENSORS).orElseThrow();
+    return List.of(
+        new FittedForm(strength, decibels),
+        new FittedForm(path, metres),
+        new FittedForm(tails, List.of(0.03, 0.02)));
   }
 
   /** Effects as "effect/form value value", separated by commas. */
@@ -245,6 +250,19 @@ class LevelDiagnosisHeaderTest {
     assertTrue(message.contains("effect " + effect.replaceFirst(" .*", "")), message);
     assertTrue(
         message.endsWith("that cannot be written in C where the sensor hears by the level law"));
+  }
+
+  /** Of every calibration on a reference; where echoes come from near by as well. */
+  @Test
+  void header_saysWhatIsLeftOut() {
+    FittedModel model = model(true, "");
+    List<FittedForm> calibration = new ArrayList<>(model.calibration());
+    Form near = LevelForms.nearField(model.setup(), "angle");
+    calibration.add(new FittedForm(near, List.of(1.0)));
+    FittedModel whole = new FittedModel(model.setup(), SENSORS, calibration, List.of());
+    String text = new LevelHeader(new FoldedDiagnosis(whole, ""), "s").text("test");
+    assertTrue(text.contains("since they only scatter: setup/tails."), text);
+    assertTrue(text.contains("near a large obstacle: setup/near-field:angle."), text);
   }
 
   @Test
