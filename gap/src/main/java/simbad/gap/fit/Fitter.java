@@ -1,6 +1,7 @@
 package simbad.gap.fit;
 
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -23,13 +24,17 @@ public class Fitter {
   private static final double ENOUGH_NATS = 0.02;
   private static final double ROUGHLY_NATS = 0.2;
   private static final double SMALL = 0.03;
-  private static final int REMEMBERED = 4;
+  private static final int REMEMBERED = 8;
   private static final double FAR = 0.03;
   private static final double[] STRIDES = {-1, -0.5, -0.25, -0.1, -0.04, 0.04, 0.1, 0.25, 0.5, 1};
 
   private final CalibratedLog given;
   private final Fold fold;
   private final double[] row;
+
+  /** A simplex asks again of where it began, and of the same end of an interval. */
+  private final Map<Hypothesis, Double> known = new HashMap<>();
+
   private final Map<List<Change>, Geometry> geometries =
       new LinkedHashMap<>(8, 0.75f, true) {
         private static final long serialVersionUID = 1L;
@@ -54,6 +59,16 @@ public class Fitter {
 
   /** Returns the log likelihood of the pings that count. */
   public double logLikelihood(Hypothesis hypothesis) {
+    Double before = known.get(hypothesis);
+    if (before != null) {
+      return before;
+    }
+    double now = computed(hypothesis);
+    known.put(hypothesis, now);
+    return now;
+  }
+
+  private double computed(Hypothesis hypothesis) {
     ChangedModel model = given.model(hypothesis);
     given.logLikelihood(model, geometry(model), row);
     double sum = 0;
