@@ -34,29 +34,28 @@ public final class Geometry {
   private final double[] xM;
   private final double[] zM;
   private final double[] headingRad;
-  private final double[] nearestM;
+  final double[] nearestM;
 
   /** Of pings of no log: what {@link #nearestM} was when the transducer looked before. */
   private final double[] formerM;
 
-  private final double[] centreDistanceM;
-  private final double[] bearingRad;
-  private final double[] thresholdM;
+  final double[] centreDistanceM;
+  final double[] bearingRad;
+  final double[] thresholdM;
 
   /** Not a number until it is asked for; two threads that compute it find the same. */
-  private final double[] offAxisRad;
+  final double[] offAxisRad;
 
-  private final double[] outlineOffAxisRad;
+  final double[] outlineOffAxisRad;
 
-  private final double[] nearestOffAxisRad;
-  private final double[] longestEdgeM;
+  final double[] nearestOffAxisRad;
 
   /** Of lines under the level law: not a number until it is asked for. */
-  private final double[] excessDb;
+  final double[] excessDb;
 
-  private final double[] excessDeviationDb;
-  private final double[] pathM;
-  private final double[] pathDeviationM;
+  final double[] excessDeviationDb;
+  final double[] pathM;
+  final double[] pathDeviationM;
 
   private final boolean[] empty;
 
@@ -79,7 +78,24 @@ public final class Geometry {
    * @param changes of which those that act on poses, the scene and the cone count here
    */
   public Geometry(PingLog log, SensingSetup believed, List<? extends Change> changes) {
+    this(log, believed, changes, null);
+  }
+
+  /**
+   * Computes the geometry like another one, and takes over from it what is the same.
+   *
+   * @param log the pings
+   * @param believed the set-up
+   * @param changes of which those that act on poses, the scene and the cone count here
+   * @param like of the same pings and set-up under other changes; null for none
+   */
+  public Geometry(
+      PingLog log,
+      SensingSetup believed,
+      List<? extends Change> changes,
+      @Nullable Geometry like) {
     this(log, log.size(), believed, changes);
+    Likeness likeness = like == null ? null : new Likeness(like, this);
     PoseTrack track = new PoseTrack(changes, "", 0);
     TruePose pose = new TruePose();
     for (int ping = 0; ping < log.size(); ping++) {
@@ -89,7 +105,8 @@ public final class Geometry {
       }
       pose.set(log.xM(ping), log.zM(ping), log.headingRad(ping));
       track.next(log.timeS(ping), pose);
-      look(ping, pose, log.timeS(ping) - log.firstS());
+      stand(ping, pose, log.timeS(ping) - log.firstS());
+      look(likeness, ping);
     }
   }
 
@@ -106,7 +123,6 @@ public final class Geometry {
     obstacles = scene.obstacles().size();
     labels = Scenes.labels(scene);
     outlines = scene.obstacles().stream().map(Obstacle::worldOutline).toList();
-    longestEdgeM = outlines.stream().mapToDouble(Outline::longestEdgeM).toArray();
     int lines = pings * obstacles;
     xM = new double[pings];
     zM = new double[pings];
@@ -183,12 +199,20 @@ public final class Geometry {
    * @param sinceS time since the first ping, seconds
    */
   public void look(int ping, TruePose pose, double sinceS) {
+    stand(ping, pose, sinceS);
+    look(null, ping);
+  }
+
+  private void stand(int ping, TruePose pose, double sinceS) {
     sinceStartS[ping] = sinceS;
     xM[ping] = pose.xM();
     zM[ping] = pose.zM();
     headingRad[ping] = pose.headingRad();
     sent[ping]++;
-    if (ping < log.size() && pose.headingRad() == log.headingRad(ping)) {
+  }
+
+  private void look(@Nullable Likeness likeness, int ping) {
+    if (ping < log.size() && headingRad[ping] == log.headingRad(ping)) {
       // A fit looks from the same poses thousands of times.
       from.aim(xM[ping], zM[ping], log.directionX(ping), log.directionZ(ping));
     } else {
@@ -197,22 +221,37 @@ public final class Geometry {
     empty[ping] = true;
     for (int obstacle = 0; obstacle < obstacles; obstacle++) {
       int line = ping * obstacles + obstacle;
-      model.trace(obstacle, from, sight);
       if (formerM.length > 0 && sent[ping] > 1) {
         formerM[line] = nearestM[line];
       }
-      nearestM[line] = sight.nearestM();
-      empty[ping] &= nearestM[line] == Double.POSITIVE_INFINITY;
-      centreDistanceM[line] = sight.centreDistanceM();
-      bearingRad[line] = sight.bearingRad();
-      thresholdM[line] = sight.thresholdM();
-      offAxisRad[line] = Double.NaN;
-      outlineOffAxisRad[line] = Double.NaN;
-      nearestOffAxisRad[line] = Double.NaN;
-      if (ears != null) {
-        excessDb[line] = Double.NaN;
+      forget(line);
+      if (likeness == null || !likeness.sees(ping, obstacle)) {
+        trace(line, obstacle);
       }
+      empty[ping] &= nearestM[line] == Double.POSITIVE_INFINITY;
     }
+  }
+
+  private void forget(int line) {
+    offAxisRad[line] = Double.NaN;
+    outlineOffAxisRad[line] = Double.NaN;
+    nearestOffAxisRad[line] = Double.NaN;
+    if (ears != null) {
+      excessDb[line] = Double.NaN;
+    }
+  }
+
+  private void trace(int line, int obstacle) {
+    model.trace(obstacle, from, sight);
+    nearestM[line] = sight.nearestM();
+    centreDistanceM[line] = sight.centreDistanceM();
+    bearingRad[line] = sight.bearingRad();
+    thresholdM[line] = sight.thresholdM();
+  }
+
+  /** The distance to an obstacle's nearest point in the cone from where it is looked now. */
+  double nearestNowM(int obstacle) {
+    return model.nearestM(obstacle, from);
   }
 
   /** Returns the pings. */
@@ -425,18 +464,19 @@ public final class Geometry {
       return coneHalfAngleRad();
     }
     // An edge of which a corner lies further off than this and its length has no point so near.
-    double far = nearestM[line] + SAME_POINT_M + longestEdgeM[line % obstacles];
-    int from = outline.size() - 1;
-    for (int to = 0; to < outline.size(); to++) {
+    double far = nearestM[line] + SAME_POINT_M + outline.longestEdgeM();
+    int to = 0;
+    while (to < outline.size()) {
       double cornerX = outline.xM(to) - xM[ping];
       double cornerZ = outline.zM(to) - zM[ping];
-      if (cornerX * cornerX + cornerZ * cornerZ <= far * far) {
-        double offAxis = nearestOffAxis(line, from, to);
+      double away2 = cornerX * cornerX + cornerZ * cornerZ;
+      if (away2 <= far * far) {
+        double offAxis = nearestOffAxis(line, to == 0 ? outline.size() - 1 : to - 1, to);
         if (!Double.isNaN(offAxis)) {
           return offAxis;
         }
       }
-      from = to;
+      to += 1 + outline.edgesBeyond(away2, far);
     }
     // Neither a corner nor the foot of a perpendicular: where the outline leaves the cone.
     return coneHalfAngleRad();

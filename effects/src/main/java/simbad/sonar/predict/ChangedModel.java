@@ -109,6 +109,14 @@ public final class ChangedModel {
   }
 
   /**
+   * Computes the same as {@link #geometry(PingLog)} from what is known under other changes of the
+   * same log and set-up.
+   */
+  public Geometry geometryLike(Geometry known) {
+    return new Geometry(known.log(), believed, changes, known);
+  }
+
+  /**
    * Computes how probable each reading of a log is, given all readings of its sequence before it.
    * The outcome of a ping is no echo, or the step of the sensor's resolution that the range lies in
    * (steps of 1 mm where it has none), so that every outcome has a probability.

@@ -24,6 +24,9 @@ public final class CalibratedLog {
   private final double[] broad;
   private final Geometry plain;
 
+  /** Many sets of effects look from the same places. */
+  private final Geometries geometries;
+
   /** What a nat counts for: of whether there is an echo, and of where. */
   private final double echoWeight;
 
@@ -43,6 +46,7 @@ public final class CalibratedLog {
     echoWeight = 1;
     rangeWeight = 1;
     plain = new Geometry(log, setup, calibration);
+    geometries = new Geometries(plain, this.calibration);
     broad = new double[log.size()];
     double resolution = setup.sensor().resolutionM();
     double step = resolution > 0 ? resolution : FINEST_STEP_M;
@@ -58,6 +62,7 @@ public final class CalibratedLog {
     log = other.log;
     broad = other.broad;
     plain = other.plain;
+    geometries = other.geometries;
     this.echoWeight = echoWeight;
     this.rangeWeight = rangeWeight;
   }
@@ -110,9 +115,11 @@ public final class CalibratedLog {
 
   /** Returns the geometry under a hypothesis; that of the set-up where nothing changes it. */
   public Geometry geometry(ChangedModel model) {
-    long changing = model.changes().stream().filter(Geometry::dependsOn).count();
-    long calibrated = calibration.stream().filter(Geometry::dependsOn).count();
-    return changing == calibrated ? plain : model.geometry(log);
+    return geometries.of(model);
+  }
+
+  Geometries geometries() {
+    return geometries;
   }
 
   /**

@@ -2,7 +2,6 @@ package simbad.gap.fit;
 
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hipparchus.analysis.MultivariateFunction;
@@ -15,8 +14,6 @@ import org.hipparchus.optim.nonlinear.scalar.ObjectiveFunction;
 import org.hipparchus.optim.nonlinear.scalar.noderiv.NelderMeadSimplex;
 import org.hipparchus.optim.nonlinear.scalar.noderiv.SimplexOptimizer;
 import simbad.definition.Parameter;
-import simbad.sonar.ping.Change;
-import simbad.sonar.ping.Geometry;
 import simbad.sonar.predict.ChangedModel;
 
 /** Finds the values of a hypothesis that make the readings most probable. For one thread. */
@@ -24,7 +21,6 @@ public class Fitter {
   private static final double ENOUGH_NATS = 0.02;
   private static final double ROUGHLY_NATS = 0.2;
   private static final double SMALL = 0.03;
-  private static final int REMEMBERED = 8;
   private static final double FAR = 0.03;
   private static final double[] STRIDES = {-1, -0.5, -0.25, -0.1, -0.04, 0.04, 0.1, 0.25, 0.5, 1};
 
@@ -35,15 +31,7 @@ public class Fitter {
   /** A simplex asks again of where it began, and of the same end of an interval. */
   private final Map<Hypothesis, Double> known = new HashMap<>();
 
-  private final Map<List<Change>, Geometry> geometries =
-      new LinkedHashMap<>(8, 0.75f, true) {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<List<Change>, Geometry> eldest) {
-          return size() > REMEMBERED;
-        }
-      };
+  private final Geometries geometries;
 
   /**
    * Creates a fitter.
@@ -55,6 +43,7 @@ public class Fitter {
     this.given = given;
     this.fold = fold;
     row = new double[given.log().size()];
+    geometries = given.geometries().ofFit();
   }
 
   /** Returns the log likelihood of the pings that count. */
@@ -70,7 +59,7 @@ public class Fitter {
 
   private double computed(Hypothesis hypothesis) {
     ChangedModel model = given.model(hypothesis);
-    given.logLikelihood(model, geometry(model), row);
+    given.logLikelihood(model, geometries.of(model), row);
     double sum = 0;
     for (int i = 0; i < row.length; i++) {
       if (fold.holds(i)) {
@@ -78,16 +67,6 @@ public class Fitter {
       }
     }
     return sum;
-  }
-
-  private Geometry geometry(ChangedModel model) {
-    List<Change> key = model.changes().stream().filter(Geometry::dependsOn).toList();
-    Geometry known = geometries.get(key);
-    if (known == null) {
-      known = given.geometry(model);
-      geometries.put(key, known);
-    }
-    return known;
   }
 
   /**
