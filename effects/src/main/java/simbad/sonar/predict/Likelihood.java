@@ -53,13 +53,22 @@ final class Likelihood {
    *
    * @param probability takes that of what was read
    * @param echoes takes that of any echo where one was read; null if it is not asked for
+   * @param only which pings are asked for, null for all; others need not be computed
    */
-  void into(double[] probability, double @Nullable [] echoes) {
+  void into(double[] probability, double @Nullable [] echoes, boolean @Nullable [] only) {
     boolean alike = memory.burst() == null && pings.emptyOnesAreAlike();
+    boolean some = only != null && memory.isNone();
     double empty = -1;
     double told = 0;
     for (int ping = 0; ping < log.size(); ping++) {
+      boolean asked = !some || only[ping];
+      if (!asked && (!alike || empty >= 0)) {
+        continue;
+      }
       boolean known = alike && isUneventful(ping);
+      if (!asked && !known) {
+        continue;
+      }
       if (known && empty >= 0) {
         // Most pings of most logs: nothing in the cone, nothing read, nothing to remember.
         probability[ping] = empty;
@@ -95,8 +104,10 @@ final class Likelihood {
 
   /** Of a ping that depends on no other. */
   private double alone(int ping) {
-    pings.mix(ping, false, Mixture.EMPTY, 0, mixture);
-    if (!log.echo(ping)) {
+    boolean echo = log.echo(ping);
+    pings.arrive(ping, false, Mixture.EMPTY, echo);
+    pings.mix(0, echo, mixture);
+    if (!echo) {
       return Math.max(0, 1 - mixture.echoShare());
     }
     double range = log.rangeM(ping);
@@ -134,7 +145,7 @@ final class Likelihood {
   }
 
   private void expect(int ping, int inBurst, int heard) {
-    mix(ping, heard == 1, memory.lost(inBurst));
+    mix(ping, inBurst, heard == 1);
     silent[inBurst][heard] = Math.max(0, 1 - mixture.echoShare());
     if (log.echo(ping)) {
       double from = model.stepStartM(log.rangeM(ping));
@@ -157,9 +168,15 @@ final class Likelihood {
   }
 
   /** Mixes what a ping may read, over all that the reading before may have come from. */
-  private void mix(int ping, boolean heard, double lost) {
+  private void mix(int ping, int inBurst, boolean heard) {
+    double lost = memory.lost(inBurst);
     if (before.size() < 2) {
-      pings.mix(ping, heard, before, lost, mixture);
+      boolean echo = log.echo(ping);
+      // What arrives is the same in a burst, where some of it is lost.
+      if (inBurst == 0 || memory.hysteresis() != null) {
+        pings.arrive(ping, heard, before, echo);
+      }
+      pings.mix(lost, echo, mixture);
       return;
     }
     mixture.clear();

@@ -25,7 +25,7 @@ public class Fitter {
   private static final double[] STRIDES = {-1, -0.5, -0.25, -0.1, -0.04, 0.04, 0.1, 0.25, 0.5, 1};
 
   private final CalibratedLog given;
-  private final Fold fold;
+  private final boolean[] counts;
   private final double[] row;
 
   /** A simplex asks again of where it began, and of the same end of an interval. */
@@ -41,8 +41,11 @@ public class Fitter {
    */
   public Fitter(CalibratedLog given, Fold fold) {
     this.given = given;
-    this.fold = fold;
     row = new double[given.log().size()];
+    counts = new boolean[row.length];
+    for (int i = 0; i < counts.length; i++) {
+      counts[i] = fold.holds(i);
+    }
     geometries = given.geometries().ofFit();
   }
 
@@ -59,10 +62,10 @@ public class Fitter {
 
   private double computed(Hypothesis hypothesis) {
     ChangedModel model = given.model(hypothesis);
-    given.logLikelihood(model, geometries.of(model), row);
+    given.logLikelihood(model, geometries.of(model), row, counts);
     double sum = 0;
     for (int i = 0; i < row.length; i++) {
-      if (fold.holds(i)) {
+      if (counts[i]) {
         sum += row[i];
       }
     }
