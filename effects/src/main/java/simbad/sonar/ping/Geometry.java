@@ -31,6 +31,7 @@ public final class Geometry {
   private final int obstacles;
   private final List<String> labels;
   private final List<Outline> outlines;
+  private final double[] longestEdgeM;
   private final double[] xM;
   private final double[] zM;
   private final double[] headingRad;
@@ -123,6 +124,7 @@ public final class Geometry {
     obstacles = scene.obstacles().size();
     labels = Scenes.labels(scene);
     outlines = scene.obstacles().stream().map(Obstacle::worldOutline).toList();
+    longestEdgeM = outlines.stream().mapToDouble(Outline::longestEdgeM).toArray();
     int lines = pings * obstacles;
     xM = new double[pings];
     zM = new double[pings];
@@ -464,19 +466,18 @@ public final class Geometry {
       return coneHalfAngleRad();
     }
     // An edge of which a corner lies further off than this and its length has no point so near.
-    double far = nearestM[line] + SAME_POINT_M + outline.longestEdgeM();
-    int to = 0;
-    while (to < outline.size()) {
+    double far = nearestM[line] + SAME_POINT_M + longestEdgeM[line % obstacles];
+    int from = outline.size() - 1;
+    for (int to = 0; to < outline.size(); to++) {
       double cornerX = outline.xM(to) - xM[ping];
       double cornerZ = outline.zM(to) - zM[ping];
-      double away2 = cornerX * cornerX + cornerZ * cornerZ;
-      if (away2 <= far * far) {
-        double offAxis = nearestOffAxis(line, to == 0 ? outline.size() - 1 : to - 1, to);
+      if (cornerX * cornerX + cornerZ * cornerZ <= far * far) {
+        double offAxis = nearestOffAxis(line, from, to);
         if (!Double.isNaN(offAxis)) {
           return offAxis;
         }
       }
-      to += 1 + outline.edgesBeyond(away2, far);
+      from = to;
     }
     // Neither a corner nor the foot of a perpendicular: where the outline leaves the cone.
     return coneHalfAngleRad();

@@ -8,9 +8,6 @@ public final class Cone {
   /** As a share of a point's distance: a point so near the border lies on it. */
   private static final double ROUNDING = 1e-12;
 
-  /** Of an outline of more corners so many are looked at first. */
-  private static final int CORNERS = 8;
-
   private final double halfAngleRad;
   private final double cos;
   private final double sin;
@@ -51,43 +48,21 @@ public final class Cone {
   public double nearestM(
       Outline outline, double tipXM, double tipZM, double directionX, double directionZ) {
     double best = Double.POSITIVE_INFINITY;
-    double far = cornerM(outline, tipXM, tipZM, directionX, directionZ);
-    int size = outline.size();
-    double x = outline.xM(size - 1) - tipXM;
-    double z = outline.zM(size - 1) - tipZM;
-    double fromAlong = x * directionX + z * directionZ;
-    double fromAcross = x * directionZ - z * directionX;
-    int to = 0;
-    while (to < size) {
-      int beyond = outline.edgesBeyond(fromAlong * fromAlong + fromAcross * fromAcross, far);
-      int corner = beyond == 0 ? to : Math.min(size, to + beyond) - 1;
-      x = outline.xM(corner) - tipXM;
-      z = outline.zM(corner) - tipZM;
-      double along = x * directionX + z * directionZ;
-      double across = x * directionZ - z * directionX;
-      if (beyond == 0) {
-        best = Math.min(best, nearestOfEdgeM(fromAlong, fromAcross, along, across, best));
-        far = Math.min(far, best);
-      }
+    int last = outline.size() - 1;
+    double fromX = outline.xM(last) - tipXM;
+    double fromZ = outline.zM(last) - tipZM;
+    double fromAlong = fromX * directionX + fromZ * directionZ;
+    double fromAcross = fromX * directionZ - fromZ * directionX;
+    for (int i = 0; i <= last; i++) {
+      double toX = outline.xM(i) - tipXM;
+      double toZ = outline.zM(i) - tipZM;
+      double along = toX * directionX + toZ * directionZ;
+      double across = toX * directionZ - toZ * directionX;
+      best = Math.min(best, nearestOfEdgeM(fromAlong, fromAcross, along, across, best));
       fromAlong = along;
       fromAcross = across;
-      to = corner + 1;
     }
     return best;
-  }
-
-  /** Of a few corners of an outline the nearest in the cone: nothing beyond it is the nearest. */
-  private double cornerM(
-      Outline outline, double tipXM, double tipZM, double directionX, double directionZ) {
-    double nearest = Double.POSITIVE_INFINITY;
-    int stride = outline.size() / CORNERS;
-    for (int i = 0; stride > 0 && i < outline.size(); i += stride) {
-      double x = outline.xM(i) - tipXM;
-      double z = outline.zM(i) - tipZM;
-      double corner = endM(x * directionX + z * directionZ, x * directionZ - z * directionX);
-      nearest = Math.min(nearest, corner);
-    }
-    return nearest;
   }
 
   /**

@@ -13,20 +13,12 @@ import simbad.sonar.frame.Point;
  * Immutable.
  */
 public final class Outline {
-  private static final double ROUNDING = 1e-9;
-
   private final double[] xM;
   private final double[] zM;
-  private final double longestEdgeM;
 
   private Outline(double[] xM, double[] zM) {
     this.xM = xM;
     this.zM = zM;
-    double longest = 0;
-    for (int i = 0, j = xM.length - 1; i < xM.length; j = i++) {
-      longest = Math.max(longest, Math.hypot(xM[i] - xM[j], zM[i] - zM[j]));
-    }
-    longestEdgeM = longest;
   }
 
   /**
@@ -107,23 +99,11 @@ public final class Outline {
 
   /** Returns the length of the longest edge in metres. */
   public double longestEdgeM() {
-    return longestEdgeM;
-  }
-
-  /**
-   * Returns how many edges that follow a corner, the one that begins there first, certainly lie
-   * further from a place than a distance, quick to tell; 0 where the corner is hardly further.
-   *
-   * @param away2 square of the corner's distance from the place, square metres
-   * @param farM metres; infinity for a distance that nothing lies beyond
-   */
-  public int edgesBeyond(double away2, double farM) {
-    double least = farM + longestEdgeM;
-    if (!(away2 > least * least)) {
-      return 0;
+    double longest = 0;
+    for (int i = 0, j = size() - 1; i < size(); j = i++) {
+      longest = Math.max(longest, Math.hypot(xM[i] - xM[j], zM[i] - zM[j]));
     }
-    double clear = Math.sqrt(away2) * (1 - ROUNDING) - farM;
-    return (int) Math.min(xM.length, clear / longestEdgeM);
+    return longest;
   }
 
   /**
