@@ -4,16 +4,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
-import simbad.sonar.frame.Angles;
-import simbad.sonar.frame.Placement;
 import simbad.sonar.model.NominalModel;
 import simbad.sonar.model.SightLine;
 import simbad.sonar.model.TransducerPose;
-import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
-import simbad.sonar.shape.Outline;
 
 /**
  * Where every ping's sensor and the obstacles really are, and what the sensor sees of each: all
@@ -21,17 +17,13 @@ import simbad.sonar.shape.Outline;
  * leads from a ping to obstacle o. That of a log is immutable and safe for use by several threads.
  */
 public final class Geometry {
-  private static final double SAME_POINT_M = 1e-9;
-  private static final double SAME_ANGLE_RAD = 1e-9;
-
   private final PingLog log;
   private final Scene scene;
   private final SonarSpec sensor;
   private final NominalModel model;
   private final int obstacles;
   private final List<String> labels;
-  private final List<Outline> outlines;
-  private final double[] longestEdgeM;
+  private final OffAxis angles;
   private final double[] xM;
   private final double[] zM;
   private final double[] headingRad;
@@ -43,6 +35,11 @@ public final class Geometry {
   final double[] centreDistanceM;
   final double[] bearingRad;
   final double[] thresholdM;
+
+  /** Of the bearing: not a number until it is asked for. */
+  final double[] bearingCos;
+
+  final double[] bearingSin;
 
   /** Not a number until it is asked for; two threads that compute it find the same. */
   final double[] offAxisRad;
@@ -91,10 +88,7 @@ public final class Geometry {
    * @param like of the same pings and set-up under other changes; null for none
    */
   public Geometry(
-      PingLog log,
-      SensingSetup believed,
-      List<? extends Change> changes,
-      @Nullable Geometry like) {
+      PingLog log, SensingSetup believed, List<? extends Change> changes, @Nullable Geometry like) {
     this(log, log.size(), believed, changes);
     Likeness likeness = like == null ? null : new Likeness(like, this);
     PoseTrack track = new PoseTrack(changes, "", 0);
@@ -123,8 +117,7 @@ public final class Geometry {
     model = new NominalModel(sensor, scene);
     obstacles = scene.obstacles().size();
     labels = Scenes.labels(scene);
-    outlines = scene.obstacles().stream().map(Obstacle::worldOutline).toList();
-    longestEdgeM = outlines.stream().mapToDouble(Outline::longestEdgeM).toArray();
+    angles = new OffAxis(this);
     int lines = pings * obstacles;
     xM = new double[pings];
     zM = new double[pings];
@@ -134,6 +127,8 @@ public final class Geometry {
     Arrays.fill(formerM, Double.POSITIVE_INFINITY);
     centreDistanceM = new double[lines];
     bearingRad = new double[lines];
+    bearingCos = new double[lines];
+    bearingSin = new double[lines];
     thresholdM = new double[lines];
     offAxisRad = new double[lines];
     outlineOffAxisRad = new double[lines];
@@ -235,6 +230,8 @@ public final class Geometry {
   }
 
   private void forget(int line) {
+    bearingCos[line] = Double.NaN;
+    bearingSin[line] = Double.NaN;
     offAxisRad[line] = Double.NaN;
     outlineOffAxisRad[line] = Double.NaN;
     nearestOffAxisRad[line] = Double.NaN;
@@ -415,6 +412,22 @@ public final class Geometry {
     return bearingRad[line];
   }
 
+  /** Returns the cosine of that bearing: a fit asks for it thousands of times. */
+  public double bearingCos(int line) {
+    if (Double.isNaN(bearingCos[line])) {
+      bearingCos[line] = Math.cos(bearingRad[line]);
+    }
+    return bearingCos[line];
+  }
+
+  /** Returns the sine of that bearing. */
+  public double bearingSin(int line) {
+    if (Double.isNaN(bearingSin[line])) {
+      bearingSin[line] = Math.sin(bearingRad[line]);
+    }
+    return bearingSin[line];
+  }
+
   /** Returns the believed threshold at that bearing, metres; 0 where none is in the cone. */
   public double thresholdM(int line) {
     return thresholdM[line];
@@ -426,8 +439,7 @@ public final class Geometry {
    */
   public double offAxisRad(int line) {
     if (Double.isNaN(offAxisRad[line])) {
-      Placement place = scene.obstacles().get(line % obstacles).worldFromObstacle();
-      offAxisRad[line] = offAxis(line / obstacles, place.xM(), place.zM());
+      offAxisRad[line] = angles.ofCentre(line);
     }
     return offAxisRad[line];
   }
@@ -438,7 +450,7 @@ public final class Geometry {
    */
   public double outlineOffAxisRad(int line) {
     if (Double.isNaN(outlineOffAxisRad[line])) {
-      outlineOffAxisRad[line] = outlineOffAxis(line);
+      outlineOffAxisRad[line] = angles.ofOutline(line);
     }
     return outlineOffAxisRad[line];
   }
@@ -454,80 +466,8 @@ public final class Geometry {
   /** Returns the same with its sign, positive counter-clockwise. */
   public double nearestSignedOffAxisRad(int line) {
     if (Double.isNaN(nearestOffAxisRad[line])) {
-      nearestOffAxisRad[line] = nearestOffAxis(line);
+      nearestOffAxisRad[line] = angles.ofNearest(line);
     }
     return nearestOffAxisRad[line];
-  }
-
-  private double nearestOffAxis(int line) {
-    int ping = line / obstacles;
-    Outline outline = outlines.get(line % obstacles);
-    if (nearestM[line] == Double.POSITIVE_INFINITY) {
-      return coneHalfAngleRad();
-    }
-    // An edge of which a corner lies further off than this and its length has no point so near.
-    double far = nearestM[line] + SAME_POINT_M + longestEdgeM[line % obstacles];
-    int from = outline.size() - 1;
-    for (int to = 0; to < outline.size(); to++) {
-      double cornerX = outline.xM(to) - xM[ping];
-      double cornerZ = outline.zM(to) - zM[ping];
-      if (cornerX * cornerX + cornerZ * cornerZ <= far * far) {
-        double offAxis = nearestOffAxis(line, from, to);
-        if (!Double.isNaN(offAxis)) {
-          return offAxis;
-        }
-      }
-      from = to;
-    }
-    // Neither a corner nor the foot of a perpendicular: where the outline leaves the cone.
-    return coneHalfAngleRad();
-  }
-
-  /** Of the nearest point of an edge; NaN where it is not the obstacle's nearest in the cone. */
-  private double nearestOffAxis(int line, int from, int to) {
-    int ping = line / obstacles;
-    Outline outline = outlines.get(line % obstacles);
-    double edgeX = outline.xM(to) - outline.xM(from);
-    double edgeZ = outline.zM(to) - outline.zM(from);
-    double towards = (xM[ping] - outline.xM(from)) * edgeX + (zM[ping] - outline.zM(from)) * edgeZ;
-    double length2 = edgeX * edgeX + edgeZ * edgeZ;
-    double share = length2 == 0 ? 0 : Math.max(0, Math.min(1, towards / length2));
-    double x = outline.xM(from) + share * edgeX;
-    double z = outline.zM(from) + share * edgeZ;
-    double awayX = x - xM[ping];
-    double awayZ = z - zM[ping];
-    // A root, since hypot takes ten times as long and this is asked of every edge.
-    double away = Math.sqrt(awayX * awayX + awayZ * awayZ);
-    if (Math.abs(away - nearestM[line]) > SAME_POINT_M) {
-      return Double.NaN;
-    }
-    double offAxis = offAxis(ping, x, z);
-    return Math.abs(offAxis) <= coneHalfAngleRad() + SAME_ANGLE_RAD ? offAxis : Double.NaN;
-  }
-
-  private double outlineOffAxis(int line) {
-    int ping = line / obstacles;
-    Outline outline = outlines.get(line % obstacles);
-    double least = Math.PI;
-    double from = cornerOffAxis(ping, outline, outline.size() - 1);
-    for (int i = 0; i < outline.size(); i++) {
-      double to = cornerOffAxis(ping, outline, i);
-      if (from * to <= 0 && Math.abs(from - to) < Math.PI) {
-        return 0;
-      }
-      least = Math.min(least, Math.abs(to));
-      from = to;
-    }
-    return least;
-  }
-
-  private double cornerOffAxis(int ping, Outline outline, int corner) {
-    return offAxis(ping, outline.xM(corner), outline.zM(corner));
-  }
-
-  /** Of a place, from the heading. */
-  private double offAxis(int ping, double toXM, double toZM) {
-    double direction = Math.atan2(zM[ping] - toZM, toXM - xM[ping]);
-    return Angles.signed(direction - headingRad[ping]);
   }
 }

@@ -1,6 +1,7 @@
 package simbad.sonar.ping;
 
 import java.util.List;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import simbad.sonar.level.Beam;
 import simbad.sonar.level.LevelLaw;
@@ -88,9 +89,9 @@ public final class LevelEars {
 
   /** Tells whether an obstacle is heard as by others, where it and the pose are the same. */
   boolean hearLike(LevelEars others, int obstacle) {
-    return rule == others.rule
-        && strength[obstacle] == others.strength[obstacle]
-        && path[obstacle] == others.path[obstacle];
+    return rule.equals(others.rule)
+        && Objects.equals(strength[obstacle], others.strength[obstacle])
+        && Objects.equals(path[obstacle], others.path[obstacle]);
   }
 
   /** Returns the law. */

@@ -28,7 +28,7 @@ final class Likeness {
     LevelEars were = known.ears();
     LevelEars are = made.ears();
     for (int i = 0; i < stands.length; i++) {
-      stands[i] = before.size() == now.size() && before.get(i) == now.get(i);
+      stands[i] = before.size() == now.size() && before.get(i).equals(now.get(i));
       sounds[i] = were != null && are != null && are.hearLike(were, i);
     }
   }
@@ -78,6 +78,8 @@ final class Likeness {
   private void takePlace(int line) {
     made.centreDistanceM[line] = known.centreDistanceM[line];
     made.bearingRad[line] = known.bearingRad[line];
+    made.bearingCos[line] = known.bearingCos[line];
+    made.bearingSin[line] = known.bearingSin[line];
     made.thresholdM[line] = known.thresholdM[line];
   }
 

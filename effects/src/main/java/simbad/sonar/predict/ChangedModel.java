@@ -138,10 +138,7 @@ public final class ChangedModel {
    * @param only which pings are asked for, null for all; what is left for the others means nothing
    */
   public void likelihood(
-      Geometry geometry,
-      double[] into,
-      double @Nullable [] echoes,
-      boolean @Nullable [] only) {
+      Geometry geometry, double[] into, double @Nullable [] echoes, boolean @Nullable [] only) {
     new Likelihood(this, geometry).into(into, echoes, only);
   }
 

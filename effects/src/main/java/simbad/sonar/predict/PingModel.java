@@ -102,6 +102,11 @@ final class PingModel {
         && Arrays.stream(arrivalChanges).noneMatch(ArrivalChange::hangsOnPose);
   }
 
+  /** Returns whether what is done to the readings moves them, and leaves how many there are. */
+  boolean onlyRanges() {
+    return onlyRanges;
+  }
+
   /**
    * Mixes what a ping may read.
    *
