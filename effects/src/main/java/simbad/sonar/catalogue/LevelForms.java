@@ -22,6 +22,7 @@ import simbad.sonar.ping.LevelRule;
 import simbad.sonar.ping.LevelStrength;
 import simbad.sonar.ping.NearEcho;
 import simbad.sonar.ping.NearField;
+import simbad.sonar.ping.NearRange;
 import simbad.sonar.ping.Scenes;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.SensingSetup;
@@ -44,6 +45,12 @@ public final class LevelForms {
   /** Levels at which the noise is fitted, decibels over the threshold. */
   public static final List<Double> NOISE_DB = List.of(2.0, 8.0, 16.0);
 
+  /**
+   * Distances at which it is fitted by how much a near echo is read too far, metres; 0 from the
+   * last one on.
+   */
+  public static final List<Double> NEAR_M = List.of(0.1, 0.14, 0.2, 0.28, 0.4);
+
   /** Radius of a ranger's piston that is not known: between SRF04 and HC-SR04, metres. */
   public static final double APERTURE_M = 0.007;
 
@@ -51,6 +58,7 @@ public final class LevelForms {
   private static final double FURTHEST_TIMES = 5;
 
   private static final String NEAR_FIELD = "near-field:";
+  private static final String NEAR_RANGE = "near-range";
 
   /** Name of the law's form. */
   public static final String LAW = "level";
@@ -251,6 +259,17 @@ public final class LevelForms {
         List.of(Parameter.of("where_it_adds_up", 0, 0, 1)));
   }
 
+  /** Returns the form of by how much near echoes are read too far, at all but the last distance. */
+  public static Form nearRange() {
+    int knots = NEAR_M.size() - 1;
+    List<Parameter> parameters = new ArrayList<>();
+    for (int i = 0; i < knots; i++) {
+      parameters.add(Parameter.of(at("added_m", NEAR_M.get(i)), 0, -MOST_PATH_M, MOST_PATH_M));
+    }
+    return form(
+        NEAR_RANGE, v -> new NearRange(curve(NEAR_M, i -> i == knots ? 0 : v[i])), parameters);
+  }
+
   private static StrengthTable table(double[] v, int number) {
     return StrengthTable.of(Arrays.copyOfRange(v, number * BEARINGS, (number + 1) * BEARINGS));
   }
@@ -263,6 +282,9 @@ public final class LevelForms {
   static Optional<Form> find(String name, SensingSetup setup) {
     if (name.equals(LAW)) {
       return Optional.of(law(setup));
+    }
+    if (name.equals(NEAR_RANGE)) {
+      return Optional.of(nearRange());
     }
     return Scenes.labels(setup.scene()).stream()
         .filter(label -> name.endsWith(":" + label))

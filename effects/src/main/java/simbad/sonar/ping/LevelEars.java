@@ -38,6 +38,7 @@ public final class LevelEars {
   private final LevelStrength[] strength;
   private final EchoPath[] path;
   private final NearField[] near;
+  private final List<NearRange> nearRanges;
 
   private LevelEars(
       LevelRule rule, Scene scene, List<String> labels, List<? extends Change> changes) {
@@ -46,6 +47,7 @@ public final class LevelEars {
     strength = new LevelStrength[labels.size()];
     path = new EchoPath[labels.size()];
     near = new NearField[labels.size()];
+    nearRanges = Change.only(NearRange.class, changes);
     for (int i = 0; i < strength.length; i++) {
       for (LevelStrength one : Change.only(LevelStrength.class, changes)) {
         strength[i] = one.isOf(labels.get(i)) ? one : strength[i];
@@ -66,7 +68,11 @@ public final class LevelEars {
 
   /** By how much an obstacle's echo comes from beyond its nearest point, metres. */
   public double addedM(Geometry geometry, int line) {
-    return addedM(line % path.length, geometry.bearingRad(line));
+    double added = addedM(line % path.length, geometry.bearingRad(line));
+    for (NearRange one : nearRanges) {
+      added += one.addedM().at(geometry.nearestM(line));
+    }
+    return added;
   }
 
   /**
@@ -95,6 +101,7 @@ public final class LevelEars {
   /** Tells whether an obstacle is heard as by others, where it and the pose are the same. */
   boolean hearLike(LevelEars others, int obstacle) {
     return rule.equals(others.rule)
+        && nearRanges.equals(others.nearRanges)
         && Objects.equals(near[obstacle], others.near[obstacle])
         && Objects.equals(strength[obstacle], others.strength[obstacle])
         && Objects.equals(path[obstacle], others.path[obstacle]);

@@ -17,10 +17,12 @@ import simbad.sonar.effect.Form;
 import simbad.sonar.fixture.Scenes;
 import simbad.sonar.fixture.Sonars;
 import simbad.sonar.frame.Pose;
+import simbad.sonar.level.Curve;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.NearEcho;
 import simbad.sonar.ping.NearField;
+import simbad.sonar.ping.NearRange;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.SensingSetup;
@@ -52,6 +54,7 @@ class ReusedWorkTest {
       Obstacle first = setup.scene().obstacles().get(0);
       nearFields.add(new NearEcho(Optional.empty(), Optional.of(new NearField(first, 700))));
       nearFields.add(new NearEcho(Optional.empty(), Optional.of(new NearField(first, 350))));
+      nearFields.add(new NearRange(Curve.of(0.1, -0.03, 2, 0)));
     }
     List<ReadingRow> rows = new ArrayList<>();
     for (int i = 0; i < PINGS; i++) {
@@ -74,7 +77,7 @@ class ReusedWorkTest {
     if (random.nextBoolean() && !first.of().equals(second.of())) {
       changes.add(change(second, random));
     }
-    int field = random.nextInt(3);
+    int field = random.nextInt(4);
     if (field < nearFields.size()) {
       changes.add(law.size(), nearFields.get(field));
     }

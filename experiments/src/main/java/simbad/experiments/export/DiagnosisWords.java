@@ -46,7 +46,8 @@ final class DiagnosisWords {
     String near =
         folded.nearFields().isEmpty()
             ? ""
-            : " Left out as well, so that levels may differ by up to 3 dB near a large obstacle: "
+            : " Left out as well, so that near an obstacle levels may differ by up to 3 dB"
+                + " and ranges by some centimetres: "
                 + String.join(", ", folded.nearFields())
                 + ".";
     return SonarHeader.line(

@@ -35,6 +35,7 @@ import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.LevelRule;
 import simbad.sonar.ping.NearEcho;
+import simbad.sonar.ping.NearRange;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.ping.RangeChange;
 import simbad.sonar.ping.SceneChange;
@@ -125,7 +126,7 @@ public final class FoldedDiagnosis {
       folded.add(fitted.form().toString());
     } else if (isScatter(change)) {
       leftOut.add(fitted.form().toString());
-    } else if (change instanceof NearEcho) {
+    } else if (change instanceof NearEcho || change instanceof NearRange) {
       nearFields.add(fitted.form().toString());
     } else {
       throw new IllegalArgumentException(

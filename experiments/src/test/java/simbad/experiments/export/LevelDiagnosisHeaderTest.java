@@ -259,10 +259,11 @@ class LevelDiagnosisHeaderTest {
     List<FittedForm> calibration = new ArrayList<>(model.calibration());
     Form near = LevelForms.nearField(model.setup(), "angle");
     calibration.add(new FittedForm(near, List.of(1.0)));
+    calibration.add(new FittedForm(LevelForms.nearRange(), List.of(-0.02, -0.01, 0.0, 0.0)));
     FittedModel whole = new FittedModel(model.setup(), SENSORS, calibration, List.of());
     String text = new LevelHeader(new FoldedDiagnosis(whole, ""), "s").text("test");
     assertTrue(text.contains("since they only scatter: setup/tails."), text);
-    assertTrue(text.contains("near a large obstacle: setup/near-field:angle."), text);
+    assertTrue(text.contains("some centimetres: setup/near-field:angle, setup/near-range."), text);
   }
 
   @Test

@@ -22,6 +22,16 @@ final class Believed {
 
   private static final double WEAK_DB = -6;
 
+  /**
+   * A table that is as long as the sensor's range says "at least so strong". Departures from it are
+   * taken for normal with 5 dB, of which only those upwards are left: they have this mean, and a
+   * standard deviation of 3 dB.
+   */
+  private static final double AT_LEAST_DB = 4;
+
+  /** As long as the range is what lies within a table's last step of it. */
+  private static final double END_SHARE = 0.98;
+
   /** A table is read off to so much where it is flat. */
   private static final double TABLE_DB = 0.8;
 
@@ -42,6 +52,7 @@ final class Believed {
   private final double reachM;
   private final double[] believed;
   private final double[] thresholdM;
+  private final double endM;
 
   /** One figure for all bearings says nothing of any of them. */
   private final boolean isUniform;
@@ -55,13 +66,16 @@ final class Believed {
    *
    * @param obstacle its outline and its thresholds or strengths
    * @param law as believed
+   * @param maxRangeM of the sensor; a table says no more of what is heard so far
    */
-  Believed(Obstacle obstacle, LevelLaw law) {
+  Believed(Obstacle obstacle, LevelLaw law, double maxRangeM) {
     symmetry = Symmetry.of(obstacle.outline());
     reachM = obstacle.outline().reachM(0, 0);
     believed = Loss.values(law);
     thresholdM = thresholds(obstacle.detection());
     isUniform = obstacle.detection() instanceof UniformDetection;
+    boolean isTable = obstacle.detection() instanceof TableDetection;
+    endM = isTable ? END_SHARE * maxRangeM : Double.POSITIVE_INFINITY;
     for (int i = 0; i < thresholdM.length; i++) {
       table.add(loss(obstacle.detection(), i, law));
     }
@@ -96,10 +110,12 @@ final class Believed {
     List<Loss> between = new ArrayList<>();
     double seen = 0;
     double steep = 0;
+    boolean isAtLeast = true;
     for (int bearing = 0; bearing < SIZE; bearing++) {
       if (symmetry.orbit(bearing) == orbit) {
         double place = (double) bearing * thresholdM.length / SIZE;
         int nearest = (int) Math.rint(place) % thresholdM.length;
+        isAtLeast &= isAtEnd(Math.floor(place)) && isAtEnd(Math.ceil(place));
         if (Math.abs(place - Math.rint(place)) * SIZE <= thresholdM.length / 2.0) {
           onPoints.add(table.get(nearest));
           seen += thresholdM[nearest] >= WEAK_M ? 1 : 0;
@@ -110,10 +126,16 @@ final class Believed {
       }
     }
     loss[orbit] = Loss.mean(onPoints.isEmpty() ? between : onPoints);
-    if (seen > 0 && !isUniform) {
+    if (isAtLeast) {
+      loss[orbit] = loss[orbit].plus(AT_LEAST_DB);
+    } else if (seen > 0 && !isUniform) {
       double flat = TABLE_DB * TABLE_DB + variance(onPoints);
       precision[orbit] = seen / (flat + steep / onPoints.size());
     }
+  }
+
+  private boolean isAtEnd(double point) {
+    return thresholdM[(int) point % thresholdM.length] >= endM;
   }
 
   private Loss between(double place) {

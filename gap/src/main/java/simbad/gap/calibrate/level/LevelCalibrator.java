@@ -52,7 +52,8 @@ public final class LevelCalibrator {
   public LevelCalibrator(SensingSetup setup, PingLog reference) {
     this.setup = setup;
     believed = setup.sensor().levelLaw();
-    setup.scene().obstacles().forEach(one -> targets.add(new Believed(one, believed)));
+    double most = setup.sensor().maxRangeM();
+    setup.scene().obstacles().forEach(one -> targets.add(new Believed(one, believed, most)));
     layout = new Layout(targets);
     prior = new Prior(layout, setup.sensor(), targets, reference.sensors().size());
     nearFields = nearFields(reference);
@@ -152,6 +153,7 @@ public final class LevelCalibrator {
       PathFit path = ranges.byBearing().get(target);
       calibrated = calibrated.and(LevelForms.path(labels.get(target)), path.values());
     }
+    calibrated = calibrated.and(LevelForms.nearRange(), ranges.nearM());
     double noise = ranges.byLevel().noiseM()[1];
     calibrated = calibrated.and(tails(), TAIL_SHARE, Math.min(0.25, TAIL_TIMES * noise));
     for (Form near : nearFields.forms()) {

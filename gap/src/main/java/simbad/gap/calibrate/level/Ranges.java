@@ -7,21 +7,26 @@ import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.scene.SonarSpec;
 
 /**
- * What echoes read of their distances: a share that is the air's, and what is added by the level
- * and by the bearing that an obstacle is seen from. All are fitted together: a share of the
- * distance, a constant walk and the constant of an obstacle look much alike, and one after the
+ * What echoes read of their distances: a share that is the air's, and what is added by the level,
+ * near by, and by the bearing that an obstacle is seen from. All are fitted together: a share of
+ * the distance, a constant walk and the constant of an obstacle look much alike, and one after the
  * other they settle too slowly. Student's weights for what lies far off.
  *
  * @param scale share of the distance
  * @param byLevel walk and noise
+ * @param nearM what is added near by: the values of {@link LevelForms#nearRange}, metres
  * @param byBearing of each obstacle
  */
-record Ranges(double scale, RangeFit byLevel, List<PathFit> byBearing) {
+@SuppressWarnings("ArrayRecordComponent") // read only
+record Ranges(double scale, RangeFit byLevel, double[] nearM, List<PathFit> byBearing) {
   private static final int ROUNDS = 40;
   private static final double SETTLED_M = 1e-5;
 
   /** Three kelvin are half a per cent of the speed of sound. */
   private static final double SCALE_SPREAD = 0.005;
+
+  /** What is near is read as far as what is 0.4 m away, but for so much from knot to knot. */
+  private static final double NEAR_STEP_M = 0.003;
 
   /** Copies the list. */
   Ranges {
@@ -50,17 +55,20 @@ record Ranges(double scale, RangeFit byLevel, List<PathFit> byBearing) {
     double[][] rows = new double[excess.length][];
     Arrays.setAll(rows, i -> row(read.get(i).nearestM(), excess[i]));
     double scale = 1;
+    double[] near = new double[LevelForms.NEAR_M.size() - 1];
+    int walks = LevelForms.WALK_DB.size();
     for (int round = 0; round < ROUNDS; round++) {
-      double[] weight = weights(walk.beyond(excess, left(read, scale, paths)), walk, excess);
+      double[] weight = weights(walk.beyond(excess, left(read, scale, near, paths)), walk, excess);
       double[] shared = shared(read, rows, weight, paths);
       double moved = Math.abs(1 + shared[0] - scale);
       scale = 1 + shared[0];
-      moved += walk.take(Arrays.copyOfRange(shared, 1, shared.length), left(read, scale, paths));
+      near = Arrays.copyOfRange(shared, 1 + walks, shared.length);
+      moved += walk.take(Arrays.copyOfRange(shared, 1, 1 + walks), left(read, scale, near, paths));
       if (moved < SETTLED_M) {
         break;
       }
     }
-    return new Ranges(scale, walk, paths);
+    return new Ranges(scale, walk, near, paths);
   }
 
   private static double[] weights(double[] off, RangeFit walk, double[] excess) {
@@ -69,26 +77,43 @@ record Ranges(double scale, RangeFit byLevel, List<PathFit> byBearing) {
     return weights;
   }
 
-  /** How much an echo says of the share of the distance over 1, and of the walk. */
+  /**
+   * How much an echo says of the share of the distance over 1, of the walk, and of what is near.
+   */
   private static double[] row(double nearestM, double excess) {
     double[] walk = RangeFit.weights(LevelForms.WALK_DB, excess);
-    double[] row = new double[walk.length + 1];
+    double[] near = RangeFit.weights(LevelForms.NEAR_M, nearestM);
+    double[] row = new double[walk.length + near.length];
     row[0] = nearestM;
     System.arraycopy(walk, 0, row, 1, walk.length);
+    System.arraycopy(near, 0, row, 1 + walk.length, near.length - 1);
     return row;
   }
 
   private static double[][] prior() {
     double[][] walk = RangeFit.prior();
-    double[][] prior = new double[walk.length + 1][walk.length + 1];
+    int size = 1 + walk.length + LevelForms.NEAR_M.size() - 1;
+    double[][] prior = new double[size][size];
     prior[0][0] = 1 / (SCALE_SPREAD * SCALE_SPREAD);
     for (int i = 0; i < walk.length; i++) {
       System.arraycopy(walk[i], 0, prior[i + 1], 1, walk.length);
     }
+    double stiff = 1 / (NEAR_STEP_M * NEAR_STEP_M);
+    for (int at = 1 + walk.length; at < size; at++) {
+      prior[at][at] += stiff;
+      if (at < size - 1) {
+        prior[at + 1][at + 1] += stiff;
+        prior[at][at + 1] -= stiff;
+        prior[at + 1][at] -= stiff;
+      }
+    }
     return prior;
   }
 
-  /** The share of the distance over 1, and the walk; what bearings add is taken by the paths. */
+  /**
+   * The share of the distance over 1, the walk, what is near; what bearings add is taken by the
+   * paths.
+   */
   private static double[] shared(
       List<Trials.Trial> read, double[][] rows, double[] weight, List<PathFit> paths) {
     Normal normal = new Normal(prior());
@@ -102,13 +127,26 @@ record Ranges(double scale, RangeFit byLevel, List<PathFit> byBearing) {
   }
 
   /** What is read too far, less what a scale and paths say. */
-  private static double[] left(List<Trials.Trial> read, double scale, List<PathFit> paths) {
+  private static double[] left(
+      List<Trials.Trial> read, double scale, double[] near, List<PathFit> paths) {
     double[] left = new double[read.size()];
     for (int i = 0; i < left.length; i++) {
       Trials.Trial trial = read.get(i);
       left[i] =
-          trial.beyondM() - (scale - 1) * trial.nearestM() - paths.get(trial.target()).at(trial);
+          trial.beyondM()
+              - (scale - 1) * trial.nearestM()
+              - near(near, trial.nearestM())
+              - paths.get(trial.target()).at(trial);
     }
     return left;
+  }
+
+  private static double near(double[] near, double nearestM) {
+    double[] weight = RangeFit.weights(LevelForms.NEAR_M, nearestM);
+    double sum = 0;
+    for (int i = 0; i < near.length; i++) {
+      sum += weight[i] * near[i];
+    }
+    return sum;
   }
 }

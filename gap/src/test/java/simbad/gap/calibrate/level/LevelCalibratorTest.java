@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -15,6 +16,7 @@ import simbad.gap.fixture.LevelWorlds;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.effect.Form;
+import simbad.sonar.frame.Pose;
 import simbad.sonar.ping.LevelRule;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
@@ -116,6 +118,50 @@ class LevelCalibratorTest {
     double most = nats(truth, fresh);
     assertTrue(most - nats(found, fresh) < 0.15 * (most - nats(Hypothesis.NONE, fresh)));
     assertTrue(paths[LevelForms.BEARINGS] > 0);
+  }
+
+  /** Under 28 cm echoes read short by up to two centimetres, whatever their level. */
+  @Test
+  void whatIsReadShortNearBy_isFoundApartFromTheWalk() {
+    double[] near = {-0.02, -0.018, -0.012, -0.004};
+    Hypothesis truth = LevelWorlds.truth().and(LevelForms.nearRange(), near);
+    List<ReadingRow> rows = Worlds.read(LevelWorlds.POST, nearPoses(1500, 8), truth, 9);
+    rows =
+        Stream.concat(
+                rows.stream(), LevelWorlds.log(1000, 5).stream().map(LevelCalibratorTest::later))
+            .toList();
+
+    double[] found = nearRange(calibrate(rows));
+    assertBetween(-0.023, -0.014, found[1]);
+    assertBetween(-0.016, -0.008, found[2]);
+    double[] none = nearRange(calibrate(LevelWorlds.log(2000, 3)));
+    assertTrue(Arrays.stream(none).allMatch(added -> Math.abs(added) < 0.004));
+  }
+
+  private static ReadingRow later(ReadingRow row) {
+    return new ReadingRow(row.run(), row.sensor(), row.timeS() + 1000, row.pose(), row.reading());
+  }
+
+  private static List<ReadingRow> nearPoses(int count, long seed) {
+    return LevelWorlds.poses(count, seed).stream()
+        .map(row -> row.at(nearer(row.pose()), row.circumstances()))
+        .toList();
+  }
+
+  private static Pose nearer(Pose pose) {
+    double share = 0.2;
+    return Pose.of(
+        share * pose.position().xM(), share * pose.position().zM(), pose.heading().radians());
+  }
+
+  private static double[] nearRange(LevelCalibration calibration) {
+    Hypothesis setup = calibration.setup();
+    for (int i = 0; i < setup.forms().size(); i++) {
+      if (setup.forms().get(i).equals(LevelForms.nearRange())) {
+        return setup.valuesOf(i);
+      }
+    }
+    throw new AssertionError("no form of near ranges");
   }
 
   /** A data sheet said 60 to 100 cm; the post was heard from 30 cm to beyond 2 m. */
