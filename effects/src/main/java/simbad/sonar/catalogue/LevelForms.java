@@ -117,7 +117,12 @@ public final class LevelForms {
 
   /** Returns the wavenumber of a set-up's carrier in its air, radians per metre. */
   public static double wavenumberPerM(SensingSetup setup) {
-    LevelFigures figures = setup.sensor().law().level();
+    return wavenumberPerM(setup.sensor());
+  }
+
+  /** Returns the wavenumber of a sensor's carrier in its air, radians per metre. */
+  public static double wavenumberPerM(SonarSpec sensor) {
+    LevelFigures figures = sensor.law().level();
     return figures.air().wavenumberPerM(figures.frequencyHz().orElse(LevelDefaults.FREQUENCY_HZ));
   }
 

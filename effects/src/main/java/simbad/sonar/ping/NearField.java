@@ -72,6 +72,17 @@ public final class NearField {
   }
 
   /**
+   * Returns the level of the echo from far away, of no common level: its differences between
+   * bearings are those of strengths, but for dips that are too deep.
+   *
+   * @param bearingRad of the sensor in the obstacle's own frame, in [0, 2 pi]
+   * @return decibels
+   */
+  public double farDb(double bearingRad) {
+    return pieces.echo(bearingRad, DISTANCE_M[DISTANCE_M.length - 1]).levelDb;
+  }
+
+  /**
    * Returns the direction from which the echo comes.
    *
    * @param bearingRad of the sensor in the obstacle's own frame, in [0, 2 pi]

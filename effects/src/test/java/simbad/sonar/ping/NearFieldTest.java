@@ -41,6 +41,20 @@ class NearFieldTest {
     return corners.toArray(Point[]::new);
   }
 
+  /** A flat strip far away: sin x / x of its width over the wave (Morse and Ingard 1968). */
+  @Test
+  void fromFarAway_aStripHasTheLobeOfItsWidth() {
+    double wideM = 0.03;
+    NearField strip = field(2, board(wideM, 0.0005));
+    double face = strip.farDb(0);
+    for (double degrees : new double[] {1, 2, 3, 4, 5}) {
+      double bearing = Math.toRadians(degrees);
+      double x = WAVENUMBER_PER_M * wideM * Math.sin(bearing);
+      double lobe = 20 * Math.log10(Math.sin(x) / x * Math.cos(bearing));
+      assertEquals(lobe, strip.farDb(bearing) - face, 0.4, degrees + " degrees");
+    }
+  }
+
   /** A mirror answers from the foot of the perpendicular, wherever its middle is. */
   @Test
   void beforeALongBoard_theEchoComesFromTheFoot() {

@@ -6,8 +6,10 @@ import java.util.List;
 import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.frame.Angles;
 import simbad.sonar.level.LevelLaw;
+import simbad.sonar.ping.NearField;
 import simbad.sonar.scene.Detection;
 import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.scene.StrengthDetection;
 import simbad.sonar.scene.TableDetection;
 import simbad.sonar.scene.UniformDetection;
@@ -20,6 +22,7 @@ final class Believed {
   /** A threshold so short says "weak" and little more: the receiver's recovery hides the rest. */
   static final double WEAK_M = 0.2;
 
+  /** Where no other threshold of an obstacle says more. */
   private static final double WEAK_DB = -6;
 
   /**
@@ -53,6 +56,7 @@ final class Believed {
   private final double[] believed;
   private final double[] thresholdM;
   private final double endM;
+  private final OutlineLobes lobes;
 
   /** One figure for all bearings says nothing of any of them. */
   private final boolean isUniform;
@@ -65,17 +69,24 @@ final class Believed {
    * Reads an obstacle's detection.
    *
    * @param obstacle its outline and its thresholds or strengths
-   * @param law as believed
-   * @param maxRangeM of the sensor; a table says no more of what is heard so far
+   * @param sensor of which the range and the carrier count: a table says no more of what is heard
+   *     to the end of the range
    */
-  Believed(Obstacle obstacle, LevelLaw law, double maxRangeM) {
+  Believed(Obstacle obstacle, SonarSpec sensor) {
+    LevelLaw law = sensor.levelLaw();
     symmetry = Symmetry.of(obstacle.outline());
     reachM = obstacle.outline().reachM(0, 0);
     believed = Loss.values(law);
     thresholdM = thresholds(obstacle.detection());
     isUniform = obstacle.detection() instanceof UniformDetection;
     boolean isTable = obstacle.detection() instanceof TableDetection;
-    endM = isTable ? END_SHARE * maxRangeM : Double.POSITIVE_INFINITY;
+    endM = isTable ? END_SHARE * sensor.maxRangeM() : Double.POSITIVE_INFINITY;
+    lobes =
+        new OutlineLobes(
+            new NearField(obstacle, LevelForms.wavenumberPerM(sensor)),
+            thresholdM.length,
+            i -> thresholdM[i] >= WEAK_M && thresholdM[i] < endM,
+            i -> Loss.at(thresholdM[i], law).decibels(believed));
     for (int i = 0; i < thresholdM.length; i++) {
       table.add(loss(obstacle.detection(), i, law));
     }
@@ -100,9 +111,11 @@ final class Believed {
       double strength = stated.strength().strengthDb(at * Angles.TURN_RAD / SIZE);
       return Loss.constant(strength + law.levelDb() + law.beam().axisDb());
     }
-    return thresholdM[at] >= WEAK_M
-        ? Loss.at(thresholdM[at], law)
-        : Loss.at(WEAK_M, law).plus(WEAK_DB);
+    if (thresholdM[at] >= WEAK_M) {
+      return Loss.at(thresholdM[at], law);
+    }
+    Loss shortest = Loss.at(WEAK_M, law);
+    return shortest.plus(lobes.weakerDb(at, shortest.decibels(believed), WEAK_DB));
   }
 
   private void settle(int orbit) {
@@ -140,7 +153,8 @@ final class Believed {
 
   private Loss between(double place) {
     int cell = (int) place;
-    return table.get(cell).towards(table.get((cell + 1) % table.size()), place - cell);
+    Loss line = table.get(cell).towards(table.get((cell + 1) % table.size()), place - cell);
+    return line.plus(lobes.aboveLineDb(place));
   }
 
   /** By what a table's value is off where its bearing is. */

@@ -52,8 +52,7 @@ public final class LevelCalibrator {
   public LevelCalibrator(SensingSetup setup, PingLog reference) {
     this.setup = setup;
     believed = setup.sensor().levelLaw();
-    double most = setup.sensor().maxRangeM();
-    setup.scene().obstacles().forEach(one -> targets.add(new Believed(one, believed, most)));
+    setup.scene().obstacles().forEach(one -> targets.add(new Believed(one, setup.sensor())));
     layout = new Layout(targets);
     prior = new Prior(layout, setup.sensor(), targets, reference.sensors().size());
     nearFields = nearFields(reference);

@@ -9,6 +9,7 @@ import simbad.gap.fixture.LevelWorlds;
 import simbad.sonar.level.LevelLaw;
 import simbad.sonar.scene.Detection;
 import simbad.sonar.scene.Obstacle;
+import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.scene.TableDetection;
 import simbad.sonar.scene.UniformDetection;
 import simbad.sonar.shape.ThresholdTable;
@@ -28,6 +29,11 @@ class BelievedTest {
     return post(new TableDetection(ThresholdTable.of(thresholds)));
   }
 
+  private static SonarSpec sensor(double maxRangeM) {
+    SonarSpec sensor = LevelWorlds.POST.sensor();
+    return sensor.withRange(sensor.minRangeM(), maxRangeM);
+  }
+
   private static Obstacle post(Detection detection) {
     return new Obstacle("post", POST.worldFromObstacle(), POST.outline(), detection);
   }
@@ -38,8 +44,8 @@ class BelievedTest {
 
   @Test
   void aTableAsLongAsTheRange_saysAtLeast() {
-    Believed long4 = new Believed(lobe(3.98), LAW, 4);
-    Believed long6 = new Believed(lobe(3.98), LAW, 6);
+    Believed long4 = new Believed(lobe(3.98), sensor(4));
+    Believed long6 = new Believed(lobe(3.98), sensor(6));
     int lobe = long4.symmetry().orbit(0);
     int side = long4.symmetry().orbit(4);
     assertEquals(4, decibels(long4, lobe) - decibels(long6, lobe), 1e-9);
@@ -54,6 +60,8 @@ class BelievedTest {
   void oneFigureForAllBearings_isTakenAsItIs() {
     Obstacle uniform = post(new UniformDetection(4));
     assertEquals(
-        decibels(new Believed(uniform, LAW, 6), 0), decibels(new Believed(uniform, LAW, 4), 0), 0);
+        decibels(new Believed(uniform, sensor(6)), 0),
+        decibels(new Believed(uniform, sensor(4)), 0),
+        0);
   }
 }

@@ -12,7 +12,9 @@ import simbad.sonar.level.LevelLaw;
 class PredictorTest {
   private static final LevelLaw LAW = LevelWorlds.POST.sensor().levelLaw();
   private static final List<Believed> TARGETS =
-      LevelWorlds.POST.scene().obstacles().stream().map(one -> new Believed(one, LAW, 6)).toList();
+      LevelWorlds.POST.scene().obstacles().stream()
+          .map(one -> new Believed(one, LevelWorlds.POST.sensor()))
+          .toList();
   private static final Layout LAYOUT = new Layout(TARGETS);
 
   private static Predictor predictor() {
