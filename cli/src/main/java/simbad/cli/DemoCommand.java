@@ -53,6 +53,9 @@ final class DemoCommand extends Subcommand {
   @Override
   protected void run() throws Exception {
     if (list) {
+      if (!name.isEmpty() || headless || steps != null || robot.isNamed()) {
+        throw wrongUsage("--list: expected nothing beside it");
+      }
       DemoManager.names().forEach(out()::println);
       return;
     }
