@@ -21,7 +21,7 @@ final class ArgumentOf {
   private static final String END = ": ";
 
   /** What is said of a file as such, which is no fault inside it. */
-  private static final String NO_FOLDER = END + "is not a folder";
+  private static final Pattern AS_SUCH = Pattern.compile(": is (not a (folder|jar)|neither )");
 
   private static final Pattern NO_COLUMN = Pattern.compile(":\\d+: (.+?): column is missing; ");
 
@@ -60,7 +60,8 @@ final class ArgumentOf {
     return command.args().stream()
         .filter(argument -> argument.stringValues().stream().anyMatch(v -> begins(line, v)))
         .filter(
-            argument -> isInTheWay || line.contains(NO_FOLDER) || !isFile(line.split(END, 2)[0]))
+            argument ->
+                isInTheWay || AS_SUCH.matcher(line).find() || !isFile(line.split(END, 2)[0]))
         .findFirst()
         .map(argument -> name(argument) + END)
         .orElse("");

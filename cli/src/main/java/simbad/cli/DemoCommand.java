@@ -73,7 +73,8 @@ final class DemoCommand extends Subcommand {
     }
     Demo demo =
         robot.in(
-            DemoArgument.find(name).orElseThrow(() -> wrongUsage(DemoArgument.unknown(name))),
+            DemoArgument.find(name)
+                .orElseThrow(() -> wrongUsage("NAME: " + DemoArgument.unknown(name))),
             this);
     if (headless) {
       runHeadless(demo, steps == null ? DEFAULT_STEPS : steps);

@@ -35,6 +35,8 @@ class WrongArgumentTest {
         "diagnose HERE --out HERE/x | diagnose: DATASET: HERE/scene.json: no such file",
         "diagnose HERE/a.txt --out HERE/x | diagnose: DATASET: HERE/a.txt: is not a folder,"
             + " expected one with scene.json and readings.csv",
+        "program HERE/a.txt | program: PROGRAM: HERE/a.txt: is not a jar",
+        "dataset bag HERE/a.txt --list | dataset bag: BAG: HERE/a.txt: is neither MCAP nor SQLite",
         "predict HERE/nope x --out HERE/x | predict: DIAGNOSIS_DIR: HERE/nope/scene.json: no such"
             + " file",
         "run angle --sensor diagnosed:HERE | run: --sensor: HERE/scene.json: no such file",
@@ -78,6 +80,8 @@ class WrongArgumentTest {
         "table import HERE/a.txt --provenance guess | table import: Invalid value for option"
             + " '--provenance': 'guess' is not one of measured, captured, reconstructed, predicted"
             + " (see simbad table import --help)",
+        "effects rain | effects: EFFECT: 'rain' is not the name of an effect; simbad effects lists"
+            + " them; did you mean gain? (see simbad effects --help)",
         "program HERE --compat upstream,1.5 | program: --compat: '1.5' is no switch;"
             + " docs/compatibility.md lists them (see simbad program --help)",
         "diagnose HERE --out HERE/x --corrected HERE | diagnose: --corrected: HERE is a folder,"
