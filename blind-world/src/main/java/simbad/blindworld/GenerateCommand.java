@@ -38,6 +38,9 @@ final class GenerateCommand {
   private static final String WITHHELD_MIX =
       "none:0.2,single:0.2,pair:0.1,unknown:0.1,withheld:0.4";
 
+  /** Here the names of the vocabulary are those of the program that diagnoses. */
+  private static final String KNOWN = "; expected one that simbad effects lists";
+
   private GenerateCommand() {}
 
   static void run(String[] arguments, PrintStream err) throws FormatException, IOException {
@@ -131,7 +134,12 @@ final class GenerateCommand {
     List<String> names = text.isEmpty() ? List.of() : List.of(text.split(",", -1));
     Set<String> strange = worlds.unknownAmong(names);
     if (!strange.isEmpty()) {
-      throw new FormatException("--effects: no such effect: " + String.join(", ", strange));
+      throw new FormatException(
+          "--effects: no such effect: "
+              + String.join(", ", strange)
+              + KNOWN
+              + " or "
+              + String.join(", ", worlds.outside()));
     }
     return names;
   }
@@ -165,7 +173,7 @@ final class GenerateCommand {
     List<String> names = text.isEmpty() ? List.of() : List.of(text.split(",", -1));
     for (String name : names) {
       if (!worlds.names().contains(name)) {
-        throw new FormatException("--withheld: no such effect: " + name);
+        throw new FormatException("--withheld: no such effect: " + name + KNOWN);
       }
     }
     return names;

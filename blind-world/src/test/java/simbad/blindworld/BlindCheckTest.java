@@ -517,7 +517,13 @@ class BlindCheckTest {
     check("--mix: 'odd:1'", "generate", "--mix", "odd:1", "--out", NOWHERE);
     check("--mix: 'none', expected kind:weight", "generate", "--mix", "none", "--out", NOWHERE);
     check("expected a weight above 0", "generate", "--mix", "none:0", "--out", NOWHERE);
-    check("--effects: no such effect: magic", "generate", "--effects", "magic", "--out", NOWHERE);
+    check(
+        "--effects: no such effect: magic; expected one that simbad effects lists or clock-stretch, ",
+        "generate",
+        "--effects",
+        "magic",
+        "--out",
+        NOWHERE);
     check("--withheld: no such effect: wind", "generate", "--withheld", "wind", "--out", NOWHERE);
     checkMix("gain makes a fair pair with none", "gain", "single:1,pair:1");
     checkMix("none is of the vocabulary", "speed-loss", "single:1");

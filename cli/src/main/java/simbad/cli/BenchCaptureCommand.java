@@ -103,6 +103,7 @@ final class BenchCaptureCommand extends Subcommand {
     if (auto == (port != null)) {
       throw wrongUsage("exactly one of --port and --auto is needed");
     }
+    sensor.requireSimulated(auto, this);
     ObstacleType type = obstacle.type();
     CaptureSettings settings = settings(type);
     CaptureFolder target = new CaptureFolder(folder);

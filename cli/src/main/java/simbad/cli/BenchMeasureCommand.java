@@ -88,6 +88,7 @@ final class BenchMeasureCommand extends Subcommand {
     if (auto == (port != null)) {
       throw wrongUsage("exactly one of --port and --auto is needed");
     }
+    sensor.requireSimulated(auto, this);
     if (auto != (obstacle != null)) {
       throw wrongUsage("--obstacle goes with --auto, which needs it");
     }

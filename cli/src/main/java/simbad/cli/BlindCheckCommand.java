@@ -17,6 +17,7 @@ import simbad.experiments.blindcheck.CheckOrder.Benchmark;
 import simbad.experiments.blindcheck.CheckOrder.Drawn;
 import simbad.experiments.blindcheck.CheckOrder.Foreign;
 import simbad.sonar.effect.Definitions;
+import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.OneLine;
 
 /** {@code simbad blind-check}: the withheld check of the diagnosis. */
@@ -202,10 +203,10 @@ final class BlindCheckCommand extends Subcommand {
     if (!(limitS > 0 && limitS <= MOST_LIMIT_S)) {
       throw wrongUsage("--limit: " + limitS + " is not in (0, " + MOST_LIMIT_S + "] s");
     }
+    CheckOrder order = order();
     if (who.isDoneElsewhere(this)) {
       return;
     }
-    CheckOrder order = order();
     if (Files.exists(out) && !BlindCheck.mayStandIn(out)) {
       throw wrongUsage("--out: " + out + " is neither empty nor the folder of a check");
     }
@@ -226,7 +227,7 @@ final class BlindCheckCommand extends Subcommand {
     }
   }
 
-  private CheckOrder order() throws IOException {
+  private CheckOrder order() throws IOException, DataFormatException {
     for (String word : withhold) {
       if (Definitions.find(word).isEmpty()) {
         throw wrongUsage("--withhold: " + EffectWords.unknown(word));
@@ -258,6 +259,9 @@ final class BlindCheckCommand extends Subcommand {
               + "' is not a text of at most "
               + OneLine.LONGEST_NAME
               + " characters on one line");
+    }
+    if (!Files.isDirectory(foreign)) {
+      throw DataFormatException.inFile(foreign, "no such folder");
     }
     return new CheckOrder(
         BuildVersion.text(), new Foreign(foreign.toString(), Optional.ofNullable(level)), withhold);

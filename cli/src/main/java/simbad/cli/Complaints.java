@@ -55,7 +55,8 @@ final class Complaints {
     String line = STAGED.matcher(line(fault)).replaceAll("$1");
     boolean isInTheWay = ExitStatus.unwrapped(fault) instanceof FileAlreadyExistsException;
     String argument = ArgumentOf.line(command.getCommandSpec(), line, isInTheWay);
-    err.println(commandName + ": " + OneLine.of(argument + line, LONGEST));
+    String column = ArgumentOf.column(command.getCommandSpec(), line);
+    err.println(commandName + ": " + OneLine.of(argument + line + column, LONGEST));
     if (trace) {
       fault.printStackTrace(err);
     }

@@ -19,6 +19,7 @@ import simbad.experiments.dataset.LogImport;
 import simbad.experiments.dataset.LogSettings;
 import simbad.figures.report.LogPicture;
 import simbad.gap.diagnosis.DataSet;
+import simbad.sonar.format.DataFormatException;
 
 /** {@code simbad dataset bag}: a recording of ROS 2 as a data set. */
 @Command(
@@ -89,21 +90,22 @@ final class DatasetBagCommand extends Subcommand {
     if (list == (out != null)) {
       throw wrongUsage("expected either --out DIR or --list");
     }
+    if (out == null) {
+      sayContents();
+      return;
+    }
     if (picture != null) {
       requirePicture("--picture", picture);
       OutputFile.refuseExisting(picture);
     }
     Recording recording = Recording.read(bag);
-    if (out == null) {
-      recording.contents().forEach(out()::println);
-      return;
-    }
     BagTable table =
         BagTable.of(recording, new LinkedHashSet<>(topics), Optional.ofNullable(fixedFrame));
     LogSettings said = CsvOptions.typed(self).without(OWN);
     LogImport.Made made =
         LogImport.ofText(
             bag, table.text(), said.orElse(table.settings()), TerminalQuestions.here(err()));
+    said.refuseUnread();
     DatasetCommand.publish(made.data(), out, out());
     if (picture != null) {
       DataSet data =
@@ -123,6 +125,13 @@ final class DatasetBagCommand extends Subcommand {
         .forEach(assumption -> out().println("assumed: " + assumption));
     out().println(made.summary());
     out().println("again: " + again(said, out));
+  }
+
+  private void sayContents() throws DataFormatException {
+    if (!CsvOptions.typed(self).without(Set.of("list")).words().isEmpty()) {
+      throw wrongUsage("--list: expected no other option beside it");
+    }
+    Recording.read(bag).contents().forEach(out()::println);
   }
 
   /** What was typed: the rest stands in the recording. */

@@ -53,6 +53,9 @@ final class DemoCommand extends Subcommand {
   @Override
   protected void run() throws Exception {
     if (list) {
+      if (!name.isEmpty() || headless || steps != null || robot.isNamed()) {
+        throw wrongUsage("--list: expected nothing beside it");
+      }
       DemoManager.names().forEach(out()::println);
       return;
     }
@@ -70,7 +73,8 @@ final class DemoCommand extends Subcommand {
     }
     Demo demo =
         robot.in(
-            DemoArgument.find(name).orElseThrow(() -> wrongUsage(DemoArgument.unknown(name))),
+            DemoArgument.find(name)
+                .orElseThrow(() -> wrongUsage("NAME: " + DemoArgument.unknown(name))),
             this);
     if (headless) {
       runHeadless(demo, steps == null ? DEFAULT_STEPS : steps);

@@ -18,6 +18,10 @@ final class DemoRobot {
               + "it needs for each step.")
   private @Nullable String robot;
 
+  boolean isNamed() {
+    return robot != null;
+  }
+
   /** Returns the demo with the robot, if there is one. */
   Demo in(Demo demo, Subcommand command) throws DataFormatException {
     if (robot == null) {

@@ -81,7 +81,7 @@ final class EffectsCommand extends Subcommand {
     List<String> known = new ArrayList<>(MotionForms.vocabulary());
     Definitions.effects().forEach(effect -> known.add(effect.word()));
     return wrongUsage(
-        "'"
+        "EFFECT: '"
             + word
             + "' is not the name of an effect; simbad effects lists them"
             + SimilarWords.suggestion(word, known));

@@ -80,6 +80,7 @@ final class ExportC99Command extends Subcommand {
 
   @Override
   protected void run() throws Exception {
+    requireName();
     OutputFile.refuseExisting(file);
     if (!model.equals("shadow") && !model.equals(LEVEL)) {
       throw wrongUsage("--model: '" + model + "' is not one of shadow, level");
@@ -88,16 +89,32 @@ final class ExportC99Command extends Subcommand {
     try {
       header = Files.exists(Path.of(obstacle).resolve(MODEL)) ? ofDiagnosis() : ofObstacle();
     } catch (IllegalArgumentException e) {
-      throw DataFormatException.inArgument(obstacle, String.valueOf(e.getMessage()));
+      String problem = String.valueOf(e.getMessage());
+      if (problem.startsWith("obstacle = ")) {
+        throw wrongUsage(e);
+      }
+      throw DataFormatException.inArgument(obstacle, problem);
     }
     TextFile.create(file, header);
     out().println("written to " + file);
   }
 
+  private void requireName() {
+    try {
+      SonarHeader.requireName(name);
+    } catch (IllegalArgumentException e) {
+      throw wrongUsage(e);
+    }
+  }
+
   private String ofObstacle() throws Exception {
     if (!label.isEmpty()) {
       throw wrongUsage(
-          "--obstacle: names an obstacle of a diagnosis' scene, but this is not a " + "diagnosis");
+          "--obstacle: '"
+              + label
+              + "' is for the folder of a diagnosis, whose scene has labels; "
+              + obstacle
+              + " is none");
     }
     ObstacleType type = ObstacleArgument.parse(obstacle);
     SonarSpec sensor = sensorFile == null ? Catalogue.srf04() : SensorFile.read(sensorFile);

@@ -7,8 +7,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -39,6 +41,7 @@ import simbad.sonar.format.TextFile;
     })
 final class ProgramCommand extends Subcommand {
   private static final String EVERY = "every:";
+  private static final long DEFAULT_STEPS = 2000;
 
   @Parameters(
       paramLabel = "PROGRAM",
@@ -68,8 +71,8 @@ final class ProgramCommand extends Subcommand {
   @Option(
       names = "--steps",
       paramLabel = "N",
-      description = "Steps of each world. Default: ${DEFAULT-VALUE}.")
-  private long steps = 2000;
+      description = "Steps of each world. Default: " + DEFAULT_STEPS + ".")
+  private @Nullable Long steps;
 
   @Option(
       names = "--seed",
@@ -101,8 +104,8 @@ final class ProgramCommand extends Subcommand {
   @Option(
       names = "--pictures",
       paramLabel = "DIR",
-      description = "A folder that does not exist yet. Default: ${DEFAULT-VALUE}.")
-  private Path pictures = Path.of("program-pictures");
+      description = "A folder that does not exist yet. Default: program-pictures.")
+  private @Nullable Path pictures;
 
   @Option(
       names = "--window",
@@ -121,9 +124,10 @@ final class ProgramCommand extends Subcommand {
   @Override
   protected void run() throws Exception {
     checkSwitches("--compat", compat);
-    if (steps < 1) {
+    if (steps != null && steps < 1) {
       throw wrongUsage("--steps: " + steps + " is not in [1, infinity)");
     }
+    refuseUnread();
     if (window) {
       WindowsAllowed.ask();
     }
@@ -142,16 +146,27 @@ final class ProgramCommand extends Subcommand {
     compare(plan, run);
   }
 
+  private void refuseUnread() {
+    if (pictures != null && picture == null) {
+      throw wrongUsage("--pictures: '" + pictures + "' needs --picture every:N");
+    }
+    if (window && Stream.of(steps, compare, picture, trace).anyMatch(Objects::nonNull)) {
+      throw wrongUsage(
+          "--window: expected only --compat, --seed, --main and --class-path beside it");
+    }
+  }
+
   private ProgramRun withPictures(RunPlan plan) throws IOException, ProgramException {
     if (picture == null) {
       return ProgramRun.run(plan, null);
     }
     long every = every(picture);
-    try (StagedDirectory staged = StagedDirectory.beside(pictures)) {
+    Path folder = pictures == null ? Path.of("program-pictures") : pictures;
+    try (StagedDirectory staged = StagedDirectory.beside(folder)) {
       Pictures taken = new Pictures(staged.path(), every);
       ProgramRun run = ProgramRun.run(plan, taken);
       staged.publish();
-      out().println(taken.count() + " pictures written to " + pictures);
+      out().println(taken.count() + " pictures written to " + folder);
       return run;
     }
   }
@@ -191,7 +206,8 @@ final class ProgramCommand extends Subcommand {
       checkSwitches("--compare", compare);
     }
     boolean traced = trace != null || compare != null;
-    return file.plan(main, arguments, new RunPlan.Settings(compat, steps, seed, traced));
+    long count = steps == null ? DEFAULT_STEPS : steps;
+    return file.plan(main, arguments, new RunPlan.Settings(compat, count, seed, traced));
   }
 
   private void say(ProgramRun run) {

@@ -27,7 +27,8 @@ final class ViewCommand extends Subcommand {
     WindowsAllowed.ask();
     DemoWindow.showRunning(
         robot.in(
-            DemoArgument.find(name).orElseThrow(() -> wrongUsage(DemoArgument.unknown(name))),
+            DemoArgument.find(name)
+                .orElseThrow(() -> wrongUsage("DEMO: " + DemoArgument.unknown(name))),
             this));
   }
 }

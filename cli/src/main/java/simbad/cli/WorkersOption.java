@@ -2,6 +2,7 @@ package simbad.cli;
 
 import java.io.IOException;
 import java.util.ServiceLoader;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 import simbad.cli.machine.Launcher;
@@ -11,6 +12,10 @@ import simbad.experiments.workers.Workers;
 
 /** Who does the pieces of a job, as the user says it. */
 final class WorkersOption {
+  /** Spark's other kinds of clusters as well, which nobody has tried. */
+  private static final Pattern MASTER =
+      Pattern.compile("spark://.+:\\d+.*|local(-cluster)?(\\[.+])?|yarn|k8s://.+");
+
   @Option(
       names = "--jobs",
       paramLabel = "N",
@@ -34,6 +39,9 @@ final class WorkersOption {
   boolean isDoneElsewhere(Subcommand command) throws IOException, InterruptedException {
     if (jobs < 1) {
       throw command.wrongUsage("--jobs: " + jobs + " is not at least 1");
+    }
+    if (master != null && !MASTER.matcher(master).matches()) {
+      throw command.wrongUsage("--spark: '" + master + "' is not spark://HOST:PORT or local[N]");
     }
     if (master == null || cluster() != null) {
       return false;

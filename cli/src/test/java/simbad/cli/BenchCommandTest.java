@@ -342,6 +342,7 @@ class BenchCommandTest {
         "2 | capture --auto --obstacle angle --out ../docs | ../docs",
         "1 | capture --port /dev/ttyNOWHERE --obstacle angle --out x | /dev/ttyNOWHERE: there is"
             + " no",
+        "1 | capture --port nowhere --obstacle angle --out x | bench capture: --port: /",
         "1 | ports /dev/ttyNOWHERE | /dev/ttyNOWHERE: there is no such port",
         "2 | resume nowhere | journal.txt: no such file",
         "2 | table nowhere --out x.csv | journal.txt: no such file",

@@ -284,7 +284,7 @@ class BlindCheckCommandTest {
         "--level wave --sizes 0-1 | --sizes: '0'",
         "--mix odd:1 | --mix: 'odd:1'",
         "--mix withheld:1 | --mix: withheld cases, expected --withheld",
-        "--effects magic | --effects: no such effect: magic",
+        "--effects magic | --effects: no such effect: magic; expected one that simbad effects",
         "--rows 9 | --rows: '9'",
         "--foreign FOLDER/nowhere | nowhere: no such folder",
         "--foreign FOLDER/empty | no data set in it",

@@ -73,7 +73,7 @@ class DemoCommandTest {
     "square_demo, SquareDemo"
   })
   void unknownName_isToldWhatIsNear(String name, String near) {
-    checkRefused("NAME '" + name + "' is not a demo, did you mean", "demo", name, "--headless");
+    checkRefused("NAME: '" + name + "' is not a demo, did you mean", "demo", name, "--headless");
     assertTrue(Shell.simbad("view", name).err().contains(near));
     assertEquals(2, Shell.simbad("view", name).status());
   }

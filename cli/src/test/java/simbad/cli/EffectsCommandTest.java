@@ -59,7 +59,8 @@ class EffectsCommandTest {
     Shell shell = Shell.simbad("effects", "gian");
     assertEquals(2, shell.status());
     assertTrue(
-        shell.err().startsWith("simbad effects: 'gian' is not the name of an effect"), shell.err());
+        shell.err().startsWith("simbad effects: EFFECT: 'gian' is not the name of an effect"),
+        shell.err());
     assertTrue(shell.err().contains("gain"), shell.err());
   }
 }

@@ -80,7 +80,8 @@ class ExportC99CommandTest {
     Shell run = export("round", "--name", "1st");
 
     assertEquals(2, run.status());
-    assertTrue(run.err().contains("name '1st' cannot begin names in C"), run.err());
+    assertTrue(
+        run.err().contains("--name: '1st' cannot begin names in C; expected a small"), run.err());
   }
 
   @Test

@@ -163,7 +163,7 @@ class ProgramCommandTest {
     checkRefused("--picture: 'each:1'", 2, wanderer("--picture", "each:1"));
     checkRefused("--compat: '1.3' is no switch", 2, wanderer("--compat", "1.3"));
     checkRefused("--steps: 0", 2, Shell.simbad("program", WANDERER, "--steps", "0"));
-    checkRefused("has no class Other", 2, wanderer("--main", "Other"));
+    checkRefused("--main: 'Other' is no class of ", 2, wanderer("--main", "Other"));
   }
 
   /** Classes that were compiled against an edited Simbad, which stands beside them. */

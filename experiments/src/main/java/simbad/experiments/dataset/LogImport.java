@@ -66,7 +66,9 @@ public final class LogImport {
     for (Path file : files) {
       logs.add(LogTable.read(file, format));
     }
-    return ofTables(logs, said, questions);
+    Made made = ofTables(logs, said, questions);
+    said.refuseUnread();
+    return made;
   }
 
   /**

@@ -4,6 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,23 +14,32 @@ import simbad.sonar.format.DataFormatException;
 
 /**
  * What is said about a log: options of a command line by their names without dashes, and what was
- * guessed or asked for since. Immutable.
+ * guessed or asked for since. The values do not change; copies share the memory of which of them
+ * were read.
  */
 public final class LogSettings {
   private static final Set<String> OF_A_SCENE = Set.of("max-range", "min-range", "cone", "height");
 
   private final Map<String, List<String>> values;
 
+  /** Options whose values something read. */
+  private final Set<String> read;
+
   /** Takes options with their values. */
   public LogSettings(Map<String, List<String>> values) {
+    this(values, new HashSet<>());
+  }
+
+  private LogSettings(Map<String, List<String>> values, Set<String> read) {
     this.values = new LinkedHashMap<>(values);
+    this.read = read;
   }
 
   /** Returns the same with one more. */
   LogSettings with(String option, String value) {
     Map<String, List<String>> more = new LinkedHashMap<>(values);
     more.put(option, List.of(value));
-    return new LogSettings(more);
+    return new LogSettings(more, read);
   }
 
   /** Returns the same with others where nothing was said; a scene says all of the sonar. */
@@ -39,14 +49,14 @@ public final class LogSettings {
       all.keySet().removeAll(OF_A_SCENE);
     }
     all.putAll(values);
-    return new LogSettings(all);
+    return new LogSettings(all, read);
   }
 
   /** Returns the same without some options. */
   public LogSettings without(Set<String> options) {
     Map<String, List<String>> less = new LinkedHashMap<>(values);
     less.keySet().removeAll(options);
-    return new LogSettings(less);
+    return new LogSettings(less, read);
   }
 
   /** Returns the same under another option's name. */
@@ -54,7 +64,7 @@ public final class LogSettings {
     Map<String, List<String>> other = new LinkedHashMap<>(values);
     List<String> value = other.remove(option);
     other.put(name, value == null ? List.of() : value);
-    return new LogSettings(other);
+    return new LogSettings(other, read);
   }
 
   boolean has(String option) {
@@ -69,7 +79,27 @@ public final class LogSettings {
 
   /** Returns all values of an option that may be given again. */
   List<String> all(String option) {
+    read.add(option);
     return values.getOrDefault(option, List.of());
+  }
+
+  /**
+   * Refuses options that nothing read, once all is made: a person would think that they had
+   * counted.
+   *
+   * @throws DataFormatException naming the first one
+   */
+  public void refuseUnread() throws DataFormatException {
+    for (Map.Entry<String, List<String>> option : values.entrySet()) {
+      String name = option.getKey();
+      if (!read.contains(name) && !name.equals(SKIP_BAD)) {
+        throw fault(
+            name,
+            "'"
+                + String.join("' '", option.getValue())
+                + "' changes nothing here; expected it only with what it belongs to (see the help)");
+      }
+    }
   }
 
   /**

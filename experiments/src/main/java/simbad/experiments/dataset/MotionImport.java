@@ -80,7 +80,9 @@ public final class MotionImport {
     LogFormat format = LogFormats.of(said);
     LogTable told = LogTable.read(commands, format);
     LogTable seen = commands.equals(track) ? told : LogTable.read(track, format);
-    return new MotionImport(said).made(told, seen);
+    Made made = new MotionImport(said).made(told, seen);
+    said.refuseUnread();
+    return made;
   }
 
   private Made made(LogTable told, LogTable seen) throws DataFormatException {

@@ -92,8 +92,10 @@ public final class FoldedDiagnosis {
     index = label.isEmpty() && labels.size() == 1 ? 0 : labels.indexOf(label);
     if (index < 0) {
       throw new IllegalArgumentException(
-          (label.isEmpty() ? "the scene has several obstacles" : "obstacle '" + label + "'")
-              + (label.isEmpty() ? "; choose one of " : " is not one of ")
+          "obstacle = "
+              + (label.isEmpty()
+                  ? "is missing; expected one of "
+                  : "'" + label + "' is not one of ")
               + String.join(", ", labels));
     }
     believed = scene.obstacles().get(index);

@@ -80,10 +80,17 @@ public final class SonarHeader {
         DiagnosisFigures.of(folded));
   }
 
-  static void requireName(String name) {
+  /**
+   * Refuses what names in C cannot begin with.
+   *
+   * @param name for a header
+   * @throws IllegalArgumentException unless it is a small letter with small letters, digits or
+   *     underscores after it, 31 at most
+   */
+  public static void requireName(String name) {
     if (!NAME.matcher(name).matches()) {
       throw new IllegalArgumentException(
-          "name '"
+          "name = '"
               + name
               + "' cannot begin names in C; expected a small letter, then small letters, "
               + "digits or underscores, 31 at most");

@@ -65,8 +65,9 @@ public final class ProgramFile {
     MainClass found = MainClass.of(classes);
     String name = main != null ? main : only(found);
     if (!found.mains().contains(name) && !found.environments().contains(name)) {
-      throw DataFormatException.inFile(
-          path, "has no class " + name + " with a main; it has: " + found.mains());
+      throw DataFormatException.inArgument(
+          "--main",
+          "'" + name + "' is no class of " + path + " with a main; it has: " + found.mains());
     }
     return new RunPlan(
         classes,

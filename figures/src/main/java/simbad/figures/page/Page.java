@@ -1,6 +1,11 @@
 package simbad.figures.page;
 
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.Base64;
 import java.util.List;
+import simbad.sonar.format.ShippedText;
 
 /**
  * A report that is written from top to bottom: one file with its style sheet and its script in it,
@@ -23,6 +28,17 @@ public final class Page {
       <main>
       """;
 
+  /** Lines end alike on every machine, whatever a checkout made of them. */
+  private static final String STYLE = resource("page.css");
+
+  private static final String SCRIPT = "\n" + resource("page.js");
+
+  /** Nothing is fetched, and no script runs but this one, whatever a name may hold. */
+  private static final String POLICY =
+      "default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-"
+          + sha256(SCRIPT)
+          + "'; base-uri 'none'; form-action 'none'";
+
   private final StringBuilder text = new StringBuilder();
 
   /**
@@ -32,7 +48,7 @@ public final class Page {
    * @param heading on the page
    */
   public Page(String title, String heading) {
-    text.append(HEAD.formatted(Kit.POLICY, Html.of(title), Kit.STYLE));
+    text.append(HEAD.formatted(POLICY, Html.of(title), STYLE));
     add(Html.element("h1", "", heading).line());
   }
 
@@ -132,6 +148,19 @@ public final class Page {
 
   /** Returns the whole page. */
   public String html() {
-    return text + "</main>\n<script>" + Kit.SCRIPT + "</script>\n</body>\n</html>\n";
+    return text + "</main>\n<script>" + SCRIPT + "</script>\n</body>\n</html>\n";
+  }
+
+  private static String resource(String name) {
+    return ShippedText.read(Page.class, name).replace("\r\n", "\n");
+  }
+
+  private static String sha256(String text) {
+    try {
+      MessageDigest hash = MessageDigest.getInstance("SHA-256");
+      return Base64.getEncoder().encodeToString(hash.digest(text.getBytes(StandardCharsets.UTF_8)));
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every Java has SHA-256", e);
+    }
   }
 }
