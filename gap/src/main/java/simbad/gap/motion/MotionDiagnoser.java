@@ -156,6 +156,7 @@ public final class MotionDiagnoser {
   private MotionGap gap(BelievedMotion base, ScoredMotion set) {
     List<MotionChain> folds =
         IntStream.range(0, MotionSteps.FOLDS)
+            .parallel()
             .mapToObj(fold -> set.slopes().withoutFold(fold).chain())
             .toList();
     return MotionGap.of(runs, base.nominal(), folds);
