@@ -53,9 +53,11 @@ final class MotionFitter {
   MotionFit fit(MotionFit from) {
     MotionFit best = from;
     Slopes slopes = new Slopes(given, from);
+    boolean nudging = true;
     for (int round = 0; round < OUTER; round++) {
       Settled settled = settled(slopes, ROUNDS);
-      MotionFit stepped = nudged(settled.fit);
+      MotionFit stepped = nudging ? nudged(settled.fit) : settled.fit;
+      nudging = stepped != settled.fit;
       MotionFit next =
           with(
               stepped.hypothesis(),
@@ -66,7 +68,7 @@ final class MotionFitter {
       if (done || round + 1 == OUTER) {
         break;
       }
-      slopes = stepped == settled.fit ? settled.slopes(best) : new Slopes(given, best);
+      slopes = nudging ? new Slopes(given, best) : settled.slopes(best);
     }
     return best;
   }
