@@ -56,7 +56,9 @@ public final class Way {
     Stages stages = Stages.of(chain);
     CommandSeries means =
         CommandSeries.of(
-            Held.of(run.commands()).taken(List.of(stages.commands())), fromS - chain.delayS(), size);
+            Held.of(run.commands()).taken(List.of(stages.commands())),
+            fromS - chain.delayS(),
+            size);
     means.follow(chain.response());
     way.drive(stages, means);
     return way;

@@ -57,7 +57,7 @@ final class MotionFitter {
     for (int round = 0; round < OUTER; round++) {
       Settled settled = settled(slopes, ROUNDS);
       MotionFit stepped = nudging ? nudged(settled.fit) : settled.fit;
-      nudging = stepped != settled.fit;
+      nudging = stepped.score() > settled.fit.score();
       MotionFit next =
           with(
               stepped.hypothesis(),

@@ -67,7 +67,7 @@ final class Slopes {
    * @param near whose values are so near that motion changes with them as it did
    */
   Slopes of(MotionFit near) {
-    return near == fit ? this : new Slopes(given, near, raw);
+    return new Slopes(given, near, raw);
   }
 
   /** Returns the slopes of another fit. */
