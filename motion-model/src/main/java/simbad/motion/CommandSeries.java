@@ -18,39 +18,56 @@ record CommandSeries(double[] speeds, double[] turns) {
    * @param startS where the first step begins
    * @param size one more than steps
    */
-  static CommandSeries of(Command[] commands, double startS, int size) {
-    double[] speeds = new double[size];
-    double[] turns = new double[size];
-    Command held = new Command(startS, 0, 0);
+  static CommandSeries of(Held commands, double startS, int size) {
+    CommandSeries series = new CommandSeries(new double[size], new double[size]);
+    series.fill(commands, startS);
+    return series;
+  }
+
+  /**
+   * Computes the means of other commands in the place of these.
+   *
+   * @param commands in order of time
+   * @param startS where the first step begins
+   */
+  void fill(Held commands, double startS) {
     int next = 0;
-    for (; next < commands.length && commands[next].timeS() <= startS; next++) {
-      held = commands[next];
+    while (commands.timeS(next) <= startS) {
+      next++;
     }
-    double nextS = timeS(commands, next);
     double endS = startS;
-    for (int i = 1; i < size; i++) {
+    for (int i = 1; i < speeds.length; i++) {
       double fromS = endS;
       endS = startS + i * Way.STEP_S;
-      if (nextS > endS) {
-        speeds[i] = held.speedMPerS();
-        turns[i] = held.turnRadPerS();
+      if (commands.timeS(next) > endS) {
+        speeds[i] = commands.speed(next - 1);
+        turns[i] = commands.turn(next - 1);
         continue;
       }
       double way = 0;
       double angle = 0;
-      for (; nextS <= endS; nextS = timeS(commands, ++next)) {
-        way += held.speedMPerS() * (nextS - fromS);
-        angle += held.turnRadPerS() * (nextS - fromS);
-        fromS = nextS;
-        held = commands[next];
+      for (; commands.timeS(next) <= endS; next++) {
+        double held = commands.timeS(next) - fromS;
+        way += commands.speed(next - 1) * held;
+        angle += commands.turn(next - 1) * held;
+        fromS = commands.timeS(next);
       }
-      speeds[i] = (way + held.speedMPerS() * (endS - fromS)) * PER_S;
-      turns[i] = (angle + held.turnRadPerS() * (endS - fromS)) * PER_S;
+      speeds[i] = (way + commands.speed(next - 1) * (endS - fromS)) * PER_S;
+      turns[i] = (angle + commands.turn(next - 1) * (endS - fromS)) * PER_S;
     }
-    return new CommandSeries(speeds, turns);
   }
 
-  private static double timeS(Command[] commands, int index) {
-    return index < commands.length ? commands[index].timeS() : Double.POSITIVE_INFINITY;
+  /** Puts in the place of these means how speeds follow others of the same length. */
+  void follow(CommandSeries asked, Response response) {
+    System.arraycopy(asked.speeds, 0, speeds, 0, speeds.length);
+    System.arraycopy(asked.turns, 0, turns, 0, turns.length);
+    follow(response);
+  }
+
+  /** Puts in the place of these means how speeds follow them. */
+  void follow(Response response) {
+    Response.Step step = response.over(Way.STEP_S);
+    step.speed().follow(speeds);
+    step.turn().follow(turns);
   }
 }

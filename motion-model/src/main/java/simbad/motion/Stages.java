@@ -1,6 +1,6 @@
 package simbad.motion;
 
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -43,24 +43,26 @@ record Stages(MotionChange[] commands, MotionChange[] speeds, MotionChange[] tur
       };
 
   static Stages of(MotionChain chain) {
-    List<MotionChange> all = chain.changes();
-    return new Stages(
-        all.stream().filter(c -> own(c).commands).toArray(MotionChange[]::new),
-        all.stream().filter(c -> own(c).speeds).toArray(MotionChange[]::new),
-        all.stream().filter(c -> own(c).turns).toArray(MotionChange[]::new));
-  }
-
-  private static Own own(MotionChange change) {
-    return OWN.get(change.getClass());
-  }
-
-  /** Returns the commands that the drive takes given ones for, in their order. */
-  Command[] commanded(List<Command> given) {
-    Command[] taken = given.toArray(Command[]::new);
-    for (MotionChange change : commands) {
-      Arrays.setAll(taken, i -> change.commanded(taken[i]));
+    List<MotionChange> commands = new ArrayList<>();
+    List<MotionChange> speeds = new ArrayList<>();
+    List<MotionChange> turns = new ArrayList<>();
+    for (MotionChange change : chain.changes()) {
+      Own own = OWN.get(change.getClass());
+      addIf(own.commands, change, commands);
+      addIf(own.speeds, change, speeds);
+      addIf(own.turns, change, turns);
     }
-    return taken;
+    return new Stages(array(commands), array(speeds), array(turns));
+  }
+
+  private static void addIf(boolean has, MotionChange change, List<MotionChange> to) {
+    if (has) {
+      to.add(change);
+    }
+  }
+
+  private static MotionChange[] array(List<MotionChange> changes) {
+    return changes.toArray(MotionChange[]::new);
   }
 
   double speed(double speedMPerS) {

@@ -1,5 +1,6 @@
 package simbad.motion;
 
+import java.util.List;
 import simbad.sonar.check.Checks;
 
 /**
@@ -10,12 +11,6 @@ public final class Way {
   /** Between two poses of the grid, seconds. */
   public static final double STEP_S = 0.02;
 
-  /** Up to it the series of sine and cosine need five terms. */
-  private static final double SMALL_RAD = 0.1;
-
-  /** The last of the sine's. */
-  private static final double LAST = 1.0 / 362880;
-
   /** Rounding of so many rotations stays beneath any use. */
   private static final int AFRESH = 256;
 
@@ -24,8 +19,7 @@ public final class Way {
   private final double[] ys;
   private final double[] headings;
   private final Capture capture;
-  private double directionX = 1;
-  private double directionY;
+  private final Facing facing = new Facing();
 
   private Way(double startS, int size, Capture capture) {
     this.startS = startS;
@@ -57,14 +51,15 @@ public final class Way {
    */
   public static Way of(MotionRun run, MotionChain chain, double fromS, double toS) {
     Checks.atLeast("toS", toS, Checks.finite("fromS", fromS));
-    int size = (int) Math.ceil((toS - fromS) / STEP_S) + 2;
+    int size = size(fromS, toS);
     Way way = new Way(fromS, size, chain.capture());
     Stages stages = Stages.of(chain);
     CommandSeries means =
-        CommandSeries.of(stages.commanded(run.commands()), fromS - chain.delayS(), size);
-    Response.Step follow = chain.response().over(STEP_S);
-    follow.speed().follow(means.speeds());
-    follow.turn().follow(means.turns());
+        CommandSeries.of(
+            Held.of(run.commands()).taken(List.of(stages.commands())),
+            fromS - chain.delayS(),
+            size);
+    means.follow(chain.response());
     way.drive(stages, means);
     return way;
   }
@@ -76,41 +71,16 @@ public final class Way {
     }
   }
 
-  /**
-   * The chord of the step's arc. The direction is turned on by a rotation instead of asked anew: a
-   * log has tens of thousands of steps, and a search drives it thousands of times.
-   */
+  /** The chord of the step's arc. */
   private void step(int i, double speedMPerS, double turnRadPerS) {
-    double half = turnRadPerS * STEP_S / 2;
-    double square = half * half;
-    boolean small = Math.abs(half) < SMALL_RAD;
-    double chord = small ? chord(square) : Math.sin(half) / half;
-    double sin = half * chord;
-    double cos = small ? cosine(square) : Math.cos(half);
-    double middleX = directionX * cos - directionY * sin;
-    double middleY = directionX * sin + directionY * cos;
-    double way = speedMPerS * STEP_S * chord;
-    xs[i] = xs[i - 1] + way * middleX;
-    ys[i] = ys[i - 1] + way * middleY;
+    facing.turn(turnRadPerS * STEP_S);
+    double way = speedMPerS * STEP_S * facing.chord();
+    xs[i] = xs[i - 1] + way * facing.middleX();
+    ys[i] = ys[i - 1] + way * facing.middleY();
     headings[i] = headings[i - 1] + turnRadPerS * STEP_S;
-    directionX = middleX * cos - middleY * sin;
-    directionY = middleX * sin + middleY * cos;
-    if (i % AFRESH == 0 || !small) {
-      directionX = Math.cos(headings[i]);
-      directionY = Math.sin(headings[i]);
+    if (i % AFRESH == 0 || !facing.isExact()) {
+      facing.face(headings[i]);
     }
-  }
-
-  /** An angle's sine over the angle, by its square; exact to the last digit or two. */
-  private static double chord(double square) {
-    return 1 + square * (-1.0 / 6 + square * (1.0 / 120 + square * (-1.0 / 5040 + square * LAST)));
-  }
-
-  /** The same of the cosine. */
-  private static double cosine(double square) {
-    return 1
-        + square
-            * (-1.0 / 2 + square * (1.0 / 24 + square * (-1.0 / 720 + square * (1.0 / 40320))));
   }
 
   /**
@@ -124,7 +94,7 @@ public final class Way {
   }
 
   private TrackPose at(double timeS) {
-    double place = Math.max(0, Math.min(xs.length - 1.000001, (timeS - startS) / STEP_S));
+    double place = place(timeS, startS, xs.length);
     int i = (int) place;
     double share = place - i;
     return new TrackPose(
@@ -132,5 +102,15 @@ public final class Way {
         xs[i] + share * (xs[i + 1] - xs[i]),
         ys[i] + share * (ys[i + 1] - ys[i]),
         headings[i] + share * (headings[i + 1] - headings[i]));
+  }
+
+  /** Returns where a time stands on a grid of so many poses: the pose before it, and a share. */
+  static double place(double timeS, double startS, int size) {
+    return Math.max(0, Math.min(size - 1.000001, (timeS - startS) / STEP_S));
+  }
+
+  /** Returns of how many poses a grid is that reaches over a time. */
+  static int size(double fromS, double toS) {
+    return (int) Math.ceil((toS - fromS) / STEP_S) + 2;
   }
 }

@@ -24,7 +24,9 @@ class StagesTest {
     MotionChain chain = MotionChain.EXACT.with(new Halving()).with(form.change(values(form)));
     Stages stages = Stages.of(chain);
 
-    assertEquals(chain.commanded(COMMAND), stages.commanded(List.of(COMMAND))[0]);
+    Held taken = Held.of(List.of(COMMAND)).taken(List.of(stages.commands()));
+    assertEquals(chain.commanded(COMMAND).speedMPerS(), taken.speed(0));
+    assertEquals(chain.commanded(COMMAND).turnRadPerS(), taken.turn(0));
     assertEquals(chain.speed(0.31), stages.speed(0.31));
     assertEquals(chain.turn(-0.7, 0.31), stages.turn(-0.7, 0.31));
   }

@@ -6,7 +6,6 @@ import org.hipparchus.linear.Array2DRowRealMatrix;
 import org.hipparchus.linear.ArrayRealVector;
 import org.hipparchus.linear.RealMatrix;
 import org.hipparchus.linear.RealVector;
-import org.hipparchus.linear.SingularValueDecomposition;
 
 /**
  * White residuals as a weighted linear regression on white columns, with the normal equations of
@@ -70,10 +69,7 @@ final class Linear {
     IntStream.range(0, vectors.length)
         .filter(taken)
         .forEach(b -> IntStream.range(0, vector.length).forEach(p -> vector[p] += vectors[b][p]));
-    return new SingularValueDecomposition(new Array2DRowRealMatrix(matrix))
-        .getSolver()
-        .solve(new ArrayRealVector(vector))
-        .toArray();
+    return NormalMatrix.of(matrix).solve(vector);
   }
 
   private double[][] matrix(IntPredicate taken) {
@@ -140,9 +136,7 @@ final class Linear {
     for (int p = 0; p < matrix.length; p++) {
       matrix[p][p] += 1e-12;
     }
-    return new SingularValueDecomposition(new Array2DRowRealMatrix(matrix))
-        .getSolver()
-        .getInverse();
+    return NormalMatrix.of(matrix).inverse();
   }
 
   /** The sum over all blocks of the squares of their pulls. */
@@ -182,8 +176,7 @@ final class Linear {
         sums[part][p] += vectors[b][p] / Math.sqrt(n);
       }
     }
-    RealMatrix usual =
-        new SingularValueDecomposition(pulls().scalarMultiply(1.0 / n)).getSolver().getInverse();
+    RealMatrix usual = NormalMatrix.of(pulls().scalarMultiply(1.0 / n).getData()).inverse();
     double square = 0;
     for (int part = 0; part < parts; part++) {
       RealVector own = new ArrayRealVector(sums[part]);

@@ -130,32 +130,40 @@ public final class MotionDiagnoser {
   private Told told(BelievedMotion base, MotionSteps of) {
     Odds odds = new Odds(new MotionSearch(of, data.robot()).run(base.nominal().chain()));
     MotionGap gap = gap(base, odds.best());
-    for (Optional<String> idle = idle(odds, gap); idle.isPresent(); idle = idle(odds, gap)) {
+    // Many that explain next to nothing may explain something together.
+    double all = gap.fitted(odds.best().hypothesis().chain());
+    for (Optional<String> idle = idle(odds, gap, all);
+        idle.isPresent();
+        idle = idle(odds, gap, all)) {
       odds = odds.without(idle.get());
       gap = gap(base, odds.best());
     }
     return new Told(of, odds, gap, new NoiseFindings(of, base, odds.best().fit()));
   }
 
-  /** Finds an effect without which the explanation is as good. */
-  private static Optional<String> idle(Odds odds, MotionGap gap) {
-    MotionHypothesis best = odds.best().hypothesis();
-    List<String> effects = List.copyOf(best.effects());
+  /** Finds the effect without which the explanation is nearly as good as with all. */
+  private static Optional<String> idle(Odds odds, MotionGap gap, double all) {
+    List<String> effects = List.copyOf(odds.best().hypothesis().effects());
     if (effects.isEmpty()) {
       return Optional.empty();
     }
     if (effects.size() == 1) {
       return gap.ratio() > WORTH ? Optional.of(effects.get(0)) : Optional.empty();
     }
-    double with = gap.fitted(best.chain());
-    return effects.stream()
-        .filter(effect -> gap.fitted(odds.lacking(effect).hypothesis().chain()) * WORTH < with)
-        .findFirst();
+    String least = "";
+    double without = Double.POSITIVE_INFINITY;
+    for (String effect : effects) {
+      double other = gap.fitted(odds.lacking(effect).hypothesis().chain());
+      least = other < without ? effect : least;
+      without = Math.min(without, other);
+    }
+    return without * WORTH < all ? Optional.of(least) : Optional.empty();
   }
 
   private MotionGap gap(BelievedMotion base, ScoredMotion set) {
     List<MotionChain> folds =
         IntStream.range(0, MotionSteps.FOLDS)
+            .parallel()
             .mapToObj(fold -> set.slopes().withoutFold(fold).chain())
             .toList();
     return MotionGap.of(runs, base.nominal(), folds);

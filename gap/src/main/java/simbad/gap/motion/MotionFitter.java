@@ -14,6 +14,7 @@ final class MotionFitter {
   private static final int ROUNDS = 6;
   private static final int OUTER = 3;
   private static final double ENOUGH_NATS = 0.02;
+  private static final double LITTLE_NATS = 1;
   private static final double STRONGEST = 1e3;
 
   /** A value that jumps is looked for by these shares of it. */
@@ -51,8 +52,12 @@ final class MotionFitter {
   /** Fits values and noise in turn. */
   MotionFit fit(MotionFit from) {
     MotionFit best = from;
+    Slopes slopes = new Slopes(given, from);
+    boolean nudging = true;
     for (int round = 0; round < OUTER; round++) {
-      MotionFit stepped = nudged(settled(best, ROUNDS));
+      Settled settled = settled(slopes, ROUNDS);
+      MotionFit stepped = nudging ? nudged(settled.fit) : settled.fit;
+      nudging = stepped.score() > settled.fit.score();
       MotionFit next =
           with(
               stepped.hypothesis(),
@@ -60,36 +65,50 @@ final class MotionFitter {
               NoiseFit.near(given, stepped.residuals(), stepped.noises()));
       boolean done = next.score() - best.score() < 1;
       best = next.score() > best.score() ? next : best;
-      if (done) {
+      if (done || round + 1 == OUTER) {
         break;
       }
+      slopes = nudging ? new Slopes(given, best) : settled.slopes(best);
     }
     return best;
   }
 
-  /** Damped steps of Gauss and Newton, the noise as it is. */
-  MotionFit settled(MotionFit from, int rounds) {
-    return settled(from, new Slopes(given, from), rounds);
+  /**
+   * A fit after steps.
+   *
+   * @param fit after them
+   * @param before slopes from before the last one
+   * @param gain of the last one, nats
+   */
+  private record Settled(MotionFit fit, Slopes before, double gain) {
+    /** Returns the slopes, with the noise of another fit: after a small step they are the same. */
+    Slopes slopes(MotionFit other) {
+      return gain < LITTLE_NATS ? before.of(other) : before.anew(other);
+    }
   }
 
-  private MotionFit settled(MotionFit from, Slopes first, int rounds) {
-    MotionFit best = from;
-    Slopes slopes = first;
+  /** Damped steps of Gauss and Newton, the noise as it is. */
+  private Settled settled(Slopes first, int rounds) {
+    Settled settled = new Settled(first.fit(), first, 0);
     double damping = 1e-4;
-    for (int round = 0; round < rounds && !slopes.isEmpty(); round++) {
-      slopes = round == 0 ? first : new Slopes(given, best);
+    for (int round = 0; round < rounds && !first.isEmpty(); round++) {
+      MotionFit best = settled.fit;
+      Slopes slopes = settled.slopes(best);
       MotionFit next = best;
       for (; damping < STRONGEST && next.score() <= best.score(); damping *= 30) {
         next = with(slopes.stepped(damping), best.noises());
       }
       double gain = next.score() - best.score();
-      best = gain > 0 ? next : best;
-      damping = Math.max(1e-6, damping / 1000);
-      if (gain < ENOUGH_NATS) {
-        return best;
+      if (gain <= 0) {
+        return new Settled(best, slopes, 0);
       }
+      settled = new Settled(next, slopes, gain);
+      if (gain < ENOUGH_NATS) {
+        break;
+      }
+      damping = Math.max(1e-6, damping / 1000);
     }
-    return best;
+    return settled;
   }
 
   private MotionFit nudged(MotionFit from) {
@@ -131,7 +150,8 @@ final class MotionFitter {
   }
 
   private MotionFit stepped(Slopes base, MotionFit from) {
-    return settled(from, new Slopes(given, from, Optional.of(base)), 1);
+    Slopes slopes = new Slopes(given, from, Optional.of(base));
+    return settled(slopes, 1).fit();
   }
 
   /** The second value is looked for beside each try of the first. */

@@ -21,9 +21,6 @@ import simbad.motion.forecast.Windows;
 final class MotionGap {
   private static final int GROUPS = 20;
 
-  /** What a robot does differs from part to part of a drive, and from drive to drive. */
-  private static final int PARTS = 10;
-
   /** Twice the mean pinball loss of 19 quantiles that are right, of a Gaussian, over its sigma. */
   private static final double GAUSSIAN = gaussian();
 
@@ -142,7 +139,7 @@ final class MotionGap {
             .mapToObj(
                 horizon -> {
                   List<Window> cut = Windows.of(runs, horizon);
-                  return Spread.ofAnother(own.asked(cut), own.residuals(cut, chain), PARTS);
+                  return Spread.ofAnother(own.asked(cut), own.residuals(cut, chain));
                 })
             .toList());
   }

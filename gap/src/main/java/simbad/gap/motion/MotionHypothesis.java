@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import simbad.motion.MotionChain;
+import simbad.motion.MotionChange;
 import simbad.motion.effect.FittedMotion;
 import simbad.motion.effect.MotionForm;
 import simbad.motion.effect.MotionParameter;
@@ -17,18 +18,31 @@ import simbad.motion.effect.MotionParameter;
  * @param base what is believed already
  * @param forms that act after it
  * @param values of all forms' parameters, in their order
+ * @param changes that the forms make with them: one that stays is the very same in what is derived
  */
 @SuppressWarnings("ArrayRecordComponent") // Numbers by window, never compared.
-record MotionHypothesis(MotionChain base, List<MotionForm> forms, double[] values) {
-  MotionChain chain() {
-    MotionChain chain = base;
+record MotionHypothesis(
+    MotionChain base, List<MotionForm> forms, double[] values, List<MotionChange> changes) {
+  /** Creates one whose changes are made anew. */
+  MotionHypothesis(MotionChain base, List<MotionForm> forms, double[] values) {
+    this(base, forms, values, changes(forms, values));
+  }
+
+  private static List<MotionChange> changes(List<MotionForm> forms, double[] values) {
+    List<MotionChange> changes = new ArrayList<>();
     int at = 0;
     for (MotionForm form : forms) {
-      int n = form.parameters().size();
-      chain = chain.with(form.change(Arrays.copyOfRange(values, at, at + n)));
-      at += n;
+      int end = at + form.parameters().size();
+      changes.add(form.change(Arrays.copyOfRange(values, at, end)));
+      at = end;
     }
-    return chain;
+    return changes;
+  }
+
+  MotionChain chain() {
+    List<MotionChange> all = new ArrayList<>(base.changes());
+    all.addAll(changes);
+    return new MotionChain(all);
   }
 
   double[] values(MotionForm form) {
@@ -47,7 +61,9 @@ record MotionHypothesis(MotionChain base, List<MotionForm> forms, double[] value
     longer.add(form);
     double[] all = Arrays.copyOf(values, values.length + start.length);
     System.arraycopy(start, 0, all, values.length, start.length);
-    return new MotionHypothesis(base, longer, all);
+    List<MotionChange> more = new ArrayList<>(changes);
+    more.add(form.change(start));
+    return new MotionHypothesis(base, longer, all, more);
   }
 
   MotionHypothesis without(MotionForm form) {
@@ -83,7 +99,15 @@ record MotionHypothesis(MotionChain base, List<MotionForm> forms, double[] value
   MotionHypothesis withValue(int index, double value) {
     double[] other = values.clone();
     other[index] = value;
-    return withValues(other);
+    int end = 0;
+    int which = -1;
+    while (end <= index) {
+      end += forms.get(++which).parameters().size();
+    }
+    int from = end - forms.get(which).parameters().size();
+    List<MotionChange> changed = new ArrayList<>(changes);
+    changed.set(which, forms.get(which).change(Arrays.copyOfRange(other, from, end)));
+    return new MotionHypothesis(base, forms, other, changed);
   }
 
   /** Returns the names of the effects, each once. */

@@ -174,17 +174,25 @@ final class MotionSearch {
   }
 
   private MotionFit inPlaceOf(MotionFit set, String effect) {
-    MotionFit rest = fitter.fit(fitter.with(set.hypothesis().without(effect), set.noises()));
-    keep(rest);
-    List<MotionFit> others = grown(rest, forms, REFINED_IN_PLACE);
+    List<MotionFit> others = beside(rest(set, effect));
     return others.isEmpty() ? set : others.get(0);
+  }
+
+  private MotionFit rest(MotionFit set, String effect) {
+    return fitter.fit(fitter.with(set.hypothesis().without(effect), set.noises()));
+  }
+
+  private List<MotionFit> beside(MotionFit rest) {
+    keep(rest);
+    return grown(rest, forms, REFINED_IN_PLACE);
   }
 
   /** Fits what could stand in the place of each member, and the set without it. */
   private void replaced(MotionFit set) {
-    for (String effect : set.hypothesis().effects()) {
-      inPlaceOf(set, effect);
-    }
+    List.copyOf(set.hypothesis().effects()).parallelStream()
+        .map(effect -> rest(set, effect))
+        .toList()
+        .forEach(this::beside);
   }
 
   private List<MotionFit> best(List<MotionFit> fits) {

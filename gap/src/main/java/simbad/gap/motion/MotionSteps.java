@@ -3,7 +3,9 @@ package simbad.gap.motion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import simbad.motion.Displacement;
+import simbad.motion.DrivenSteps;
 import simbad.motion.MotionChain;
 import simbad.motion.MotionRun;
 import simbad.motion.TrackPose;
@@ -43,6 +45,11 @@ final class MotionSteps {
   private final List<MotionRun> runs;
   private final List<Stretch> left;
   private final List<Step> steps = new ArrayList<>();
+
+  /** The first step of each run, and its steps as a model drives them. */
+  private final int[] firsts;
+
+  private final List<DrivenSteps> driven;
   private final double[] loads;
   private final double[] durationsS;
   private final boolean[] chained;
@@ -87,10 +94,13 @@ final class MotionSteps {
   private MotionSteps(List<MotionRun> runs, List<Stretch> left) {
     this.runs = runs;
     this.left = left;
+    firsts = new int[runs.size()];
     for (int run = 0; run < runs.size(); run++) {
+      firsts[run] = steps.size();
       cut(run);
     }
     weigh();
+    driven = IntStream.range(0, runs.size()).mapToObj(this::driven).toList();
     loads = steps.stream().mapToDouble(Step::load).toArray();
     durationsS = steps.stream().mapToDouble(Step::durationS).toArray();
     chained = new boolean[steps.size()];
@@ -139,6 +149,15 @@ final class MotionSteps {
         from = to;
       }
     }
+  }
+
+  private DrivenSteps driven(int run) {
+    int end = run + 1 < firsts.length ? firsts[run + 1] : steps.size();
+    List<Step> own = steps.subList(firsts[run], end);
+    return new DrivenSteps(
+        runs.get(run).commands(),
+        own.stream().mapToDouble(step -> step.from.timeS()).toArray(),
+        own.stream().mapToDouble(step -> step.to.timeS()).toArray());
   }
 
   private boolean isLeftOut(int run, double fromS, double toS) {
@@ -260,13 +279,18 @@ final class MotionSteps {
   /** Returns what was seen less what a model expects: by component (along, across, turn), step. */
   double[][] residuals(MotionChain chain) {
     double[][] residuals = new double[COMPONENTS][steps.size()];
-    List<Way> ways = ways(runs, chain);
-    for (int i = 0; i < steps.size(); i++) {
-      Step step = steps.get(i);
-      Displacement expected = ways.get(step.run).between(step.from.timeS(), step.to.timeS());
-      residuals[0][i] = seen[0][i] - expected.alongM();
-      residuals[1][i] = seen[1][i] - expected.acrossM();
-      residuals[2][i] = wrapped(seen[2][i] - expected.turnRad());
+    for (int run = 0; run < driven.size(); run++) {
+      int first = firsts[run];
+      driven
+          .get(run)
+          .drive(
+              chain,
+              (step, expected) -> {
+                int i = first + step;
+                residuals[0][i] = seen[0][i] - expected.alongM();
+                residuals[1][i] = seen[1][i] - expected.acrossM();
+                residuals[2][i] = wrapped(seen[2][i] - expected.turnRad());
+              });
     }
     return residuals;
   }

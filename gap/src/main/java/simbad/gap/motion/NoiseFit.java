@@ -23,7 +23,7 @@ final class NoiseFit {
     this.loads = loads;
     this.residuals = residuals;
     best = start;
-    score = new Whitening(given, loads, start, residuals).logDensity();
+    score = Whitening.logDensity(given, loads, start, residuals);
   }
 
   /** Returns the noises of all components, searched afresh. */
@@ -97,7 +97,7 @@ final class NoiseFit {
 
   private boolean taken(Noise noise) {
     tried++;
-    double now = new Whitening(given, loads, noise, residuals).logDensity();
+    double now = Whitening.logDensity(given, loads, noise, residuals);
     if (now > score + 1e-6) {
       best = noise;
       score = now;

@@ -40,18 +40,39 @@ final class Slopes {
    * @param before slopes of a fit whose forms come first in this one; what is the same is taken
    */
   Slopes(MotionSteps given, MotionFit fit, Optional<Slopes> before) {
+    this(given, fit, raw(given, fit, before));
+  }
+
+  private Slopes(MotionSteps given, MotionFit fit, double[][][] raw) {
     this.given = given;
     this.fit = fit;
-    // Only where the further forms change nothing are residuals the very same.
-    Optional<Slopes> same = before.filter(one -> one.fit.residuals() == fit.residuals());
+    this.raw = raw;
     white = fit.white(given);
     free = free(fit.hypothesis());
-    raw =
-        free.parallelStream()
-            .map(index -> same.flatMap(one -> one.rawOf(index)).orElseGet(() -> column(index)))
-            .toArray(double[][][]::new);
     columns = Arrays.stream(raw).map(this::whitened).toArray(double[][][]::new);
     linear = new Linear(given, white, columns);
+  }
+
+  private static double[][][] raw(MotionSteps given, MotionFit fit, Optional<Slopes> before) {
+    // Only where the further forms change nothing are residuals the very same.
+    Optional<Slopes> same = before.filter(one -> one.fit.residuals() == fit.residuals());
+    return free(fit.hypothesis()).parallelStream()
+        .map(index -> same.flatMap(s -> s.rawOf(index)).orElseGet(() -> column(given, fit, index)))
+        .toArray(double[][][]::new);
+  }
+
+  /**
+   * Returns the slopes of a fit of the same forms.
+   *
+   * @param near whose values are so near that motion changes with them as it did
+   */
+  Slopes of(MotionFit near) {
+    return new Slopes(given, near, raw);
+  }
+
+  /** Returns the slopes of another fit. */
+  Slopes anew(MotionFit other) {
+    return new Slopes(given, other);
   }
 
   private static List<Integer> free(MotionHypothesis at) {
@@ -70,7 +91,7 @@ final class Slopes {
     return at < 0 ? Optional.empty() : Optional.of(raw[at]);
   }
 
-  private double[][] column(int index) {
+  private static double[][] column(MotionSteps given, MotionFit fit, int index) {
     MotionHypothesis at = fit.hypothesis();
     MotionParameter parameter = at.parameters().get(index);
     double value = at.values()[index];

@@ -38,9 +38,14 @@ final class Whitening {
    * @param residuals by step
    */
   Whitening(MotionSteps given, double[] loads, Noise noise, double[] residuals) {
+    this(given, loads, noise, residuals, true);
+  }
+
+  private Whitening(
+      MotionSteps given, double[] loads, Noise noise, double[] residuals, boolean kept) {
     this.given = given;
     this.noise = noise;
-    int n = residuals.length;
+    int n = kept ? residuals.length : 0;
     white = new double[n];
     weights = new double[n];
     scales = new double[n];
@@ -67,15 +72,18 @@ final class Whitening {
       double variance = errorVar + process * loads[i] * given.durationS(i) + tracker;
       double innovation = residuals[i] + error;
       double square = innovation * innovation;
-      scales[i] = Math.sqrt(variance);
-      white[i] = innovation / scales[i];
-      weights[i] = (nu + 1) * variance / (nu * variance + square);
       sizes.times(1 + square / (nu * variance));
       variances.times(variance);
       // Given Student's t, a far residual came with a variance that was larger by so much.
-      gains[i] = tracker / Math.max(variance, (nu * variance + square) * perWeight);
-      error = gains[i] * innovation;
-      errorVar = tracker * (1 - gains[i]);
+      double gain = tracker / Math.max(variance, (nu * variance + square) * perWeight);
+      error = gain * innovation;
+      errorVar = tracker * (1 - gain);
+      if (i < gains.length) {
+        gains[i] = gain;
+        scales[i] = Math.sqrt(variance);
+        white[i] = innovation / scales[i];
+        weights[i] = (nu + 1) * variance / (nu * variance + square);
+      }
     }
     logDensity = residuals.length * constant - (nu + 1) / 2 * sizes.log() - variances.log() / 2;
   }
@@ -89,9 +97,21 @@ final class Whitening {
   static double logDensity(MotionSteps given, Noise[] noises, double[][] residuals) {
     double sum = 0;
     for (int c = 0; c < residuals.length; c++) {
-      sum += new Whitening(given, noises[c], residuals[c]).logDensity();
+      sum += logDensity(given, given.loads(), noises[c], residuals[c]);
     }
     return sum;
+  }
+
+  /**
+   * Returns the log density of the residuals of one component.
+   *
+   * @param given the steps
+   * @param loads what the robot's own variance is in proportion to, by step
+   * @param noise by which the residuals scatter
+   * @param residuals by step
+   */
+  static double logDensity(MotionSteps given, double[] loads, Noise noise, double[] residuals) {
+    return new Whitening(given, loads, noise, residuals, false).logDensity;
   }
 
   /** Returns the sum of the log densities of all steps. */

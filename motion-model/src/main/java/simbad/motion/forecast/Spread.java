@@ -2,6 +2,7 @@ package simbad.motion.forecast;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import simbad.sonar.check.Checks;
 
 /**
@@ -20,6 +21,9 @@ public record Spread(double[] limits, double[][][] quantiles) {
   private static final int LEAST_IN_CLASS = 60;
 
   private static final int MOST_CLASSES = 5;
+
+  /** The share of values between the outermost quantiles. */
+  private static final double INSIDE = 0.9;
 
   /** Checks that all are numbers, and that there is a class between all limits. */
   public Spread {
@@ -72,44 +76,64 @@ public record Spread(double[] limits, double[][][] quantiles) {
   }
 
   /**
-   * Learns from residuals how those of another drive of the same length lie. Of each class and
-   * component the means of a drive's parts say how well the mean of all is known; the mean of
-   * another drive is off by as much again. So the quantiles are wider, about their median, as if
-   * that were added to each residual.
+   * Learns from residuals how those of another drive of the same robot lie. What a robot scatters
+   * by differs from minute to minute and from drive to drive. So each half of the drive is foretold
+   * by the other one, and all quantiles are wider, about their median, by as much as makes nine in
+   * ten of what is foretold lie within the outermost; never narrower.
    *
    * @param exertions by window
    * @param residuals by window and component, in order of time
-   * @param parts that a drive is cut into, at least 2
    */
-  public static Spread ofAnother(double[] exertions, double[][] residuals, int parts) {
-    Checks.atLeast("parts", parts, 2);
+  public static Spread ofAnother(double[] exertions, double[][] residuals) {
     Spread spread = of(exertions, residuals);
+    int middle = exertions.length / 2;
+    double[][] sizes =
+        Stream.of(
+                sizes(exertions, residuals, 0, middle),
+                sizes(exertions, residuals, middle, exertions.length))
+            .flatMap(Arrays::stream)
+            .toArray(double[][]::new);
     double[][][] wider = new double[spread.quantiles.length][3][];
-    for (int k = 0; k < wider.length; k++) {
-      int[] members = members(exertions, spread.limits, k);
-      for (int c = 0; c < 3; c++) {
-        double times = times(members, residuals, c, parts);
+    for (int c = 0; c < 3; c++) {
+      int component = c;
+      double times = times(Arrays.stream(sizes).mapToDouble(size -> size[component]).toArray());
+      for (int k = 0; k < wider.length; k++) {
         double[] own = spread.quantiles[k][c];
-        double middle = own[QUANTILES / 2];
-        wider[k][c] = Arrays.stream(own).map(q -> middle + times * (q - middle)).toArray();
+        double centre = own[QUANTILES / 2];
+        wider[k][c] = Arrays.stream(own).map(q -> centre + times * (q - centre)).toArray();
       }
     }
     return new Spread(spread.limits, wider);
   }
 
-  /** By how many times residuals scatter more with the mean of another drive. */
-  private static double times(int[] members, double[][] residuals, int component, int parts) {
-    double mean =
-        Arrays.stream(members).mapToDouble(i -> residuals[i][component]).average().orElse(0);
-    double[] sums = new double[parts];
-    double square = 0;
-    for (int i : members) {
-      double off = residuals[i][component] - mean;
-      sums[(int) ((long) i * parts / residuals.length)] += off;
-      square += off * off;
+  /** How large residuals of a part are, in units of what all others foretell. */
+  private static double[][] sizes(double[] exertions, double[][] residuals, int from, int to) {
+    int[] others = IntStream.range(0, exertions.length).filter(i -> i < from || i >= to).toArray();
+    Spread foretold =
+        of(
+            Arrays.stream(others).mapToDouble(i -> exertions[i]).toArray(),
+            Arrays.stream(others).mapToObj(i -> residuals[i]).toArray(double[][]::new));
+    double[][] sizes = new double[to - from][3];
+    for (int i = from; i < to; i++) {
+      for (int c = 0; c < 3; c++) {
+        sizes[i - from][c] = size(foretold.at(exertions[i], c), residuals[i][c]);
+      }
     }
-    double ofSum = Arrays.stream(sums).map(sum -> sum * sum).sum() * parts / (parts - 1.0);
-    return square > 0 ? Math.sqrt(1 + 2 * ofSum / members.length / square) : 1;
+    return sizes;
+  }
+
+  /** How far a residual is from the median, over how far the outermost quantile is. */
+  private static double size(double[] quantiles, double residual) {
+    double off = residual - quantiles[QUANTILES / 2];
+    double reach = quantiles[off < 0 ? 0 : QUANTILES - 1] - quantiles[QUANTILES / 2];
+    return reach == 0 ? 0 : off / reach;
+  }
+
+  /** What nine in ten sizes do not exceed; at least 1. */
+  private static double times(double[] sizes) {
+    double[] sorted = sizes.clone();
+    Arrays.sort(sorted);
+    return sorted.length == 0 ? 1 : Math.max(1, sorted[(int) (INSIDE * (sorted.length - 1))]);
   }
 
   private static int[] members(double[] exertions, double[] limits, int klass) {

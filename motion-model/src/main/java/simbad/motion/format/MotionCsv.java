@@ -16,11 +16,11 @@ import simbad.sonar.format.TextFile;
 /** The two tables of a motion folder, by run in the order in which the runs first appear. */
 final class MotionCsv {
   /** Faster than any robot of these logs, and farther. */
-  private static final double GREATEST_SPEED = 1000;
+  private static final Limit GREATEST_SPEED = Limit.of(1000);
 
-  private static final double GREATEST_M = 1e7;
-  private static final double GREATEST_DEG = 1e9;
-  private static final double GREATEST_S = 1e12;
+  private static final Limit GREATEST_M = Limit.of(1e7);
+  private static final Limit GREATEST_DEG = Limit.of(1e9);
+  private static final Limit GREATEST_S = Limit.of(1e12);
   private static final String RUN = "run";
   private static final String TIME = "t_s";
 
@@ -78,12 +78,19 @@ final class MotionCsv {
     return csv;
   }
 
-  private static double within(double greatest, CsvTable csv, int row, String column)
+  /** The greatest size of a number, and what is expected in its place where it is larger. */
+  private record Limit(double greatest, String expected) {
+    static Limit of(double greatest) {
+      return new Limit(greatest, "a finite number of at most " + greatest);
+    }
+
+    boolean allows(double value) {
+      return Math.abs(value) <= greatest;
+    }
+  }
+
+  private static double within(Limit limit, CsvTable csv, int row, String column)
       throws DataFormatException {
-    return csv.number(
-        row,
-        column,
-        value -> Math.abs(value) <= greatest,
-        "a finite number of at most " + greatest);
+    return csv.number(row, column, limit::allows, limit.expected);
   }
 }

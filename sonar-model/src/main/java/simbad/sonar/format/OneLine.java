@@ -54,6 +54,11 @@ public final class OneLine {
   }
 
   private static boolean isWithin(String text, int longest) {
-    return text.length() <= longest && !BREAKS.matcher(text).find();
+    return text.length() <= longest && text.chars().noneMatch(OneLine::isBreak);
+  }
+
+  /** The same as {@link #BREAK}; a long table asks it of each row. */
+  private static boolean isBreak(int character) {
+    return Character.isISOControl(character) || character == 0x2028 || character == 0x2029;
   }
 }
