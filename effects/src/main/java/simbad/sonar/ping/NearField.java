@@ -72,14 +72,18 @@ public final class NearField {
   }
 
   /**
-   * Returns the level of the echo from far away, of no common level: its differences between
-   * bearings are those of strengths, but for dips that are too deep.
+   * Returns the level of the echo from the distance at which the strength is believed: that of the
+   * obstacle's threshold. Of no common level: its differences between bearings are those of
+   * strengths, but for dips that are too deep.
    *
    * @param bearingRad of the sensor in the obstacle's own frame, in [0, 2 pi]
    * @return decibels
    */
-  public double farDb(double bearingRad) {
-    return pieces.echo(bearingRad, DISTANCE_M[DISTANCE_M.length - 1]).levelDb;
+  public double believedDb(double bearingRad) {
+    double lostM = obstacle.detection().thresholdM(bearingRad);
+    double furthestM = DISTANCE_M[DISTANCE_M.length - 1];
+    double atM = Math.max(LEAST_REFERENCE_M, Math.min(furthestM, lostM));
+    return pieces.echo(bearingRad, atM).levelDb;
   }
 
   /**
@@ -142,10 +146,7 @@ public final class NearField {
   private double believedDb(int bearing, double bearingRad) {
     double known = believedDb[bearing];
     if (Double.isNaN(known)) {
-      double lostM = obstacle.detection().thresholdM(bearingRad);
-      double furthestM = DISTANCE_M[DISTANCE_M.length - 1];
-      double atM = Math.max(LEAST_REFERENCE_M, Math.min(furthestM, lostM));
-      known = pieces.echo(bearingRad, atM).levelDb;
+      known = believedDb(bearingRad);
       believedDb[bearing] = known;
     }
     return known;

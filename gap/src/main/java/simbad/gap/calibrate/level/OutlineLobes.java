@@ -55,7 +55,7 @@ final class OutlineLobes {
 
   private double levelDb(double place) {
     double bearingRad = place * Angles.TURN_RAD / levelDb.length;
-    return Math.max(LEAST_DB, field.farDb(bearingRad % Angles.TURN_RAD));
+    return Math.max(LEAST_DB, field.believedDb(bearingRad % Angles.TURN_RAD));
   }
 
   /**

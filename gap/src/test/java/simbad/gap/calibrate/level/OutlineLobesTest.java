@@ -53,7 +53,7 @@ class OutlineLobesTest {
   @Test
   void whereATableSaysWeak_theOutlineSaysHowWeak() {
     OutlineLobes lobes = lobes(i -> i == 0);
-    double apart = STRIP.farDb(Math.toRadians(40)) - STRIP.farDb(0);
+    double apart = STRIP.believedDb(Math.toRadians(40)) - STRIP.believedDb(0);
     assertEquals(apart + 25, lobes.weakerDb(8, FACE_DB - 25, NONE_DB), 1e-9);
     assertEquals(-10, lobes.weakerDb(8, FACE_DB, NONE_DB), 0);
     assertEquals(0, lobes.weakerDb(0, FACE_DB - 25, NONE_DB), 0);
