@@ -264,6 +264,11 @@ compiles_once_for_a_second() {
   check "a prediction does without the second compiler" prints 'argument <-XX:TieredStopAtLevel=1>'
   simbad table plot square
   check "others have it" prints_not TieredStopAtLevel
+  check "others compile as Java likes" prints_not FreqInlineSize
+  simbad diagnose folder
+  check "a diagnosis compiles smaller pieces" prints 'argument <-XX:FreqInlineSize=60>'
+  simbad diagnose --help
+  check "but not its help" prints_not FreqInlineSize
 }
 
 adds_the_users_classes() {

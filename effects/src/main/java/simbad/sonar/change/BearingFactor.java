@@ -31,8 +31,8 @@ public record BearingFactor(Optional<String> only, List<Double> series)
     if (only.isPresent() && !only.get().equals(geometry.label(line))) {
       return 1;
     }
-    double cos = Math.cos(geometry.bearingRad(line));
-    double sin = Math.sin(geometry.bearingRad(line));
+    double cos = geometry.bearingCos(line);
+    double sin = geometry.bearingSin(line);
     double factor = 1 + series.get(0);
     double waveCos = 1;
     double waveSin = 0;

@@ -5,15 +5,12 @@ import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import simbad.sonar.frame.Angles;
-import simbad.sonar.frame.Placement;
 import simbad.sonar.model.NominalModel;
 import simbad.sonar.model.SightLine;
 import simbad.sonar.model.TransducerPose;
-import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
-import simbad.sonar.shape.Outline;
 
 /**
  * Where every ping's sensor and the obstacles really are, and what the sensor sees of each: all
@@ -21,42 +18,43 @@ import simbad.sonar.shape.Outline;
  * leads from a ping to obstacle o. That of a log is immutable and safe for use by several threads.
  */
 public final class Geometry {
-  private static final double SAME_POINT_M = 1e-9;
-  private static final double SAME_ANGLE_RAD = 1e-9;
-
   private final PingLog log;
   private final Scene scene;
   private final SonarSpec sensor;
   private final NominalModel model;
   private final int obstacles;
   private final List<String> labels;
-  private final List<Outline> outlines;
+  private final OffAxis angles;
   private final double[] xM;
   private final double[] zM;
   private final double[] headingRad;
-  private final double[] nearestM;
+  final double[] nearestM;
 
   /** Of pings of no log: what {@link #nearestM} was when the transducer looked before. */
   private final double[] formerM;
 
-  private final double[] centreDistanceM;
-  private final double[] bearingRad;
-  private final double[] thresholdM;
+  final double[] centreDistanceM;
+  final double[] bearingRad;
+  final double[] thresholdM;
+
+  /** Of the bearing: not a number until it is asked for. */
+  final double[] bearingCos;
+
+  final double[] bearingSin;
 
   /** Not a number until it is asked for; two threads that compute it find the same. */
-  private final double[] offAxisRad;
+  final double[] offAxisRad;
 
-  private final double[] outlineOffAxisRad;
+  final double[] outlineOffAxisRad;
 
-  private final double[] echoOffAxisRad;
-  private final double[] longestEdgeM;
+  final double[] echoOffAxisRad;
 
   /** Of lines under the level law: not a number until it is asked for. */
-  private final double[] excessDb;
+  final double[] excessDb;
 
-  private final double[] excessDeviationDb;
-  private final double[] pathM;
-  private final double[] pathDeviationM;
+  final double[] excessDeviationDb;
+  final double[] pathM;
+  final double[] pathDeviationM;
 
   private final boolean[] empty;
 
@@ -79,7 +77,21 @@ public final class Geometry {
    * @param changes of which those that act on poses, the scene and the cone count here
    */
   public Geometry(PingLog log, SensingSetup believed, List<? extends Change> changes) {
+    this(log, believed, changes, null);
+  }
+
+  /**
+   * Computes the geometry like another one, and takes over from it what is the same.
+   *
+   * @param log the pings
+   * @param believed the set-up
+   * @param changes of which those that act on poses, the scene and the cone count here
+   * @param like of the same pings and set-up under other changes; null for none
+   */
+  public Geometry(
+      PingLog log, SensingSetup believed, List<? extends Change> changes, @Nullable Geometry like) {
     this(log, log.size(), believed, changes);
+    Likeness likeness = like == null ? null : new Likeness(like, this);
     PoseTrack track = new PoseTrack(changes, "", 0);
     TruePose pose = new TruePose();
     for (int ping = 0; ping < log.size(); ping++) {
@@ -89,7 +101,8 @@ public final class Geometry {
       }
       pose.set(log.xM(ping), log.zM(ping), log.headingRad(ping));
       track.next(log.timeS(ping), pose);
-      look(ping, pose, log.timeS(ping) - log.firstS());
+      stand(ping, pose, log.timeS(ping) - log.firstS());
+      look(likeness, ping);
     }
   }
 
@@ -105,8 +118,7 @@ public final class Geometry {
     model = new NominalModel(sensor, scene);
     obstacles = scene.obstacles().size();
     labels = Scenes.labels(scene);
-    outlines = scene.obstacles().stream().map(Obstacle::worldOutline).toList();
-    longestEdgeM = outlines.stream().mapToDouble(Outline::longestEdgeM).toArray();
+    angles = new OffAxis(this);
     int lines = pings * obstacles;
     xM = new double[pings];
     zM = new double[pings];
@@ -116,6 +128,8 @@ public final class Geometry {
     Arrays.fill(formerM, Double.POSITIVE_INFINITY);
     centreDistanceM = new double[lines];
     bearingRad = new double[lines];
+    bearingCos = new double[lines];
+    bearingSin = new double[lines];
     thresholdM = new double[lines];
     offAxisRad = new double[lines];
     outlineOffAxisRad = new double[lines];
@@ -183,12 +197,20 @@ public final class Geometry {
    * @param sinceS time since the first ping, seconds
    */
   public void look(int ping, TruePose pose, double sinceS) {
+    stand(ping, pose, sinceS);
+    look(null, ping);
+  }
+
+  private void stand(int ping, TruePose pose, double sinceS) {
     sinceStartS[ping] = sinceS;
     xM[ping] = pose.xM();
     zM[ping] = pose.zM();
     headingRad[ping] = pose.headingRad();
     sent[ping]++;
-    if (ping < log.size() && pose.headingRad() == log.headingRad(ping)) {
+  }
+
+  private void look(@Nullable Likeness likeness, int ping) {
+    if (ping < log.size() && headingRad[ping] == log.headingRad(ping)) {
       // A fit looks from the same poses thousands of times.
       from.aim(xM[ping], zM[ping], log.directionX(ping), log.directionZ(ping));
     } else {
@@ -197,22 +219,39 @@ public final class Geometry {
     empty[ping] = true;
     for (int obstacle = 0; obstacle < obstacles; obstacle++) {
       int line = ping * obstacles + obstacle;
-      model.trace(obstacle, from, sight);
       if (formerM.length > 0 && sent[ping] > 1) {
         formerM[line] = nearestM[line];
       }
-      nearestM[line] = sight.nearestM();
-      empty[ping] &= nearestM[line] == Double.POSITIVE_INFINITY;
-      centreDistanceM[line] = sight.centreDistanceM();
-      bearingRad[line] = sight.bearingRad();
-      thresholdM[line] = sight.thresholdM();
-      offAxisRad[line] = Double.NaN;
-      outlineOffAxisRad[line] = Double.NaN;
-      echoOffAxisRad[line] = Double.NaN;
-      if (ears != null) {
-        excessDb[line] = Double.NaN;
+      forget(line);
+      if (likeness == null || !likeness.sees(ping, obstacle)) {
+        trace(line, obstacle);
       }
+      empty[ping] &= nearestM[line] == Double.POSITIVE_INFINITY;
     }
+  }
+
+  private void forget(int line) {
+    bearingCos[line] = Double.NaN;
+    bearingSin[line] = Double.NaN;
+    offAxisRad[line] = Double.NaN;
+    outlineOffAxisRad[line] = Double.NaN;
+    echoOffAxisRad[line] = Double.NaN;
+    if (ears != null) {
+      excessDb[line] = Double.NaN;
+    }
+  }
+
+  private void trace(int line, int obstacle) {
+    model.trace(obstacle, from, sight);
+    nearestM[line] = sight.nearestM();
+    centreDistanceM[line] = sight.centreDistanceM();
+    bearingRad[line] = sight.bearingRad();
+    thresholdM[line] = sight.thresholdM();
+  }
+
+  /** The distance to an obstacle's nearest point in the cone from where it is looked now. */
+  double nearestNowM(int obstacle) {
+    return model.nearestM(obstacle, from);
   }
 
   /** Returns the pings. */
@@ -374,6 +413,22 @@ public final class Geometry {
     return bearingRad[line];
   }
 
+  /** Returns the cosine of that bearing: a fit asks for it thousands of times. */
+  public double bearingCos(int line) {
+    if (Double.isNaN(bearingCos[line])) {
+      bearingCos[line] = Math.cos(bearingRad[line]);
+    }
+    return bearingCos[line];
+  }
+
+  /** Returns the sine of that bearing. */
+  public double bearingSin(int line) {
+    if (Double.isNaN(bearingSin[line])) {
+      bearingSin[line] = Math.sin(bearingRad[line]);
+    }
+    return bearingSin[line];
+  }
+
   /** Returns the believed threshold at that bearing, metres; 0 where none is in the cone. */
   public double thresholdM(int line) {
     return thresholdM[line];
@@ -385,8 +440,7 @@ public final class Geometry {
    */
   public double offAxisRad(int line) {
     if (Double.isNaN(offAxisRad[line])) {
-      Placement place = scene.obstacles().get(line % obstacles).worldFromObstacle();
-      offAxisRad[line] = offAxis(line / obstacles, place.xM(), place.zM());
+      offAxisRad[line] = angles.ofCentre(line);
     }
     return offAxisRad[line];
   }
@@ -397,7 +451,7 @@ public final class Geometry {
    */
   public double outlineOffAxisRad(int line) {
     if (Double.isNaN(outlineOffAxisRad[line])) {
-      outlineOffAxisRad[line] = outlineOffAxis(line);
+      outlineOffAxisRad[line] = angles.ofOutline(line);
     }
     return outlineOffAxisRad[line];
   }
@@ -414,7 +468,7 @@ public final class Geometry {
       echoOffAxisRad[line] =
           ears != null && ears.hasNearField(line % obstacles)
               ? centreOfEcho(ears, line)
-              : nearestOffAxis(line);
+              : angles.ofNearest(line);
     }
     return echoOffAxisRad[line];
   }
@@ -423,77 +477,5 @@ public final class Geometry {
     return nearestM[line] == Double.POSITIVE_INFINITY
         ? coneHalfAngleRad()
         : Angles.signed(offAxisRad(line) + known.offCentreRad(this, line));
-  }
-
-  private double nearestOffAxis(int line) {
-    int ping = line / obstacles;
-    Outline outline = outlines.get(line % obstacles);
-    if (nearestM[line] == Double.POSITIVE_INFINITY) {
-      return coneHalfAngleRad();
-    }
-    // An edge of which a corner lies further off than this and its length has no point so near.
-    double far = nearestM[line] + SAME_POINT_M + longestEdgeM[line % obstacles];
-    int from = outline.size() - 1;
-    for (int to = 0; to < outline.size(); to++) {
-      double cornerX = outline.xM(to) - xM[ping];
-      double cornerZ = outline.zM(to) - zM[ping];
-      if (cornerX * cornerX + cornerZ * cornerZ <= far * far) {
-        double offAxis = nearestOffAxis(line, from, to);
-        if (!Double.isNaN(offAxis)) {
-          return offAxis;
-        }
-      }
-      from = to;
-    }
-    // Neither a corner nor the foot of a perpendicular: where the outline leaves the cone.
-    return coneHalfAngleRad();
-  }
-
-  /** Of the nearest point of an edge; NaN where it is not the obstacle's nearest in the cone. */
-  private double nearestOffAxis(int line, int from, int to) {
-    int ping = line / obstacles;
-    Outline outline = outlines.get(line % obstacles);
-    double edgeX = outline.xM(to) - outline.xM(from);
-    double edgeZ = outline.zM(to) - outline.zM(from);
-    double towards = (xM[ping] - outline.xM(from)) * edgeX + (zM[ping] - outline.zM(from)) * edgeZ;
-    double length2 = edgeX * edgeX + edgeZ * edgeZ;
-    double share = length2 == 0 ? 0 : Math.max(0, Math.min(1, towards / length2));
-    double x = outline.xM(from) + share * edgeX;
-    double z = outline.zM(from) + share * edgeZ;
-    double awayX = x - xM[ping];
-    double awayZ = z - zM[ping];
-    // A root, since hypot takes ten times as long and this is asked of every edge.
-    double away = Math.sqrt(awayX * awayX + awayZ * awayZ);
-    if (Math.abs(away - nearestM[line]) > SAME_POINT_M) {
-      return Double.NaN;
-    }
-    double offAxis = offAxis(ping, x, z);
-    return Math.abs(offAxis) <= coneHalfAngleRad() + SAME_ANGLE_RAD ? offAxis : Double.NaN;
-  }
-
-  private double outlineOffAxis(int line) {
-    int ping = line / obstacles;
-    Outline outline = outlines.get(line % obstacles);
-    double least = Math.PI;
-    double from = cornerOffAxis(ping, outline, outline.size() - 1);
-    for (int i = 0; i < outline.size(); i++) {
-      double to = cornerOffAxis(ping, outline, i);
-      if (from * to <= 0 && Math.abs(from - to) < Math.PI) {
-        return 0;
-      }
-      least = Math.min(least, Math.abs(to));
-      from = to;
-    }
-    return least;
-  }
-
-  private double cornerOffAxis(int ping, Outline outline, int corner) {
-    return offAxis(ping, outline.xM(corner), outline.zM(corner));
-  }
-
-  /** Of a place, from the heading. */
-  private double offAxis(int ping, double toXM, double toZM) {
-    double direction = Math.atan2(zM[ping] - toZM, toXM - xM[ping]);
-    return Angles.signed(direction - headingRad[ping]);
   }
 }

@@ -1,6 +1,7 @@
 package simbad.sonar.ping;
 
 import java.util.List;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import simbad.sonar.level.Beam;
 import simbad.sonar.level.LevelLaw;
@@ -91,6 +92,14 @@ public final class LevelEars {
     return rules.isEmpty() ? null : new LevelEars(rules.get(0), scene, labels, changes);
   }
 
+  /** Tells whether an obstacle is heard as by others, where it and the pose are the same. */
+  boolean hearLike(LevelEars others, int obstacle) {
+    return rule.equals(others.rule)
+        && Objects.equals(near[obstacle], others.near[obstacle])
+        && Objects.equals(strength[obstacle], others.strength[obstacle])
+        && Objects.equals(path[obstacle], others.path[obstacle]);
+  }
+
   /** Returns the law. */
   public LevelLaw law() {
     return rule.law();
@@ -133,6 +142,13 @@ public final class LevelEars {
    */
   public static double beamDb(Beam beam, double offAxisRad) {
     return Math.max(LEAST_BEAM_DB, beam.twoWayDb(offAxisRad));
+  }
+
+  /**
+   * What is known of the place that an obstacle's echo comes from; null for no more than before.
+   */
+  static @Nullable NearField near(@Nullable LevelEars ears, int obstacle) {
+    return ears == null ? null : ears.near[obstacle];
   }
 
   /** Tells whether more is known of where an obstacle's echo comes from than its nearest point. */
@@ -184,19 +200,22 @@ public final class LevelEars {
   double deviationDb(Geometry geometry, int line) {
     double own = law().excessSdDb();
     double offAxis = geometry.echoOffAxisRad(line) - rule.squintRad();
-    double aim = aimDb(law().beam(), offAxis);
+    double slope = slopeDb(law().beam(), offAxis);
+    double aim = Math.abs(slope) * AIM_RAD;
     double squint = aim * rule.squintDeviationRad() / AIM_RAD;
     double ringing = ringingDb(geometry.nearestM(line));
-    double unknown = unknownVariance(line % strength.length, geometry.bearingRad(line), offAxis);
+    double unknown = unknownVariance(geometry, line, offAxis, slope);
     double known = own * own + aim * aim + ringing * ringing;
     return Math.sqrt(known + squint * squint + unknown);
   }
 
   /** A beam too wide has been taken for a target too weak. */
-  private double unknownVariance(int obstacle, double bearingRad, double offAxisRad) {
+  private double unknownVariance(Geometry geometry, int line, double offAxisRad, double slopeDb) {
+    int obstacle = line % strength.length;
+    double bearingRad = geometry.bearingRad(line);
     // A piston hears at an angle what a narrower one hears further off its axis.
     double turned = Math.tan(offAxisRad) * rule.apertureDeviation();
-    double strayed = turned * slopeDb(law().beam(), offAxisRad);
+    double strayed = turned * slopeDb;
     double beam = Math.max(-MOST_BEAM_DB, Math.min(MOST_BEAM_DB, strayed));
     if (strength[obstacle] == null) {
       return beam * beam;

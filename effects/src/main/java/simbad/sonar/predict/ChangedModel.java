@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.random.RandomGenerator;
+import org.jspecify.annotations.Nullable;
 import simbad.sonar.model.Part;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.model.Report;
@@ -109,6 +110,14 @@ public final class ChangedModel {
   }
 
   /**
+   * Computes the same as {@link #geometry(PingLog)} from what is known under other changes of the
+   * same log and set-up.
+   */
+  public Geometry geometryLike(Geometry known) {
+    return new Geometry(known.log(), believed, changes, known);
+  }
+
+  /**
    * Computes how probable each reading of a log is, given all readings of its sequence before it.
    * The outcome of a ping is no echo, or the step of the sensor's resolution that the range lies in
    * (steps of 1 mm where it has none), so that every outcome has a probability.
@@ -117,7 +126,7 @@ public final class ChangedModel {
    * @param into takes a probability in [0, 1] for each ping
    */
   public void likelihood(Geometry geometry, double[] into) {
-    new Likelihood(this, geometry).into(into, null);
+    likelihood(geometry, into, null, null);
   }
 
   /**
@@ -125,10 +134,12 @@ public final class ChangedModel {
    *
    * @param geometry of the log under this model's changes
    * @param into takes a probability in [0, 1] for each ping
-   * @param echoes takes that of any echo for each ping that read one
+   * @param echoes takes that of any echo for each ping that read one; null if it is not asked for
+   * @param only which pings are asked for, null for all; what is left for the others means nothing
    */
-  public void likelihood(Geometry geometry, double[] into, double[] echoes) {
-    new Likelihood(this, geometry).into(into, echoes);
+  public void likelihood(
+      Geometry geometry, double[] into, double @Nullable [] echoes, boolean @Nullable [] only) {
+    new Likelihood(this, geometry).into(into, echoes, only);
   }
 
   /**

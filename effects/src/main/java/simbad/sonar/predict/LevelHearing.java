@@ -153,8 +153,15 @@ final class LevelHearing {
     held = Arrays.copyOf(held, room);
   }
 
-  /** Adds to what arrives each echo at the distance that it reads. */
-  void into(Arrivals arrivals) {
+  /**
+   * Adds to what arrives each echo at the distance that it reads.
+   *
+   * @param arrivals takes them
+   * @param placed whether it matters where; else the chances alone are right
+   */
+  void into(Arrivals arrivals, boolean placed) {
+    // Of several it matters which is the first.
+    boolean ranged = placed || size > 1;
     for (int i = 0; i < size; i++) {
       double more = size == 1 ? 0 : addedDb(i);
       double excess = excessDb[i] + more;
@@ -164,6 +171,10 @@ final class LevelHearing {
         chance += held[i] * (after - chance);
       }
       if (!(chance > 0)) {
+        continue;
+      }
+      if (!ranged) {
+        arrivals.add(0, 0, chance);
         continue;
       }
       double readM = ears.rangeScale() * distanceM[i] + addedM[i] + law.walkM().at(excess);

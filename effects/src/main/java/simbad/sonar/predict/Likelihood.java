@@ -38,6 +38,19 @@ final class Likelihood {
   private final double[][] silent = new double[2][2];
   private final double[][] below = new double[2][2];
 
+  /** By the state of the burst: of a ping with nothing in its cone; below 0 until it is known. */
+  private final double[] emptySilent = {-1, -1};
+
+  private final boolean emptyOnesAreAlike;
+
+  /** The step that was read. */
+  private double stepStartM;
+
+  private double stepEndM;
+
+  /** Whether it is asked how probable a nearer echo was. */
+  private boolean telling;
+
   private HiddenState state = new HiddenState();
   private HiddenState next = new HiddenState();
 
@@ -46,6 +59,7 @@ final class Likelihood {
     log = geometry.log();
     pings = model.pings(geometry);
     memory = model.memory();
+    emptyOnesAreAlike = pings.emptyOnesAreAlike();
   }
 
   /**
@@ -53,13 +67,19 @@ final class Likelihood {
    *
    * @param probability takes that of what was read
    * @param echoes takes that of any echo where one was read; null if it is not asked for
+   * @param only which pings are asked for, null for all; others need not be computed
    */
-  void into(double[] probability, double @Nullable [] echoes) {
-    boolean alike = memory.burst() == null && pings.emptyOnesAreAlike();
+  void into(double[] probability, double @Nullable [] echoes, boolean @Nullable [] only) {
+    boolean alike = memory.burst() == null && emptyOnesAreAlike;
     double empty = -1;
     double told = 0;
     for (int ping = 0; ping < log.size(); ping++) {
       boolean known = alike && isUneventful(ping);
+      // The first empty one speaks for all; where something is remembered all of them matter.
+      boolean isNeeded = only == null || only[ping] || !memory.isNone() || (known && empty < 0);
+      if (!isNeeded) {
+        continue;
+      }
       if (known && empty >= 0) {
         // Most pings of most logs: nothing in the cone, nothing read, nothing to remember.
         probability[ping] = empty;
@@ -95,8 +115,10 @@ final class Likelihood {
 
   /** Of a ping that depends on no other. */
   private double alone(int ping) {
-    pings.mix(ping, false, Mixture.EMPTY, 0, mixture);
-    if (!log.echo(ping)) {
+    boolean echo = log.echo(ping);
+    pings.arrive(ping, false, Mixture.EMPTY, echo);
+    pings.mix(0, echo, mixture);
+    if (!echo) {
       return Math.max(0, 1 - mixture.echoShare());
     }
     double range = log.rangeM(ping);
@@ -104,6 +126,7 @@ final class Likelihood {
   }
 
   void into(Expectation expectation) {
+    telling = true;
     for (int ping = 0; ping < log.size(); ping++) {
       expect(ping);
       tell(ping, expectation);
@@ -123,6 +146,10 @@ final class Likelihood {
         state.pass(memory.burst());
       }
     }
+    if (log.echo(ping)) {
+      stepStartM = model.stepStartM(log.rangeM(ping));
+      stepEndM = model.stepEndM(log.rangeM(ping));
+    }
     all.clear();
     int bursts = memory.burst() == null ? 1 : 2;
     for (int inBurst = 0; inBurst < bursts; inBurst++) {
@@ -134,12 +161,21 @@ final class Likelihood {
   }
 
   private void expect(int ping, int inBurst, int heard) {
-    mix(ping, heard == 1, memory.lost(inBurst));
+    boolean known = emptyOnesAreAlike && pings.onlyRanges() && isUneventful(ping);
+    if (known && emptySilent[inBurst] >= 0) {
+      silent[inBurst][heard] = emptySilent[inBurst];
+      return;
+    }
+    mix(ping, inBurst, heard == 1);
     silent[inBurst][heard] = Math.max(0, 1 - mixture.echoShare());
+    if (known) {
+      emptySilent[inBurst] = silent[inBurst][heard];
+    }
     if (log.echo(ping)) {
-      double from = model.stepStartM(log.rangeM(ping));
-      echo[inBurst][heard] = mixture.within(from, model.stepEndM(log.rangeM(ping)));
-      below[inBurst][heard] = mixture.within(Double.NEGATIVE_INFINITY, from);
+      echo[inBurst][heard] = mixture.within(stepStartM, stepEndM);
+      if (telling) {
+        below[inBurst][heard] = mixture.within(Double.NEGATIVE_INFINITY, stepStartM);
+      }
     }
     if (memory.ghosts() && !memory.asRead() && log.echo(ping)) {
       all.merge(mixture, weight(inBurst, heard), 0);
@@ -157,9 +193,15 @@ final class Likelihood {
   }
 
   /** Mixes what a ping may read, over all that the reading before may have come from. */
-  private void mix(int ping, boolean heard, double lost) {
+  private void mix(int ping, int inBurst, boolean heard) {
+    double lost = memory.lost(inBurst);
     if (before.size() < 2) {
-      pings.mix(ping, heard, before, lost, mixture);
+      boolean echo = log.echo(ping);
+      // What arrives is the same in a burst, where some of it is lost.
+      if (inBurst == 0 || memory.hysteresis() != null) {
+        pings.arrive(ping, heard, before, echo);
+      }
+      pings.mix(lost, echo, mixture);
       return;
     }
     mixture.clear();

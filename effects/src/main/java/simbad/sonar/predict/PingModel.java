@@ -48,6 +48,10 @@ final class PingModel {
   private final MixtureChange[] strangers;
   private final @Nullable Hysteresis hysteresis;
   private final boolean fromOrigin;
+
+  /** Whether what is done to the readings moves them, and leaves how many there are. */
+  private final boolean onlyRanges;
+
   private final Arrivals arrivals = new Arrivals();
   private final Mixture origin = new Mixture();
   private final Moment moment;
@@ -80,6 +84,7 @@ final class PingModel {
     Memory memory = Memory.of(changes);
     hysteresis = memory.hysteresis();
     fromOrigin = memory.ghosts() && !memory.asRead();
+    onlyRanges = detours.length == 0 && strangers.length == 0 && !fromOrigin;
     moment = new Moment(geometry);
     heardShare = new double[geometry.obstacles()];
   }
@@ -97,6 +102,11 @@ final class PingModel {
         && Arrays.stream(arrivalChanges).noneMatch(ArrivalChange::hangsOnPose);
   }
 
+  /** Returns whether what is done to the readings moves them, and leaves how many there are. */
+  boolean onlyRanges() {
+    return onlyRanges;
+  }
+
   /**
    * Mixes what a ping may read.
    *
@@ -107,9 +117,25 @@ final class PingModel {
    * @param into takes the mixture, in measured ranges
    */
   void mix(int ping, boolean heardBefore, Mixture before, double lost, Mixture into) {
+    arrive(ping, heardBefore, before, true);
+    mix(lost, true, into);
+  }
+
+  /**
+   * Finds what arrives of a ping: the first part of {@link #mix(int, boolean, Mixture, double,
+   * Mixture)}.
+   *
+   * @param ping index
+   * @param heardBefore whether the ping before was answered
+   * @param before what was read before; no part for a no-echo
+   * @param ranged whether it matters where, and not only whether an echo is read
+   */
+  void arrive(int ping, boolean heardBefore, Mixture before, boolean ranged) {
     arrivals.clear();
-    for (int i = 0; i < ranges.length; i++) {
-      rangesNow[i] = ranges[i].at(geometry, ping);
+    if (ranged || !onlyRanges) {
+      for (int i = 0; i < ranges.length; i++) {
+        rangesNow[i] = ranges[i].at(geometry, ping);
+      }
     }
     if (hysteresis != null && heardBefore) {
       hear(ping, before);
@@ -117,15 +143,28 @@ final class PingModel {
     if (levels == null) {
       arrive(ping, heardBefore);
     } else {
-      arrive(levels, ping, heardBefore);
+      boolean placed = ranged || !onlyRanges || arrivalChanges.length > 0;
+      arrive(levels, ping, heardBefore, placed);
     }
     moment.set(ping, fromOrigin ? origin(before) : before);
     for (ArrivalChange change : arrivalChanges) {
       change.add(moment, arrivals);
     }
+  }
+
+  /**
+   * Mixes what may be read of what has arrived last: the second part.
+   *
+   * @param lost share of pings that are lost beside the losses of the changes
+   * @param ranged whether it matters where; else only the shares' sum is right
+   * @param into takes the mixture, in measured ranges
+   */
+  void mix(double lost, boolean ranged, Mixture into) {
     arrivals.mix(into);
-    lose(ping, lost, into);
-    read(into);
+    lose(moment.ping(), lost, into);
+    if (ranged || !onlyRanges) {
+      read(into);
+    }
   }
 
   private void arrive(int ping, boolean heardBefore) {
@@ -138,7 +177,7 @@ final class PingModel {
     }
   }
 
-  private void arrive(LevelHearing hearing, int ping, boolean heardBefore) {
+  private void arrive(LevelHearing hearing, int ping, boolean heardBefore, boolean placed) {
     hearing.clear();
     int end = (ping + 1) * geometry.obstacles();
     for (int line = ping * geometry.obstacles(); line < end; line++) {
@@ -147,7 +186,7 @@ final class PingModel {
         hearing.add(line, factor(line), hysteresis, heard, share(line));
       }
     }
-    hearing.into(arrivals);
+    hearing.into(arrivals, placed);
   }
 
   /**

@@ -1,6 +1,7 @@
 package simbad.gap.fit;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
@@ -24,6 +25,9 @@ public final class CalibratedLog {
   private final double[] broad;
   private final Geometry plain;
 
+  /** Many sets of effects look from the same places. */
+  private final Geometries geometries;
+
   /** What a nat counts for: of whether there is an echo, and of where. */
   private final double echoWeight;
 
@@ -43,6 +47,7 @@ public final class CalibratedLog {
     echoWeight = 1;
     rangeWeight = 1;
     plain = new Geometry(log, setup, calibration);
+    geometries = new Geometries(plain, this.calibration);
     broad = new double[log.size()];
     double resolution = setup.sensor().resolutionM();
     double step = resolution > 0 ? resolution : FINEST_STEP_M;
@@ -58,6 +63,7 @@ public final class CalibratedLog {
     log = other.log;
     broad = other.broad;
     plain = other.plain;
+    geometries = other.geometries;
     this.echoWeight = echoWeight;
     this.rangeWeight = rangeWeight;
   }
@@ -110,9 +116,11 @@ public final class CalibratedLog {
 
   /** Returns the geometry under a hypothesis; that of the set-up where nothing changes it. */
   public Geometry geometry(ChangedModel model) {
-    long changing = model.changes().stream().filter(Geometry::dependsOn).count();
-    long calibrated = calibration.stream().filter(Geometry::dependsOn).count();
-    return changing == calibrated ? plain : model.geometry(log);
+    return geometries.of(model);
+  }
+
+  Geometries geometries() {
+    return geometries;
   }
 
   /**
@@ -123,45 +131,48 @@ public final class CalibratedLog {
    * @param into takes a finite value for each ping
    */
   public void logLikelihood(ChangedModel model, Geometry geometry, double[] into) {
-    if (echoWeight != 1 || rangeWeight != 1) {
-      weighed(model, geometry, into);
-      return;
-    }
-    model.likelihood(geometry, into);
+    logLikelihood(model, geometry, into, null);
+  }
+
+  /**
+   * Computes the same of some readings.
+   *
+   * @param model of a hypothesis
+   * @param geometry of the log under it
+   * @param into takes a finite value for each ping
+   * @param only which pings are asked for, null for all; what is left for the others means nothing
+   */
+  void logLikelihood(
+      ChangedModel model, Geometry geometry, double[] into, boolean @Nullable [] only) {
+    boolean weighed = echoWeight != 1 || rangeWeight != 1;
+    double[] echoes = weighed ? new double[into.length] : null;
+    model.likelihood(geometry, into, echoes, only);
     double silent = -1;
     double logSilent = 0;
     for (int i = 0; i < into.length; i++) {
+      if (only != null && !only[i]) {
+        continue;
+      }
       if (log.echo(i)) {
-        into[i] = Math.log((1 - BROAD) * into[i] + broad[i]);
+        into[i] = ofEcho(i, into[i], echoes);
       } else {
         // Many pings have nothing in the cone and are alike; a logarithm costs as much as the rest.
         if (into[i] != silent) {
           silent = into[i];
           logSilent = Math.log((1 - BROAD) * silent + broad[i]);
         }
-        into[i] = logSilent;
+        into[i] = weighed ? echoWeight * logSilent : logSilent;
       }
     }
   }
 
-  private void weighed(ChangedModel model, Geometry geometry, double[] into) {
-    double[] echoes = new double[into.length];
-    model.likelihood(geometry, into, echoes);
-    double silent = -1;
-    double logSilent = 0;
-    for (int i = 0; i < into.length; i++) {
-      if (log.echo(i)) {
-        double read = Math.log((1 - BROAD) * into[i] + broad[i]);
-        double echo = Math.log((1 - BROAD) * echoes[i] + BROAD * (1 - BROAD_NO_ECHO));
-        into[i] = echoWeight * echo + rangeWeight * (read - echo);
-      } else {
-        if (into[i] != silent) {
-          silent = into[i];
-          logSilent = Math.log((1 - BROAD) * silent + broad[i]);
-        }
-        into[i] = echoWeight * logSilent;
-      }
+  private double ofEcho(int ping, double probability, double @Nullable [] echoes) {
+    double read = Math.log((1 - BROAD) * probability + broad[ping]);
+    if (echoes == null) {
+      return read;
     }
+    double echo = Math.log((1 - BROAD) * echoes[ping] + BROAD * (1 - BROAD_NO_ECHO));
+    return echoWeight * echo + rangeWeight * (read - echo);
   }
 
   /** Returns the log probability of each reading under a hypothesis. */

@@ -1,7 +1,7 @@
 package simbad.gap.fit;
 
 import java.util.Arrays;
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.hipparchus.analysis.MultivariateFunction;
@@ -14,8 +14,6 @@ import org.hipparchus.optim.nonlinear.scalar.ObjectiveFunction;
 import org.hipparchus.optim.nonlinear.scalar.noderiv.NelderMeadSimplex;
 import org.hipparchus.optim.nonlinear.scalar.noderiv.SimplexOptimizer;
 import simbad.definition.Parameter;
-import simbad.sonar.ping.Change;
-import simbad.sonar.ping.Geometry;
 import simbad.sonar.predict.ChangedModel;
 
 /** Finds the values of a hypothesis that make the readings most probable. For one thread. */
@@ -23,22 +21,17 @@ public class Fitter {
   private static final double ENOUGH_NATS = 0.02;
   private static final double ROUGHLY_NATS = 0.2;
   private static final double SMALL = 0.03;
-  private static final int REMEMBERED = 4;
   private static final double FAR = 0.03;
   private static final double[] STRIDES = {-1, -0.5, -0.25, -0.1, -0.04, 0.04, 0.1, 0.25, 0.5, 1};
 
   private final CalibratedLog given;
-  private final Fold fold;
+  private final boolean[] counts;
   private final double[] row;
-  private final Map<List<Change>, Geometry> geometries =
-      new LinkedHashMap<>(8, 0.75f, true) {
-        private static final long serialVersionUID = 1L;
 
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<List<Change>, Geometry> eldest) {
-          return size() > REMEMBERED;
-        }
-      };
+  /** A simplex asks again of where it began, and of the same end of an interval. */
+  private final Map<Hypothesis, Double> known = new HashMap<>();
+
+  private final Geometries geometries;
 
   /**
    * Creates a fitter.
@@ -48,31 +41,35 @@ public class Fitter {
    */
   public Fitter(CalibratedLog given, Fold fold) {
     this.given = given;
-    this.fold = fold;
     row = new double[given.log().size()];
+    counts = new boolean[row.length];
+    for (int i = 0; i < counts.length; i++) {
+      counts[i] = fold.holds(i);
+    }
+    geometries = given.geometries().ofFit();
   }
 
   /** Returns the log likelihood of the pings that count. */
   public double logLikelihood(Hypothesis hypothesis) {
+    Double before = known.get(hypothesis);
+    if (before != null) {
+      return before;
+    }
+    double now = computed(hypothesis);
+    known.put(hypothesis, now);
+    return now;
+  }
+
+  private double computed(Hypothesis hypothesis) {
     ChangedModel model = given.model(hypothesis);
-    given.logLikelihood(model, geometry(model), row);
+    given.logLikelihood(model, geometries.of(model), row, counts);
     double sum = 0;
     for (int i = 0; i < row.length; i++) {
-      if (fold.holds(i)) {
+      if (counts[i]) {
         sum += row[i];
       }
     }
     return sum;
-  }
-
-  private Geometry geometry(ChangedModel model) {
-    List<Change> key = model.changes().stream().filter(Geometry::dependsOn).toList();
-    Geometry known = geometries.get(key);
-    if (known == null) {
-      known = given.geometry(model);
-      geometries.put(key, known);
-    }
-    return known;
   }
 
   /**

@@ -102,15 +102,14 @@ public final class Screen {
 
   /** The best form, and those that may turn out to be it. */
   private List<Fit> bestOf(List<Form> forms) {
-    Fit first = approached(begun(forms.get(0)));
-    boolean gains = gain(first) >= CHANCE_NATS;
-    List<Fit> fits = new ArrayList<>(List.of(first));
-    forms.stream()
-        .skip(1)
-        .map(this::begun)
-        .filter(begun -> gains || gain(begun) >= CHANCE_NATS)
-        .map(this::approached)
-        .forEach(fits::add);
+    List<Fit> fits = new ArrayList<>();
+    for (Form form : forms) {
+      Fitter fitter = new Fitter(given, Fold.ALL);
+      Fit begun = begun(form, fitter);
+      if (fits.isEmpty() || gain(fits.get(0)) >= CHANCE_NATS || gain(begun) >= CHANCE_NATS) {
+        fits.add(approached(begun, fitter));
+      }
+    }
     fits.sort(Comparator.comparingDouble(fit -> -merit(fit)));
     return fits.stream()
         .filter(fit -> merit(fit) > merit(fits.get(0)) - CLOSE_NATS)
@@ -133,8 +132,7 @@ public final class Screen {
   }
 
   /** The best of a form's starts. */
-  private Fit begun(Form form) {
-    Fitter fitter = new Fitter(given, Fold.ALL);
+  private Fit begun(Form form, Fitter fitter) {
     return Definitions.of(form.effect()).starts(form, clues).stream()
         .map(values -> base.hypothesis().and(form, values))
         .map(start -> new Fit(start, fitter.logLikelihood(start)))
@@ -142,12 +140,11 @@ public final class Screen {
         .orElseThrow();
   }
 
-  private Fit approached(Fit begun) {
+  private Fit approached(Fit begun, Fitter fitter) {
     Form form = added(begun);
+    int most = 14 + 10 * form.parameters().size();
     return form.isTable()
         ? begun
-        : new Fitter(given, Fold.ALL)
-            .approach(
-                begun.hypothesis(), base.hypothesis().size(), 14 + 10 * form.parameters().size());
+        : fitter.approach(begun.hypothesis(), base.hypothesis().size(), most);
   }
 }

@@ -93,6 +93,17 @@ public final class NominalModel {
   }
 
   /**
+   * Returns the distance to the nearest point of an obstacle in the cone, metres; infinity when
+   * there is none.
+   *
+   * @param obstacle index in the scene, from 0
+   * @param from where the sensor is and looks
+   */
+  public double nearestM(int obstacle, TransducerPose from) {
+    return obstacles[obstacle].nearestM(cone, from);
+  }
+
+  /**
    * Returns the distribution of the reading at a pose.
    *
    * @param pose of the sensor

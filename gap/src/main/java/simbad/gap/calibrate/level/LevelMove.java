@@ -21,8 +21,15 @@ final class LevelMove {
   private final RealMatrix precision;
   private final List<Row> rows;
   private final EchoCurves echoes;
+  private final double start;
   private final double[] at = new double[3];
   private double[] values;
+
+  /** Of each row at the values: the derivatives of its curve. */
+  private Derivatives here;
+
+  /** The same at values that are tried. */
+  private Derivatives tried;
 
   /** A reading, and how its excess moves with some of the values. */
   @SuppressWarnings("ArrayRecordComponent") // read only
@@ -41,31 +48,49 @@ final class LevelMove {
     this.rows = rows;
     this.echoes = echoes;
     values = new double[precision.getRowDimension()];
+    here = new Derivatives(rows.size());
+    tried = new Derivatives(rows.size());
+    start = top(values);
+    keepTried();
+  }
+
+  /** The first and the second, one for each row. */
+  @SuppressWarnings("ArrayRecordComponent") // filled anew
+  private record Derivatives(double[] first, double[] second) {
+    Derivatives(int rows) {
+      this(new double[rows], new double[rows]);
+    }
+  }
+
+  private void keepTried() {
+    Derivatives spare = here;
+    here = tried;
+    tried = spare;
   }
 
   /** Finds where; returns by how many nats log and set-up are likelier there. */
   double climb() {
-    double start = top(values);
-    double here = start;
+    double height = start;
     for (int step = 0; step < STEPS; step++) {
       RealVector move = move();
-      double next = here;
-      for (int halving = 0; halving < HALVINGS && next <= here; halving++) {
+      double next = height;
+      for (int halving = 0; halving < HALVINGS && next <= height; halving++) {
         double[] there = new ArrayRealVector(values).add(move).toArray();
         double top = top(there);
-        if (top > here) {
+        if (top > height) {
           values = there;
+          keepTried();
           next = top;
         }
         move = move.mapMultiply(0.5);
       }
-      double gain = next - here;
-      here = next;
+      double gain = next - height;
+      height = next;
       if (gain < GAIN) {
         break;
       }
     }
-    return here - start;
+    return height - start;
   }
 
   /**
@@ -91,19 +116,22 @@ final class LevelMove {
   private double top(double[] there) {
     ArrayRealVector vector = new ArrayRealVector(there, false);
     double sum = -precision.operate(vector).dotProduct(vector) / 2;
-    for (Row row : rows) {
+    for (int i = 0; i < rows.size(); i++) {
+      Row row = rows.get(i);
       echoes.at(row.ping, row.shift(there), at);
       sum += at[0];
+      tried.first[i] = at[1];
+      tried.second[i] = at[2];
     }
     return sum;
   }
 
   private RealVector move() {
     double[] score = precision.operate(new ArrayRealVector(values)).mapMultiply(-1).toArray();
-    for (Row row : rows) {
-      echoes.at(row.ping, row.shift(values), at);
+    for (int k = 0; k < rows.size(); k++) {
+      Row row = rows.get(k);
       for (int i = 0; i < row.index.length; i++) {
-        score[row.index[i]] += at[1] * row.value[i];
+        score[row.index[i]] += here.first[k] * row.value[i];
       }
     }
     return Matrices.positive(information()).getSolver().solve(new ArrayRealVector(score));
@@ -112,9 +140,9 @@ final class LevelMove {
   /** How surely the values are known, by prior and log together. */
   private RealMatrix information() {
     double[][] information = precision.getData();
-    for (Row row : rows) {
-      echoes.at(row.ping, row.shift(values), at);
-      double down = Math.max(0, -at[2]);
+    for (int k = 0; k < rows.size(); k++) {
+      Row row = rows.get(k);
+      double down = Math.max(0, -here.second[k]);
       for (int i = 0; i < row.index.length; i++) {
         double[] into = information[row.index[i]];
         double own = down * row.value[i];
