@@ -2,14 +2,13 @@ package simbad.gap.motion;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import simbad.gap.search.ForwardSearch;
 import simbad.motion.CommandUse;
 import simbad.motion.MotionChain;
 import simbad.motion.Robot;
@@ -22,7 +21,7 @@ import simbad.motion.effect.MotionParameter;
  * it, every one beside the best set, and every one in the place of each of its members. What was
  * fitted on the way is kept, so that sets can be weighed against each other.
  */
-final class MotionSearch {
+final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
   /** What a further effect must gain to be built upon. */
   private static final double WORTH_NATS = 5;
 
@@ -49,12 +48,12 @@ final class MotionSearch {
   private final MotionSteps given;
   private final MotionFitter fitter;
   private final List<MotionForm> forms;
-  private final Map<Set<String>, MotionFit> fits = new LinkedHashMap<>();
 
   /** The largest that a set which was built upon has shown. */
   private double clumping = 1;
 
   MotionSearch(MotionSteps given, Robot robot) {
+    super(WORTH_NATS);
     this.given = given;
     fitter = new MotionFitter(given, CommandUse.of(given.runs(), robot.wheelBaseM()));
     forms = forms(robot);
@@ -70,21 +69,40 @@ final class MotionSearch {
   /** Returns sets that were fitted, the likeliest on left-out blocks first. */
   List<ScoredMotion> run(MotionChain base) {
     MotionFit nominal = fitter.asItIs(new MotionHypothesis(base, List.of(), new double[0]));
-    keep(nominal);
-    List<MotionFit> added = grown(nominal, forms, REFINED);
-    MotionFit set = nominal;
-    while (!added.isEmpty() && promise(added.get(0)) - promise(set) > WORTH_NATS) {
-      MotionFit before = set;
-      set = swapped(added.get(0));
-      List<MotionForm> open =
-          set.hypothesis().effects().size() < 2
-              ? forms
-              : promising(added, before, set.hypothesis());
-      added =
-          set.hypothesis().effects().size() < MOST_EFFECTS ? grown(set, open, REFINED) : List.of();
-    }
+    keepIfItMatters(nominal);
+    MotionFit set = built(nominal, grown(nominal, forms, REFINED));
     replaced(set);
     return scored(set.hypothesis().effects());
+  }
+
+  @Override
+  protected Set<String> effects(MotionFit set) {
+    return set.hypothesis().effects();
+  }
+
+  /** Less what another log would miss of it. */
+  @Override
+  protected double worth(MotionFit set) {
+    return set.promise(clumping);
+  }
+
+  @Override
+  protected MotionFit settled(MotionFit set) {
+    return set;
+  }
+
+  @Override
+  protected boolean isLast(MotionFit set) {
+    return set.hypothesis().effects().size() >= MOST_EFFECTS;
+  }
+
+  @Override
+  protected List<MotionFit> beside(MotionFit set, List<MotionFit> added, MotionFit before) {
+    if (isLast(set)) {
+      return List.of();
+    }
+    boolean single = set.hypothesis().effects().size() < 2;
+    return grown(set, single ? forms : promising(added, before, set.hypothesis()), REFINED);
   }
 
   /**
@@ -123,10 +141,6 @@ final class MotionSearch {
     return set.forms().get(set.forms().size() - 1);
   }
 
-  private double promise(MotionFit fit) {
-    return fit.promise(clumping);
-  }
-
   /** The base with one form more, the best first. */
   private List<MotionFit> grown(MotionFit base, List<MotionForm> open, int most) {
     Slopes slopes = new Slopes(given, base);
@@ -141,7 +155,7 @@ final class MotionSearch {
         screened.stream().limit(most).toList().parallelStream().map(fitter::fit).toList();
     List<MotionFit> all = new ArrayList<>(refined);
     all.addAll(screened.subList(refined.size(), screened.size()));
-    all.forEach(this::keep);
+    all.forEach(this::keepIfItMatters);
     return best(all.stream().filter(fit -> matters(fit.hypothesis())).toList());
   }
 
@@ -162,20 +176,16 @@ final class MotionSearch {
     return other.parameters().stream().map(MotionParameter::name).anyMatch(names::contains);
   }
 
-  /** Puts what is better in the place of each member but the last, if anything is. */
-  private MotionFit swapped(MotionFit set) {
-    MotionFit swapped = set;
+  /** All but the last of a small set. */
+  @Override
+  protected List<MotionForm> exchanged(MotionFit set) {
     List<MotionForm> members = set.hypothesis().forms();
-    for (int i = 0; i < members.size() - 1 && members.size() <= SWAPPED; i++) {
-      MotionFit other = inPlaceOf(swapped, members.get(i).effect());
-      swapped = promise(other) > promise(swapped) ? other : swapped;
-    }
-    return swapped;
+    return members.size() > SWAPPED ? List.of() : members.subList(0, members.size() - 1);
   }
 
-  private MotionFit inPlaceOf(MotionFit set, String effect) {
-    List<MotionFit> others = beside(rest(set, effect));
-    return others.isEmpty() ? set : others.get(0);
+  @Override
+  protected List<MotionFit> inPlaceOf(MotionFit set, MotionForm member) {
+    return beside(rest(set, member.effect()));
   }
 
   private MotionFit rest(MotionFit set, String effect) {
@@ -183,7 +193,7 @@ final class MotionSearch {
   }
 
   private List<MotionFit> beside(MotionFit rest) {
-    keep(rest);
+    keepIfItMatters(rest);
     return grown(rest, forms, REFINED_IN_PLACE);
   }
 
@@ -195,15 +205,10 @@ final class MotionSearch {
         .forEach(this::beside);
   }
 
-  private List<MotionFit> best(List<MotionFit> fits) {
-    return fits.stream().sorted(Comparator.comparingDouble(fit -> -promise(fit))).toList();
-  }
-
-  private void keep(MotionFit fit) {
-    if (!matters(fit.hypothesis())) {
-      return;
+  private void keepIfItMatters(MotionFit fit) {
+    if (matters(fit.hypothesis())) {
+      keep(fit);
     }
-    fits.merge(fit.hypothesis().effects(), fit, (a, b) -> promise(b) > promise(a) ? b : a);
   }
 
   /** What is off by less than half of what would matter to anybody is no effect. */
@@ -225,14 +230,14 @@ final class MotionSearch {
   private List<ScoredMotion> scored(Set<String> found) {
     Comparator<MotionFit> order =
         Comparator.comparingDouble(
-            fit -> Odds.COST_NATS * fit.hypothesis().effects().size() - promise(fit));
-    List<MotionFit> front = fits.values().stream().sorted(order).limit(SCORED).toList();
+            fit -> Odds.COST_NATS * fit.hypothesis().effects().size() - worth(fit));
+    List<MotionFit> front = fits().values().stream().sorted(order).limit(SCORED).toList();
     Set<MotionFit> all = new LinkedHashSet<>(front);
-    all.add(fits.get(Set.<String>of()));
+    all.add(fits().get(Set.<String>of()));
     for (String effect : found) {
       Set<String> less = new TreeSet<>(found);
       less.remove(effect);
-      Optional.ofNullable(fits.get(less)).ifPresent(all::add);
+      Optional.ofNullable(fits().get(less)).ifPresent(all::add);
     }
     return all.parallelStream()
         .map(fit -> ScoredMotion.of(given, fit))

@@ -1,11 +1,11 @@
 package simbad.gap.motion;
 
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
+import java.util.stream.IntStream;
+import simbad.gap.score.Weights;
 
 /** How probable each set of effects is among those that were scored, and each effect. */
 final class Odds {
@@ -25,31 +25,22 @@ final class Odds {
   private static final double CLEAR = 2;
 
   private final List<ScoredMotion> sets;
-  private final double[] logs;
-  private final double[] weights;
+  private final Weights<String> weights;
   private final double clumping;
 
   /** Weighs sets; blocks of the likeliest tell how far steps hang together. */
   Odds(List<ScoredMotion> sets) {
     this.sets = List.copyOf(sets);
     clumping = sets.get(0).slopes().linear().clumping();
-    logs = new double[sets.size()];
-    weights = new double[sets.size()];
-    double most = Double.NEGATIVE_INFINITY;
-    for (int i = 0; i < logs.length; i++) {
-      ScoredMotion set = sets.get(i);
-      double cost = COST_NATS * set.hypothesis().effects().size() + NATS_PER_JUMP * set.jumping();
-      logs[i] = (set.heldOut() / clumping - cost) / TEMPERATURE;
-      most = Math.max(most, logs[i]);
-    }
-    double sum = 0;
-    for (int i = 0; i < logs.length; i++) {
-      weights[i] = Math.exp(logs[i] - most);
-      sum += weights[i];
-    }
-    for (int i = 0; i < logs.length; i++) {
-      weights[i] /= sum;
-    }
+    weights =
+        new Weights<>(
+            sets.stream().map(set -> set.hypothesis().effects()).toList(),
+            sets.stream().mapToDouble(this::log).toArray());
+  }
+
+  private double log(ScoredMotion set) {
+    double cost = COST_NATS * set.hypothesis().effects().size() + NATS_PER_JUMP * set.jumping();
+    return (set.heldOut() / clumping - cost) / TEMPERATURE;
   }
 
   /** Returns the same without the sets that name an effect. */
@@ -76,15 +67,7 @@ final class Odds {
   }
 
   ScoredMotion best() {
-    return sets.get(bestIndex());
-  }
-
-  private int bestIndex() {
-    int best = 0;
-    for (int i = 1; i < weights.length; i++) {
-      best = weights[i] > weights[best] ? i : best;
-    }
-    return best;
+    return sets.get(weights.best());
   }
 
   /** Returns the set without any effect. */
@@ -97,44 +80,28 @@ final class Odds {
 
   /** Returns for each effect that was fitted how probable it is that it is at work. */
   Map<String, Double> ofEffects() {
-    Map<String, Double> sums = new TreeMap<>();
-    for (int i = 0; i < weights.length; i++) {
-      for (String effect : sets.get(i).hypothesis().effects()) {
-        sums.merge(effect, Math.min(1, weights[i]), Double::sum);
-      }
-    }
-    return sums;
+    return weights.ofEffects(effect -> Set.of());
   }
 
   /** Returns the most probable set that has an effect. */
   ScoredMotion bestWith(String effect) {
-    int best = -1;
-    for (int i = 0; i < weights.length; i++) {
-      boolean has = sets.get(i).hypothesis().names(effect);
-      best = has && (best < 0 || logs[i] > logs[best]) ? i : best;
-    }
-    return best < 0 ? best() : sets.get(best);
+    return IntStream.range(0, sets.size())
+        .filter(i -> sets.get(i).hypothesis().names(effect))
+        .boxed()
+        .min(Comparator.comparingDouble(weights::behind))
+        .map(sets::get)
+        .orElse(best());
   }
 
   /** Returns the ties of an effect of the most probable set, the best first. */
   List<String> tiesOf(String effect) {
-    int best = bestIndex();
-    List<Rival> rivals = new ArrayList<>();
-    Set<String> rest = sets.get(best).hypothesis().without(effect).effects();
-    for (int i = 0; i < logs.length; i++) {
-      Set<String> others = sets.get(i).hypothesis().effects();
-      if (!others.contains(effect)
-          && others.containsAll(rest)
-          && others.size() > rest.size()
-          && (logs[i] > logs[best] - TIE_NATS || !isClear(sets.get(best), sets.get(i)))) {
-        others.removeAll(rest);
-        double log = logs[i];
-        others.forEach(other -> rivals.add(new Rival(other, log)));
-      }
-    }
-    return rivals.stream()
-        .sorted(Comparator.comparingDouble(rival -> -rival.log))
-        .map(Rival::effect)
+    Set<String> own = best().hypothesis().effects();
+    return weights
+        .without(effect, own)
+        .filter(i -> weights.behind(i) < TIE_NATS || !isClear(best(), sets.get(i)))
+        .boxed()
+        .sorted(Comparator.comparingDouble(weights::behind))
+        .flatMap(i -> weights.beyond(i, own).stream())
         .distinct()
         .toList();
   }
@@ -151,15 +118,9 @@ final class Odds {
     return mean > CLEAR * Math.sqrt(square / Math.max(1, n - 1) / n);
   }
 
-  private record Rival(String effect, double log) {}
-
   /** Returns how probable it is that an effect or one that is tied with it is at work. */
   double ofAny(String effect, List<String> tied) {
-    double sum = 0;
-    for (int i = 0; i < weights.length; i++) {
-      MotionHypothesis set = sets.get(i).hypothesis();
-      sum += set.names(effect) || tied.stream().anyMatch(set::names) ? weights[i] : 0;
-    }
-    return Math.min(1, sum);
+    return Math.min(
+        1, weights.of(set -> set.contains(effect) || tied.stream().anyMatch(set::contains)));
   }
 }

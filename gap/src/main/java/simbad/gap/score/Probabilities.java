@@ -3,7 +3,6 @@ package simbad.gap.score;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import simbad.definition.Effect;
@@ -25,10 +24,7 @@ public final class Probabilities {
   private final List<Scored> sets;
   private final Set<Effect> unseen;
   private final Map<Effect, Set<Effect>> twins;
-  private final double[] weight;
-
-  /** By how much each is behind the most probable one, natural logarithms. */
-  private final double[] behind;
+  private final Weights<Effect> weights;
 
   /**
    * Weighs sets of effects without twins.
@@ -64,27 +60,20 @@ public final class Probabilities {
     this.sets = List.copyOf(sets);
     this.unseen = Set.copyOf(unseen);
     this.twins = Map.copyOf(twins);
-    weight = new double[sets.size()];
-    behind = new double[sets.size()];
-    double most = Double.NEGATIVE_INFINITY;
-    for (int i = 0; i < weight.length; i++) {
-      Scored set = sets.get(i);
-      List<Effect> effects = set.hypothesis().effects();
-      double shares = shares(effects.size());
-      shares += UNSEEN * effects.stream().filter(unseen::contains).count();
-      double nats = set.heldOut() - costNats * shares - NATS_PER_VALUE * values(set.hypothesis());
-      weight[i] = nats / temperature;
-      most = Math.max(most, weight[i]);
-    }
-    double sum = 0;
-    for (int i = 0; i < weight.length; i++) {
-      behind[i] = most - weight[i];
-      weight[i] = Math.exp(-behind[i]);
-      sum += weight[i];
-    }
-    for (int i = 0; i < weight.length; i++) {
-      weight[i] /= sum;
-    }
+    weights =
+        new Weights<>(
+            sets.stream().<Set<Effect>>map(set -> new TreeSet<>(effects(set))).toList(),
+            sets.stream().mapToDouble(set -> nats(set, costNats) / temperature).toArray());
+  }
+
+  private double nats(Scored set, double costNats) {
+    double shares = shares(effects(set).size());
+    shares += UNSEEN * effects(set).stream().filter(unseen::contains).count();
+    return set.heldOut() - costNats * shares - NATS_PER_VALUE * values(set.hypothesis());
+  }
+
+  private static List<Effect> effects(Scored set) {
+    return set.hypothesis().effects();
   }
 
   /**
@@ -102,11 +91,7 @@ public final class Probabilities {
 
   /** Returns the most probable set. */
   public Scored best() {
-    int best = 0;
-    for (int i = 1; i < weight.length; i++) {
-      best = weight[i] > weight[best] ? i : best;
-    }
-    return sets.get(best);
+    return sets.get(weights.best());
   }
 
   /**
@@ -115,16 +100,12 @@ public final class Probabilities {
    */
   public double behind(Scored set) {
     int at = sets.indexOf(set);
-    return at < 0 ? Double.POSITIVE_INFINITY : behind[at];
+    return at < 0 ? Double.POSITIVE_INFINITY : weights.behind(at);
   }
 
   /** Returns the probability that no effect of the vocabulary is at work. */
   public double ofNone() {
-    double sum = 0;
-    for (int i = 0; i < weight.length; i++) {
-      sum += sets.get(i).hypothesis().forms().isEmpty() ? weight[i] : 0;
-    }
-    return sum;
+    return weights.of(Set::isEmpty);
   }
 
   /**
@@ -132,26 +113,12 @@ public final class Probabilities {
    * shares of it.
    */
   public Map<Effect, Double> ofEffects() {
-    Map<Effect, Double> sums = new TreeMap<>();
-    for (int i = 0; i < weight.length; i++) {
-      for (Effect effect : sets.get(i).hypothesis().effects()) {
-        Set<Effect> alike = twins.getOrDefault(effect, Set.of());
-        double share = weight[i] / (1 + alike.size());
-        sums.merge(effect, share, Double::sum);
-        alike.forEach(twin -> sums.merge(twin, share, Double::sum));
-      }
-    }
-    return sums;
+    return weights.ofEffects(effect -> twins.getOrDefault(effect, Set.of()));
   }
 
   /** Returns the probability that at least one of some effects is at work. */
   public double ofAny(Set<Effect> effects) {
-    double sum = 0;
-    for (int i = 0; i < weight.length; i++) {
-      boolean hasOne = sets.get(i).hypothesis().effects().stream().anyMatch(effects::contains);
-      sum += hasOne ? weight[i] : 0;
-    }
-    return sum;
+    return weights.of(set -> set.stream().anyMatch(effects::contains));
   }
 
   /** Returns the ties of an effect of the most probable set: what could stand in its place. */
@@ -169,16 +136,14 @@ public final class Probabilities {
    * @param nats how much evidence still leaves the two alike
    */
   public List<Effect> tiesOf(Effect effect, Scored set, double nats) {
-    Set<Effect> rest = new TreeSet<>(set.hypothesis().effects());
-    rest.remove(effect);
-    int size = rest.size() + 1;
+    Set<Effect> own = new TreeSet<>(effects(set));
     Stream<Effect> rivals =
-        sets.stream()
-            .filter(other -> other.hypothesis().forms().size() == size)
-            .filter(other -> other.hypothesis().effects().containsAll(rest))
-            .filter(other -> other.heldOut() > set.heldOut() - nats)
-            .flatMap(other -> other.hypothesis().effects().stream())
-            .filter(other -> other != effect && !rest.contains(other))
+        weights
+            .without(effect, own)
+            .filter(other -> effects(sets.get(other)).size() == own.size())
+            .filter(other -> sets.get(other).heldOut() > set.heldOut() - nats)
+            .boxed()
+            .flatMap(other -> weights.beyond(other, own).stream())
             .filter(other -> unseen.contains(effect) || !unseen.contains(other));
     return Stream.concat(twins.getOrDefault(effect, Set.of()).stream().sorted(), rivals)
         .distinct()

@@ -1,15 +1,12 @@
 package simbad.gap.search;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
@@ -27,7 +24,6 @@ import simbad.gap.score.Blocks;
 import simbad.gap.score.HeldOut;
 import simbad.gap.score.HeldOut.Scored;
 import simbad.gap.unexplained.Misfit;
-import simbad.sonar.check.Checks;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 
@@ -35,7 +31,7 @@ import simbad.sonar.effect.Forms;
  * Looks for the sets of effects that explain a log: all single effects; then, as long as it is
  * worth it, every effect beside the best set, and every effect in the place of each of its members.
  */
-public final class Search {
+public final class Search extends ForwardSearch<Effect, Fit, Effect> {
   private static final int MOST_EFFECTS = 3;
   private static final int JOINT = 3;
   private static final int PROMISING = 8;
@@ -61,7 +57,6 @@ public final class Search {
   private final List<Form> forms;
   private final double worthNats;
   private final Optional<SetupLeave> leave;
-  private final Map<Set<Effect>, Fit> fits = new LinkedHashMap<>();
   private final Map<Hypothesis, Double> leaves = new ConcurrentHashMap<>();
   private final Map<Hypothesis, Double> farLeaves = new ConcurrentHashMap<>();
   private final List<Hypothesis> offered = new ArrayList<>();
@@ -78,9 +73,10 @@ public final class Search {
    */
   public Search(
       CalibratedLog given, Set<Effect> excluded, double worthNats, Optional<SetupLeave> leave) {
+    super(worthNats);
     this.given = given;
     this.leave = leave;
-    this.worthNats = Checks.number("worthNats", worthNats);
+    this.worthNats = worthNats;
     blocks = new Blocks(given.log());
     forms =
         Gates.open(given, Forms.all(given.setup(), given.log().sensors())).stream()
@@ -108,7 +104,7 @@ public final class Search {
     singles = best(starts);
     singles.forEach(this::keep);
     plain();
-    best = built(nominal, singles);
+    best = pruned(built(nominal, singles));
     return scored();
   }
 
@@ -137,45 +133,54 @@ public final class Search {
    * @return all sets that were fitted until now, the most probable held-out first
    */
   public List<Scored> further() {
-    Fit nominal = Objects.requireNonNull(fits.get(Set.<Effect>of()));
+    Fit nominal = Objects.requireNonNull(fits().get(Set.<Effect>of()));
     List<Effect> built = best.hypothesis().effects();
     singles.stream()
         .filter(single -> !built.containsAll(single.hypothesis().effects()))
         .limit(RUNNERS_UP)
-        .forEach(single -> built(nominal, List.of(single)));
+        .forEach(single -> pruned(built(nominal, List.of(single))));
     return scored();
   }
 
-  /** Builds upon the first of some sets as long as it is worth it. */
-  private Fit built(Fit nominal, List<Fit> starts) {
-    Fit set = nominal;
-    List<Fit> added = starts;
-    while (worth(added, set) && set.hypothesis().forms().size() < MOST_EFFECTS) {
-      set = joint(swapped(added.get(0)));
-      keep(set);
-      if (isBehind(set)) {
-        return set;
-      }
-      // What gained nothing beside fewer effects gains nothing beside more.
-      List<Form> open =
-          set.hypothesis().forms().size() == 1 ? forms : promising(added, set.hypothesis());
-      added = grown(set, open);
+  @Override
+  protected List<Effect> effects(Fit set) {
+    return set.hypothesis().effects();
+  }
+
+  @Override
+  protected double worth(Fit set) {
+    return set.logLikelihood();
+  }
+
+  @Override
+  protected Fit settled(Fit set) {
+    Fit settled = joint(set);
+    keep(settled);
+    return settled;
+  }
+
+  @Override
+  protected boolean isLast(Fit set) {
+    return set.hypothesis().forms().size() >= MOST_EFFECTS;
+  }
+
+  @Override
+  protected List<Fit> beside(Fit set, List<Fit> added, Fit before) {
+    if (isBehind(set)) {
+      return List.of();
     }
-    prune(set);
-    return set;
+    // What gained nothing beside fewer effects gains nothing beside more.
+    boolean single = set.hypothesis().forms().size() == 1;
+    return grown(set, single ? forms : promising(added, set.hypothesis()));
   }
 
   /** Whether another set of as many effects, two or more, fits far better. */
   private boolean isBehind(Fit set) {
     int size = set.hypothesis().forms().size();
     return size > 1
-        && fits.values().stream()
+        && fits().values().stream()
             .filter(fit -> fit.hypothesis().forms().size() == size)
             .anyMatch(fit -> fit.logLikelihood() > set.logLikelihood() + BEHIND_NATS);
-  }
-
-  private boolean worth(List<Fit> added, Fit base) {
-    return !added.isEmpty() && added.get(0).logLikelihood() - base.logLikelihood() > worthNats;
   }
 
   private List<Form> promising(List<Fit> added, Hypothesis base) {
@@ -201,36 +206,38 @@ public final class Search {
     return best(all);
   }
 
-  /**
-   * Puts what explains much alone in the place of each member but the last, which was just chosen
-   * among all: the first may have been taken because it soaks up what two others do. The member
-   * itself is among them, looked for anew now that the others are known.
-   */
-  private Fit swapped(Fit set) {
-    Fit swapped = set;
+  /** All but the last, which was just chosen among all. */
+  @Override
+  protected List<Effect> exchanged(Fit set) {
     List<Effect> members = set.hypothesis().effects();
-    for (Effect member : members.subList(0, members.size() - 1)) {
-      Hypothesis rest = swapped.hypothesis().without(member);
-      keep(joint(new Fit(rest, swapped.logLikelihood())));
-      // Beside the values that they had beside it: alone they would do its work.
-      Fit base = new Fitter(given, Fold.ALL).refine(rest, 0);
-      // What gained little beside what soaked it up may gain most beside the other.
-      List<Fit> others = grown(base, members.size() > 2 ? promising(singles, rest) : forms);
-      if (!others.isEmpty() && others.get(0).logLikelihood() > swapped.logLikelihood()) {
-        swapped = others.get(0);
-      }
-    }
-    return swapped;
+    return members.subList(0, members.size() - 1);
+  }
+
+  /**
+   * What explains much alone in the place of a member: the first may have been taken because it
+   * soaks up what two others do. The member itself is among them, looked for anew now that the
+   * others are known.
+   */
+  @Override
+  protected List<Fit> inPlaceOf(Fit set, Effect member) {
+    Hypothesis rest = set.hypothesis().without(member);
+    keep(joint(new Fit(rest, set.logLikelihood())));
+    // Beside the values that they had beside it: alone they would do its work.
+    Fit base = new Fitter(given, Fold.ALL).refine(rest, 0);
+    // What gained little beside what soaked it up may gain most beside the other.
+    boolean large = set.hypothesis().forms().size() > 2;
+    return grown(base, large ? promising(singles, rest) : forms);
   }
 
   /** Fits the best set without each of its members: what was added first may be superfluous. */
-  private void prune(Fit set) {
-    if (set.hypothesis().forms().size() > 1) {
+  private Fit pruned(Fit set) {
+    if (set.hypothesis().forms().size() > 1 && !isBehind(set)) {
       set.hypothesis().effects().parallelStream()
           .map(member -> joint(new Fit(set.hypothesis().without(member), set.logLikelihood())))
           .toList()
           .forEach(this::keep);
     }
+    return set;
   }
 
   /** Refines all values of a set together, first by long steps, then by short ones. */
@@ -251,20 +258,9 @@ public final class Search {
     return again > kept.logLikelihood() ? new Fit(read, again) : kept;
   }
 
-  private static List<Fit> best(Collection<Fit> all) {
-    return all.stream().sorted(Comparator.comparingDouble(fit -> -fit.logLikelihood())).toList();
-  }
-
-  private void keep(Fit fit) {
-    fits.merge(
-        new TreeSet<>(fit.hypothesis().effects()),
-        fit,
-        (a, b) -> a.logLikelihood() >= b.logLikelihood() ? a : b);
-  }
-
   private List<Scored> scored() {
     List<Fit> ranked =
-        fits.values().stream().sorted(Comparator.comparingDouble(fit -> -promise(fit))).toList();
+        fits().values().stream().sorted(Comparator.comparingDouble(fit -> -promise(fit))).toList();
     HeldOut heldOut = new HeldOut(given, blocks);
     List<Scored> again = heldOut.score(ranked.subList(0, Math.min(SCORED, ranked.size())));
     List<Scored> scored = new ArrayList<>(again);
