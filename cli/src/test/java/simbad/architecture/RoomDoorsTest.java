@@ -62,7 +62,6 @@ class RoomDoorsTest {
     Samples samples =
         samples()
             .with(MotionRun.class, run)
-            .with(Command.class, run.commands().get(0))
             .with(MotionChain.class, MotionChain.EXACT)
             .with(double[][][].class, new double[25][3][19]);
     DoorWalk.refusesNan(Way.class, samples, 15);

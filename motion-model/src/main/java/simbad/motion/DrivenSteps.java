@@ -39,15 +39,15 @@ public final class DrivenSteps {
   /**
    * Prepares the steps.
    *
-   * @param commands of the run, in order of time; not empty
+   * @param run of which the commands are used, never the track
    * @param fromS where each step begins, not before the first command
    * @param toS where each ends, after its beginning
    */
-  public DrivenSteps(List<Command> commands, double[] fromS, double[] toS) {
+  public DrivenSteps(MotionRun run, double[] fromS, double[] toS) {
     Checks.numbers("fromS", fromS);
     Checks.numbers("toS", toS);
-    this.commands = Held.of(commands);
-    startS = commands.get(0).timeS();
+    this.commands = Held.of(run.commands());
+    startS = run.commands().get(0).timeS();
     size = Way.size(startS, Math.max(startS, Arrays.stream(toS).max().orElse(startS)));
     from = Arrays.stream(fromS).map(timeS -> Way.place(timeS, startS, size)).toArray();
     to = Arrays.stream(toS).map(timeS -> Way.place(timeS, startS, size)).toArray();

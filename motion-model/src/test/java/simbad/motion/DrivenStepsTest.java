@@ -22,6 +22,8 @@ class DrivenStepsTest {
           new Command(1.41, -0.2, 14),
           new Command(5, 0.3, 0));
 
+  private static final MotionRun RUN = new MotionRun("a", COMMANDS, List.of());
+
   private static List<Displacement> driven(DrivenSteps steps, MotionChain chain) {
     List<Displacement> all = new ArrayList<>();
     steps.drive(chain, (step, expected) -> all.add(expected));
@@ -29,7 +31,7 @@ class DrivenStepsTest {
   }
 
   private static void assertAsTheWay(DrivenSteps steps, MotionChain chain, String name) {
-    Way way = Way.of(new MotionRun("a", COMMANDS, List.of()), chain, 0, 10);
+    Way way = Way.of(RUN, chain, 0, 10);
     List<Displacement> all = driven(steps, chain);
     for (int i = 0; i < FROM.length; i++) {
       Displacement expected = way.between(FROM[i], TO[i]);
@@ -41,7 +43,7 @@ class DrivenStepsTest {
 
   @Test
   void drive_byEveryForm_isTheWay() {
-    DrivenSteps steps = new DrivenSteps(COMMANDS, FROM, TO);
+    DrivenSteps steps = new DrivenSteps(RUN, FROM, TO);
     assertAsTheWay(steps, MotionChain.EXACT, "exact");
     for (MotionForm form : MotionForms.ALL) {
       double[] values =
@@ -55,7 +57,7 @@ class DrivenStepsTest {
   /** What was kept of other chains is not mixed up, whoever asks. */
   @Test
   void drive_byManyAtOnce_isTheSameAsAlone() {
-    DrivenSteps steps = new DrivenSteps(COMMANDS, FROM, TO);
+    DrivenSteps steps = new DrivenSteps(RUN, FROM, TO);
     MotionForm late = MotionForms.find("actuation-latency").orElseThrow();
     MotionForm lag = MotionForms.find("actuation-lag: time constants").orElseThrow();
     List<MotionChain> chains =
@@ -67,7 +69,7 @@ class DrivenStepsTest {
                         .with(lag.change(0.1 * (i % 3), 0.2)))
             .toList();
     List<List<Displacement>> alone =
-        chains.stream().map(c -> driven(new DrivenSteps(COMMANDS, FROM, TO), c)).toList();
+        chains.stream().map(c -> driven(new DrivenSteps(RUN, FROM, TO), c)).toList();
     assertEquals(alone, chains.parallelStream().map(chain -> driven(steps, chain)).toList());
   }
 }

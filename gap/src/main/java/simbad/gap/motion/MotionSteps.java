@@ -155,7 +155,7 @@ final class MotionSteps {
     int end = run + 1 < firsts.length ? firsts[run + 1] : steps.size();
     List<Step> own = steps.subList(firsts[run], end);
     return new DrivenSteps(
-        runs.get(run).commands(),
+        runs.get(run),
         own.stream().mapToDouble(step -> step.from.timeS()).toArray(),
         own.stream().mapToDouble(step -> step.to.timeS()).toArray());
   }
