@@ -111,17 +111,22 @@ final class RangeFit {
   /** How surely the walk is 0 and even before any reading: 1 over square metres. */
   static double[][] prior() {
     double[][] precision = new double[LevelForms.WALK_DB.size()][LevelForms.WALK_DB.size()];
-    double stiff = 1 / (WALK_STEP_M * WALK_STEP_M);
     for (int i = 0; i < precision.length; i++) {
       precision[i][i] += 1 / (WALK_M * WALK_M);
       if (i > 0) {
-        precision[i][i] += stiff;
-        precision[i - 1][i - 1] += stiff;
-        precision[i][i - 1] -= stiff;
-        precision[i - 1][i] -= stiff;
+        tie(precision, i - 1, i, WALK_STEP_M);
       }
     }
     return precision;
+  }
+
+  /** Adds to a precision that two values differ by no more than a step, metres. */
+  static void tie(double[][] precision, int one, int other, double stepM) {
+    double stiff = 1 / (stepM * stepM);
+    precision[one][one] += stiff;
+    precision[other][other] += stiff;
+    precision[one][other] -= stiff;
+    precision[other][one] -= stiff;
   }
 
   /**
@@ -190,7 +195,8 @@ final class RangeFit {
     return weights;
   }
 
-  private static double dot(double[] one, double[] other) {
+  /** The sum of products, as far as the first reaches. */
+  static double dot(double[] one, double[] other) {
     double sum = 0;
     for (int i = 0; i < one.length; i++) {
       sum += one[i] * other[i];

@@ -98,15 +98,12 @@ record Ranges(double scale, RangeFit byLevel, double[] nearM, List<PathFit> byBe
     for (int i = 0; i < walk.length; i++) {
       System.arraycopy(walk[i], 0, prior[i + 1], 1, walk.length);
     }
-    double stiff = 1 / (NEAR_STEP_M * NEAR_STEP_M);
-    for (int at = 1 + walk.length; at < size; at++) {
-      prior[at][at] += stiff;
-      if (at < size - 1) {
-        prior[at + 1][at + 1] += stiff;
-        prior[at][at + 1] -= stiff;
-        prior[at + 1][at] -= stiff;
-      }
+    int last = size - 1;
+    for (int at = 1 + walk.length; at < last; at++) {
+      RangeFit.tie(prior, at, at + 1, NEAR_STEP_M);
     }
+    // What follows the last one is 0.
+    prior[last][last] += 1 / (NEAR_STEP_M * NEAR_STEP_M);
     return prior;
   }
 
@@ -135,18 +132,9 @@ record Ranges(double scale, RangeFit byLevel, double[] nearM, List<PathFit> byBe
       left[i] =
           trial.beyondM()
               - (scale - 1) * trial.nearestM()
-              - near(near, trial.nearestM())
+              - RangeFit.dot(near, RangeFit.weights(LevelForms.NEAR_M, trial.nearestM()))
               - paths.get(trial.target()).at(trial);
     }
     return left;
-  }
-
-  private static double near(double[] near, double nearestM) {
-    double[] weight = RangeFit.weights(LevelForms.NEAR_M, nearestM);
-    double sum = 0;
-    for (int i = 0; i < near.length; i++) {
-      sum += weight[i] * near[i];
-    }
-    return sum;
   }
 }
