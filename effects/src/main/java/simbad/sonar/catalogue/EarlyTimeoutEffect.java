@@ -9,6 +9,7 @@ import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.definition.Trait;
 import simbad.sonar.change.EarlyTimeout;
+import simbad.sonar.change.ReadingTimeout;
 import simbad.sonar.effect.Clues;
 import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
@@ -22,6 +23,7 @@ import simbad.sonar.scene.SonarSpec;
 /** Far echoes are lost: the real time-out is shorter. */
 public final class EarlyTimeoutEffect implements Definition {
   private static final String SHARP = "sharp";
+  private static final String READING = "reading";
 
   @Override
   public Effect effect() {
@@ -51,10 +53,15 @@ public final class EarlyTimeoutEffect implements Definition {
         sharp(start), Form.of(effect(), "soft", v -> new EarlyTimeout(v[0], v[1]), start, soft));
   }
 
-  /** A time-out is a clock's; one that is soft is a receiver that asks more, as air does. */
+  /**
+   * A time-out is a clock's, which ends what is read; one that is soft is a receiver that asks
+   * more, as air does.
+   */
   @Override
   public List<Form> levelForms(SensingSetup setup, List<String> sensors) {
-    return List.of(sharp(start(setup)));
+    Parameter start = start(setup);
+    return List.of(
+        Form.of(effect(), READING, v -> new ReadingTimeout(v[0]), start), sharp(start));
   }
 
   private Form sharp(Parameter start) {
@@ -88,7 +95,8 @@ public final class EarlyTimeoutEffect implements Definition {
   @Override
   public Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
     SonarSpec sensor = stated.sensor();
-    return form.name().equals(SHARP) && values[0] > sensor.minRangeM()
+    boolean isSharp = form.name().equals(SHARP) || form.name().equals(READING);
+    return isSharp && values[0] > sensor.minRangeM()
         ? Optional.of(stated.with(sensor.withRange(sensor.minRangeM(), values[0])))
         : Optional.empty();
   }

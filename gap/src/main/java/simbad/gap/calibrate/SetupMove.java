@@ -1,5 +1,6 @@
 package simbad.gap.calibrate;
 
+import java.util.Arrays;
 import simbad.gap.calibrate.level.Along;
 import simbad.gap.calibrate.level.EchoCurves;
 import simbad.gap.calibrate.level.Leeway;
@@ -70,9 +71,10 @@ public final class SetupMove {
   /** Returns by how many nats the log is likelier where levels have moved, and ranges move too. */
   public double nats(Leeway.Moved levels) {
     LevelShift shift = new LevelShift(levels.shiftsDb());
-    double[] perMetre =
-        SetupScores.perMetre(
+    SetupScores.Slopes metres =
+        SetupScores.metres(
             hypothesis, changes -> given.logLikelihood(shift.and(changes), geometry));
-    return levels.nats() + open.rangeNats(pulls, perMetre);
+    double[] roomNats = Arrays.stream(metres.most()).map(most -> -most).toArray();
+    return levels.nats() + open.rangeNats(pulls, metres.slope(), roomNats);
   }
 }

@@ -229,13 +229,20 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
     return grown(base, large ? promising(singles, rest) : forms);
   }
 
-  /** Fits the best set without each of its members: what was added first may be superfluous. */
+  /**
+   * Fits the best set without each of its members, and the best of these so again: what was added
+   * first may be superfluous, and what was found beside something else may not have been found
+   * alone.
+   */
   private Fit pruned(Fit set) {
     if (set.hypothesis().forms().size() > 1 && !isBehind(set)) {
-      set.hypothesis().effects().parallelStream()
-          .map(member -> joint(new Fit(set.hypothesis().without(member), set.logLikelihood())))
-          .toList()
-          .forEach(this::keep);
+      List<Fit> fewer =
+          best(
+              set.hypothesis().effects().parallelStream()
+                  .map(out -> joint(new Fit(set.hypothesis().without(out), set.logLikelihood())))
+                  .toList());
+      fewer.forEach(this::keep);
+      pruned(fewer.get(0));
     }
     return set;
   }

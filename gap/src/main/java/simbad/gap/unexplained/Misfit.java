@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import simbad.gap.calibrate.level.Leeway;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
@@ -65,7 +66,7 @@ public final class Misfit {
     List<Axis> cuts = look(new Surprise(given, hypothesis), open);
     if (ahead && given.model(hypothesis).hasMemory()) {
       Foresight foresight = Foresight.of(given, hypothesis);
-      cuts.forEach(cut -> lookAhead(given.log(), foresight, cut));
+      cuts.forEach(cut -> lookAhead(given.log(), foresight, cut, open));
     }
     sort();
   }
@@ -85,10 +86,12 @@ public final class Misfit {
   }
 
   private List<Axis> look(Surprise surprise, Optional<Openness> open) {
-    double[] spread = spread(surprise);
+    Scores read = new Scores(surprise.log, surprise.score);
+    Scores left =
+        open.map(own -> new Scores(surprise.log, own.moved(surprise.score))).orElse(read);
     List<Axis> cuts = new Slicing(surprise.log, surprise.geometry).all();
     for (Axis cut : cuts) {
-      look(surprise, cut, spread, open);
+      look(surprise, cut, read, left, open);
     }
     return cuts;
   }
@@ -146,25 +149,34 @@ public final class Misfit {
         .orElse(0);
   }
 
-  /** Mean square of the scores, and the spread of the squares. */
-  private static double[] spread(Surprise s) {
-    double sum = 0;
-    double squares = 0;
-    int count = 0;
-    for (int i = 0; i < s.score.length; i++) {
-      if (s.log.echo(i)) {
-        double square = s.score[i] * s.score[i];
-        sum += square;
-        squares += square * square;
-        count++;
+  /** Normal scores of ranges, their mean square, and the deviation of their squares. */
+  private static final class Scores {
+    private final double[] score;
+    private final double meanSquare;
+    private final double deviation;
+
+    Scores(PingLog log, double[] score) {
+      this.score = score;
+      double sum = 0;
+      double squares = 0;
+      int count = 0;
+      for (int i = 0; i < score.length; i++) {
+        if (log.echo(i)) {
+          double square = score[i] * score[i];
+          sum += square;
+          squares += square * square;
+          count++;
+        }
       }
+      double mean = count > 0 ? sum / count : 1;
+      double variance = count > 1 ? squares / count - mean * mean : 1;
+      meanSquare = Math.max(1e-6, mean);
+      deviation = Math.sqrt(Math.max(1e-6, variance));
     }
-    double mean = count > 0 ? sum / count : 1;
-    double variance = count > 1 ? squares / count - mean * mean : 1;
-    return new double[] {Math.max(1e-6, mean), Math.sqrt(Math.max(1e-6, variance))};
   }
 
-  private void look(Surprise s, Axis cut, double[] spread, Optional<Openness> open) {
+  private void look(
+      Surprise s, Axis cut, Scores read, Scores left, Optional<Openness> open) {
     Tally[] tallies = new Tally[cut.count()];
     for (int i = 0; i < s.log.size(); i++) {
       int at = cut.bin(i);
@@ -172,30 +184,41 @@ public final class Misfit {
         if (tallies[at] == null) {
           tallies[at] = new Tally(open);
         }
-        tallies[at].add(s, i);
+        tallies[at].add(s, i, left.score[i]);
       }
     }
     for (int at = 0; at < tallies.length; at++) {
       if (tallies[at] != null) {
-        tallies[at].tell(range(cut, at), spread, slices);
+        tallies[at].tell(range(cut, at), read, left, slices);
       }
     }
   }
 
-  private void lookAhead(PingLog log, Foresight foresight, Axis cut) {
+  private void lookAhead(
+      PingLog log, Foresight foresight, Axis cut, Optional<Openness> open) {
     boolean[] echo = new boolean[log.size()];
     int[] rows = new int[cut.count()];
+    Leeway.@Nullable Together[] together = new Leeway.Together[cut.count()];
     for (int i = 0; i < echo.length; i++) {
       echo[i] = log.echo(i);
-      if (cut.bin(i) >= 0) {
-        rows[cut.bin(i)]++;
+      int at = cut.bin(i);
+      if (at >= 0) {
+        rows[at]++;
+        if (open.isPresent()) {
+          if (together[at] == null) {
+            together[at] = open.get().slice();
+          }
+          together[at].add(i, open.get().chancePerDb()[i], 0);
+        }
       }
     }
     double[][] off = foresight.off(cut, echo);
     for (int at = 0; at < rows.length; at++) {
-      double deviation = off[1][at];
-      if (rows[at] >= LEAST_ROWS && deviation * deviation >= LEAST_SUPPORT) {
+      double chance = off[1][at] * off[1][at];
+      if (rows[at] >= LEAST_ROWS && chance >= LEAST_SUPPORT) {
         double share = off[0][at] / rows[at];
+        double common = together[at] == null ? 0 : together[at].levelVariance();
+        double deviation = Math.sqrt(chance + common);
         slices.add(new Off(range(cut, at), Kind.FORECAST, off[0][at] / deviation, share, rows[at]));
       }
     }
@@ -220,7 +243,7 @@ public final class Misfit {
       together = open.map(Openness::slice);
     }
 
-    void add(Surprise s, int i) {
+    void add(Surprise s, int i, double left) {
       rows++;
       expected += s.expected[i];
       variance += s.expected[i] * (1 - s.expected[i]);
@@ -231,20 +254,21 @@ public final class Misfit {
       if (s.log.echo(i)) {
         echoes++;
         scores += s.score[i];
-        squares += s.score[i] * s.score[i];
+        squares += left * left;
       }
     }
 
-    void tell(Slice.Range at, double[] spread, List<Off> into) {
+    void tell(Slice.Range at, Scores read, Scores left, List<Off> into) {
       if (rows >= LEAST_ROWS && variance >= LEAST_SUPPORT) {
         into.add(
             new Off(at, Kind.ECHO, echoZ() / echoesTogether(), (echoes - expected) / rows, rows));
       }
       if (echoes >= LEAST_ROWS) {
-        double own = echoes * Math.max(spread[0], 0.5);
+        double own = echoes * Math.max(read.meanSquare, 0.5);
         double shift = scores / Math.sqrt(own + together.map(t -> t.rangeVariance()).orElse(0.0));
         into.add(new Off(at, Kind.RANGE, shift, scores / echoes, rows));
-        double scatter = (squares - echoes * spread[0]) / (spread[1] * Math.sqrt(echoes));
+        double scatter =
+            (squares - echoes * left.meanSquare) / (left.deviation * Math.sqrt(echoes));
         into.add(new Off(at, Kind.SCATTER, scatter, squares / echoes, rows));
       }
     }

@@ -48,6 +48,17 @@ public record Openness(
     return leeway.pulls(geometry, added);
   }
 
+  /**
+   * Returns the scores of ranges where the set-up's ranges have moved to where they and the log are
+   * likeliest. What is left of them scatters, wherever the set-up stands.
+   */
+  double[] moved(double[] score) {
+    double[] shiftM = leeway.rangeShiftsM(pulls, score, scorePerMetre);
+    double[] moved = new double[score.length];
+    Arrays.setAll(moved, i -> score[i] + scorePerMetre[i] * shiftM[i]);
+    return moved;
+  }
+
   /** Returns an empty slice. */
   public Leeway.Together slice() {
     return leeway.together(pulls);

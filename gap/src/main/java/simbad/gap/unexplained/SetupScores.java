@@ -47,7 +47,7 @@ public record SetupScores(Geometry geometry, double[] perDecibel, double[] perMe
   /** Returns by how much a value of each ping rises with the excess of what it hears. */
   public static double[] perDecibel(
       Hypothesis hypothesis, Function<List<Change>, double[]> values) {
-    return slope(hypothesis, values, LevelGain::new, STEP_DB);
+    return slopes(hypothesis, values, LevelGain::new, STEP_DB).slope();
   }
 
   /** Returns how likely each ping is where the excess of what it hears is another. */
@@ -57,10 +57,29 @@ public record SetupScores(Geometry geometry, double[] perDecibel, double[] perMe
 
   /** Returns by how much a value of each ping rises with its range, metres. */
   public static double[] perMetre(Hypothesis hypothesis, Function<List<Change>, double[]> values) {
-    return slope(hypothesis, values, RangeOffset::new, STEP_M);
+    return metres(hypothesis, values).slope();
   }
 
-  private static double[] slope(
+  /**
+   * How a value of each ping rises with something.
+   *
+   * @param slope of it
+   * @param most the greater of the values a step to either side
+   */
+  public record Slopes(double[] slope, double[] most) {
+    /** Refuses what is no number. */
+    public Slopes {
+      Checks.numbers("slope", slope);
+      Checks.numbers("most", most);
+    }
+  }
+
+  /** Returns how a value of each ping rises with its range, by the metre. */
+  public static Slopes metres(Hypothesis hypothesis, Function<List<Change>, double[]> values) {
+    return slopes(hypothesis, values, RangeOffset::new, STEP_M);
+  }
+
+  private static Slopes slopes(
       Hypothesis hypothesis,
       Function<List<Change>, double[]> values,
       DoubleFunction<Change> change,
@@ -69,7 +88,9 @@ public record SetupScores(Geometry geometry, double[] perDecibel, double[] perMe
     double[] down = values.apply(and(hypothesis, change.apply(-step)));
     double[] slope = new double[up.length];
     Arrays.setAll(slope, i -> (up[i] - down[i]) / (2 * step));
-    return slope;
+    double[] most = new double[up.length];
+    Arrays.setAll(most, i -> Math.max(up[i], down[i]));
+    return new Slopes(slope, most);
   }
 
   private static List<Change> and(Hypothesis hypothesis, Change change) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.BiFunction;
+import java.util.stream.IntStream;
 import org.hipparchus.linear.ArrayRealVector;
 import org.hipparchus.linear.MatrixUtils;
 import org.hipparchus.linear.RealMatrix;
@@ -37,10 +38,14 @@ public final class Leeway {
 
   private static final double LEAST_PLACE_DB = 0.05;
 
-  private static final int WALK = LevelForms.WALK_DB.size();
-  private static final int SCALE = WALK;
-  private static final int CONSTANT = WALK + 1;
-  private static final int TARGETS = WALK + 2;
+  /** What the best step of one score and its square promises. */
+  private static final double SCORED_NATS = 0.5;
+
+  private static final int SCALE = 0;
+  private static final int WALK = 1;
+  private static final int NEAR = WALK + LevelForms.WALK_DB.size();
+  private static final int CONSTANT = NEAR + LevelForms.NEAR_M.size() - 1;
+  private static final int TARGETS = CONSTANT + 1;
 
   private final Predictor predictor;
   private final int targets;
@@ -122,8 +127,8 @@ public final class Leeway {
     int targets = ranges.byBearing().size();
     int size = TARGETS + targets * (SECTORS + 1);
     RealMatrix range = MatrixUtils.createRealMatrix(size, size);
-    range.setSubMatrix(ranges.byLevel().covariance().getData(), 0, 0);
-    for (int knot = 0; knot < WALK; knot++) {
+    range.setSubMatrix(ranges.covariance().getData(), SCALE, SCALE);
+    for (int knot = WALK; knot < NEAR; knot++) {
       add(range, knot, rangeM * rangeM);
     }
     add(range, SCALE, DAYS_AIR * DAYS_AIR);
@@ -165,16 +170,26 @@ public final class Leeway {
    *
    * @param pulls of the log under a hypothesis
    * @param perMetre by how much the log probability of each reading rises with its range
+   * @param roomNats by how much each may rise at all, at least 0: to certainty
    * @return at least 0
    */
-  public double rangeNats(Pulls pulls, double[] perMetre) {
+  public double rangeNats(Pulls pulls, double[] perMetre, double[] roomNats) {
     Sums metres = new Sums(rangePrecision.getRowDimension());
     for (int ping = 0; ping < perMetre.length; ping++) {
       if (pulls.range[ping] != null && perMetre[ping] != 0) {
-        metres.add(pulls.range[ping], perMetre[ping]);
+        metres.add(pulls.range[ping], perMetre[ping], share(roomNats[ping]));
       }
     }
     return metres.nats(rangePrecision);
+  }
+
+  /**
+   * Score and information of one reading promise half a nat at most. One that is nearly certain
+   * cannot rise so far: beside the end of its step its slope is steep all the same, and it counts
+   * for the share that it can.
+   */
+  private static double share(double roomNats) {
+    return Math.min(1, roomNats / SCORED_NATS);
   }
 
   /**
@@ -304,6 +319,15 @@ public final class Leeway {
   /** By how much something moves with some of the values. */
   @SuppressWarnings("ArrayRecordComponent") // read only
   private record Pull(int[] index, double[] value) {
+    /** What it moves by where the values do. */
+    double dot(double[] values) {
+      double sum = 0;
+      for (int i = 0; i < index.length; i++) {
+        sum += value[i] * values[index[i]];
+      }
+      return sum;
+    }
+
     /** With one value more. */
     Pull and(int more, double rise) {
       int[] indices = Arrays.copyOf(index, index.length + 1);
@@ -405,6 +429,29 @@ public final class Leeway {
     }
   }
 
+  /**
+   * Returns by how much each reading of a log reads longer where the set-up's ranges have moved to
+   * where they and the log are likeliest, metres; 0 where a ping is about no obstacle.
+   *
+   * @param pulls of the log under a hypothesis
+   * @param score of each reading: standard normal where the hypothesis is right
+   * @param perMetre by how much each score rises with what the set-up adds
+   */
+  public double[] rangeShiftsM(Pulls pulls, double[] score, double[] perMetre) {
+    Sums sums = new Sums(rangePrecision.getRowDimension());
+    for (int ping = 0; ping < score.length; ping++) {
+      if (pulls.range[ping] != null) {
+        sums.addLine(pulls.range[ping], perMetre[ping], -score[ping]);
+      }
+    }
+    double[] move = sums.move(rangePrecision);
+    double[] shifts = new double[score.length];
+    for (int ping = 0; ping < shifts.length; ping++) {
+      shifts[ping] = pulls.range[ping] == null ? 0 : pulls.range[ping].dot(move);
+    }
+    return shifts;
+  }
+
   /** Returns an empty sum of pings. */
   public Together together(Pulls pulls) {
     return new Together(pulls);
@@ -428,20 +475,16 @@ public final class Leeway {
   }
 
   private static Pull ofRange(Trials.Trial trial, double excessDb) {
-    double[] walk = RangeFit.weights(LevelForms.WALK_DB, excessDb);
-    int[] index = new int[WALK + 4];
-    double[] value = new double[index.length];
-    for (int knot = 0; knot < WALK; knot++) {
-      index[knot] = knot;
-      value[knot] = walk[knot];
-    }
+    double[] shared = Ranges.row(trial.nearestM(), excessDb);
+    // Knots that the level and the distance do not lie between say nothing.
+    int[] some = IntStream.range(0, CONSTANT).filter(at -> shared[at] != 0).toArray();
+    double[] value = new double[some.length + 3];
+    Arrays.setAll(value, at -> at < some.length ? shared[some[at]] : 1);
+    int[] index = Arrays.copyOf(some, value.length);
     int place = (int) (trial.bearingRad() / Angles.TURN_RAD * SECTORS);
-    index[WALK] = SCALE;
-    value[WALK] = trial.nearestM();
-    index[WALK + 1] = CONSTANT;
-    index[WALK + 2] = constant(trial.target());
-    index[WALK + 3] = sector(trial.target(), Math.floorMod(place, SECTORS));
-    Arrays.fill(value, WALK + 1, value.length, 1);
+    index[some.length] = CONSTANT;
+    index[some.length + 1] = constant(trial.target());
+    index[some.length + 2] = sector(trial.target(), Math.floorMod(place, SECTORS));
     return new Pull(index, value);
   }
 
@@ -455,22 +498,35 @@ public final class Leeway {
       information = new double[size][size];
     }
 
-    void add(Pull pull, double rise) {
+    /** A score, of which a share counts. */
+    void add(Pull pull, double rise, double share) {
+      sum(pull, rise * share, rise * rise * share);
+    }
+
+    /** A line of least squares: what is off, and by how much it rises. */
+    void addLine(Pull pull, double rise, double off) {
+      sum(pull, rise * off, rise * rise);
+    }
+
+    private void sum(Pull pull, double slope, double square) {
       for (int i = 0; i < pull.index.length; i++) {
-        double own = rise * pull.value[i];
         double[] row = information[pull.index[i]];
-        score[pull.index[i]] += own;
+        score[pull.index[i]] += slope * pull.value[i];
         for (int j = 0; j < pull.index.length; j++) {
-          row[pull.index[j]] += own * rise * pull.value[j];
+          row[pull.index[j]] += square * pull.value[i] * pull.value[j];
         }
       }
     }
 
     /** Half the gain of a step to the top. */
     double nats(RealMatrix precision) {
-      ArrayRealVector right = new ArrayRealVector(score);
+      return new ArrayRealVector(move(precision)).dotProduct(new ArrayRealVector(score)) / 2;
+    }
+
+    /** The step to the top. */
+    double[] move(RealMatrix precision) {
       RealMatrix all = precision.add(MatrixUtils.createRealMatrix(information));
-      return Matrices.positive(all).getSolver().solve(right).dotProduct(right) / 2;
+      return Matrices.positive(all).getSolver().solve(new ArrayRealVector(score)).toArray();
     }
   }
 }

@@ -2,7 +2,6 @@ package simbad.gap.calibrate.level;
 
 import java.util.Arrays;
 import java.util.List;
-import org.hipparchus.linear.RealMatrix;
 import simbad.sonar.catalogue.LevelForms;
 
 /**
@@ -89,14 +88,6 @@ final class RangeFit {
     return left;
   }
 
-  private double[] walk() {
-    return equations().solve();
-  }
-
-  /** Returns how surely the walk is known: the covariance of its values, square metres. */
-  RealMatrix covariance() {
-    return equations().covariance();
-  }
 
   /**
    * Returns how much a range counts by Student's distribution, over its variance.
@@ -148,14 +139,14 @@ final class RangeFit {
     return moved;
   }
 
-  private Normal equations() {
+  private double[] walk() {
     Normal equations = new Normal(prior());
     for (int echo = 0; echo < excessDb.length; echo++) {
       double[] row = weights(LevelForms.WALK_DB, excessDb[echo]);
       double off = beyondM[echo] - dot(row, walk);
       equations.add(row, weight(off, variance(excessDb[echo])), beyondM[echo]);
     }
-    return equations;
+    return equations.solve();
   }
 
   private double[] noise(double believedM) {

@@ -3,6 +3,7 @@ package simbad.gap.calibrate.level;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.hipparchus.linear.RealMatrix;
 import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.scene.SonarSpec;
 
@@ -16,9 +17,16 @@ import simbad.sonar.scene.SonarSpec;
  * @param byLevel walk and noise
  * @param nearM what is added near by: the values of {@link LevelForms#nearRange}, metres
  * @param byBearing of each obstacle
+ * @param covariance of the share, the walk and what is added near by, in this order, whatever the
+ *     paths are
  */
 @SuppressWarnings("ArrayRecordComponent") // read only
-record Ranges(double scale, RangeFit byLevel, double[] nearM, List<PathFit> byBearing) {
+record Ranges(
+    double scale,
+    RangeFit byLevel,
+    double[] nearM,
+    List<PathFit> byBearing,
+    RealMatrix covariance) {
   private static final int ROUNDS = 40;
   private static final double SETTLED_M = 1e-5;
 
@@ -57,9 +65,12 @@ record Ranges(double scale, RangeFit byLevel, double[] nearM, List<PathFit> byBe
     double scale = 1;
     double[] near = new double[LevelForms.NEAR_M.size() - 1];
     int walks = LevelForms.WALK_DB.size();
+    Normal equations = new Normal(prior());
     for (int round = 0; round < ROUNDS; round++) {
       double[] weight = weights(walk.beyond(excess, left(read, scale, near, paths)), walk, excess);
-      double[] shared = shared(read, rows, weight, paths);
+      equations = equations(read, rows, weight, paths);
+      double[] shared = equations.solve();
+      paths.forEach(path -> path.take(shared));
       double moved = Math.abs(1 + shared[0] - scale);
       scale = 1 + shared[0];
       near = Arrays.copyOfRange(shared, 1 + walks, shared.length);
@@ -68,7 +79,7 @@ record Ranges(double scale, RangeFit byLevel, double[] nearM, List<PathFit> byBe
         break;
       }
     }
-    return new Ranges(scale, walk, near, paths);
+    return new Ranges(scale, walk, near, paths, equations.covariance());
   }
 
   private static double[] weights(double[] off, RangeFit walk, double[] excess) {
@@ -80,7 +91,7 @@ record Ranges(double scale, RangeFit byLevel, double[] nearM, List<PathFit> byBe
   /**
    * How much an echo says of the share of the distance over 1, of the walk, and of what is near.
    */
-  private static double[] row(double nearestM, double excess) {
+  static double[] row(double nearestM, double excess) {
     double[] walk = RangeFit.weights(LevelForms.WALK_DB, excess);
     double[] near = RangeFit.weights(LevelForms.NEAR_M, nearestM);
     double[] row = new double[walk.length + near.length];
@@ -111,16 +122,14 @@ record Ranges(double scale, RangeFit byLevel, double[] nearM, List<PathFit> byBe
    * The share of the distance over 1, the walk, what is near; what bearings add is taken by the
    * paths.
    */
-  private static double[] shared(
+  private static Normal equations(
       List<Trials.Trial> read, double[][] rows, double[] weight, List<PathFit> paths) {
     Normal normal = new Normal(prior());
     for (int i = 0; i < weight.length; i++) {
       normal.add(rows[i], weight[i], read.get(i).beyondM());
     }
     paths.forEach(path -> path.leave(normal, rows, weight));
-    double[] shared = normal.solve();
-    paths.forEach(path -> path.take(shared));
-    return shared;
+    return normal;
   }
 
   /** What is read too far, less what a scale and paths say. */
