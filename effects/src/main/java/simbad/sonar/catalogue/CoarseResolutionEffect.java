@@ -21,6 +21,8 @@ import simbad.sonar.scene.SensingSetup;
 
 /** Readings come in coarser steps than believed. */
 public final class CoarseResolutionEffect implements Definition {
+  private static final double MOST_STEP_M = 0.5;
+
   @Override
   public Effect effect() {
     return Effect.COARSE_RESOLUTION;
@@ -38,6 +40,11 @@ public final class CoarseResolutionEffect implements Definition {
 
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
+    // Finer steps than the sensor's own are none that it can report.
+    double own = Math.min(setup.sensor().resolutionM(), MOST_STEP_M);
+    Parameter step =
+        Parameter.of("step_m", 0, own, MOST_STEP_M, 0.02, 0.025, 0.03, 0.04, 0.05, 0.08, 0.1)
+            .asClosed();
     return Arrays.stream(CoarseResolution.Reported.values())
         .map(
             reported ->
@@ -45,13 +52,14 @@ public final class CoarseResolutionEffect implements Definition {
                     effect(),
                     reported.name().toLowerCase(Locale.ROOT),
                     v -> new CoarseResolution(v[0], reported),
-                    Parameter.of("step_m", 0, 0, 0.5, 0.02, 0.025, 0.03, 0.04, 0.05, 0.08, 0.1)))
+                    step))
         .toList();
   }
 
   @Override
   public List<double[]> starts(Form form, Clues clues) {
-    return Tries.product(form, clues.steps());
+    Parameter step = form.parameters().get(0);
+    return Tries.product(form, clues.steps().stream().filter(step::permits).toList());
   }
 
   /** Steps of 2 cm are what cheap sensors are specified to. */

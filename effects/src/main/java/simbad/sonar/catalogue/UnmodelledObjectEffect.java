@@ -4,6 +4,7 @@ import static java.lang.Math.toRadians;
 import static simbad.sonar.effect.FittedValues.text;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -11,6 +12,8 @@ import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.definition.Trait;
+import simbad.sonar.change.LevelBoard;
+import simbad.sonar.change.LevelPost;
 import simbad.sonar.change.UnmodelledObject;
 import simbad.sonar.change.UnmodelledPost;
 import simbad.sonar.effect.Clues;
@@ -30,6 +33,9 @@ import simbad.sonar.shape.Outline;
 /** Something that is not in the scene answers from a fixed place. */
 public final class UnmodelledObjectEffect implements Definition {
   private static final String POST = "post";
+  private static final String POST_BY_LEVEL = "post by level";
+  private static final String BOARD_BY_LEVEL = "board by level";
+  private static final Parameter RADIUS = Parameter.of("radius_m", 0, 0, 0.5, 0.05);
   private static final Parameter X = Parameter.of("x_m", 0, -20, 20, 0);
   private static final Parameter Z = Parameter.of("z_m", 0, -20, 20, 0);
   private static final Parameter NORMAL = Parameter.of("normal_deg", 0, -400, 400, 0).asClosed();
@@ -93,17 +99,60 @@ public final class UnmodelledObjectEffect implements Definition {
             v -> new UnmodelledPost(v[0], v[1], v[2], v[3], toRadians(v[5]), v[4]),
             X,
             Z,
-            Parameter.of("radius_m", 0, 0, 0.5, 0.05),
+            RADIUS,
             reach,
             SURE,
             Parameter.of("square_deg", 90, 3, 90, 90).asClosed()));
   }
 
+  /** What is heard of a thing depends on how strong it is, and so on where it is seen from. */
+  @Override
+  public List<Form> levelForms(SensingSetup setup, List<String> sensors) {
+    List<Form> forms = new ArrayList<>();
+    forms.add(
+        Form.of(
+            effect(),
+            BOARD_BY_LEVEL,
+            v -> new LevelBoard(v[0], v[1], toRadians(v[2]), v[3], v[4]),
+            X,
+            Z,
+            NORMAL,
+            WIDTH,
+            Parameter.of("reflected_db", Double.NEGATIVE_INFINITY, -40, 10, 0, -10)));
+    forms.add(
+        Form.of(
+            effect(),
+            POST_BY_LEVEL,
+            v -> new LevelPost(v[0], v[1], v[2], v[3]),
+            X,
+            Z,
+            RADIUS,
+            Parameter.of("strength_db", Double.NEGATIVE_INFINITY, -70, 20, -30, -20)));
+    forms.addAll(forms(setup, sensors));
+    return forms;
+  }
+
   @Override
   public List<double[]> starts(Form form, Clues clues) {
-    return form.name().equals(POST)
-        ? clues.posts(form.parameters().get(3).high())
-        : clues.faces(form);
+    return switch (form.name()) {
+      case POST -> clues.posts(form.parameters().get(3).high());
+      case POST_BY_LEVEL -> byLevel(form, clues.posts(clues.strangeRangesM().max().orElse(1)), 3);
+      case BOARD_BY_LEVEL -> byLevel(form, clues.faces(form), 4);
+      default -> clues.faces(form);
+    };
+  }
+
+  /** The first values of each start, and every strength that is tried. */
+  private static List<double[]> byLevel(Form form, List<double[]> starts, int at) {
+    List<double[]> all = new ArrayList<>();
+    for (double[] start : starts) {
+      for (double strength : form.parameters().get(at).tries()) {
+        double[] one = Arrays.copyOf(start, at + 1);
+        one[at] = strength;
+        all.add(one);
+      }
+    }
+    return all;
   }
 
   /** Posts in front of poses spread over the log, which answer half of the pings that face them. */
@@ -116,7 +165,12 @@ public final class UnmodelledObjectEffect implements Definition {
       double z = log.zM(ping) - AHEAD_M * Math.sin(log.headingRad(ping));
       places.add(new double[] {x, z, 0, setup.sensor().maxRangeM(), 0, 90});
     }
-    return List.of(new Probe(forms(setup, log.sensors()).get(2), 4, 0.5, places));
+    Form post =
+        forms(setup, log.sensors()).stream()
+            .filter(form -> form.name().equals(POST))
+            .findFirst()
+            .orElseThrow();
+    return List.of(new Probe(post, 4, 0.5, places));
   }
 
   @Override

@@ -205,15 +205,50 @@ public final class LevelEars {
 
   /** How far that may be off, from ping to ping and for want of knowledge, decibels. */
   double deviationDb(Geometry geometry, int line) {
-    double own = law().excessSdDb();
     double offAxis = geometry.echoOffAxisRad(line) - rule.squintRad();
     double slope = slopeDb(law().beam(), offAxis);
-    double aim = Math.abs(slope) * AIM_RAD;
-    double squint = aim * rule.squintDeviationRad() / AIM_RAD;
-    double ringing = ringingDb(geometry.nearestM(line));
     double unknown = unknownVariance(geometry, line, offAxis, slope);
-    double known = own * own + aim * aim + ringing * ringing;
-    return Math.sqrt(known + squint * squint + unknown);
+    return Math.sqrt(knownVariance(slope, geometry.nearestM(line)) + unknown);
+  }
+
+  /** What strays from ping to ping, and with the beam's axis. */
+  private double knownVariance(double slopeDb, double nearestM) {
+    double own = law().excessSdDb();
+    double aim = Math.abs(slopeDb) * AIM_RAD;
+    double squint = aim * rule.squintDeviationRad() / AIM_RAD;
+    double ringing = ringingDb(nearestM);
+    return own * own + aim * aim + ringing * ringing + squint * squint;
+  }
+
+  /**
+   * Returns by how much an echo exceeds the threshold that comes from no obstacle of the scene.
+   *
+   * @param strengthDb target strength of what sends it back, decibels
+   * @param offAxisRad angle from the heading, positive counter-clockwise
+   * @param distanceM of what sends it back, metres
+   * @return decibels
+   */
+  public double excessDb(double strengthDb, double offAxisRad, double distanceM) {
+    return strengthDb
+        + law().levelDb()
+        + beamDb(law().beam(), offAxisRad - rule.squintRad())
+        - law().lossDb(distanceM);
+  }
+
+  /** Returns how far that may be off, decibels; parameters as of {@link #excessDb}. */
+  public double deviationDb(double offAxisRad, double distanceM) {
+    double slope = slopeDb(law().beam(), offAxisRad - rule.squintRad());
+    return Math.sqrt(knownVariance(slope, distanceM));
+  }
+
+  /** Tells whether the sensor listens for echoes from a distance, metres. */
+  public boolean isInRange(double distanceM) {
+    return distanceM >= rule.minRangeM() && distanceM <= rule.maxRangeM();
+  }
+
+  /** Returns the share of audible echoes that are not lost, in [0, 1]. */
+  public double heardShare() {
+    return 1 - rule.missRate();
   }
 
   /** A beam too wide has been taken for a target too weak. */

@@ -22,6 +22,7 @@ import simbad.sonar.change.NoEchoCode;
 import simbad.sonar.change.NoiseTails;
 import simbad.sonar.change.RangeNoise;
 import simbad.sonar.change.RangeOffset;
+import simbad.sonar.change.ReadingTimeout;
 import simbad.sonar.change.SensorScatter;
 import simbad.sonar.change.SoundSpeed;
 import simbad.sonar.change.StaleReading;
@@ -166,6 +167,8 @@ public final class FoldedDiagnosis {
       leastM = Math.max(leastM, dead.endM());
     } else if (change instanceof EarlyTimeout early) {
       mostM = Math.min(mostM, early.startM());
+    } else if (change instanceof ReadingTimeout clock) {
+      mostM = Math.min(mostM, clock.mostM());
     } else {
       return false;
     }

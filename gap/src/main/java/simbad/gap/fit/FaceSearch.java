@@ -61,7 +61,7 @@ final class FaceSearch {
     List<double[]> starts = new ArrayList<>();
     for (double width : new double[] {face.halfWidthM, WIDE_M}) {
       double[] mirror = {face.xM, face.zM, face.normalDeg, width, 0.95};
-      if (form.name().equals("mirror")) {
+      if (form.parameters().size() == mirror.length) {
         starts.add(mirror);
       } else {
         for (double square : SQUARE_DEG) {

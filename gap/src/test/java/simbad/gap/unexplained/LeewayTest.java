@@ -11,6 +11,7 @@ import simbad.definition.Effect;
 import simbad.gap.calibrate.Calibration;
 import simbad.gap.calibrate.ModelError;
 import simbad.gap.calibrate.SetupLeave;
+import simbad.gap.calibrate.level.Leeway;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.LevelWorlds;
@@ -91,6 +92,51 @@ class LeewayTest {
 
     assertTrue(open <= plain && open < 4, open + " of " + plain);
     assertTrue(far > 6, () -> "6 cm off: " + far);
+  }
+
+  /** What reads long near by is no scatter: the set-up may have read long there. */
+  @Test
+  void whatTheSetUpMayReadLongIsNoScatter() {
+    List<ReadingRow> all = LevelWorlds.log(1500, 43);
+    List<ReadingRow> near = longer(all, 0.008);
+    near.replaceAll(row -> isNear(row) ? row : all.get(near.indexOf(row)));
+    CalibratedLog given = given(near);
+    double plain = scatter(Misfit.of(given, Hypothesis.NONE));
+    double open =
+        scatter(Misfit.of(given, Hypothesis.NONE, CALIBRATION.leeway().orElseThrow()));
+
+    assertTrue(open < 0.7 * plain, open + " of " + plain);
+  }
+
+  private static boolean isNear(ReadingRow row) {
+    return row.reading() instanceof Echo echo && echo.rangeM() < 0.5;
+  }
+
+  private static double scatter(Misfit misfit) {
+    return misfit.slices().stream()
+        .filter(slice -> slice.kind() == Misfit.Kind.SCATTER)
+        .mapToDouble(slice -> Math.abs(slice.z()))
+        .max()
+        .orElse(0);
+  }
+
+  /** A reading that is nearly certain gains no more than it lacks, however steep it is. */
+  @Test
+  void nothingGainsMoreThanCertainty() {
+    CalibratedLog given = given(LevelWorlds.log(400, 45));
+    Leeway leeway = CALIBRATION.leeway().orElseThrow();
+    Leeway.Pulls pulls =
+        Openness.pulls(
+            given.geometry(given.model(Hypothesis.NONE)), Hypothesis.NONE, leeway);
+    double[] steep = new double[400];
+    double[] lacks = new double[400];
+    Arrays.fill(steep, 3000);
+    Arrays.fill(lacks, 0.02);
+    double bounded = leeway.rangeNats(pulls, steep, lacks);
+    Arrays.fill(lacks, 4);
+
+    assertTrue(bounded > 0.1 && bounded <= 400 * 0.02, () -> bounded + " nats");
+    assertTrue(leeway.rangeNats(pulls, steep, lacks) > 4 * bounded);
   }
 
   /** Of a right law nothing is left from place to place but chance. */
