@@ -60,8 +60,7 @@ public final class EarlyTimeoutEffect implements Definition {
   @Override
   public List<Form> levelForms(SensingSetup setup, List<String> sensors) {
     Parameter start = start(setup);
-    return List.of(
-        Form.of(effect(), READING, v -> new ReadingTimeout(v[0]), start), sharp(start));
+    return List.of(Form.of(effect(), READING, v -> new ReadingTimeout(v[0]), start), sharp(start));
   }
 
   private Form sharp(Parameter start) {

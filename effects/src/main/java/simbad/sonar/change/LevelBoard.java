@@ -57,8 +57,7 @@ public record LevelBoard(
     if (distance > 0) {
       double beyond = (Math.abs(along) - halfWidthM) * 2 / Math.sqrt(WAVELENGTH_M * distance);
       double spreading = 20 * Math.log10(distance / 2);
-      LevelEcho.add(
-          moment, arrivals, toX, toZ, reflectedDb + spreading - knifeEdgeDb(beyond));
+      LevelEcho.add(moment, arrivals, toX, toZ, reflectedDb + spreading - knifeEdgeDb(beyond));
     }
   }
 

@@ -31,7 +31,8 @@ class UnmodelledByLevelTest {
   private static final double HEARD = 0.98;
   private static final SensingSetup SETUP =
       new SensingSetup(
-              new SonarSpec("s", Math.toRadians(20), 0.02, 4, 0.1, 343, 0.01, 0.005, 0.02, 0.03, 0.05),
+              new SonarSpec(
+                  "s", Math.toRadians(20), 0.02, 4, 0.1, 343, 0.01, 0.005, 0.02, 0.03, 0.05),
               new Scene(List.of()),
               4)
           .under(SensorLaw.Model.LEVEL);
@@ -61,7 +62,9 @@ class UnmodelledByLevelTest {
     assertTrue(chance(Pose.of(0.9 * distanceM, 0.1, Math.PI), board) > 0.6);
   }
 
-  /** Behind a knife edge as much is lost as before it: half the amplitude, 6.03 dB by the formula. */
+  /**
+   * Behind a knife edge as much is lost as before it: half the amplitude, 6.03 dB by the formula.
+   */
   @Test
   void atItsEdgeHalfTheAmplitudeIsLost() {
     LevelBoard board = atThreshold(1.5, 0.2);
@@ -94,7 +97,9 @@ class UnmodelledByLevelTest {
     assertThrows(IllegalArgumentException.class, () -> new LevelBoard(0, 0, 0, 1, Double.NaN));
   }
 
-  /** What would read more is lost: of ranges of 1.406 m with 5 mm scatter 0.7881 are below 1.41 m. */
+  /**
+   * What would read more is lost: of ranges of 1.406 m with 5 mm scatter 0.7881 are below 1.41 m.
+   */
   @Test
   void aClockEndsWhatIsRead() {
     Mixture mixture = new Mixture();

@@ -87,8 +87,7 @@ public final class Misfit {
 
   private List<Axis> look(Surprise surprise, Optional<Openness> open) {
     Scores read = new Scores(surprise.log, surprise.score);
-    Scores left =
-        open.map(own -> new Scores(surprise.log, own.moved(surprise.score))).orElse(read);
+    Scores left = open.map(own -> new Scores(surprise.log, own.moved(surprise.score))).orElse(read);
     List<Axis> cuts = new Slicing(surprise.log, surprise.geometry).all();
     for (Axis cut : cuts) {
       look(surprise, cut, read, left, open);
@@ -175,8 +174,7 @@ public final class Misfit {
     }
   }
 
-  private void look(
-      Surprise s, Axis cut, Scores read, Scores left, Optional<Openness> open) {
+  private void look(Surprise s, Axis cut, Scores read, Scores left, Optional<Openness> open) {
     Tally[] tallies = new Tally[cut.count()];
     for (int i = 0; i < s.log.size(); i++) {
       int at = cut.bin(i);
@@ -194,8 +192,7 @@ public final class Misfit {
     }
   }
 
-  private void lookAhead(
-      PingLog log, Foresight foresight, Axis cut, Optional<Openness> open) {
+  private void lookAhead(PingLog log, Foresight foresight, Axis cut, Optional<Openness> open) {
     boolean[] echo = new boolean[log.size()];
     int[] rows = new int[cut.count()];
     Leeway.@Nullable Together[] together = new Leeway.Together[cut.count()];

@@ -102,8 +102,7 @@ class LeewayTest {
     near.replaceAll(row -> isNear(row) ? row : all.get(near.indexOf(row)));
     CalibratedLog given = given(near);
     double plain = scatter(Misfit.of(given, Hypothesis.NONE));
-    double open =
-        scatter(Misfit.of(given, Hypothesis.NONE, CALIBRATION.leeway().orElseThrow()));
+    double open = scatter(Misfit.of(given, Hypothesis.NONE, CALIBRATION.leeway().orElseThrow()));
 
     assertTrue(open < 0.7 * plain, open + " of " + plain);
   }
@@ -126,8 +125,7 @@ class LeewayTest {
     CalibratedLog given = given(LevelWorlds.log(400, 45));
     Leeway leeway = CALIBRATION.leeway().orElseThrow();
     Leeway.Pulls pulls =
-        Openness.pulls(
-            given.geometry(given.model(Hypothesis.NONE)), Hypothesis.NONE, leeway);
+        Openness.pulls(given.geometry(given.model(Hypothesis.NONE)), Hypothesis.NONE, leeway);
     double[] steep = new double[400];
     double[] lacks = new double[400];
     Arrays.fill(steep, 3000);

@@ -88,7 +88,6 @@ final class RangeFit {
     return left;
   }
 
-
   /**
    * Returns how much a range counts by Student's distribution, over its variance.
    *
