@@ -174,7 +174,7 @@ public final class Leeway {
    * @return at least 0
    */
   public double rangeNats(Pulls pulls, double[] perMetre, double[] roomNats) {
-    Sums metres = new Sums(rangePrecision.getRowDimension());
+    ScoreSums metres = new ScoreSums(rangePrecision.getRowDimension());
     for (int ping = 0; ping < perMetre.length; ping++) {
       if (pulls.range[ping] != null && perMetre[ping] != 0) {
         metres.add(pulls.range[ping], perMetre[ping], share(roomNats[ping]));
@@ -214,7 +214,7 @@ public final class Leeway {
       Pull pull = pulls.level[ping];
       if (pull != null && !echoes.isFlat(ping)) {
         Pull own = more.apply(ping, pull.and(places + pulls.place[ping], 1));
-        rows.add(new LevelMove.Row(ping, own.index, own.value));
+        rows.add(new LevelMove.Row(ping, own.index(), own.value()));
       }
     }
     return rows;
@@ -316,28 +316,6 @@ public final class Leeway {
     }
   }
 
-  /** By how much something moves with some of the values. */
-  @SuppressWarnings("ArrayRecordComponent") // read only
-  private record Pull(int[] index, double[] value) {
-    /** What it moves by where the values do. */
-    double dot(double[] values) {
-      double sum = 0;
-      for (int i = 0; i < index.length; i++) {
-        sum += value[i] * values[index[i]];
-      }
-      return sum;
-    }
-
-    /** With one value more. */
-    Pull and(int more, double rise) {
-      int[] indices = Arrays.copyOf(index, index.length + 1);
-      double[] values = Arrays.copyOf(value, value.length + 1);
-      indices[index.length] = more;
-      values[value.length] = rise;
-      return new Pull(indices, values);
-    }
-  }
-
   /**
    * Finds how a log depends on the set-up.
    *
@@ -407,8 +385,8 @@ public final class Leeway {
 
     private static void add(@Nullable Pull pull, double rise, double[] into) {
       if (pull != null && rise != 0) {
-        for (int i = 0; i < pull.index.length; i++) {
-          into[pull.index[i]] += rise * pull.value[i];
+        for (int i = 0; i < pull.index().length; i++) {
+          into[pull.index()[i]] += rise * pull.value()[i];
         }
       }
     }
@@ -438,7 +416,7 @@ public final class Leeway {
    * @param perMetre by how much each score rises with what the set-up adds
    */
   public double[] rangeShiftsM(Pulls pulls, double[] score, double[] perMetre) {
-    Sums sums = new Sums(rangePrecision.getRowDimension());
+    ScoreSums sums = new ScoreSums(rangePrecision.getRowDimension());
     for (int ping = 0; ping < score.length; ping++) {
       if (pulls.range[ping] != null) {
         sums.addLine(pulls.range[ping], perMetre[ping], -score[ping]);
@@ -486,47 +464,5 @@ public final class Leeway {
     index[some.length + 1] = constant(trial.target());
     index[some.length + 2] = sector(trial.target(), Math.floorMod(place, SECTORS));
     return new Pull(index, value);
-  }
-
-  /** Sums of scores, and of their squares. */
-  private static final class Sums {
-    private final double[] score;
-    private final double[][] information;
-
-    Sums(int size) {
-      score = new double[size];
-      information = new double[size][size];
-    }
-
-    /** A score, of which a share counts. */
-    void add(Pull pull, double rise, double share) {
-      sum(pull, rise * share, rise * rise * share);
-    }
-
-    /** A line of least squares: what is off, and by how much it rises. */
-    void addLine(Pull pull, double rise, double off) {
-      sum(pull, rise * off, rise * rise);
-    }
-
-    private void sum(Pull pull, double slope, double square) {
-      for (int i = 0; i < pull.index.length; i++) {
-        double[] row = information[pull.index[i]];
-        score[pull.index[i]] += slope * pull.value[i];
-        for (int j = 0; j < pull.index.length; j++) {
-          row[pull.index[j]] += square * pull.value[i] * pull.value[j];
-        }
-      }
-    }
-
-    /** Half the gain of a step to the top. */
-    double nats(RealMatrix precision) {
-      return new ArrayRealVector(move(precision)).dotProduct(new ArrayRealVector(score)) / 2;
-    }
-
-    /** The step to the top. */
-    double[] move(RealMatrix precision) {
-      RealMatrix all = precision.add(MatrixUtils.createRealMatrix(information));
-      return Matrices.positive(all).getSolver().solve(new ArrayRealVector(score)).toArray();
-    }
   }
 }
