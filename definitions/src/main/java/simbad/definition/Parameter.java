@@ -19,6 +19,8 @@ public record Parameter(
   /** A value nearer to an end of the search than this share of the interval stands at it. */
   private static final double AT_END = 1e-3;
 
+  private static final double NEAR_LOW = 0.05;
+
   /** Checks the interval and copies the tries. */
   public Parameter {
     number(name + ": neutral", neutral);
@@ -76,11 +78,13 @@ public record Parameter(
 
   /**
    * Tells whether a value stands at an end of the search, where a better one may lie beyond. The
-   * neutral value is no such end, nor one that is as good as an infinite neutral value.
+   * neutral value is no such end, nor one that is as good as an infinite neutral value. Of an
+   * interval of many decades a thousandth is far from its low end: a twentieth of that is near.
    */
   public boolean isAtBound(double value) {
     double near = AT_END * (high - low);
-    boolean atLow = value <= low + near && low != neutral && neutral != Double.NEGATIVE_INFINITY;
+    double nearLow = low > 0 ? Math.min(near, NEAR_LOW * low) : near;
+    boolean atLow = value <= low + nearLow && low != neutral && neutral != Double.NEGATIVE_INFINITY;
     boolean atHigh = value >= high - near && high != neutral && neutral != Double.POSITIVE_INFINITY;
     return !closed && (atLow || atHigh);
   }

@@ -24,7 +24,7 @@ public final class RangeDriftEffect implements Definition {
   private static final String LINEAR = "linear";
 
   /** Parts as small as a sensor's board take as long to warm up, and housings. */
-  private static final double LEAST_S = 20;
+  private static final double LEAST_S = 2;
 
   private static final double MOST_S = 1e4;
 
@@ -50,7 +50,7 @@ public final class RangeDriftEffect implements Definition {
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
     // Neutral is far: what has settled at once is no drift, and stands at an end of the search.
     Parameter settling =
-        Parameter.of("settling_s", Double.POSITIVE_INFINITY, LEAST_S, MOST_S, 60, 400);
+        Parameter.of("settling_s", Double.POSITIVE_INFINITY, LEAST_S, MOST_S, 8, 60, 400);
     return List.of(
         Form.of(
             effect(),

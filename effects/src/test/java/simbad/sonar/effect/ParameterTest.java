@@ -43,6 +43,13 @@ class ParameterTest {
   }
 
   @Test
+  void overManyDecades_aThousandthIsFarFromTheLowEnd() {
+    Parameter settling = Parameter.of("settling_s", Double.POSITIVE_INFINITY, 2, 1e4, 60);
+    assertTrue(settling.isAtBound(2.05));
+    assertFalse(settling.isAtBound(5.6));
+  }
+
+  @Test
   void closedEnds_areNoBounds() {
     Parameter share = Parameter.of("share", 0, 0, 1, 0.2).asClosed();
     assertFalse(share.isAtBound(1), "all pings: nothing lies beyond");
