@@ -15,8 +15,10 @@ import simbad.figures.page.Numbers;
 import simbad.figures.page.Page;
 import simbad.figures.page.PagePicture;
 import simbad.figures.page.Table;
+import simbad.figures.plot.SeriesRole;
 import simbad.obstacles.ObstacleType;
 import simbad.sonar.effect.FittedForm;
+import simbad.sonar.scene.SonarSpec;
 import simbad.sonar.shape.DetectionShadow;
 import simbad.sonar.shape.ThresholdTable;
 
@@ -29,6 +31,7 @@ final class ObstacleSection {
   private final Page page;
   private final List<RunResult> results;
   private final ObstacleType type;
+  private final SonarSpec sonar;
   private final String id;
   private final int most;
 
@@ -37,10 +40,12 @@ final class ObstacleSection {
    *
    * @param page to which it is added
    * @param results of one obstacle; at least one
+   * @param sonar the sensor's figures
    * @param id of its table in the page
    * @param most how many corners a curve of it may have
    */
-  ObstacleSection(Page page, List<RunResult> results, String id, int most) {
+  ObstacleSection(Page page, List<RunResult> results, SonarSpec sonar, String id, int most) {
+    this.sonar = sonar;
     this.page = page;
     this.results = results;
     this.type = results.get(0).type();
@@ -60,6 +65,10 @@ final class ObstacleSection {
     if (withTraces) {
       pictures.add(traces());
       pictures.add(errors());
+      boolean isHeard = type.thresholds().table().greatestM() > 0;
+      if (isHeard && results.stream().anyMatch(ObstacleSection::isByLevel)) {
+        pictures.add(hearing());
+      }
     }
     if (withMaps) {
       results.forEach(result -> pictures.add(map(result)));
@@ -128,6 +137,24 @@ final class ObstacleSection {
             keys().html());
     return new PagePicture(
         "Where the robot drove", TraceView.of(results, id, most), words, Html.NONE);
+  }
+
+  private static boolean isByLevel(RunResult result) {
+    return SensorRoles.of(result.sensor()) == SeriesRole.LEVEL;
+  }
+
+  private PagePicture hearing() {
+    Keys keys = new Keys().line("table", "threshold rule").line("level", "level law");
+    Html words =
+        Html.of(
+            "From bearing ",
+            Numbers.number(HearingGraph.bestBearingDeg(type, sonar)),
+            " degrees, where it is heard farthest. Above: how far off the axis, from three"
+                + " distances. Middle: how soft its edge is. Below: by how much a weak echo reads"
+                + " beyond the nearest point.",
+            keys.html());
+    return new PagePicture(
+        "What the level law changes", HearingGraph.of(type, sonar), words, Html.NONE);
   }
 
   private Keys keys() {

@@ -89,7 +89,12 @@ final class ReportPage {
     int number = 0;
     for (List<RunResult> one : byObstacle.values()) {
       ObstacleSection section =
-          new ObstacleSection(page, one, "bearings-" + ++number, detail.each(results.size()));
+          new ObstacleSection(
+              page,
+              one,
+              origin.settings().sonar(),
+              "bearings-" + ++number,
+              detail.each(results.size()));
       section.add(detail.maps(), detail.corners() > 0);
     }
     addOrigin(origin, hashes);

@@ -134,6 +134,31 @@ class RunReportTest {
     return text.split(Pattern.quote(part), -1).length - 1;
   }
 
+  /** The angle is heard from 3.159 m at most; 0.4, 0.7 and 0.95 of that are drawn. */
+  @Test
+  void aLevelSensor_isDrawnBesideTheThresholdRule() throws IOException {
+    String label = "The level law beside the threshold rule: ";
+    assertFalse(page(1).contains(label), "no such sensor");
+    ObstacleType type = named("heard");
+    RunResult one = results.get(1);
+    RunResult level =
+        new RunResult(
+            type,
+            SensorKind.LEVEL,
+            one.trace(),
+            one.errors(),
+            one.map(),
+            one.reductionVsOriginal());
+    Path file = folder.resolve("level.html");
+    ReportPage.write(file, PageTop.RUN, ORIGIN, Map.of(), Map.of("heard", List.of(level)));
+    String figure = figure(Files.readString(file), label);
+
+    for (String distance : List.of("1.26 m", "2.21 m", "3.00 m")) {
+      assertTrue(figure.contains(">" + distance + "<"), distance);
+    }
+    assertEquals(5, count(figure, "\"trace level\""), "three by angle, two by distance");
+  }
+
   @Test
   void folder_hasThePageAndItsPictures() throws IOException {
     RunReport.write(folder, ORIGIN, results);
