@@ -35,6 +35,8 @@ import simbad.gap.score.Budget;
 import simbad.gap.score.GapGain;
 import simbad.gap.score.GapMeter;
 import simbad.gap.score.HeldOut.Scored;
+import simbad.gap.score.PlacementScatter;
+import simbad.gap.score.Placements;
 import simbad.gap.score.Probabilities;
 import simbad.gap.score.Uncertainty;
 import simbad.gap.search.Search;
@@ -391,7 +393,8 @@ public final class Diagnoser {
       if (isPartly) {
         best.effects().forEach(effect -> probability.put(effect, Constants.own().namedRightly()));
       }
-      double[] deviations = new Uncertainty(given, clumping).deviations(best);
+      double placed = PlacementScatter.statedClumping(given, new Placements(given.log()));
+      double[] deviations = new Uncertainty(given, Math.max(clumping, placed)).deviations(best);
       List<EffectFinding> findings = new ArrayList<>();
       for (Effect effect : Definitions.effects()) {
         findings.add(

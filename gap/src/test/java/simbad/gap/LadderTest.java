@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,8 +19,12 @@ import simbad.gap.audit.Severity;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
+import simbad.gap.diagnosis.FittedParameter;
+import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fixture.Ladders;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SetupDetails;
 import simbad.sonar.sensing.Reading;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -40,13 +46,16 @@ class LadderTest {
   }
 
   private static double value(Diagnosis diagnosis, Effect effect, String parameter) {
+    return parameter(diagnosis, effect, parameter).value();
+  }
+
+  private static FittedParameter parameter(Diagnosis diagnosis, Effect effect, String parameter) {
     EffectFinding finding =
         diagnosis.effects().stream().filter(f -> f.effect() == effect).findFirst().orElseThrow();
     return finding.parameters().stream()
         .filter(p -> p.name().equals(parameter))
         .findFirst()
-        .orElseThrow()
-        .value();
+        .orElseThrow();
   }
 
   @Test
@@ -69,6 +78,37 @@ class LadderTest {
         explained((range, lot) -> 0.985 * range - 0.009, Effect.SOUND_SPEED, Effect.RANGE_OFFSET);
     assertEquals(343 / 0.985, value(diagnosis, Effect.SOUND_SPEED, "sound_speed_m_s"), 2);
     assertEquals(-0.009, value(diagnosis, Effect.RANGE_OFFSET, "offset_m"), 0.003);
+  }
+
+  /** Steps of a millimetre under 3 mm of noise say nothing: no value follows their beat. */
+  @Test
+  void intervals_holdScaleAndOffset_whereRangesComeInFineSteps() {
+    SensingSetup fine =
+        new SensingSetup(
+            Ladders.BOARD.sensor().withResolution(0.001),
+            Ladders.BOARD.scene(),
+            Ladders.BOARD.noEchoM(),
+            new SetupDetails(Ladders.TAPE_M, 0, Map.of(), Optional.empty(), List.of()));
+    int held = 0;
+    int named = 0;
+    for (int seed = 1; seed <= 6; seed++) {
+      List<ReadingRow> rows = Ladders.read((range, lot) -> steps(0.985 * range - 0.009), seed);
+      Diagnosis diagnosis =
+          new Diagnoser(1, Set.of()).diagnose(new DataSet("ladder", fine, rows, List.of()));
+      if (diagnosis.explanation().size() == 2) {
+        named += 2;
+        // What reads in steps stands for the range at a step's start: half a step more.
+        held += holds(diagnosis, Effect.SOUND_SPEED, "sound_speed_m_s", 343 / 0.985);
+        held += holds(diagnosis, Effect.RANGE_OFFSET, "offset_m", -0.0085);
+      }
+    }
+    assertTrue(named >= 8, named + " values are named");
+    assertTrue(held >= named - 1, held + " of " + named + " are held");
+  }
+
+  private static int holds(Diagnosis diagnosis, Effect effect, String parameter, double truth) {
+    Interval found = parameter(diagnosis, effect, parameter).ci95();
+    return found.low() <= truth && truth <= found.high() ? 1 : 0;
   }
 
   @Test

@@ -27,6 +27,7 @@ import simbad.sonar.effect.Probe;
 import simbad.sonar.effect.Tries;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
 
 /** The sound travels faster or slower than assumed. */
 public final class SoundSpeedEffect implements Definition {
@@ -81,7 +82,7 @@ public final class SoundSpeedEffect implements Definition {
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
     double assumed = setup.sensor().assumedSoundSpeedMPerS();
-    double resolution = setup.sensor().resolutionM();
+    double steps = stepsM(setup.sensor());
     return List.of(
         Form.of(
             effect(),
@@ -91,7 +92,7 @@ public final class SoundSpeedEffect implements Definition {
         Form.of(
             effect(),
             "reading",
-            v -> new ReadingScale(assumed / v[0], resolution),
+            v -> new ReadingScale(assumed / v[0], steps),
             speed(assumed, UNITS)),
         Form.of(
             effect(),
@@ -99,6 +100,14 @@ public final class SoundSpeedEffect implements Definition {
             v -> new AirTemperature(assumed / v[0], v[1]),
             speed(assumed, 0.98, 1, 1.02),
             Parameter.of("follows", 0, 0, 1, 0.5, 1).asClosed()));
+  }
+
+  /**
+   * Steps that are finer than the scatter do not show. Scaled, they beat with the steps of the log,
+   * and a fit would follow the beat.
+   */
+  private static double stepsM(SonarSpec sensor) {
+    return sensor.resolutionM() > sensor.rangeNoiseM() ? sensor.resolutionM() : 0;
   }
 
   private static Parameter speed(double assumed, double... shares) {

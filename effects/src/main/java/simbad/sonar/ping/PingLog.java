@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.IntStream;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.ReadingRow;
@@ -16,9 +17,18 @@ import simbad.sonar.sensing.ReadingRow;
  *
  * <p>The pings of one run and sensor form a sequence: they stand side by side, ordered by time, and
  * the order of rows decides where times are equal. A row without a time is a sequence of its own:
- * what it may remember is not known. Immutable, safe for use by several threads.
+ * what it may remember is not known, and its place is by its pose and reading. Otherwise the order
+ * of rows changes nothing. Immutable, safe for use by several threads.
  */
 public final class PingLog {
+  /** Sums over rows without a time are taken in one order, whichever line comes first. */
+  private static final Comparator<ReadingRow> UNTIMED =
+      Comparator.<ReadingRow>comparingDouble(one -> one.pose().position().xM())
+          .thenComparingDouble(one -> one.pose().position().zM())
+          .thenComparingDouble(one -> one.pose().heading().radians())
+          .thenComparing(one -> one.circumstances().placement().orElse(""))
+          .thenComparingDouble(one -> one.reading() instanceof Echo heard ? heard.rangeM() : -1);
+
   private final int[] row;
   private final int[] sequenceStart;
   private final int[] run;
@@ -96,11 +106,11 @@ public final class PingLog {
     }
   }
 
-  /** Each label with its place among the labels, in the order in which they come first. */
+  /** Each label with its place in their alphabet: which line comes first says nothing. */
   private static Map<String, Integer> numbered(List<String> all) {
     Map<String, Integer> numbers = new LinkedHashMap<>();
-    for (String label : all) {
-      numbers.putIfAbsent(label, numbers.size());
+    for (String label : new TreeSet<>(all)) {
+      numbers.put(label, numbers.size());
     }
     return numbers;
   }
@@ -111,7 +121,9 @@ public final class PingLog {
         .sorted(
             Comparator.<Integer>comparingInt(i -> run[i])
                 .thenComparingInt(i -> sensor[i])
-                .thenComparingDouble(i -> rows.get(i).timeS()))
+                .thenComparingDouble(i -> rows.get(i).timeS())
+                .thenComparing(i -> rows.get(i).isTimed())
+                .thenComparing(rows::get, (a, b) -> a.isTimed() ? 0 : UNTIMED.compare(a, b)))
         .mapToInt(Integer::intValue)
         .toArray();
   }
@@ -147,12 +159,12 @@ public final class PingLog {
     return sensor[ping];
   }
 
-  /** Returns the labels of the runs in the order in which the rows name them. */
+  /** Returns the labels of the runs in their alphabet. */
   public List<String> runs() {
     return runs;
   }
 
-  /** Returns the labels of the sensors in the order in which the rows name them. */
+  /** Returns the labels of the sensors in their alphabet. */
   public List<String> sensors() {
     return sensors;
   }

@@ -42,12 +42,24 @@ public final class PlacementScatter {
    * 1965, the design effect). 1 where nothing was put in place repeatedly.
    */
   public static double clumping(CalibratedLog given, Placements placements) {
+    return clumping(given, placements, 0);
+  }
+
+  /**
+   * Returns the same where placements scatter at least as much as the set-up says of its places:
+   * few of them may lie on a line by chance.
+   */
+  public static double statedClumping(CalibratedLog given, Placements placements) {
+    return clumping(given, placements, given.setup().details().poseSigmaM());
+  }
+
+  private static double clumping(CalibratedLog given, Placements placements, double leastM) {
     if (!placements.areRepeated()) {
       return 1;
     }
     PlacementScatter scatter = new PlacementScatter();
     scatter.read(given, placements);
-    return scatter.placed.size() < 3 ? 1 : scatter.designEffect();
+    return scatter.placed.size() < 3 ? 1 : scatter.designEffect(leastM);
   }
 
   /** Tells whether readings of one placement scatter more than the sensor is believed to. */
@@ -87,17 +99,18 @@ public final class PlacementScatter {
     return Robust.NORMAL_OVER_MAD * Robust.median(deviations);
   }
 
-  private double designEffect() {
+  private double designEffect(double leastM) {
     double[] distances = placed.stream().mapToDouble(one -> one[0]).toArray();
     double[] readings = placed.stream().mapToDouble(one -> one[1]).toArray();
     DoubleSummaryStatistics span = Arrays.stream(distances).summaryStatistics();
-    double found = Robust.medianSlope(distances, readings, APART * (span.getMax() - span.getMin()));
-    double slope = Double.isNaN(found) ? 1 : found;
+    double line = Robust.medianSlope(distances, readings, APART * (span.getMax() - span.getMin()));
+    double slope = Double.isNaN(line) ? 1 : line;
     double[] off = placed.stream().mapToDouble(one -> one[1] - slope * one[0]).toArray();
     double middle = Robust.median(off);
     double betweenM = scale(Arrays.stream(off).map(value -> Math.abs(value - middle)).toArray());
     double each = rows / placed.size();
-    double between = Math.max(0, betweenM * betweenM - MEDIAN_VARIANCE * withinM * withinM / each);
+    double found = betweenM * betweenM - MEDIAN_VARIANCE * withinM * withinM / each;
+    double between = Math.max(leastM * leastM, found);
     double all = between + withinM * withinM;
     return all > 0 ? 1 + (each - 1) * between / all : 1;
   }

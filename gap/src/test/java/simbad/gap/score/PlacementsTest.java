@@ -5,12 +5,16 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fixture.Ladders;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.ping.PingLog;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SetupDetails;
 import simbad.sonar.sensing.ReadingRow;
 
 /** Ladders and drives: what was put in place, and how far its readings hang together. */
@@ -63,6 +67,23 @@ class PlacementsTest {
     assertEquals(1, clumping(Ladders.read((range, lot) -> range, sixty(), 16, 0, 3)), 0.5);
     double far = clumping(Ladders.read((range, lot) -> range, sixty(), 16, 0.03, 3));
     assertTrue(far > 14 && far <= 16, "" + far);
+  }
+
+  /** Where placements lie on a line by chance, what the set-up says of its places counts. */
+  @Test
+  void designEffect_isAtLeastThatOfTheStatedPlaces() {
+    SensingSetup bare = Ladders.BOARD;
+    SensingSetup stated =
+        new SensingSetup(
+            bare.sensor(),
+            bare.scene(),
+            bare.noEchoM(),
+            new SetupDetails(0.002, 0, Map.of(), Optional.empty(), List.of()));
+    PingLog log = new PingLog(Ladders.read((range, lot) -> range, sixty(), 16, 0, 3));
+    CalibratedLog given = new CalibratedLog(stated, List.of(), log);
+    Placements placements = new Placements(log);
+    assertEquals(1, PlacementScatter.clumping(given, placements), 0.5);
+    assertEquals(5.6, PlacementScatter.statedClumping(given, placements), 0.6);
   }
 
   /** A wrong factor is no error of placements, nor are readings from elsewhere. */
