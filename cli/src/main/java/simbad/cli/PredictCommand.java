@@ -87,6 +87,11 @@ final class PredictCommand extends Subcommand {
       write(motion(chosen));
       return;
     }
+    if (!Files.exists(scene) && Files.exists(diagnosis.resolve(DiagnosedMotion.MODEL))) {
+      throw DataFormatException.inFile(
+          rows,
+          "is no folder, expected a motion folder: " + diagnosis + " is a diagnosis of motion");
+    }
     SensingSetup setup = SceneFile.read(scene);
     List<? extends Change> changes = chosen == Model.NOMINAL ? List.of() : changes(setup);
     List<ReadingRow> poses = ReadingsFile.readPoses(rows, SceneFile.format(scene));

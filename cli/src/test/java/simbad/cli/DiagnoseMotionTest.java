@@ -155,6 +155,21 @@ class DiagnoseMotionTest {
     assertEquals(SHARE, median(lines.get(1)) / told, 0.03);
   }
 
+  @Test
+  void aTableInThePlaceOfAMotionFolder_isNamed() throws IOException {
+    assertEquals(0, diagnose().status());
+    String table = folder.resolve("short-ways/commands.csv").toString();
+    Shell shell =
+        Shell.simbad(
+            "predict",
+            folder.resolve("out/short-ways").toString(),
+            table,
+            "--out",
+            folder.resolve("none.csv").toString());
+    assertEquals(2, shell.status());
+    assertTrue(shell.err().contains(table + ": is no folder, expected a motion"), shell.err());
+  }
+
   private static double median(String line) {
     return Double.parseDouble(line.split(",", -1)[3 + 9]);
   }

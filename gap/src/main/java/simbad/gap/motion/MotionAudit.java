@@ -76,7 +76,7 @@ public final class MotionAudit {
     if (!back.isEmpty()) {
       add(
           AuditCheck.TRACK_CLOCK,
-          back.size() + " rows have an earlier time than the row before",
+          counted(back.size(), "row has", "rows have") + " an earlier time than the row before",
           back,
           "rows are read in order of time; if a clock was set back, give the rows after "
               + "it another run name",
@@ -85,7 +85,8 @@ public final class MotionAudit {
     if (!twice.isEmpty()) {
       add(
           AuditCheck.TRACK_CLOCK,
-          twice.size() + " rows have the time of another row and another pose",
+          counted(twice.size(), "row has", "rows have")
+              + " the time of another row and another pose",
           twice,
           "give two recordings two names in column run, or drop one row of each pair",
           Severity.WARN);
@@ -109,7 +110,9 @@ public final class MotionAudit {
       List<MotionRow<TrackPose>> rows = sorted(run.getValue());
       double begins = rows.get(0).value().timeS();
       double ends = rows.get(rows.size() - 1).value().timeS();
-      if (ends < first || (begins > last && begins - last > ends - begins)) {
+      double times = (ends - begins) / (last - first);
+      boolean apart = ends < first || (begins > last && begins - last > ends - begins);
+      if (apart || TrackCheck.near(times, 1000) || TrackCheck.near(times, 0.001)) {
         add(
             AuditCheck.TRACK_CLOCK,
             String.format(
@@ -149,8 +152,8 @@ public final class MotionAudit {
           AuditCheck.TRACK_HOLES,
           String.format(
               Locale.ROOT,
-              "%d holes of over %s s, %.1f s of %.1f s in all",
-              rows.size(),
+              "%s of over %s s, %.1f s of %.1f s in all",
+              counted(rows.size(), "hole", "holes"),
               HOLE_S,
               missing,
               whole),
@@ -158,6 +161,10 @@ public final class MotionAudit {
           much ? "track the robot at least four times a second" : "",
           much ? Severity.WARN : Severity.NOTE);
     }
+  }
+
+  private static String counted(int count, String one, String many) {
+    return count + " " + (count == 1 ? one : many);
   }
 
   private void add(

@@ -232,9 +232,9 @@ public final class MotionDiagnoser {
         Verdict.UNDECIDED,
         "the track covers only "
             + given.blockCount()
-            + " stretches of ten seconds, "
+            + " of the "
             + LEAST_BLOCKS
-            + " are needed",
+            + " stretches of ten seconds that are needed",
         List.of(),
         MotionForms.vocabulary().stream()
             .map(name -> new MotionFinding(name, "", 0, List.of(), List.of(), ""))

@@ -75,6 +75,7 @@ final class TrackCheck {
   }
 
   private void pair(String run, List<MotionRow<TrackPose>> rows) {
+    double longest = 2 * Math.max(PAIR_S, step(rows));
     List<Command> told =
         commands.getOrDefault(run, List.of()).stream()
             .map(MotionRow::value)
@@ -96,16 +97,26 @@ final class TrackCheck {
         end++;
       }
       boolean held = !told.isEmpty() && told.get(end).asksTheSameAs(told.get(at));
-      if (held && b.timeS() - a.timeS() < 2 * PAIR_S) {
+      if (held && b.timeS() - a.timeS() < longest) {
         pairs.add(new Pair(rows.get(from).row(), a, b, told.get(at)));
       }
       from = to;
     }
   }
 
+  /** The usual time from one pose to the next: with a wrong unit it may be long. */
+  private static double step(List<MotionRow<TrackPose>> rows) {
+    double[] steps = new double[rows.size() - 1];
+    for (int i = 0; i < steps.length; i++) {
+      steps[i] = rows.get(i + 1).value().timeS() - rows.get(i).value().timeS();
+    }
+    return steps.length == 0 ? 0 : median(steps);
+  }
+
   List<AuditFinding> findings() {
     units();
     headings();
+    turnUnit();
     frame();
     track.values().forEach(rows -> jumps(MotionAudit.sorted(rows)));
     still();
@@ -145,7 +156,7 @@ final class TrackCheck {
     }
   }
 
-  private static boolean near(double factor, double unit) {
+  static boolean near(double factor, double unit) {
     return factor < unit * NEAR && factor > unit / NEAR;
   }
 
@@ -190,6 +201,27 @@ final class TrackCheck {
     }
   }
 
+  /** Turns that are commanded far too fast, of which a 57th is seen. */
+  private void turnUnit() {
+    List<Pair> fast =
+        pairs.stream()
+            .filter(p -> Math.abs(p.command().turnRadPerS()) > TURNS_RAD_S && !turns(p))
+            .toList();
+    long degrees =
+        fast.stream()
+            .mapToDouble(p -> p.turnRad() / p.seconds() / p.command().turnRadPerS())
+            .filter(factor -> near(factor * 180 / Math.PI, 1))
+            .count();
+    if (fast.size() >= LEAST_PAIRS && degrees > fast.size() / 2) {
+      add(
+          AuditCheck.TRACK_HEADING,
+          "a 57th of the commanded turns is seen: they look like degrees a second",
+          List.of(fast.get(0).row()),
+          "write w_rad_s in radians a second: divide by 57.29578",
+          Severity.REFUSE);
+    }
+  }
+
   private static boolean turns(Pair pair) {
     double turned = pair.command().turnRadPerS();
     return Math.abs(turned) > TURNS_RAD_S && Math.abs(turned) * pair.seconds() < 2;
@@ -202,7 +234,8 @@ final class TrackCheck {
     int n = 0;
     for (Pair p : pairs) {
       double speed = p.command().speedMPerS();
-      if (Math.abs(speed) > MOVES_M_S && p.wayM() / p.seconds() > MOVES_M_S / 2) {
+      boolean brief = p.seconds() < 2 * PAIR_S;
+      if (brief && Math.abs(speed) > MOVES_M_S && p.wayM() / p.seconds() > MOVES_M_S / 2) {
         double course = p.course() + (speed < 0 ? Math.PI : 0);
         add(straight, course - p.heading());
         add(mirrored, course + p.heading());
@@ -269,7 +302,8 @@ final class TrackCheck {
     if (!jumped.isEmpty()) {
       add(
           AuditCheck.TRACK_JUMP,
-          jumped.size() + " poses are far from the one before and the one after",
+          (jumped.size() == 1 ? "1 pose is" : jumped.size() + " poses are")
+              + " far from the one before and the one after",
           jumped,
           "leave them out; a heading that was averaged across 360 degrees looks like this too",
           Severity.WARN);

@@ -73,6 +73,50 @@ class MotionAuditTest {
     assertEquals(AuditFinding.File.TRACK, worst.file());
   }
 
+  private static AuditFinding worst(List<Command> commands, List<TrackPose> track) {
+    return MotionAudit.of(Map.of("a", rows(commands)), Map.of("a", rows(track))).get(0);
+  }
+
+  private static List<TrackPose> millisecondsOfTrack() {
+    return RUN.track().stream()
+        .map(p -> new TrackPose(1000 * p.timeS(), p.xM(), p.yM(), p.headingRad()))
+        .toList();
+  }
+
+  private static List<Command> commands(double times, double turns) {
+    return RUN.commands().stream()
+        .map(c -> new Command(times * c.timeS(), c.speedMPerS(), turns * c.turnRadPerS()))
+        .toList();
+  }
+
+  @Test
+  void milliseconds_areRefused_inBothFilesAndInOne() {
+    AuditFinding both = worst(commands(1000, 1), millisecondsOfTrack());
+    AuditFinding track = worst(RUN.commands(), millisecondsOfTrack());
+    AuditFinding told = worst(commands(1000, 1), RUN.track());
+
+    assertTrue(both.refuses() && both.suggestion().contains("divide t_s by 1000"), both.what());
+    assertTrue(track.refuses() && track.suggestion().contains("one clock"), track.what());
+    assertTrue(told.refuses() && told.suggestion().contains("one clock"), told.what());
+  }
+
+  @Test
+  void turnsInDegreesASecond_areRefused() {
+    AuditFinding worst = worst(commands(1, 180 / Math.PI), RUN.track());
+
+    assertTrue(worst.refuses(), worst.what());
+    assertTrue(worst.suggestion().contains("w_rad_s in radians"), worst.suggestion());
+  }
+
+  @Test
+  void fewPoses_areNoReasonToRefuse() {
+    List<TrackPose> few = new ArrayList<>();
+    for (int i = 0; i < RUN.track().size(); i += 30) {
+      few.add(RUN.track().get(i));
+    }
+    assertTrue(audit(few).stream().noneMatch(AuditFinding::refuses));
+  }
+
   @Test
   void holesJumpsAndRepeats_areSaid_withTheirRows() {
     List<TrackPose> track = new ArrayList<>(RUN.track());
