@@ -68,11 +68,11 @@ class SequenceTest {
   @Test
   void rows_areSortedIntoSequences() {
     PingLog log = new PingLog(MIXED);
-    assertEquals(List.of("b", "a"), log.runs());
-    assertEquals(List.of("right", "left"), log.sensors());
-    int[] rows = {5, 0, 2, 3, 6, 4, 1};
-    int[] starts = {0, 0, 2, 3, 4, 4, 4};
-    double[] runStartS = {1, 1, 1, 0.5, 0.5, 0.5, 0.5};
+    assertEquals(List.of("a", "b"), log.runs());
+    assertEquals(List.of("left", "right"), log.sensors());
+    int[] rows = {6, 4, 1, 3, 2, 5, 0};
+    int[] starts = {0, 0, 0, 3, 4, 5, 5};
+    double[] runStartS = {0.5, 0.5, 0.5, 0.5, 1, 1, 1};
     for (int ping = 0; ping < log.size(); ping++) {
       ReadingRow row = MIXED.get(rows[ping]);
       assertEquals(rows[ping], log.row(ping));
