@@ -2,8 +2,10 @@ package simbad.gap.motion;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -151,12 +153,26 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
                 .filter(form -> apart(base.hypothesis(), form))
                 .map(form -> fitter.screened(slopes, form))
                 .toList());
-    List<MotionFit> refined =
-        screened.stream().limit(most).toList().parallelStream().map(fitter::fit).toList();
-    List<MotionFit> all = new ArrayList<>(refined);
-    all.addAll(screened.subList(refined.size(), screened.size()));
+    Set<MotionFit> promising =
+        most == REFINED_IN_PLACE ? ofEachEffect(screened, most) : first(screened, most);
+    List<MotionFit> all = new ArrayList<>(promising.parallelStream().map(fitter::fit).toList());
+    screened.stream().filter(fit -> !promising.contains(fit)).forEach(all::add);
     all.forEach(this::keepIfItMatters);
     return best(all.stream().filter(fit -> matters(fit.hypothesis())).toList());
+  }
+
+  private static Set<MotionFit> first(List<MotionFit> ranked, int most) {
+    return new LinkedHashSet<>(ranked.subList(0, Math.min(most, ranked.size())));
+  }
+
+  /**
+   * The best form of each of a few effects: two forms of one effect would leave out what could
+   * stand in its place, such as a scale of the speeds in that of their steps.
+   */
+  private static Set<MotionFit> ofEachEffect(List<MotionFit> ranked, int most) {
+    Map<String, MotionFit> best = new LinkedHashMap<>();
+    ranked.forEach(fit -> best.putIfAbsent(last(fit.hypothesis()).effect(), fit));
+    return first(new ArrayList<>(best.values()), most);
   }
 
   /** Two forms stand beside each other only where they change different things. */

@@ -74,6 +74,9 @@ final class Drives {
   /** Commands in a minute that are not followed. */
   double dropped;
 
+  /** Steps of the speeds that are asked for; 0 for any speed. */
+  double askedStep;
+
   /** Share of commands that are one and the same. */
   boolean oneSpeed;
 
@@ -95,6 +98,7 @@ final class Drives {
     for (double t = 0; t < seconds; t += 0.8 + 2 * random.nextDouble()) {
       double kind = random.nextDouble();
       double speed = oneSpeed ? 0.2 : 0.01 + 0.29 * random.nextDouble();
+      speed = askedStep > 0 ? askedStep * Math.ceil(speed / askedStep) : speed;
       double turn = 2 * random.nextDouble() - 1;
       if (kind < 0.15) {
         commands.add(new Command(t, 0, 0));

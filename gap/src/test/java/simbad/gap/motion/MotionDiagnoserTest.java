@@ -59,7 +59,8 @@ class MotionDiagnoserTest {
         world(54, "motion-noise", d -> d.roughness = 0.01),
         world(55, "slip", d -> d.slips = 6),
         world(31, "actuation-latency speed-scale", MotionDiagnoserTest::lateAndSlow),
-        world(32, "actuation-lag turn-bias", MotionDiagnoserTest::laggingAndTurning));
+        world(32, "actuation-lag turn-bias", MotionDiagnoserTest::laggingAndTurning),
+        world(33, "actuation-latency speed-scale turn-scale", MotionDiagnoserTest::askedInSteps));
   }
 
   private static void slowWhileTurning(Drives drives) {
@@ -70,6 +71,14 @@ class MotionDiagnoserTest {
   private static void lateAndSlow(Drives drives) {
     drives.lateS = 0.1;
     drives.speedFactor = 0.95;
+  }
+
+  /** Steps of 47.5 mm/s would do to these speeds what the scale does. */
+  private static void askedInSteps(Drives drives) {
+    drives.askedStep = 0.05;
+    drives.lateS = 0.2;
+    drives.speedFactor = 0.95;
+    drives.turnFactor = 1.06;
   }
 
   private static void lateAtUnsteadyMoments(Drives drives) {
