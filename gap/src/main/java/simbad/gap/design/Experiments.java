@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
@@ -127,7 +128,7 @@ public final class Experiments {
   private List<Trial> trials(List<Manoeuvre> manoeuvres, String sensor) {
     List<ReadingRow> rows = new ArrayList<>();
     for (int i = 0; i < manoeuvres.size(); i++) {
-      rows.addAll(manoeuvres.get(i).rows("m" + i, sensor));
+      rows.addAll(manoeuvres.get(i).rows(name(i), sensor));
     }
     PingLog log = new PingLog(rows);
     List<ReadingDistribution> ones = forecast(log, one);
@@ -138,6 +139,11 @@ public final class Experiments {
     return shortlist(glance.all(manoeuvres.size())).stream()
         .map(i -> new Trial(manoeuvres.get(i), sensor, look.at(i)))
         .toList();
+  }
+
+  /** A log has its runs in their alphabet. */
+  private static String name(int manoeuvre) {
+    return String.format(Locale.ROOT, "m%06d", manoeuvre);
   }
 
   /** Those that look best by what they say for the one, for the other, and for both. */
