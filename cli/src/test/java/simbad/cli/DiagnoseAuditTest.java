@@ -272,6 +272,30 @@ class DiagnoseAuditTest {
     assertFalse(Files.exists(out));
   }
 
+  /** A ladder has no times; only times need them. */
+  @Test
+  void mend_needsTimesOnlyForTimes() throws IOException {
+    Path set = Files.createDirectories(folder.resolve("ladder"));
+    String scene = Files.readString(clean.resolve("scene.json"));
+    Files.writeString(set.resolve("scene.json"), scene.replace("sonar-gap/1", "sonar-gap/2"));
+    String head = "run,sensor,x_m,z_m,heading_deg,range_m\n";
+    Files.writeString(set.resolve("readings.csv"), head + "r,s,0,1,90,9\nr,s,0,2,90,18\n");
+    List<String> words = List.of("dataset", "mend", set.toString(), "--out", out.toString());
+    Shell times = mended(words, "--time-scale");
+    assertEquals(2, times.status());
+    assertTrue(times.err().contains("readings.csv:1: t_s: column is missing"), times.err());
+    Shell ranges = mended(words, "--scale");
+    assertEquals(0, ranges.status(), ranges.err());
+    assertEquals(
+        head + "r,s,0,1,90,4.5\nr,s,0,2,90,9\n", Files.readString(out.resolve("readings.csv")));
+  }
+
+  private static Shell mended(List<String> words, String option) {
+    List<String> all = new ArrayList<>(words);
+    all.addAll(List.of(option, "0.5"));
+    return Shell.simbad(all.toArray(String[]::new));
+  }
+
   @Test
   void mend_namesTheFieldThatIsNoNumber() throws IOException {
     Path set = spoilt("words", fields -> coded(fields, "none"));

@@ -28,6 +28,9 @@ public final class Mending {
   private final List<Step> steps = new ArrayList<>();
   private boolean dropDuplicates;
 
+  /** A log without times has no column of them. */
+  private boolean mendsTimes;
+
   private interface Step {
     void mend(MendedRow row) throws DataFormatException;
   }
@@ -112,6 +115,7 @@ public final class Mending {
 
   /** Multiplies times. */
   public void times(double factor) {
+    mendsTimes = true;
     steps.add(row -> row.set(TIME, factor * row.number(TIME)));
   }
 
@@ -128,7 +132,10 @@ public final class Mending {
    */
   public String mended(Path file) throws DataFormatException {
     CsvTable csv = CsvTable.parse(file, TextFile.read(file));
-    csv.requireColumns(TIME, X, Z, HEADING, RANGE);
+    csv.requireColumns(X, Z, HEADING, RANGE);
+    if (mendsTimes) {
+      csv.requireColumns(TIME);
+    }
     Collection<List<String>> rows = dropDuplicates ? new LinkedHashSet<>() : new ArrayList<>();
     for (int i = 0; i < csv.size(); i++) {
       MendedRow row = new MendedRow(csv, i);
