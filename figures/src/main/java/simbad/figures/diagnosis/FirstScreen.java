@@ -36,6 +36,7 @@ final class FirstScreen {
     VerdictWords.addSecond(page, diagnosis);
     page.add(Html.styled("div", "panels", screen.probabilities(), screen.shrinkage()));
     screen.worstPlace(page);
+    ReferenceWords.of(data).ifPresent(words -> page.soft(words));
   }
 
   private Html probabilities() {
