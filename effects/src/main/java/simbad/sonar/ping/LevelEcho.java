@@ -35,8 +35,7 @@ public final class LevelEcho {
     double offAxis = Math.atan2(left, ahead);
     double excess = ears.excessDb(strengthDb, offAxis, distance);
     double deviation = ears.deviationDb(offAxis, distance);
-    double chance =
-        deviation > 0 ? QuickNormal.cumulative(excess / deviation) : excess >= 0 ? 1 : 0;
+    double chance = QuickNormal.atMost(excess, deviation);
     LevelLaw law = ears.law();
     arrivals.add(
         ears.rangeScale() * distance + law.walkM().at(excess),

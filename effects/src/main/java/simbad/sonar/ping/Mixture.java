@@ -80,16 +80,10 @@ public final class Mixture {
 
   /** Adds a Gaussian part of which the share that would lie beyond a range is lost. */
   public void addUpTo(double mostM, double newMeanM, double newDeviationM, double newShare) {
-    double heard = below(newMeanM, newDeviationM, mostM);
+    double heard = QuickNormal.atMost(mostM - newMeanM, newDeviationM);
     if (heard > 0) {
       add(newMeanM, newDeviationM, newShare * heard);
     }
-  }
-
-  private static double below(double mean, double deviation, double mostM) {
-    return deviation > 0
-        ? QuickNormal.cumulative((mostM - mean) / deviation)
-        : mean <= mostM ? 1 : 0;
   }
 
   /** Returns the share of a part that lies at a range or nearer, in [0, 1]. */
@@ -97,7 +91,7 @@ public final class Mixture {
     double half = halfWidthM[part];
     return half > 0
         ? Math.max(0, Math.min(1, (mostM - meanM[part] + half) / (2 * half)))
-        : below(meanM[part], deviationM[part], mostM);
+        : QuickNormal.atMost(mostM - meanM[part], deviationM[part]);
   }
 
   /** Adds an evenly spread part. */

@@ -38,4 +38,14 @@ public final class QuickNormal {
     return u * u * ((1 + 2 * t) * VALUE[i] + t * SLOPE[i])
         + t * t * ((1 + 2 * u) * VALUE[i + 1] - u * SLOPE[i + 1]);
   }
+
+  /**
+   * Returns how probable it is that a normal deviate is no more than so much above its mean.
+   *
+   * @param more above the mean; may be negative
+   * @param deviation its standard deviation; where it is not above 0, it is its mean
+   */
+  public static double atMost(double more, double deviation) {
+    return deviation > 0 ? cumulative(more / deviation) : more >= 0 ? 1 : 0;
+  }
 }

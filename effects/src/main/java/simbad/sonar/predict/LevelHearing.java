@@ -165,9 +165,9 @@ final class LevelHearing {
     for (int i = 0; i < size; i++) {
       double more = size == 1 ? 0 : addedDb(i);
       double excess = excessDb[i] + more;
-      double chance = kept[i] * chance(excess, deviationDb[i]);
+      double chance = kept[i] * QuickNormal.atMost(excess, deviationDb[i]);
       if (held[i] > 0) {
-        double after = kept[i] * chance(heldDb[i] + more, deviationDb[i]);
+        double after = kept[i] * QuickNormal.atMost(heldDb[i] + more, deviationDb[i]);
         chance += held[i] * (after - chance);
       }
       if (!(chance > 0)) {
@@ -196,12 +196,5 @@ final class LevelHearing {
       }
     }
     return sum == 0 ? 0 : Decibels.level(1 + sum);
-  }
-
-  private static double chance(double excess, double deviation) {
-    if (!(deviation > 0)) {
-      return excess >= 0 ? 1 : 0;
-    }
-    return QuickNormal.cumulative(excess / deviation);
   }
 }
