@@ -205,7 +205,7 @@ final class DiagnoseCommand extends Subcommand {
         staged.publish();
         return new AuditSummary(data.name(), audit, target);
       }
-      Diagnosis diagnosis = diagnoser.diagnose(data).with(audit);
+      Diagnosis diagnosis = diagnoser.diagnose(data, audit);
       DiagnosisReport.write(staged.path(), folder, data, diagnosis, provenance);
       staged.publish();
       if (corrected != null) {

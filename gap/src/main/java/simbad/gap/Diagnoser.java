@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
+import simbad.gap.audit.AuditFinding;
 import simbad.gap.calibrate.Calibration;
 import simbad.gap.calibrate.Laws;
 import simbad.gap.calibrate.Laws.Law;
@@ -79,9 +80,21 @@ public final class Diagnoser {
     this.withheld = Set.copyOf(withheld);
   }
 
-  /** Diagnoses a data set as it is: an audit is asked for before, and stands beside. */
+  /** Diagnoses a data set as it is, without an audit. */
   public Diagnosis diagnose(DataSet data) {
     return diagnose(data, Hypothesis.NONE);
+  }
+
+  /**
+   * Diagnoses a data set that was audited. Rows that are no readings of what stands there are left
+   * out.
+   *
+   * @param data the data set
+   * @param audit what was found of it, which stands in the diagnosis
+   */
+  public Diagnosis diagnose(DataSet data, List<AuditFinding> audit) {
+    LeftOut left = new LeftOut(data, audit);
+    return left.whole(diagnose(left.rest())).with(audit);
   }
 
   /**

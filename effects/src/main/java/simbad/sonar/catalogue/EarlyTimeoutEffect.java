@@ -2,6 +2,7 @@ package simbad.sonar.catalogue;
 
 import static simbad.sonar.effect.FittedValues.text;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -75,7 +76,11 @@ public final class EarlyTimeoutEffect implements Definition {
 
   @Override
   public List<double[]> starts(Form form, Clues clues) {
-    return Tries.combined(form, Distances.first(form, clues));
+    List<List<Double>> tries = Distances.first(form, clues);
+    List<Double> start = new ArrayList<>(Distances.edges(clues));
+    start.addAll(tries.get(0));
+    tries.set(0, start);
+    return Tries.combined(form, tries);
   }
 
   /** A quarter of what the scene or the sensor reaches. */

@@ -29,6 +29,9 @@ import simbad.sonar.shape.ThresholdTable;
 public final class OrientationShadowEffect implements Definition {
   private static final double MOST_THRESHOLD_M = 20;
 
+  /** A table's step. */
+  private static final double ONE_SIDE_DEG = 360.0 / Forms.TABLE_SIZE;
+
   @Override
   public Effect effect() {
     return Effect.ORIENTATION_SHADOW;
@@ -177,7 +180,7 @@ public final class OrientationShadowEffect implements Definition {
 
   @Override
   public boolean canShow(Form form, LogDesign log) {
-    return !log.isOfRoundOnes(form, false);
+    return !log.isOfRoundOnes(form, false) && !log.isFromOneSide(ONE_SIDE_DEG);
   }
 
   @Override

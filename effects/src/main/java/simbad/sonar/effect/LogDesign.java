@@ -5,8 +5,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 import simbad.sonar.check.Checks;
+import simbad.sonar.frame.Point;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.ping.Scenes;
+import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.UniformDetection;
 
@@ -58,5 +60,35 @@ public record LogDesign(
             .filter(obstacle -> ofAll || obstacle.detection() instanceof UniformDetection)
             .count();
     return one.map(round::contains).orElse(!round.isEmpty() && round.size() == about);
+  }
+
+  /**
+   * Tells whether all obstacles that are believed uniform were looked at from one side each: then
+   * nothing that depends on the side can be told from what does not.
+   *
+   * @param leastDeg by how much the bearing must change to be another side, in (0, 180) degrees
+   */
+  public boolean isFromOneSide(double leastDeg) {
+    return setup.scene().obstacles().stream()
+        .filter(obstacle -> obstacle.detection() instanceof UniformDetection)
+        .map(Obstacle::worldFromObstacle)
+        .allMatch(place -> spreadDeg(new Point(place.xM(), place.zM())) < leastDeg);
+  }
+
+  /** Of the directions from a point to the sensors, from the first one. */
+  private double spreadDeg(Point from) {
+    double least = 0;
+    double most = 0;
+    double first = bearingDeg(from, 0);
+    for (int ping = 1; ping < log.size(); ping++) {
+      double off = Math.IEEEremainder(bearingDeg(from, ping) - first, 360);
+      least = Math.min(least, off);
+      most = Math.max(most, off);
+    }
+    return most - least;
+  }
+
+  private double bearingDeg(Point from, int ping) {
+    return Math.toDegrees(Math.atan2(log.zM(ping) - from.zM(), log.xM(ping) - from.xM()));
   }
 }

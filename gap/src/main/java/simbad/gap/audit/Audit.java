@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import simbad.gap.audit.AuditFinding.File;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.ReadingRow;
@@ -76,12 +78,22 @@ public final class Audit {
     if (!Audit.refuses(found)) {
       new SensorLimitCheck(view).find().ifPresent(found::add);
     }
-    found.addAll(new PileCheck(mended).find());
+    // A line that is undone is one of slope 1 in the scene's metres.
+    Rest rest = new Rest(mended, line.isPresent() ? RobustLine.IDENTITY : units.fitted());
+    List<AuditFinding> repeated = new RepeatCheck(mended, rest).find();
+    found.addAll(repeated);
+    found.addAll(new PileCheck(mended).find(rowsOf(repeated)));
     if (line.isEmpty()) {
       new WrapCheck(view).find().ifPresent(found::add);
     }
     found.addAll(new HeldCheck(mended).find());
-    new JumpCheck(mended).find().ifPresent(found::add);
+    new JumpCheck(mended, rest, rowsOf(repeated)).find().ifPresent(found::add);
     return found;
+  }
+
+  private static Set<Integer> rowsOf(List<AuditFinding> findings) {
+    return findings.stream()
+        .flatMap(finding -> finding.rows().stream())
+        .collect(Collectors.toUnmodifiableSet());
   }
 }

@@ -146,6 +146,11 @@ final class AuditView {
     return rows;
   }
 
+  /** Where a row stands in the file. */
+  int inFile(int i) {
+    return order[i];
+  }
+
   /** Where rows stand in the file, ascending. */
   List<Integer> inFile(IntStream of) {
     return of.map(i -> order[i]).sorted().boxed().toList();

@@ -2,20 +2,25 @@ package simbad.gap.audit;
 
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.IntStream;
 import simbad.gap.audit.AuditFinding.File;
-import simbad.gap.fit.Robust;
 
 /**
  * Single readings that are off by one and the same amount while those before and after are right: a
- * timer's byte that was read late, a constant that is added now and then.
+ * timer's byte that was read late, a constant that is added now and then. Of a log without times
+ * nobody knows what was before and after; there most readings must be right.
  */
 final class JumpCheck {
   /** 256 counts of a timer that counts microseconds. */
   private static final double BYTE_S = 256e-6;
 
   private static final int LEAST = 5;
-  private static final double CORE = 4;
+
+  /** To either side, of rows without times. */
+  private static final int NEAR = 5;
+
+  private static final double LEAST_RIGHT = 0.5;
 
   /** So many windows the jumps could have been in, at least. */
   private static final double WINDOWS = 4;
@@ -24,38 +29,76 @@ final class JumpCheck {
   private static final double BETWEEN = 0.5;
 
   private final AuditView view;
-  private final double[] offM;
+  private final Rest rest;
+  private final Set<Integer> told;
   private final double coreM;
   private final double windowM;
 
-  JumpCheck(AuditView view) {
+  /**
+   * Prepares the check.
+   *
+   * @param view the rows
+   * @param rest of their ranges
+   * @param told rows of the file of which something else was found
+   */
+  JumpCheck(AuditView view, Rest rest, Set<Integer> told) {
     this.view = view;
-    offM = IntStream.range(0, view.size()).mapToDouble(this::off).toArray();
-    double[] known = Arrays.stream(offM).filter(off -> !Double.isNaN(off)).toArray();
-    double middle = Robust.median(known);
-    Arrays.setAll(offM, i -> offM[i] - middle);
-    double[] size = Arrays.stream(known).map(off -> Math.abs(off - middle)).toArray();
-    double rough = 3 * Math.max(Robust.NORMAL_OVER_MAD * Robust.median(size), view.noiseM());
-    // The median of steps is a step; the mean square of what is no jump is finer.
-    double square =
-        Arrays.stream(size).filter(off -> off <= rough).map(off -> off * off).average().orElse(0);
-    double noise = Math.max(Math.sqrt(square), view.noiseM());
-    coreM = CORE * noise;
-    windowM = CORE / 2 * noise;
-  }
-
-  private double off(int i) {
-    return view.isEcho(i) && view.isExpected(i) ? view.asM(i) - view.expectedM(i) : Double.NaN;
+    this.rest = rest;
+    this.told = told;
+    coreM = rest.coreM();
+    windowM = Rest.CORE / 2 * rest.noiseM();
   }
 
   Optional<AuditFinding> find() {
     int[] jumps =
-        IntStream.range(1, view.size() - 1)
-            .filter(i -> Math.abs(offM[i]) > coreM)
-            .filter(i -> view.follows(i) && view.follows(i + 1))
-            .filter(i -> Math.abs(offM[i - 1]) <= coreM && Math.abs(offM[i + 1]) <= coreM)
+        rest.off()
+            .filter(i -> !told.contains(view.inFile(i)))
+            .filter(i -> view.row(i).isTimed() ? isBetweenRight(i) : isAmongRight(i))
             .toArray();
-    double[] sizes = IntStream.of(jumps).mapToDouble(i -> offM[i]).sorted().toArray();
+    double[] sizes = IntStream.of(jumps).mapToDouble(i -> rest.offM(i)).sorted().toArray();
+    return jump(sizes)
+        .map(one -> finding(one, IntStream.of(jumps).filter(i -> one.isOf(rest.offM(i))).toArray()))
+        .or(() -> eitherWay(jumps));
+  }
+
+  /** As many too long as too short. */
+  private Optional<AuditFinding> eitherWay(int... jumps) {
+    double[] sizes = IntStream.of(jumps).mapToDouble(i -> Math.abs(rest.offM(i))).sorted().toArray();
+    return jump(sizes)
+        .map(
+            one ->
+                finding(
+                    new Jump(one.sizeM, true, windowM),
+                    IntStream.of(jumps).filter(i -> one.isOf(Math.abs(rest.offM(i)))).toArray()));
+  }
+
+  private boolean isBetweenRight(int i) {
+    return view.follows(i) && view.follows(i + 1) && rest.isRight(i - 1) && rest.isRight(i + 1);
+  }
+
+  /** Without times rows stand in the order of their places: most of those near by must be right. */
+  private boolean isAmongRight(int i) {
+    int[] near =
+        IntStream.rangeClosed(Math.max(0, i - NEAR), Math.min(view.size() - 1, i + NEAR))
+            .filter(at -> at != i && rest.isKnown(at))
+            .toArray();
+    long right = IntStream.of(near).filter(rest::isRight).count();
+    return near.length >= NEAR && right > LEAST_RIGHT * near.length;
+  }
+
+  /** An amount by which readings are off. */
+  private record Jump(double sizeM, boolean eitherWay, double windowM) {
+    boolean isOf(double off) {
+      return Math.abs(off - sizeM) <= 2 * windowM;
+    }
+
+    String way() {
+      return eitherWay ? "long or short" : sizeM > 0 ? "long" : "short";
+    }
+  }
+
+  /** Whether most of the sizes, ascending, are one. */
+  private Optional<Jump> jump(double... sizes) {
     if (sizes.length < LEAST) {
       return Optional.empty();
     }
@@ -68,7 +111,7 @@ final class JumpCheck {
             && 2 * hits > sizes.length
             && !isTail(sizes, size, hits)
             && sizes.length * Tail.atLeast(hits, sizes.length, 2 * windowM / span) < Tail.LEVEL;
-    return shows ? Optional.of(finding(jumps, size)) : Optional.empty();
+    return shows ? Optional.of(new Jump(size, false, windowM)) : Optional.empty();
   }
 
   /** Whether the core goes over into the jumps, as noise does. */
@@ -95,19 +138,19 @@ final class JumpCheck {
     return to - from;
   }
 
-  private AuditFinding finding(int[] jumps, double size) {
-    int[] hits = IntStream.of(jumps).filter(i -> Math.abs(offM[i] - size) <= 2 * windowM).toArray();
+  private AuditFinding finding(Jump jump, int... hits) {
+    double size = Math.abs(jump.sizeM);
     double byteM = BYTE_S * view.sensor().assumedSoundSpeedMPerS() / 2;
     double known = AuditView.AIR * byteM + windowM / Math.sqrt(hits.length);
-    boolean isByte = Math.abs(Math.abs(size) - byteM) <= known;
+    boolean isByte = Math.abs(size - byteM) <= known;
     return new AuditFinding(
         AuditCheck.JUMP,
         File.READINGS,
         Say.readings(hits.length)
             + " alone among right ones are too "
-            + (size > 0 ? "long" : "short")
+            + jump.way()
             + " by the same "
-            + Say.number(Math.abs(size))
+            + Say.number(size)
             + " m"
             + (isByte ? ": 256 us of flight, a timer's byte read while it turns over" : ""),
         view.inFile(IntStream.of(hits)),

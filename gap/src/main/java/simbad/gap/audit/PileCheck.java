@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import simbad.gap.audit.AuditFinding.File;
@@ -47,7 +48,14 @@ final class PileCheck {
         .forEach(i -> displaced.computeIfAbsent(view.rangeM(i), v -> new ArrayList<>()).add(i));
   }
 
-  List<AuditFinding> find() {
+  /**
+   * Finds the piles.
+   *
+   * @param told rows of the file of which something else was found
+   */
+  List<AuditFinding> find(Set<Integer> told) {
+    displaced.values().forEach(at -> at.removeIf(i -> told.contains(view.inFile(i))));
+    displaced.values().removeIf(List::isEmpty);
     List<AuditFinding> found = new ArrayList<>();
     for (Map.Entry<Double, List<Integer>> one : displaced.entrySet()) {
       double value = one.getKey();
@@ -96,12 +104,19 @@ final class PileCheck {
   }
 
   /** Rows in a row are one: a sensor that stands hears the same again. */
-  private static int seriesOf(List<Integer> rows) {
+  private int seriesOf(List<Integer> rows) {
     int series = 0;
     for (int k = 0; k < rows.size(); k++) {
-      series += k == 0 || rows.get(k) > rows.get(k - 1) + 1 ? 1 : 0;
+      series += k == 0 || !isOne(rows.get(k - 1), rows.get(k)) ? 1 : 0;
     }
     return series;
+  }
+
+  /** Without times nobody knows what was in a row; but what was read at one place. */
+  private boolean isOne(int before, int row) {
+    return view.row(row).isTimed()
+        ? row == before + 1
+        : view.row(row).pose().equals(view.row(before).pose());
   }
 
   private AuditFinding code(double value, String meaning, List<Integer> at) {

@@ -15,6 +15,9 @@ import simbad.gap.fit.Robust;
  * @param share of the points that lie on it
  */
 record RobustLine(double slope, double offset, double halfWidth, double share) {
+  /** What is read is what is there. */
+  static final RobustLine IDENTITY = new RobustLine(1, 0, 0, 1);
+
   /** In scaled median deviations: further off is not on the line. */
   private static final double OUTLYING = 3.5;
 

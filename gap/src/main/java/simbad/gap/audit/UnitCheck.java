@@ -26,19 +26,26 @@ final class UnitCheck {
   private static final double LEAST_SHARE = 0.7;
 
   private final AuditView view;
+  private final double[][] points;
+  private final RobustLine fitted;
 
   UnitCheck(AuditView view) {
     this.view = view;
+    points = points();
+    fitted = RobustLine.through(points[0], points[1], view.noiseM(), Tail.LEVEL);
+  }
+
+  /** The line of ranges over distances, whatever it is. */
+  RobustLine fitted() {
+    return fitted;
   }
 
   /** The line of ranges over distances, where it is plainly not that of the scene. */
   Optional<RobustLine> line() {
-    double[][] points = points();
     if (points[0].length < LEAST_POINTS) {
       return Optional.empty();
     }
-    double least = view.noiseM();
-    RobustLine line = RobustLine.through(points[0], points[1], least, Tail.LEVEL);
+    RobustLine line = fitted;
     boolean plain =
         line.share() >= LEAST_SHARE
             && line.slope() > 0

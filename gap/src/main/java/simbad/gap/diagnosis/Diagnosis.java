@@ -77,18 +77,24 @@ public record Diagnosis(
 
   /** Returns the same with another model of what was concluded. */
   public Diagnosis with(Hypothesis model) {
-    return with(model, audit);
+    return with(verdict, reason, model, audit);
   }
 
   /** Returns the same with what an audit found of the data, worst first. */
   public Diagnosis with(List<AuditFinding> findings) {
-    return with(fitted, findings);
+    return with(verdict, reason, fitted, findings);
   }
 
-  private Diagnosis with(Hypothesis model, List<AuditFinding> findings) {
+  /** Returns the same undecided, for a reason. */
+  public Diagnosis undecided(String why) {
+    return with(Verdict.UNDECIDED, why, fitted, audit);
+  }
+
+  private Diagnosis with(
+      Verdict told, String why, Hypothesis model, List<AuditFinding> findings) {
     return new Diagnosis(
-        verdict,
-        reason,
+        told,
+        why,
         explanation,
         effects,
         unknownProbability,

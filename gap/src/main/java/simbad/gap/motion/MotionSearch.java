@@ -192,11 +192,11 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
     return other.parameters().stream().map(MotionParameter::name).anyMatch(names::contains);
   }
 
-  /** All but the last of a small set. */
+  /** Of a small set only. */
   @Override
   protected List<MotionForm> exchanged(MotionFit set) {
     List<MotionForm> members = set.hypothesis().forms();
-    return members.size() > SWAPPED ? List.of() : members.subList(0, members.size() - 1);
+    return members.size() > SWAPPED ? List.of() : members;
   }
 
   @Override

@@ -16,8 +16,10 @@ import simbad.gap.fit.Refit;
  * @param after gap of each ping under the explanation
  * @param open the same before a set-up that has moved as far as its reference leaves open: what it
  *     is not known by shows there as scatter
+ * @param fitted gap of each ping under the explanation as fitted on all of them
  */
-public record GapGain(GapMeter.Gaps before, GapMeter.Gaps after, GapMeter.Gaps open) {
+public record GapGain(
+    GapMeter.Gaps before, GapMeter.Gaps after, GapMeter.Gaps open, GapMeter.Gaps fitted) {
   /** A gap that is so many times what the simulator expects of itself is no matter of scatter. */
   private static final double MANY_TIMES = 2;
 
@@ -40,9 +42,9 @@ public record GapGain(GapMeter.Gaps before, GapMeter.Gaps after, GapMeter.Gaps o
   /** Half of a log may lack whole sides of an obstacle, which a table cannot know then. */
   private static final int TABLE_PARTS = 6;
 
-  /** Of a set-up that stays where it is. */
+  /** Of a set-up that stays where it is, and an explanation that is the same on every half. */
   public GapGain(GapMeter.Gaps before, GapMeter.Gaps after) {
-    this(before, after, after);
+    this(before, after, after, after);
   }
 
   /** Measures. */
@@ -66,17 +68,26 @@ public record GapGain(GapMeter.Gaps before, GapMeter.Gaps after, GapMeter.Gaps o
         }
       }
     }
-    return new GapGain(before, new GapMeter.Gaps(observed, expected));
+    GapMeter.Gaps after = new GapMeter.Gaps(observed, expected);
+    return new GapGain(before, after, after, meter.measure(given, explanation));
   }
 
   /** Returns the same beside what is left before a set-up that has moved. */
   public GapGain beside(GapMeter.Gaps moved) {
-    return new GapGain(before, after, moved);
+    return new GapGain(before, after, moved, fitted);
   }
 
-  /** Whether more than twice the scatter is left of what the set-up cannot take up. */
+  /**
+   * Whether more than twice the scatter is left of what the set-up cannot take up. What is left
+   * only where a half was not fitted does not count: half of the places do not say where an edge
+   * is.
+   */
   public boolean leavesMuch() {
-    return mean(open.observedM()) > MANY_TIMES * mean(open.expectedM());
+    return isMuch(open) && isMuch(fitted);
+  }
+
+  private static boolean isMuch(GapMeter.Gaps gaps) {
+    return mean(gaps.observedM()) > MANY_TIMES * mean(gaps.expectedM());
   }
 
   /** Whether the gap before is more than twice the scatter, whatever the set-up may take up. */

@@ -37,7 +37,7 @@ public abstract class ForwardSearch<E extends Comparable<? super E>, F, M> {
   /** Returns what a set is worth, nats: the larger the better. */
   protected abstract double worth(F set);
 
-  /** Returns the members of a set that are exchanged before it is built upon, in this order. */
+  /** Returns the members of a set that may be exchanged before it is built upon, in this order. */
   protected abstract List<M> exchanged(F set);
 
   /** Returns a set with what could stand in the place of a member, the best first. */
@@ -70,14 +70,26 @@ public abstract class ForwardSearch<E extends Comparable<? super E>, F, M> {
     return set;
   }
 
+  /**
+   * The last member was just chosen among all, and stays: unless another came beside which it was
+   * not chosen.
+   */
   private F swapped(F set) {
+    List<M> members = exchanged(set);
     F swapped = set;
-    for (M member : exchanged(set)) {
-      List<F> others = inPlaceOf(swapped, member);
-      boolean better = !others.isEmpty() && worth(others.get(0)) > worth(swapped);
-      swapped = better ? others.get(0) : swapped;
+    for (int i = 0; i < members.size(); i++) {
+      boolean isLast = i == members.size() - 1;
+      if (!isLast || !effects(swapped).containsAll(effects(set))) {
+        swapped = exchanged(swapped, members.get(i));
+      }
     }
     return swapped;
+  }
+
+  private F exchanged(F set, M member) {
+    List<F> others = inPlaceOf(set, member);
+    boolean better = !others.isEmpty() && worth(others.get(0)) > worth(set);
+    return better ? others.get(0) : set;
   }
 
   /** Keeps a fit unless one of the same effects is as good. */

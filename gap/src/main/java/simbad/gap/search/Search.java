@@ -2,11 +2,13 @@ package simbad.gap.search;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
@@ -49,6 +51,9 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
   /** What is further behind is not looked at again. */
   private static final double FRONT_NATS = 12;
 
+  /** How often another set may come to stand first. */
+  private static final int RIVALLED = 3;
+
   /** How many sets get a held-out score. */
   private static final int SCORED = 10;
 
@@ -60,6 +65,7 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
   private final Map<Hypothesis, Double> leaves = new ConcurrentHashMap<>();
   private final Map<Hypothesis, Double> farLeaves = new ConcurrentHashMap<>();
   private final List<Hypothesis> offered = new ArrayList<>();
+  private final Set<Set<Effect>> builtUpon = new HashSet<>();
   private List<Fit> singles = List.of();
   private Fit best = new Fit(Hypothesis.NONE, Double.NEGATIVE_INFINITY);
 
@@ -105,7 +111,31 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
     singles.forEach(this::keep);
     plain();
     best = pruned(built(nominal, singles));
-    return scored();
+    return rivalled();
+  }
+
+  /**
+   * Scores, until what could stand in the place of each member of the best set was tried: what was
+   * met on the way to another may be the more probable one, and its rivals were not met.
+   */
+  private List<Scored> rivalled() {
+    List<Scored> scored = scored();
+    for (int round = 0; round < RIVALLED; round++) {
+      Hypothesis first = scored.get(0).hypothesis();
+      List<Effect> open =
+          first.effects().stream()
+              .filter(member -> first.effects().size() > 1)
+              .filter(
+                  member -> !builtUpon.contains(Set.copyOf(first.without(member).effects())))
+              .toList();
+      if (open.isEmpty()) {
+        return scored;
+      }
+      Fit fit = Objects.requireNonNull(fits().get(new TreeSet<>(first.effects())));
+      open.forEach(member -> inPlaceOf(fit, member));
+      scored = scored();
+    }
+    return scored;
   }
 
   /** The law of the ranges, and what else is plain beside it. */
@@ -139,7 +169,7 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
         .filter(single -> !built.containsAll(single.hypothesis().effects()))
         .limit(RUNNERS_UP)
         .forEach(single -> pruned(built(nominal, List.of(single))));
-    return scored();
+    return rivalled();
   }
 
   @Override
@@ -196,6 +226,7 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
 
   /** The base with one effect more, the best first; the first few with all values refined. */
   private List<Fit> grown(Fit base, List<Form> open) {
+    builtUpon.add(Set.copyOf(base.hypothesis().effects()));
     List<Fit> added = best(new Screen(given, base).all(open).values());
     List<Fit> joint =
         added.stream().limit(JOINT).toList().parallelStream().map(this::joint).toList();
@@ -206,11 +237,9 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
     return best(all);
   }
 
-  /** All but the last, which was just chosen among all. */
   @Override
   protected List<Effect> exchanged(Fit set) {
-    List<Effect> members = set.hypothesis().effects();
-    return members.subList(0, members.size() - 1);
+    return set.hypothesis().effects();
   }
 
   /**

@@ -1,0 +1,69 @@
+package simbad.gap;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import simbad.gap.audit.AuditCheck;
+import simbad.gap.audit.AuditFinding;
+import simbad.gap.audit.Severity;
+import simbad.gap.diagnosis.DataSet;
+import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.Verdict;
+import simbad.sonar.sensing.ReadingRow;
+
+/**
+ * Rows that an audit found to be no reading of what stands there: stuck, held, or off by a timer's
+ * byte, in a log without times. No effect with a memory can be asked for them, and any other that took them up would be a
+ * wrong name.
+ */
+final class LeftOut {
+  private static final Set<AuditCheck> NO_READING = 
+      Set.of(AuditCheck.STUCK, AuditCheck.HELD, AuditCheck.JUMP);
+
+  private final DataSet data;
+  private final Set<Integer> rows = new TreeSet<>();
+
+  /**
+   * Finds them.
+   *
+   * @param data as it is
+   * @param audit of it
+   */
+  LeftOut(DataSet data, List<AuditFinding> audit) {
+    this.data = data;
+    audit.stream()
+        .filter(finding -> finding.file() == AuditFinding.File.READINGS)
+        .filter(finding -> finding.severity() == Severity.WARN)
+        .filter(finding -> NO_READING.contains(finding.check()))
+        .flatMap(finding -> finding.rows().stream())
+        .filter(row -> !data.readings().get(row).isTimed())
+        .forEach(rows::add);
+  }
+
+  /** Returns the data set without them. */
+  DataSet rest() {
+    if (rows.isEmpty()) {
+      return data;
+    }
+    List<ReadingRow> kept = new ArrayList<>();
+    for (int row = 0; row < data.readings().size(); row++) {
+      if (!rows.contains(row)) {
+        kept.add(data.readings().get(row));
+      }
+    }
+    return new DataSet(data.name(), data.setup(), kept, data.reference());
+  }
+
+  /** Returns what is said of the whole, from a diagnosis of the rest: with such rows never none. */
+  Diagnosis whole(Diagnosis rest) {
+    return rows.isEmpty() || rest.verdict() != Verdict.NONE
+        ? rest
+        : rest.undecided(
+            "what the audit found is wrong with "
+                + rows.size()
+                + " of "
+                + data.readings().size()
+                + " readings; the others show no effect");
+  }
+}
