@@ -14,11 +14,11 @@ import simbad.sonar.sensing.ReadingRow;
 
 /**
  * Rows that an audit found to be no reading of what stands there: stuck, held, or off by a timer's
- * byte, in a log without times. No effect with a memory can be asked for them, and any other that took them up would be a
- * wrong name.
+ * byte, in a log without times. No effect with a memory can be asked for them, and any other that
+ * took them up would be a wrong name.
  */
 final class LeftOut {
-  private static final Set<AuditCheck> NO_READING = 
+  private static final Set<AuditCheck> NO_READING =
       Set.of(AuditCheck.STUCK, AuditCheck.HELD, AuditCheck.JUMP);
 
   private final DataSet data;

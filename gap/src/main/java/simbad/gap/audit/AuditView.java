@@ -2,7 +2,11 @@ package simbad.gap.audit;
 
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import simbad.gap.fit.Robust;
 import simbad.sonar.model.NominalModel;
@@ -41,6 +45,7 @@ final class AuditView {
   private final double[] expectedM;
   private final double[] inConeM;
   private final double[] aroundM;
+  private final Set<Double> everywhere;
   private final double slope;
   private final double offsetM;
 
@@ -62,6 +67,7 @@ final class AuditView {
     inConeM = new double[order.length * outlines.size()];
     aroundM = new double[inConeM.length];
     look();
+    everywhere = everywhere();
   }
 
   private AuditView(AuditView other, RobustLine line) {
@@ -74,6 +80,7 @@ final class AuditView {
     expectedM = other.expectedM;
     inConeM = other.inConeM;
     aroundM = other.aroundM;
+    everywhere = other.everywhere;
     slope = line.slope();
     offsetM = line.offset();
   }
@@ -119,6 +126,22 @@ final class AuditView {
         }
       }
     }
+  }
+
+  private Set<Double> everywhere() {
+    Map<Double, double[]> ends = new HashMap<>();
+    for (int i = 0; i < size(); i++) {
+      double at = expectedM[i];
+      if (isEcho(i) && isExpected(i)) {
+        double[] end = ends.computeIfAbsent(rangeM[i], v -> new double[] {at, at});
+        end[0] = Math.min(end[0], at);
+        end[1] = Math.max(end[1], at);
+      }
+    }
+    return ends.entrySet().stream()
+        .filter(one -> !isOf(one.getValue()[0], one.getValue()[1]))
+        .map(Map.Entry::getKey)
+        .collect(Collectors.toUnmodifiableSet());
   }
 
   SensingSetup setup() {
@@ -185,6 +208,14 @@ final class AuditView {
   /** Metres as they stand in the file; NaN for a no-echo. */
   double rangeM(int i) {
     return rangeM[i];
+  }
+
+  /**
+   * Whether a row's value was read at distances too different to be all of one: it says nothing of
+   * how ranges go with distances, even where most rows have it.
+   */
+  boolean isEverywhere(int i) {
+    return everywhere.contains(rangeM[i]);
   }
 
   /** Metres of the scene. */

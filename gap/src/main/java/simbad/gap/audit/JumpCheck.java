@@ -15,14 +15,14 @@ final class JumpCheck {
   /** 256 counts of a timer that counts microseconds. */
   private static final double BYTE_S = 256e-6;
 
-  private static final int LEAST = 5;
+  private static final int LEAST = 3;
 
   /** To either side, of rows without times. */
   private static final int NEAR = 5;
 
   private static final double LEAST_RIGHT = 0.5;
 
-  /** So many windows the jumps could have been in, at least. */
+  /** So many windows the jumps could have been in, at least: from the core on they could be. */
   private static final double WINDOWS = 4;
 
   /** Noise has more jumps between its core and where they are densest; of the densest, so many. */
@@ -63,7 +63,8 @@ final class JumpCheck {
 
   /** As many too long as too short. */
   private Optional<AuditFinding> eitherWay(int... jumps) {
-    double[] sizes = IntStream.of(jumps).mapToDouble(i -> Math.abs(rest.offM(i))).sorted().toArray();
+    double[] sizes =
+        IntStream.of(jumps).mapToDouble(i -> Math.abs(rest.offM(i))).sorted().toArray();
     return jump(sizes)
         .map(
             one ->
@@ -105,7 +106,9 @@ final class JumpCheck {
     int from = densest(sizes);
     int hits = within(sizes, from);
     double size = Arrays.stream(sizes, from, from + hits).average().orElse(0);
-    double span = Math.max(sizes[sizes.length - 1] - sizes[0], 2 * WINDOWS * windowM);
+    double spread = sizes[sizes.length - 1] - sizes[0];
+    double beyond = Math.abs(size) - coreM;
+    double span = Math.max(Math.max(spread, beyond), 2 * WINDOWS * windowM);
     boolean shows =
         hits >= LEAST
             && 2 * hits > sizes.length

@@ -144,11 +144,12 @@ final class RepeatCheck {
     return pairs < LEAST_PAIRS ? noise : (equal + 1.0) / (pairs + 2);
   }
 
-  /** Whether values where they cannot be are far more often those of other places than by chance. */
+  /**
+   * Whether values where they cannot be are far more often those of other places than by chance.
+   */
   private boolean manyHeld() {
     int hits = (int) displaced.keySet().stream().filter(right::contains).count();
-    double density =
-        displaced.keySet().stream().mapToDouble(this::density).average().orElse(1);
+    double density = displaced.keySet().stream().mapToDouble(this::density).average().orElse(1);
     int values = displaced.size();
     return values >= LEAST_VALUES
         && Tail.atLeast(hits, values, Math.min(1, Math.max(AGREE, 2 * density))) < Tail.LEVEL;

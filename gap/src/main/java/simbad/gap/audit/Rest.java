@@ -1,10 +1,6 @@
 package simbad.gap.audit;
 
 import java.util.Arrays;
-import java.util.HashMap;
-import java.util.Map;
-import java.util.Set;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import simbad.gap.fit.Robust;
 
@@ -33,10 +29,9 @@ final class Rest {
     double slope = isLine ? line.slope() : 1;
     double[] all = new double[view.size()];
     Arrays.setAll(all, i -> view.asM(i) - slope * view.expectedM(i));
-    Set<Double> everywhere = everywhere(view);
     double[] known =
         IntStream.range(0, all.length)
-            .filter(i -> !Double.isNaN(all[i]) && !everywhere.contains(view.rangeM(i)))
+            .filter(i -> !Double.isNaN(all[i]) && !view.isEverywhere(i))
             .mapToDouble(i -> all[i])
             .toArray();
     double middle = Robust.median(known);
@@ -48,23 +43,6 @@ final class Rest {
     double square =
         Arrays.stream(size).filter(off -> off <= rough).map(off -> off * off).average().orElse(0);
     noiseM = Math.max(Math.sqrt(square), least);
-  }
-
-  /** Values that were read at distances too different to be all of one: most rows may have one. */
-  private static Set<Double> everywhere(AuditView view) {
-    Map<Double, double[]> ends = new HashMap<>();
-    for (int i = 0; i < view.size(); i++) {
-      double at = view.expectedM(i);
-      if (view.isEcho(i) && view.isExpected(i)) {
-        double[] end = ends.computeIfAbsent(view.rangeM(i), v -> new double[] {at, at});
-        end[0] = Math.min(end[0], at);
-        end[1] = Math.max(end[1], at);
-      }
-    }
-    return ends.entrySet().stream()
-        .filter(one -> !view.isOf(one.getValue()[0], one.getValue()[1]))
-        .map(Map.Entry::getKey)
-        .collect(Collectors.toUnmodifiableSet());
   }
 
   /** Metres; NaN where no echo was read or expected. */

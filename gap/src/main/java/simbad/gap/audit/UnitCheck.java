@@ -85,7 +85,7 @@ final class UnitCheck {
     Map<Double, List<Double>> byDistance = new TreeMap<>();
     view.echoes()
         .filter(view::isExpected)
-        .filter(i -> view.rangeM(i) > 0)
+        .filter(i -> view.rangeM(i) > 0 && !view.isEverywhere(i))
         .forEach(
             i ->
                 byDistance

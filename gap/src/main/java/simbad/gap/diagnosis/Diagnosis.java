@@ -90,8 +90,7 @@ public record Diagnosis(
     return with(Verdict.UNDECIDED, why, fitted, audit);
   }
 
-  private Diagnosis with(
-      Verdict told, String why, Hypothesis model, List<AuditFinding> findings) {
+  private Diagnosis with(Verdict told, String why, Hypothesis model, List<AuditFinding> findings) {
     return new Diagnosis(
         told,
         why,

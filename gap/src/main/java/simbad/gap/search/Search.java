@@ -114,6 +114,10 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
     return rivalled();
   }
 
+  private Fit kept(List<Effect> effects) {
+    return Objects.requireNonNull(fits().get(new TreeSet<>(effects)));
+  }
+
   /**
    * Scores, until what could stand in the place of each member of the best set was tried: what was
    * met on the way to another may be the more probable one, and its rivals were not met.
@@ -125,14 +129,15 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
       List<Effect> open =
           first.effects().stream()
               .filter(member -> first.effects().size() > 1)
-              .filter(
-                  member -> !builtUpon.contains(Set.copyOf(first.without(member).effects())))
+              .filter(member -> !builtUpon.contains(Set.copyOf(first.without(member).effects())))
               .toList();
       if (open.isEmpty()) {
         return scored;
       }
-      Fit fit = Objects.requireNonNull(fits().get(new TreeSet<>(first.effects())));
+      Fit fit = kept(first.effects());
       open.forEach(member -> inPlaceOf(fit, member));
+      // Its values may have been found anew, and be better for fewer effects as well.
+      pruned(kept(first.effects()));
       scored = scored();
     }
     return scored;
@@ -163,7 +168,7 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
    * @return all sets that were fitted until now, the most probable held-out first
    */
   public List<Scored> further() {
-    Fit nominal = Objects.requireNonNull(fits().get(Set.<Effect>of()));
+    Fit nominal = kept(List.of());
     List<Effect> built = best.hypothesis().effects();
     singles.stream()
         .filter(single -> !built.containsAll(single.hypothesis().effects()))
