@@ -34,6 +34,7 @@ import simbad.gap.locate.Places;
 import simbad.gap.score.Blocks;
 import simbad.gap.score.Budget;
 import simbad.gap.score.GapGain;
+import simbad.gap.score.GapGains;
 import simbad.gap.score.GapMeter;
 import simbad.gap.score.HeldOut.Scored;
 import simbad.gap.score.PlacementScatter;
@@ -143,7 +144,7 @@ public final class Diagnoser {
    * @param isFull whether nothing is left over, or all was tried that may take it up
    */
   private record Inquiry(
-      CalibratedLog given,
+      GapGains gains,
       Calibration calibration,
       double worthNats,
       Search search,
@@ -153,8 +154,13 @@ public final class Diagnoser {
     static Inquiry of(
         CalibratedLog given, Calibration calibration, double worthNats, Search search) {
       List<Scored> sets = search.run();
-      Weighed weighed = Weighed.of(given, sets, worthNats, calibration.temperature());
-      return new Inquiry(given, calibration, worthNats, search, sets, weighed, !search.isOff());
+      GapGains gains = new GapGains(given);
+      Weighed weighed = Weighed.of(gains, sets, worthNats, calibration.temperature());
+      return new Inquiry(gains, calibration, worthNats, search, sets, weighed, !search.isOff());
+    }
+
+    CalibratedLog given() {
+      return gains.given();
     }
 
     Hypothesis best() {
@@ -164,8 +170,8 @@ public final class Diagnoser {
     /** The same where something is at work for sure, though none fitted best. */
     Optional<Inquiry> some() {
       return best().forms().isEmpty()
-          ? Weighed.ofSome(given, sets, worthNats, calibration.temperature())
-              .map(some -> new Inquiry(given, calibration, worthNats, search, sets, some, isFull))
+          ? Weighed.ofSome(gains, sets, worthNats, calibration.temperature())
+              .map(some -> new Inquiry(gains, calibration, worthNats, search, sets, some, isFull))
           : Optional.empty();
     }
 
@@ -175,23 +181,23 @@ public final class Diagnoser {
       double cost =
           Probabilities.COST_NATS * best.forms().size()
               + Probabilities.NATS_PER_VALUE * best.size();
-      return law.nats(given, calibration, best) - cost;
+      return law.nats(given(), calibration, best) - cost;
     }
 
     /** The set-up with what of this belongs to it. */
     Calibration settled() {
-      return calibration.with(given, best());
+      return calibration.with(given(), best());
     }
 
     Inquiry further() {
       List<Scored> more = search.further();
       return new Inquiry(
-          given,
+          gains,
           calibration,
           worthNats,
           search,
           more,
-          Weighed.of(given, more, worthNats, calibration.temperature()),
+          Weighed.of(gains, more, worthNats, calibration.temperature()),
           true);
     }
   }
@@ -230,7 +236,7 @@ public final class Diagnoser {
   }
 
   private static Told told(Inquiry inquiry) {
-    CalibratedLog given = inquiry.given;
+    CalibratedLog given = inquiry.given();
     Calibration calibration = inquiry.calibration;
     Blocks blocks = new Blocks(given.log());
     Hypothesis best = inquiry.best();
@@ -245,7 +251,7 @@ public final class Diagnoser {
     Optional<Weighed> sure =
         first.verdict() == Verdict.UNEXPLAINED || isTied(first, whole)
             ? whole
-                .confirmed(given, inquiry.sets, inquiry.worthNats)
+                .confirmed(inquiry.gains, inquiry.sets, inquiry.worthNats)
                 .map(part -> beside(calibration, given, part))
             : Optional.empty();
     double stated = first.verdict() == Verdict.UNEXPLAINED ? Unknown.besideARest(unknown) : unknown;
@@ -268,7 +274,7 @@ public final class Diagnoser {
   private static Conclusion.Unnamed unnamed(Inquiry inquiry, Signs signs) {
     Calibration calibration = inquiry.calibration;
     double bySigns = Constants.own().unknown(signs.byName());
-    CalibratedLog given = inquiry.given;
+    CalibratedLog given = inquiry.given();
     if (calibration.model() != SensorLaw.Model.LEVEL || bySigns > 0.5) {
       String what = bySigns > 0.5 ? Unknown.standsIn(given, inquiry.best()) : "";
       return new Conclusion.Unnamed(bySigns, signs.byName(), what);
@@ -306,7 +312,7 @@ public final class Diagnoser {
   }
 
   private Diagnosis diagnosis(Inquiry inquiry, Told told) {
-    CalibratedLog given = inquiry.given;
+    CalibratedLog given = inquiry.given();
     double clumping = inquiry.calibration.clumping();
     Blocks blocks = new Blocks(given.log());
     List<Scored> sets = inquiry.sets;

@@ -2,6 +2,7 @@ package simbad.gap.score;
 
 import java.util.Arrays;
 import java.util.Random;
+import java.util.stream.IntStream;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fold;
@@ -57,17 +58,20 @@ public record GapGain(
     double[] observed = new double[given.log().size()];
     double[] expected = new double[observed.length];
     int parts = explanation.hasTable() ? TABLE_PARTS : 2;
-    for (int part = 0; part < parts; part++) {
-      Fold left = blocks.part(part, parts);
-      Hypothesis fitted = new Refit(given, ping -> !left.holds(ping)).of(explanation, EVALUATIONS);
-      GapMeter.Gaps gaps = meter.measure(given, fitted);
-      for (int i = 0; i < observed.length; i++) {
-        if (left.holds(i)) {
-          observed[i] = gaps.observedM()[i];
-          expected[i] = gaps.expectedM()[i];
-        }
-      }
-    }
+    IntStream.range(0, parts)
+        .parallel()
+        .forEach(
+            part -> {
+              Fold left = blocks.part(part, parts);
+              Refit rest = new Refit(given, ping -> !left.holds(ping));
+              GapMeter.Gaps gaps = meter.measure(given, rest.of(explanation, EVALUATIONS));
+              for (int i = 0; i < observed.length; i++) {
+                if (left.holds(i)) {
+                  observed[i] = gaps.observedM()[i];
+                  expected[i] = gaps.expectedM()[i];
+                }
+              }
+            });
     GapMeter.Gaps after = new GapMeter.Gaps(observed, expected);
     return new GapGain(before, after, after, meter.measure(given, explanation));
   }

@@ -5,7 +5,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import simbad.definition.Effect;
-import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.score.HeldOut.Scored;
 
@@ -17,19 +16,17 @@ public final class PracticalSize {
   /** By how many standard errors an effect shrinks the gap of rows that the fit never saw. */
   private static final double SHOWN = 1.5;
 
-  private final CalibratedLog given;
-  private final Blocks blocks;
+  private final GapGains gains;
   private final List<Scored> sets;
 
   /**
    * Creates a judge.
    *
-   * @param given of the log
+   * @param gains of the log
    * @param sets that were fitted, with their scores
    */
-  public PracticalSize(CalibratedLog given, List<Scored> sets) {
-    this.given = given;
-    blocks = new Blocks(given.log());
+  public PracticalSize(GapGains gains, List<Scored> sets) {
+    this.gains = gains;
     this.sets = List.copyOf(sets);
   }
 
@@ -62,8 +59,9 @@ public final class PracticalSize {
 
   /** How much the gap shrinks from one hypothesis to another, in standard errors over blocks. */
   private double shrinkage(Hypothesis from, Hypothesis to) {
-    double[] before = GapGain.of(given, blocks, from).after().observedM();
-    double[] after = GapGain.of(given, blocks, to).after().observedM();
+    Blocks blocks = gains.blocks();
+    double[] before = gains.of(from).after().observedM();
+    double[] after = gains.of(to).after().observedM();
     double[] sums = new double[blocks.count()];
     double all = 0;
     for (int i = 0; i < before.length; i++) {

@@ -9,8 +9,8 @@ import java.util.TreeSet;
 import simbad.definition.Effect;
 import simbad.definition.Trait;
 import simbad.gap.fit.CalibratedLog;
-import simbad.gap.score.Blocks;
 import simbad.gap.score.GapGain;
+import simbad.gap.score.GapGains;
 import simbad.gap.score.HeldOut.Scored;
 import simbad.gap.score.Placements;
 import simbad.gap.score.PracticalSize;
@@ -47,14 +47,14 @@ public record Weighed(
   /**
    * Weighs sets, the nominal model among them.
    *
-   * @param given the log
+   * @param gains of the log
    * @param sets that were fitted
    * @param worthNats what a further effect must gain to be as probable as its absence
    * @param temperature by which nats are divided
    */
   public static Weighed of(
-      CalibratedLog given, List<Scored> sets, double worthNats, double temperature) {
-    return of(given, sets, sets, worthNats, temperature);
+      GapGains gains, List<Scored> sets, double worthNats, double temperature) {
+    return of(gains, sets, sets, worthNats, temperature);
   }
 
   /**
@@ -62,14 +62,14 @@ public record Weighed(
    * effect has to outweigh other effects alone. What shows little in the gap counts as the others
    * do, but for what takes up a little of anything.
    *
-   * @param given the log
+   * @param gains of the log
    * @param sets that were fitted
    * @param worthNats what a further effect must gain to be as probable as its absence
    * @param temperature by which nats are divided
    * @return empty where no set is half as much likelier than none as an effect has to be
    */
   public static Optional<Weighed> ofSome(
-      CalibratedLog given, List<Scored> sets, double worthNats, double temperature) {
+      GapGains gains, List<Scored> sets, double worthNats, double temperature) {
     double least =
         worthNats / 2
             + sets.stream()
@@ -83,20 +83,20 @@ public record Weighed(
             .toList();
     return some.isEmpty()
         ? Optional.empty()
-        : Optional.of(of(given, sets, some, worthNats, temperature))
+        : Optional.of(of(gains, sets, some, worthNats, temperature))
             .filter(weighed -> weighed.gain.isWorthNaming());
   }
 
   private static Weighed of(
-      CalibratedLog given,
+      GapGains gains,
       List<Scored> sets,
       List<Scored> candidates,
       double worthNats,
       double temperature) {
     Checks.number("worthNats", worthNats);
     Checks.positive("temperature", temperature);
-    PracticalSize size = new PracticalSize(given, sets);
-    Blocks blocks = new Blocks(given.log());
+    CalibratedLog given = gains.given();
+    PracticalSize size = new PracticalSize(gains, sets);
     double most = (1 + Probabilities.UNSEEN) * worthNats;
     Set<Effect> unseen = new TreeSet<>();
     if (new Placements(given.log()).areRepeated()) {
@@ -117,7 +117,7 @@ public record Weighed(
       if (unseen.addAll(little)) {
         continue;
       }
-      GapGain gain = GapGain.of(given, blocks, best.hypothesis());
+      GapGain gain = gains.of(best.hypothesis());
       if (best.hypothesis().forms().isEmpty() || gain.isWorthNaming() || left.size() == 1) {
         return new Weighed(probabilities, best, gain, enlarging);
       }
@@ -147,7 +147,11 @@ public record Weighed(
     if (open == given) {
       return this;
     }
-    return new Weighed(probabilities, taken, gain.beside(gainOf(open, taken).after()), enlarging);
+    return new Weighed(
+        probabilities,
+        taken,
+        gain.beside(new GapGains(open).of(taken.hypothesis()).after()),
+        enlarging);
   }
 
   /** Returns the ties of an effect of the set that is concluded upon: what could stand for it. */
@@ -159,18 +163,15 @@ public record Weighed(
    * Returns what is sure beside a rest that no effect explains, with its own gain; empty if nothing
    * is, or if it leaves the gap as it was.
    *
-   * @param given the log
+   * @param gains of the log
    * @param sets that were fitted
    * @param worthNats what a further effect must gain to be as probable as its absence
    */
-  public Optional<Weighed> confirmed(CalibratedLog given, List<Scored> sets, double worthNats) {
-    return new Confirmed(sets, SOAK_UP, worthNats, new Placements(given.log()).areRepeated())
+  public Optional<Weighed> confirmed(GapGains gains, List<Scored> sets, double worthNats) {
+    boolean isPlaced = new Placements(gains.given().log()).areRepeated();
+    return new Confirmed(sets, SOAK_UP, worthNats, isPlaced)
         .best()
-        .map(sure -> new Weighed(probabilities, sure, gainOf(given, sure), enlarging))
+        .map(sure -> new Weighed(probabilities, sure, gains.of(sure.hypothesis()), enlarging))
         .filter(sure -> sure.gain.isWorthNaming());
-  }
-
-  private static GapGain gainOf(CalibratedLog given, Scored set) {
-    return GapGain.of(given, new Blocks(given.log()), set.hypothesis());
   }
 }

@@ -18,7 +18,7 @@ class PracticalSizeTest {
     CalibratedLog given = Worlds.given(Worlds.read(Worlds.poses(150, 0.3, 1.3, 5), offset, 6));
     Scored set = new Scored(offset, 0, gainedNats);
     List<Scored> sets = List.of(new Scored(Hypothesis.NONE, 0, 0), set);
-    return new PracticalSize(given, sets).unseen(set, nats);
+    return new PracticalSize(new GapGains(given), sets).unseen(set, nats);
   }
 
   @Test
@@ -43,6 +43,6 @@ class PracticalSizeTest {
     Hypothesis offset = Worlds.effect(Effect.RANGE_OFFSET, "constant", 1e-4);
     CalibratedLog given = Worlds.given(Worlds.read(Worlds.poses(150, 0.3, 1.3, 5), offset, 6));
     Scored set = new Scored(offset, 0, 1);
-    assertEquals(Set.of(), new PracticalSize(given, List.of(set)).unseen(set, 30));
+    assertEquals(Set.of(), new PracticalSize(new GapGains(given), List.of(set)).unseen(set, 30));
   }
 }

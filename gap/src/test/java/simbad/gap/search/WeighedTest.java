@@ -11,6 +11,7 @@ import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.gap.score.GapGain;
+import simbad.gap.score.GapGains;
 import simbad.gap.score.GapMeter;
 import simbad.gap.score.HeldOut.Scored;
 import simbad.gap.score.Probabilities;
@@ -37,7 +38,7 @@ class WeighedTest {
 
   private static Weighed weighed(CalibratedLog given, Scored likelier) {
     List<Scored> sets = List.of(likelier, new Scored(Hypothesis.NONE, 0, 0));
-    return Weighed.of(given, sets, Probabilities.COST_NATS, 1);
+    return Weighed.of(new GapGains(given), sets, Probabilities.COST_NATS, 1);
   }
 
   /** What was fitted on one half is wrong by 4 cm on the other, however likely it is said to be. */
@@ -85,14 +86,18 @@ class WeighedTest {
     CalibratedLog given = shifted(0.1, 0.1);
     List<Scored> sets = List.of(new Scored(offset(0.1), 8, 8), new Scored(Hypothesis.NONE, 0, 0));
     assertEquals(
-        Hypothesis.NONE, Weighed.of(given, sets, Probabilities.COST_NATS, 1).taken().hypothesis());
+        Hypothesis.NONE,
+        Weighed.of(new GapGains(given), sets, Probabilities.COST_NATS, 1).taken().hypothesis());
     assertEquals(
         offset(0.1),
-        Weighed.ofSome(given, sets, Probabilities.COST_NATS, 1).orElseThrow().taken().hypothesis());
+        Weighed.ofSome(new GapGains(given), sets, Probabilities.COST_NATS, 1)
+            .orElseThrow()
+            .taken()
+            .hypothesis());
     List<Scored> weak = List.of(new Scored(offset(0.1), 4, 4), new Scored(Hypothesis.NONE, 0, 0));
-    assertTrue(Weighed.ofSome(given, weak, Probabilities.COST_NATS, 1).isEmpty());
+    assertTrue(Weighed.ofSome(new GapGains(given), weak, Probabilities.COST_NATS, 1).isEmpty());
     assertTrue(
-        Weighed.ofSome(shifted(0, 0), sets, Probabilities.COST_NATS, 1).isEmpty(),
+        Weighed.ofSome(new GapGains(shifted(0, 0)), sets, Probabilities.COST_NATS, 1).isEmpty(),
         "leaves the gap as it is");
   }
 
