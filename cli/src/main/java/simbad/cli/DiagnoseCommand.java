@@ -36,6 +36,7 @@ import simbad.gap.joint.JointDiagnosis;
 import simbad.gap.motion.MotionAudit;
 import simbad.gap.motion.MotionDiagnoser;
 import simbad.gap.motion.MotionDiagnosis;
+import simbad.gap.motion.StuckTrack;
 import simbad.motion.format.MotionData;
 import simbad.motion.format.MotionFolder;
 import simbad.sonar.effect.Definitions;
@@ -242,6 +243,7 @@ final class DiagnoseCommand extends Subcommand {
     List<AuditFinding> audit =
         new ArrayList<>(Audit.of(data.setup(), data.readings(), data.reference()));
     audit.addAll(MotionAudit.of(drive));
+    motion = StuckTrack.without(motion, drive.trackRows(), audit);
     JointFiles.Log log = new JointFiles.Log(data, motion, audit);
     DiagnosisProvenance provenance = new DiagnosisProvenance(source.sha256(), version, seed);
     try (StagedDirectory staged = StagedDirectory.beside(target)) {
@@ -266,8 +268,10 @@ final class DiagnoseCommand extends Subcommand {
     if (corrected != null) {
       throw wrongUsage("--corrected: " + folder + " is a motion folder, which has no scene");
     }
-    MotionData data = new MotionFolder(folder).read(source.name());
-    List<AuditFinding> audit = MotionAudit.of(new MotionFolder(folder));
+    MotionFolder drive = new MotionFolder(folder);
+    MotionData all = drive.read(source.name());
+    List<AuditFinding> audit = MotionAudit.of(drive);
+    MotionData data = StuckTrack.without(all, drive.trackRows(), audit);
     DiagnosisProvenance provenance = new DiagnosisProvenance(source.sha256(), version, seed);
     try (StagedDirectory staged = StagedDirectory.beside(target)) {
       if (auditOnly || Audit.refuses(audit)) {

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import simbad.gap.audit.Audit;
 import simbad.gap.audit.AuditCheck;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.audit.Severity;
@@ -42,17 +43,21 @@ public final class MotionAudit {
    * @throws DataFormatException naming file, line and field of the first fault
    */
   public static List<AuditFinding> of(MotionFolder folder) throws DataFormatException {
-    return of(folder.commandRows(), folder.trackRows());
+    return of(folder.commandRows(), folder.trackRows(), !folder.robot().separateClocks());
   }
 
   static List<AuditFinding> of(
       Map<String, List<MotionRow<Command>>> commands,
-      Map<String, List<MotionRow<TrackPose>>> track) {
+      Map<String, List<MotionRow<TrackPose>>> track,
+      boolean isOneClock) {
     MotionAudit audit = new MotionAudit(commands, track);
     audit.order();
     audit.overlap();
     audit.holes();
     audit.findings.addAll(new TrackCheck(commands, track).findings());
+    if (!Audit.refuses(audit.findings)) {
+      audit.findings.addAll(LagCheck.of(commands, track, isOneClock));
+    }
     audit.findings.sort(Comparator.comparing(AuditFinding::severity).reversed());
     return List.copyOf(audit.findings);
   }

@@ -2,6 +2,7 @@ package simbad.gap.motion;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -76,11 +77,7 @@ final class TrackCheck {
 
   private void pair(String run, List<MotionRow<TrackPose>> rows) {
     double longest = 2 * Math.max(PAIR_S, step(rows));
-    List<Command> told =
-        commands.getOrDefault(run, List.of()).stream()
-            .map(MotionRow::value)
-            .sorted((a, b) -> Double.compare(a.timeS(), b.timeS()))
-            .toList();
+    List<Command> told = told(run);
     int at = 0;
     int from = 0;
     for (int to = 1; to < rows.size(); to++) {
@@ -318,15 +315,26 @@ final class TrackCheck {
   private void still() {
     double seconds = 0;
     List<Integer> rows = new ArrayList<>();
-    for (Pair p : pairs) {
-      boolean frozen =
-          Math.abs(p.command().speedMPerS()) > MOVES_M_S && p.wayM() == 0 && p.turnRad() == 0;
-      if (frozen) {
-        seconds += p.seconds();
-        rows.add(p.row());
+    for (Map.Entry<String, List<MotionRow<TrackPose>>> run : track.entrySet()) {
+      List<MotionRow<TrackPose>> sorted = MotionAudit.sorted(run.getValue());
+      List<Command> told = told(run.getKey());
+      int from = 0;
+      for (int to = 1; to <= sorted.size(); to++) {
+        if (to < sorted.size() && isSamePlace(sorted.get(from).value(), sorted.get(to).value())) {
+          continue;
+        }
+        double begin = sorted.get(from).value().timeS();
+        double end = sorted.get(to - 1).value().timeS();
+        if (end - begin >= PAIR_S && toldToGo(told, begin, end) > PAIR_S / 2) {
+          seconds += end - begin;
+          // The first of them was seen.
+          sorted.subList(from + 1, to).forEach(row -> rows.add(row.row()));
+        }
+        from = to;
       }
     }
     if (seconds > STILL_S) {
+      rows.sort(null);
       add(
           AuditCheck.TRACK_STILL,
           String.format(
@@ -334,9 +342,33 @@ final class TrackCheck {
               "the track does not move for %.1f s while the robot is told to drive",
               seconds),
           rows,
-          "leave out rows that only repeat the tracker's last value",
+          "rows that only repeat the tracker's last value are left out of all that follows",
           Severity.WARN);
     }
+  }
+
+  private List<Command> told(String run) {
+    return commands.getOrDefault(run, List.of()).stream()
+        .map(MotionRow::value)
+        .sorted(Comparator.comparingDouble(Command::timeS))
+        .toList();
+  }
+
+  private static boolean isSamePlace(TrackPose a, TrackPose b) {
+    return a.xM() == b.xM() && a.yM() == b.yM() && a.headingRad() == b.headingRad();
+  }
+
+  /** For how many seconds of a stretch the robot is told to go or to turn. */
+  private static double toldToGo(List<Command> told, double begin, double end) {
+    double seconds = 0;
+    for (int i = 0; i < told.size(); i++) {
+      Command one = told.get(i);
+      double until = i + 1 < told.size() ? told.get(i + 1).timeS() : end;
+      boolean goes =
+          Math.abs(one.speedMPerS()) > MOVES_M_S || Math.abs(one.turnRadPerS()) > TURNS_RAD_S;
+      seconds += goes ? Math.max(0, Math.min(end, until) - Math.max(begin, one.timeS())) : 0;
+    }
+    return seconds;
   }
 
   private static double median(double[] values) {

@@ -29,7 +29,7 @@ class MotionAuditTest {
   }
 
   private static List<AuditFinding> audit(List<TrackPose> track) {
-    return MotionAudit.of(Map.of("a", rows(RUN.commands())), Map.of("a", rows(track)));
+    return MotionAudit.of(Map.of("a", rows(RUN.commands())), Map.of("a", rows(track)), true);
   }
 
   private static List<AuditFinding> audit(UnaryOperator<TrackPose> change) {
@@ -74,7 +74,7 @@ class MotionAuditTest {
   }
 
   private static AuditFinding worst(List<Command> commands, List<TrackPose> track) {
-    return MotionAudit.of(Map.of("a", rows(commands)), Map.of("a", rows(track))).get(0);
+    return MotionAudit.of(Map.of("a", rows(commands)), Map.of("a", rows(track)), true).get(0);
   }
 
   private static List<TrackPose> millisecondsOfTrack() {
@@ -164,6 +164,6 @@ class MotionAuditTest {
     mixed.remove(0);
     mixed.add(first);
     assertEquals(
-        List.of(), MotionAudit.of(Map.of("a", rows(mixed)), Map.of("a", rows(RUN.track()))));
+        List.of(), MotionAudit.of(Map.of("a", rows(mixed)), Map.of("a", rows(RUN.track())), true));
   }
 }

@@ -47,13 +47,22 @@ public final class MotionFolder {
   }
 
   /**
+   * Reads what the simulator believes of the robot.
+   *
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public Robot robot() throws DataFormatException {
+    return RobotFile.read(folder.resolve(ROBOT));
+  }
+
+  /**
    * Reads the folder.
    *
    * @param name by which the data set goes
    * @throws DataFormatException naming file, line and field of the first fault
    */
   public MotionData read(String name) throws DataFormatException {
-    Robot robot = RobotFile.read(folder.resolve(ROBOT));
+    Robot robot = robot();
     List<MotionRun> reference =
         Files.exists(folder.resolve(REFERENCE + COMMANDS)) ? runs(robot, REFERENCE) : List.of();
     return new MotionData(name, robot, runs(robot, ""), reference);
