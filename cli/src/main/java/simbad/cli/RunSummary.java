@@ -55,7 +55,13 @@ final class RunSummary {
     ErrorWords.MEANINGS.forEach(out::println);
     EdgeLoss.of(results).forEach(loss -> out.println(loss.sentence()));
     TraceMove.of(results).forEach(move -> out.println(move.sentence()));
-    ErrorParts.of(results).forEach(parts -> out.println(parts.sentence()));
+    List<ErrorParts> parts = ErrorParts.of(results);
+    parts.forEach(part -> out.println(part.sentence()));
+    if (parts.isEmpty() && results.stream().anyMatch(one -> one.sensor().robot().isPresent())) {
+      out.println(
+          "What comes from hearing and what from moving is not told: name a believed sensor beside"
+              + " the diagnosed one (--sensor shadow,diagnosed:DIR)");
+    }
   }
 
   /** As wide as the longest names. */

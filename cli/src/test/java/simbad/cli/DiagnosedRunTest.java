@@ -2,12 +2,15 @@ package simbad.cli;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -58,18 +61,13 @@ class DiagnosedRunTest {
     return diagnosis;
   }
 
-  private Shell run(String out, String sensors) throws IOException {
+  private Shell run(String out, String sensors, String... more) throws IOException {
     Path table = folder.resolve("circle.csv");
     Files.writeString(table, TABLE);
-    return Shell.simbad(
-        "run",
-        table.toString(),
-        "--speed",
-        "0.05",
-        "--sensor",
-        sensors,
-        "--out",
-        folder.resolve(out).toString());
+    List<String> words = new ArrayList<>(List.of("run", table.toString(), "--speed", "0.05"));
+    words.addAll(List.of("--sensor", sensors, "--out", folder.resolve(out).toString()));
+    words.addAll(List.of(more));
+    return Shell.simbad(words.toArray(String[]::new));
   }
 
   private static double ratio(String text) {
@@ -107,6 +105,20 @@ class DiagnosedRunTest {
     assertEquals(0, shell.status(), shell.err());
     assertTrue(shell.out().contains("further out than the table"), shell.out());
     assertEquals(1.2, ratio(shell.out()), 0.015, shell.out());
+  }
+
+  /** Beside nothing that is believed, there are no parts of an error, and the run says why. */
+  @Test
+  void aloneOnARobot_itSaysWhyThereAreNoParts() throws IOException {
+    Path robot = folder.resolve("tin.json");
+    Files.writeString(
+        robot, "{\"format\": \"motion-gap/1\", \"kinematics\": \"unicycle\"}");
+    String sensor = "diagnosed:" + diagnosis("d", GAIN.formatted("1.2"));
+    Shell alone = run("out", sensor, "--robot", robot.toString());
+    assertEquals(0, alone.status(), alone.err());
+    assertTrue(alone.out().contains("name a believed sensor beside"), alone.out());
+    Shell both = run("both", "shadow," + sensor, "--robot", robot.toString());
+    assertFalse(both.out().contains("name a believed sensor beside"), both.out());
   }
 
   @Test

@@ -80,6 +80,15 @@ class RobotRunTest {
     assertEquals(way, trace("exact", "shadow-on-tin"));
   }
 
+  /** The experiment's own robot is written down as others are. */
+  @Test
+  void edgeFollower_isTheRobotOfTheExperiment() throws IOException {
+    checkDone(run("none"));
+    Path own = ProjectFolder.find().resolve("data/robots/edge-follower/robot.json");
+    checkDone(run("own", "--robot", own.toString()));
+    assertEquals(trace("none", "shadow"), trace("own", "shadow-on-robot"));
+  }
+
   /** Half as fast, it takes twice the steps for the same circle; what scatters is left aside. */
   @Test
   void slowRobot_takesLonger_andTheReportSaysWhatMovingCosts() throws IOException {
