@@ -111,8 +111,7 @@ class DiagnosedRunTest {
   @Test
   void aloneOnARobot_itSaysWhyThereAreNoParts() throws IOException {
     Path robot = folder.resolve("tin.json");
-    Files.writeString(
-        robot, "{\"format\": \"motion-gap/1\", \"kinematics\": \"unicycle\"}");
+    Files.writeString(robot, "{\"format\": \"motion-gap/1\", \"kinematics\": \"unicycle\"}");
     String sensor = "diagnosed:" + diagnosis("d", GAIN.formatted("1.2"));
     Shell alone = run("out", sensor, "--robot", robot.toString());
     assertEquals(0, alone.status(), alone.err());

@@ -1,16 +1,12 @@
 package simbad.gap;
 
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
 import simbad.definition.Effect;
-import simbad.definition.Parameter;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.calibrate.Calibration;
 import simbad.gap.calibrate.Laws;
@@ -21,8 +17,6 @@ import simbad.gap.design.Experiments;
 import simbad.gap.design.Undetectables;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
-import simbad.gap.diagnosis.EffectFinding;
-import simbad.gap.diagnosis.FittedParameter;
 import simbad.gap.diagnosis.GapFigures;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.NextExperiment;
@@ -37,10 +31,7 @@ import simbad.gap.score.GapGain;
 import simbad.gap.score.GapGains;
 import simbad.gap.score.GapMeter;
 import simbad.gap.score.HeldOut.Scored;
-import simbad.gap.score.PlacementScatter;
-import simbad.gap.score.Placements;
 import simbad.gap.score.Probabilities;
-import simbad.gap.score.Uncertainty;
 import simbad.gap.search.Search;
 import simbad.gap.search.Strangers;
 import simbad.gap.search.Weighed;
@@ -48,7 +39,6 @@ import simbad.gap.unexplained.Constants;
 import simbad.gap.unexplained.Signs;
 import simbad.gap.unexplained.Unknown;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Form;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensorLaw;
 
@@ -60,9 +50,7 @@ public final class Diagnoser {
   /** A set-up that is known to be off hides more: so many times that is asked of an effect. */
   private static final double OFF = 2;
 
-  private static final double TIE_NATS = 3;
-
-  private static final double NORMAL_95 = 1.96;
+  static final double TIE_NATS = 3;
 
   /** How often what the reference shows of an explanation goes into the set-up. */
   private static final int ROUNDS = 3;
@@ -325,7 +313,7 @@ public final class Diagnoser {
         verdict,
         told.conclusion.reason(),
         best.effects(),
-        new Findings(given, sets, weighed, told.unknown, clumping, isPartly).all(),
+        new EffectFindings(given, sets, weighed, told.unknown, clumping, isPartly).all(),
         told.unknown,
         1 - weighed.probabilities().ofNone(),
         told.conclusion.atBound(),
@@ -394,102 +382,5 @@ public final class Diagnoser {
                     set.heldOut() - nominal,
                     temperature * probabilities.behind(set)))
         .toList();
-  }
-
-  /** What is said of each effect. */
-  private record Findings(
-      CalibratedLog given,
-      List<Scored> sets,
-      Weighed weighed,
-      double unknown,
-      double clumping,
-      boolean isPartly) {
-
-    List<EffectFinding> all() {
-      Map<Effect, Double> probability = new TreeMap<>();
-      weighed.probabilities().ofEffects().forEach((e, p) -> probability.put(e, stated(p)));
-      Hypothesis best = weighed.taken().hypothesis();
-      if (isPartly) {
-        best.effects().forEach(effect -> probability.put(effect, Constants.own().namedRightly()));
-      }
-      double placed = PlacementScatter.statedClumping(given, new Placements(given.log()));
-      double[] deviations = new Uncertainty(given, Math.max(clumping, placed)).deviations(best);
-      List<EffectFinding> findings = new ArrayList<>();
-      for (Effect effect : Definitions.effects()) {
-        findings.add(
-            best.has(effect)
-                ? named(effect, best, deviations, probability.getOrDefault(effect, 0.0))
-                : other(effect, probability.getOrDefault(effect, 0.0)));
-      }
-      findings.sort(Comparator.comparingDouble(finding -> -finding.probability()));
-      return findings;
-    }
-
-    /** That it is at work: beside what has no name, those named nearly all only stand in for it. */
-    private double stated(double amongTheNamed) {
-      return Constants.own().namedRightly() * (1 - unknown) * amongTheNamed;
-    }
-
-    private static double[] infinite(int size) {
-      double[] all = new double[size];
-      Arrays.fill(all, Double.POSITIVE_INFINITY);
-      return all;
-    }
-
-    private EffectFinding named(
-        Effect effect, Hypothesis best, double[] deviations, double probability) {
-      int at = best.effects().indexOf(effect);
-      int from = 0;
-      for (int i = 0; i < at; i++) {
-        from += best.forms().get(i).parameters().size();
-      }
-      Form form = best.forms().get(at);
-      double[] own = Arrays.copyOfRange(deviations, from, from + form.parameters().size());
-      return new EffectFinding(
-          effect,
-          probability,
-          Optional.of(form.name()),
-          fitted(form, best.valuesOf(at), own),
-          isPartly ? List.of() : weighed.tiesOf(effect, TIE_NATS * clumping));
-    }
-
-    /** Of an effect that is not in the explanation: its values when it is fitted alone. */
-    private EffectFinding other(Effect effect, double probability) {
-      Optional<Hypothesis> alone =
-          sets.stream()
-              .map(Scored::hypothesis)
-              .filter(set -> set.effects().equals(List.of(effect)))
-              .findFirst();
-      List<Effect> tied =
-          isPartly
-              ? List.of()
-              : weighed.taken().hypothesis().effects().stream()
-                  .filter(in -> weighed.tiesOf(in, TIE_NATS * clumping).contains(effect))
-                  .toList();
-      return new EffectFinding(
-          effect,
-          probability,
-          alone.map(set -> set.forms().get(0).name()),
-          alone
-              .map(set -> fitted(set.forms().get(0), set.values(), infinite(set.size())))
-              .orElse(List.of()),
-          tied);
-    }
-
-    private static List<FittedParameter> fitted(Form form, double[] values, double[] deviations) {
-      List<FittedParameter> parameters = new ArrayList<>();
-      for (int i = 0; i < values.length; i++) {
-        Parameter parameter = form.parameters().get(i);
-        double half = NORMAL_95 * deviations[i];
-        // No further than the values that there are; beyond all bounds stays beyond.
-        Interval ci95 =
-            Double.isInfinite(half)
-                ? new Interval(-half, half)
-                : new Interval(
-                    parameter.clamp(values[i] - half), parameter.clamp(values[i] + half));
-        parameters.add(new FittedParameter(parameter.name(), values[i], ci95));
-      }
-      return parameters;
-    }
   }
 }

@@ -8,6 +8,7 @@ import simbad.gap.diagnosis.Interval;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
+import simbad.gap.score.GapGains;
 import simbad.gap.score.HeldOut.Scored;
 import simbad.sonar.change.Gain;
 import simbad.sonar.check.DoorWalk;
@@ -31,7 +32,8 @@ class GapDoorsTest {
             .with(Hypothesis.class, Hypothesis.NONE)
             .with(Interval.class, new Interval(0, 1))
             .with(Scored.class, new Scored(Hypothesis.NONE, -1, -1))
-            .with(CalibratedLog.class, given());
+            .with(CalibratedLog.class, given())
+            .with(GapGains.class, new GapGains(given()));
     // A ping may have no place on an axis, and NaN says so there.
     DoorWalk.refusesNan(LevelCalibration.class, samples, 35, "gap.calibrate.level.Along.of(");
   }

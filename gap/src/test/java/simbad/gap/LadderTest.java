@@ -106,6 +106,30 @@ class LadderTest {
     assertTrue(held >= named - 1, held + " of " + named + " are held");
   }
 
+  /**
+   * In whole centimetres a datum of 9 mm is too little to be named, but it bends the scale: the
+   * scale's interval holds what it is beside a datum.
+   */
+  @Test
+  void intervalOfAScale_allowsForADatum_thatIsNotNamed() {
+    SensingSetup coarse =
+        new SensingSetup(
+            Ladders.BOARD.sensor().withResolution(0.01),
+            Ladders.BOARD.scene(),
+            Ladders.BOARD.noEchoM(),
+            new SetupDetails(Ladders.TAPE_M, 0, Map.of(), Optional.empty(), List.of()));
+    int held = 0;
+    for (int seed = 1; seed <= 6; seed++) {
+      List<ReadingRow> rows =
+          Ladders.read((range, lot) -> 0.01 * Math.floor(100 * (0.985 * range - 0.009)), seed);
+      Diagnosis diagnosis =
+          new Diagnoser(1, Set.of()).diagnose(new DataSet("ladder", coarse, rows, List.of()));
+      assertTrue(diagnosis.explanation().contains(Effect.SOUND_SPEED), diagnosis.reason());
+      held += holds(diagnosis, Effect.SOUND_SPEED, "sound_speed_m_s", 343 / 0.985);
+    }
+    assertTrue(held >= 5, held + " of 6 are held");
+  }
+
   private static int holds(Diagnosis diagnosis, Effect effect, String parameter, double truth) {
     Interval found = parameter(diagnosis, effect, parameter).ci95();
     return found.low() <= truth && truth <= found.high() ? 1 : 0;

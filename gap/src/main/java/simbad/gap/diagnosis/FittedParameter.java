@@ -14,4 +14,9 @@ public record FittedParameter(String name, double value, Interval ci95) {
   public FittedParameter {
     Checks.number("value", value);
   }
+
+  /** Returns the same with another interval. */
+  public FittedParameter with(Interval other) {
+    return new FittedParameter(name, value, other);
+  }
 }

@@ -14,4 +14,9 @@ public record Interval(double low, double high) {
     Checks.number("low", low);
     Checks.number("high", high);
   }
+
+  /** Returns the least interval that holds this one and another. */
+  public Interval hull(Interval other) {
+    return new Interval(Math.min(low, other.low), Math.max(high, other.high));
+  }
 }

@@ -96,14 +96,18 @@ class GatesTest {
         closed(pole(new Point(0.02, 0)), every(0.05)));
   }
 
-  /** Noise is what scatters at one placement; what differs from place to place is the tape. */
+  /**
+   * Noise is what scatters at one placement; what differs from place to place is the tape. A board
+   * that is seen from one side only shows nothing of its other sides.
+   */
   @Test
   void ladder_mayHavePlacementsThatAreOff_andNoiseWhereItShows() {
     assertEquals(
-        Set.of(Effect.NO_ECHO_CODE, Effect.RANGE_NOISE, Effect.RANGE_WALK),
+        Set.of(
+            Effect.NO_ECHO_CODE, Effect.RANGE_NOISE, Effect.RANGE_WALK, Effect.ORIENTATION_SHADOW),
         closed(Ladders.BOARD, Ladders.read((range, lot) -> range, 1)));
     assertEquals(
-        Set.of(Effect.NO_ECHO_CODE, Effect.RANGE_WALK),
+        Set.of(Effect.NO_ECHO_CODE, Effect.RANGE_WALK, Effect.ORIENTATION_SHADOW),
         closed(Ladders.BOARD, Ladders.read((range, lot) -> range + 0.02 * lot, 1)));
   }
 
