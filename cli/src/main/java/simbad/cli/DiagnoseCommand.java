@@ -207,7 +207,8 @@ final class DiagnoseCommand extends Subcommand {
         return new AuditSummary(data.name(), audit, target);
       }
       Diagnosis diagnosis = diagnoser.diagnose(data, audit);
-      DiagnosisReport.write(staged.path(), folder, data, diagnosis, provenance);
+      DataSet believed = Diagnoser.believed(data, audit);
+      DiagnosisReport.write(staged.path(), folder, believed, diagnosis, provenance);
       staged.publish();
       if (corrected != null) {
         correct(corrected, CorrectedScene.of(data.setup(), diagnosis));

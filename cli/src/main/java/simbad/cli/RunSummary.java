@@ -55,6 +55,10 @@ final class RunSummary {
     ErrorWords.MEANINGS.forEach(out::println);
     EdgeLoss.of(results).forEach(loss -> out.println(loss.sentence()));
     TraceMove.of(results).forEach(move -> out.println(move.sentence()));
+    printParts(results, out);
+  }
+
+  private static void printParts(List<RunResult> results, PrintWriter out) {
     List<ErrorParts> parts = ErrorParts.of(results);
     parts.forEach(part -> out.println(part.sentence()));
     if (parts.isEmpty() && results.stream().anyMatch(one -> one.sensor().robot().isPresent())) {

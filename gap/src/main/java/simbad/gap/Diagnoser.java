@@ -69,6 +69,17 @@ public final class Diagnoser {
     this.withheld = Set.copyOf(withheld);
   }
 
+  /**
+   * Returns what is diagnosed of a data set that was audited: all of it but rows that are no
+   * readings of what stands there.
+   *
+   * @param data the data set
+   * @param audit what was found of it
+   */
+  public static DataSet believed(DataSet data, List<AuditFinding> audit) {
+    return new LeftOut(data, audit).rest();
+  }
+
   /** Diagnoses a data set as it is, without an audit. */
   public Diagnosis diagnose(DataSet data) {
     return diagnose(data, Hypothesis.NONE);
