@@ -87,7 +87,6 @@ public final class Audit {
       new WrapCheck(view).find().ifPresent(found::add);
     }
     found.addAll(new HeldCheck(mended).find());
-    new PlacedCheck(mended, rest).find().ifPresent(found::add);
     new JumpCheck(mended, rest, rowsOf(repeated)).find().ifPresent(found::add);
     return found;
   }

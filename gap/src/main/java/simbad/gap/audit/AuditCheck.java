@@ -22,8 +22,6 @@ public enum AuditCheck {
   HELD("held", "range_m"),
   /** Single readings that are off by one and the same amount. */
   JUMP("jump", "range_m"),
-  /** Placements whose readings are off all together. */
-  PLACED("placed", "x_m, z_m"),
   /** Times that go back or stand twice. */
   CLOCK("clock", "t_s"),
   /** Times between pings that are not the sensor's. */
