@@ -206,12 +206,13 @@ final class DiagnoseCommand extends Subcommand {
         return new AuditSummary(data.name(), audit, target);
       }
       Diagnosis diagnosis = diagnoser.diagnose(data).with(audit);
-      DiagnosisReport.write(staged.path(), folder, data, diagnosis, provenance);
+      List<String> off =
+          DiagnosisReport.write(staged.path(), folder, data, diagnosis, provenance);
       staged.publish();
       if (corrected != null) {
         correct(corrected, CorrectedScene.of(data.setup(), diagnosis));
       }
-      return new DiagnoseSummary(data.name(), diagnosis, target);
+      return new DiagnoseSummary(data.name(), diagnosis, off, target);
     }
   }
 
