@@ -206,8 +206,7 @@ final class DiagnoseCommand extends Subcommand {
         return new AuditSummary(data.name(), audit, target);
       }
       Diagnosis diagnosis = diagnoser.diagnose(data).with(audit);
-      List<String> off =
-          DiagnosisReport.write(staged.path(), folder, data, diagnosis, provenance);
+      List<String> off = DiagnosisReport.write(staged.path(), folder, data, diagnosis, provenance);
       staged.publish();
       if (corrected != null) {
         correct(corrected, CorrectedScene.of(data.setup(), diagnosis));

@@ -21,8 +21,7 @@ import simbad.gap.diagnosis.Verdict;
  * @param placements that are off alone, a sentence each
  * @param folder where it was written
  */
-record DiagnoseSummary(
-    String dataset, Diagnosis diagnosis, List<String> placements, Path folder)
+record DiagnoseSummary(String dataset, Diagnosis diagnosis, List<String> placements, Path folder)
     implements DataSetSummary {
   /** Copies the list. */
   DiagnoseSummary {

@@ -18,6 +18,7 @@ final class LogGuess {
       Pattern.compile("(?i).*(read|range|measur|ultra|sonar|echo|sensor|misur|lettura|mess).*");
   private static final Pattern TRUE =
       Pattern.compile("(?i).*(true|truth|actual|real|tape|ruler|nominal|soll|vera|expected).*");
+
   /** The range or the true distance, as other columns leave it. */
   private static final Pattern DISTANCE =
       Pattern.compile("(?i).*(dist|abstand|entfernung|distan).*");
@@ -76,13 +77,21 @@ final class LogGuess {
     Optional<Integer> column =
         only(at -> isNamed(RANGE, at) && !isNamed(TRUE, at) && hasNumbers(at))
             .or(() -> besideTheTrue(numbers))
-            .or(() -> only(this::hasNumbers))
-            .or(() -> only(at -> isNamed(DISTANCE, at) && !isNamed(TRUE, at) && hasNumbers(at)));
+            .or(this::onlyNumbers)
+            .or(() -> only(at -> isNamed(DISTANCE, at) && !isNamed(TRUE, at) && hasNumbers(at)))
+            .or(() -> only(at -> isNamed(RANGE, at) && !isNamed(TRUE, at)));
     if (column.isEmpty()) {
       return ask("range", "which column holds the sensor's readings", log.shown());
     }
     assumptions.add("The ranges are in column " + shown(column.get()) + " (--range).");
     return word(column.get());
+  }
+
+  /** The one column of numbers, where no other calls itself a range. */
+  private Optional<Integer> onlyNumbers() {
+    return columns(at -> isNamed(RANGE, at)).isEmpty()
+        ? only(at -> hasNumbers(at) && !isNamed(TRUE, at))
+        : Optional.empty();
   }
 
   /** Of two columns the one that is not the true distance; without names the second one. */
@@ -121,8 +130,7 @@ final class LogGuess {
                             isNamed(DISTANCE, column)
                                 && !ranges.contains(column)
                                 && hasNumbers(column)));
-    boolean two =
-        log.names().size() == 2 && ranges.size() == 1 && hasNumbers(1 - ranges.get(0));
+    boolean two = log.names().size() == 2 && ranges.size() == 1 && hasNumbers(1 - ranges.get(0));
     if (named.isPresent() || two) {
       int column = named.orElse(two ? 1 - ranges.get(0) : 0);
       assumptions.add("The true distances are in column " + shown(column) + " (--distance).");

@@ -68,8 +68,7 @@ final class LogLines {
     }
     boolean isFree = told.isEmpty() && format.header().isEmpty();
     Optional<SerialLines.Table> serial = isFree ? SerialLines.of(plain) : Optional.empty();
-    Split split =
-        serial.isPresent() ? serial(file, serial.get()) : split(file, plain, told);
+    Split split = serial.isPresent() ? serial(file, serial.get()) : split(file, plain, told);
     if (split.lines().isEmpty()) {
       throw DataFormatException.inFile(file, "holds no line of a table");
     }
@@ -91,7 +90,10 @@ final class LogLines {
   private static Split serial(Path file, SerialLines.Table table) throws DataFormatException {
     boolean isNamed = !table.names().isEmpty();
     Split split =
-        split(file, table.lines(), isNamed ? Optional.of('\t') : Optional.empty());
+        split(
+            file,
+            table.lines().toArray(String[]::new),
+            isNamed ? Optional.of('\t') : Optional.empty());
     List<Line> lines = new ArrayList<>();
     for (Line line : split.lines()) {
       boolean words = line.fields().stream().noneMatch(cell -> isValue(cell, split.separator()));

@@ -18,7 +18,8 @@ record LogNumber(double value, Optional<Unit> unit) {
 
   /** Digits in threes behind a first group that does not begin with 0, and what follows them. */
   private static final Pattern THOUSANDS =
-      Pattern.compile("([+-]?[1-9]\\d{0,2})((?:([,.' \u2019\u00a0\u202f])\\d{3})(?:\\3\\d{3})*)(?!\\d)(.*)");
+      Pattern.compile(
+          "([+-]?[1-9]\\d{0,2})((?:([,.' \u2019\u00a0\u202f])\\d{3})(?:\\3\\d{3})*)(?!\\d)(.*)");
 
   private static final int LONGEST = 100;
 

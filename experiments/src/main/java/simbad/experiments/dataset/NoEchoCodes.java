@@ -65,7 +65,8 @@ record NoEchoCodes(List<DoublePredicate> numbers, List<String> words) {
     for (String code : codes.orElse("").split(",", -1)) {
       String plain = code.strip().toLowerCase(Locale.ROOT);
       Optional<LogNumber> number = LogNumber.find(plain.replaceFirst("^[<>]=", ""), false);
-      if (number.isEmpty() && plain.matches("[<>].*")) {
+      boolean isPlain = number.isPresent() && number.get().unit().isEmpty();
+      if (!isPlain && plain.matches("[<>].*")) {
         throw LogSettings.fault(
             "no-echo", "'" + plain + "' is not a number, expected such as >=400");
       }
@@ -89,7 +90,9 @@ record NoEchoCodes(List<DoublePredicate> numbers, List<String> words) {
       String plain = code.strip();
       Optional<LogNumber> number = LogNumber.find(plain.replaceFirst("^[<>]=", ""), false);
       boolean isPlainNumber = number.isPresent() && number.get().unit().isEmpty();
-      if (!isPlainNumber && !USUAL.contains(plain.toLowerCase(Locale.ROOT))) {
+      if (!isPlainNumber
+          && !plain.matches("[<>].*")
+          && !USUAL.contains(plain.toLowerCase(Locale.ROOT))) {
         requireFound(plain, logs, ranges);
       }
     }

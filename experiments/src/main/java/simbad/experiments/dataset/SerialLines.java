@@ -49,9 +49,9 @@ final class SerialLines {
   /**
    * Rewrites lines.
    *
-   * @param plain the lines of a log; none of a table are empty
-   * @return as many lines with tabs or the separator that they have, of which the first one that is
-   *     not empty may hold names before a row's own fields; empty where the log is no such one
+   * @param plain the lines of a log; what is none of the table is an empty line
+   * @return as many lines, with tabs where they had labels, else as they stood behind their arrows;
+   *     empty where most lines have neither
    */
   static Optional<Table> of(String[] plain) {
     List<String> sample = Arrays.stream(plain).filter(l -> !l.isBlank()).limit(SAMPLE).toList();
@@ -70,7 +70,14 @@ final class SerialLines {
    * @param lines as many as there were
    * @param stamps the time of each line, where lines have one; else none
    */
-  record Table(List<String> names, String[] lines, List<String> stamps) {}
+  record Table(List<String> names, List<String> lines, List<String> stamps) {
+    /** Copies all. */
+    Table {
+      names = List.copyOf(names);
+      lines = List.copyOf(lines);
+      stamps = List.copyOf(stamps);
+    }
+  }
 
   private interface Test {
     boolean holds(String line);
@@ -95,11 +102,11 @@ final class SerialLines {
   }
 
   private static Table stamped(String[] plain) {
-    String[] lines = new String[plain.length];
+    List<String> lines = new ArrayList<>();
     List<String> stamps = new ArrayList<>();
-    for (int i = 0; i < plain.length; i++) {
-      Said said = Said.of(plain[i]);
-      lines[i] = said.text();
+    for (String line : plain) {
+      Said said = Said.of(line);
+      lines.add(said.text());
       stamps.add(said.time());
     }
     return new Table(List.of(), lines, stamps);
@@ -111,17 +118,15 @@ final class SerialLines {
     for (String line : plain) {
       names.addAll(quantities(Said.of(line).text()).keySet());
     }
-    String[] lines = new String[plain.length];
+    List<String> lines = new ArrayList<>();
     List<String> stamps = new ArrayList<>();
-    for (int i = 0; i < plain.length; i++) {
-      Said said = Said.of(plain[i]);
+    for (String line : plain) {
+      Said said = Said.of(line);
       Map<String, String> of = quantities(said.text());
       String other = said.text().replace('\t', ' ').replace('"', '\'');
       List<String> cells =
-          names.stream()
-              .map(name -> of.isEmpty() ? other : of.getOrDefault(name, ""))
-              .toList();
-      lines[i] = said.text().isEmpty() ? "" : String.join("\t", cells);
+          names.stream().map(name -> of.isEmpty() ? other : of.getOrDefault(name, "")).toList();
+      lines.add(said.text().isEmpty() ? "" : String.join("\t", cells));
       stamps.add(said.time());
     }
     return new Table(List.copyOf(names), lines, hasTimes ? stamps : List.of());

@@ -57,9 +57,7 @@ final class PeriodCheck {
       }
     }
     double nearest = Math.max(1, Math.rint(times));
-    return Math.abs(times - nearest) > SAME
-        ? Optional.of(stated())
-        : Optional.empty();
+    return Math.abs(times - nearest) > SAME ? Optional.of(stated()) : Optional.empty();
   }
 
   /** The clock may well be right: what the scene says of the period is looked at first. */

@@ -94,8 +94,7 @@ public final class PlacementOffsets {
     double[] expected =
         pings.stream().mapToDouble(ping -> log.rangeM(ping) - beforeM[ping]).toArray();
     String label = log.placement(pings.get(0)).orElse(Integer.toString(number + 1));
-    return new Mean(
-        label, pings, Robust.median(expected), Robust.median(before), afterM);
+    return new Mean(label, pings, Robust.median(expected), Robust.median(before), afterM);
   }
 
   private List<PlacementOffset> all() {

@@ -22,7 +22,8 @@ class PlacementOffsetsTest {
   /** The reading less the distance: what a right model leaves. */
   private static List<PlacementOffset> offsets(List<ReadingRow> rows) {
     PingLog log = new PingLog(rows);
-    double[] off = IntStream.range(0, log.size()).mapToDouble(i -> log.rangeM(i) - log.zM(i)).toArray();
+    double[] off =
+        IntStream.range(0, log.size()).mapToDouble(i -> log.rangeM(i) - log.zM(i)).toArray();
     return PlacementOffsets.of(Ladders.BOARD, log, off, off);
   }
 
