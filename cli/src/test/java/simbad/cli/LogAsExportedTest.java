@@ -25,14 +25,19 @@ class LogAsExportedTest {
   @SuppressWarnings("NullAway.Init")
   private Path folder;
 
+  private String notes = "";
+  private int sets;
+
   private DataSet read(String text, String options) throws Exception {
     Path log = Files.writeString(folder.resolve("log.csv"), text);
     List<String> words = new ArrayList<>(List.of("dataset", "csv", log.toString()));
     words.addAll(List.of(GuideShell.words(options)));
-    words.addAll(List.of("--out", folder.resolve("set").toString()));
+    words.addAll(List.of("--out", folder.resolve("set" + sets).toString()));
     Shell said = Shell.simbad(words.toArray(String[]::new));
     assertEquals(0, said.status(), said.err());
-    return new DataSetFolder(folder.resolve("set")).read();
+    notes = said.err();
+    sets++;
+    return new DataSetFolder(folder.resolve("set" + (sets - 1))).read();
   }
 
   private static String ranges(DataSet data) {
@@ -79,6 +84,17 @@ class LogAsExportedTest {
     assertEquals("1.0125 0.5055", ranges(read(text, "")));
   }
 
+  @Test
+  void pointThatMayBeOfThousands_isNoted() throws Exception {
+    String log = "true_mm;reading_mm\n1.000;1.012\n500;505\n";
+    assertEquals("0.001 0.505", ranges(read(log, "")));
+    assertTrue(notes.contains("note: '1.012' in column 'reading_mm' is read with a decimal point"));
+    assertEquals("1.012 0.505", ranges(read(log, "--decimal comma")));
+    assertEquals("", notes);
+    read("true_m;reading_m\n1.000;1.012\n0.500;0.505\n", "");
+    assertEquals("", notes);
+  }
+
   /** The lines of a serial monitor: times before arrows, labels before numbers, words between. */
   @ParameterizedTest
   @CsvSource(
@@ -116,13 +132,13 @@ class LogAsExportedTest {
     Shell said =
         Shell.simbad(
             "diagnose",
-            folder.resolve("set").toString(),
+            folder.resolve("set0").toString(),
             "--out",
             folder.resolve("diagnoses").toString());
     assertEquals(0, said.status(), said.err());
     String off = "(?s).*: placement p6 at 0\\.70 m reads 4\\.[01] cm too long .*";
     assertTrue(said.out().matches(off), said.out());
-    String page = Files.readString(folder.resolve("diagnoses/set").resolve("report.html"));
+    String page = Files.readString(folder.resolve("diagnoses/set0").resolve("report.html"));
     assertTrue(page.contains("placement p6 at 0.70"));
     assertTrue(page.contains("Residuals by distance"));
     assertTrue(page.contains("so there is no plan"));

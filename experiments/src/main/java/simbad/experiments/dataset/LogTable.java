@@ -162,6 +162,22 @@ final class LogTable {
     return rows.get(row).number();
   }
 
+  /**
+   * Finds a number of a column whose point may stand between thousands: it has three digits behind
+   * it, and the column's other numbers have no point.
+   */
+  Optional<String> findThousands(int column) {
+    List<String> cells =
+        IntStream.range(0, Math.min(SAMPLE, size())).mapToObj(row -> text(row, column)).toList();
+    boolean others =
+        cells.stream().anyMatch(cell -> cell.matches("\\d{3}"))
+            && cells.stream()
+                .noneMatch(cell -> cell.indexOf('.') >= 0 && !LogNumber.isGrouped(cell, '.'));
+    return others && !decimalComma
+        ? cells.stream().filter(cell -> LogNumber.isGrouped(cell, '.')).findFirst()
+        : Optional.empty();
+  }
+
   /** Empty where the row ends before the column. */
   String text(int row, int column) {
     List<String> fields = rows.get(row).fields();
