@@ -3,6 +3,7 @@ package simbad.cli;
 import java.nio.file.Path;
 import java.util.List;
 import simbad.figures.diagnosis.AuditWords;
+import simbad.gap.audit.AuditCheck;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.audit.AuditFinding.File;
 import simbad.sonar.format.CsvTable;
@@ -29,8 +30,19 @@ record AuditLines(Path folder, List<AuditFinding> findings) {
     return DataFormatException.inField(
         folder.resolve(finding.file().fileName()),
         line(finding),
-        finding.check().field(),
+        field(finding),
         AuditWords.sentence(finding) + command);
+  }
+
+  /** A finding of the times may be one of what the scene says of them. */
+  private static String field(AuditFinding finding) {
+    return finding.file() == File.SCENE && finding.check() == AuditCheck.PERIOD
+        ? inScene(finding)
+        : finding.check().field();
+  }
+
+  private static String inScene(AuditFinding finding) {
+    return finding.what().split(" ", 2)[0];
   }
 
   /** The line of the first row that shows it; that of the field in a scene. */
@@ -38,7 +50,7 @@ record AuditLines(Path folder, List<AuditFinding> findings) {
     Path file = folder.resolve(finding.file().fileName());
     String text = TextFile.read(file);
     if (finding.file() == File.SCENE) {
-      String field = finding.what().split(" ", 2)[0];
+      String field = inScene(finding);
       String before = text.substring(0, Math.max(0, text.indexOf("\"" + field + "\"")));
       return 1 + before.chars().filter(c -> c == '\n').count();
     }

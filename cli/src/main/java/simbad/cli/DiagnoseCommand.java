@@ -208,12 +208,13 @@ final class DiagnoseCommand extends Subcommand {
       }
       Diagnosis diagnosis = diagnoser.diagnose(data, audit);
       DataSet believed = Diagnoser.believed(data, audit);
-      DiagnosisReport.write(staged.path(), folder, believed, diagnosis, provenance);
+      List<String> off =
+          DiagnosisReport.write(staged.path(), folder, believed, diagnosis, provenance);
       staged.publish();
       if (corrected != null) {
         correct(corrected, CorrectedScene.of(data.setup(), diagnosis));
       }
-      return new DiagnoseSummary(data.name(), diagnosis, target);
+      return new DiagnoseSummary(data.name(), diagnosis, off, target);
     }
   }
 

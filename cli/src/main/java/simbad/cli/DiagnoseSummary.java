@@ -18,9 +18,16 @@ import simbad.gap.diagnosis.Verdict;
  *
  * @param dataset the data set's name
  * @param diagnosis of it
+ * @param placements that are off alone, a sentence each
  * @param folder where it was written
  */
-record DiagnoseSummary(String dataset, Diagnosis diagnosis, Path folder) implements DataSetSummary {
+record DiagnoseSummary(String dataset, Diagnosis diagnosis, List<String> placements, Path folder)
+    implements DataSetSummary {
+  /** Copies the list. */
+  DiagnoseSummary {
+    placements = List.copyOf(placements);
+  }
+
   @Override
   public List<AuditFinding> audit() {
     return diagnosis.audit();
@@ -29,6 +36,11 @@ record DiagnoseSummary(String dataset, Diagnosis diagnosis, Path folder) impleme
   /** For people: verdict, explanation with probabilities or why there is none, shrinkage. */
   @Override
   public String line() {
+    return first()
+        + placements.stream().map(one -> "\n" + dataset + ": " + one).collect(Collectors.joining());
+  }
+
+  private String first() {
     if (diagnosis.verdict() == Verdict.UNDECIDED) {
       return String.format(
           Locale.ROOT,
@@ -93,6 +105,9 @@ record DiagnoseSummary(String dataset, Diagnosis diagnosis, Path folder) impleme
         .explanation()
         .forEach(effect -> probabilities.put(effect.word(), finding(effect).probability()));
     node.put("unknown_probability", diagnosis.unknownProbability());
+    if (!placements.isEmpty()) {
+      placements.forEach(node.putArray("placements_off")::add);
+    }
     node.put("before_cm", diagnosis.gap().beforeCm());
     node.put("after_cm", diagnosis.gap().afterCm());
     node.put("floor_cm", diagnosis.gap().floorCm());

@@ -141,7 +141,7 @@ class DatasetCsvCommandTest {
       strings = {
         "",
         "--target 'board:40cm x 20cm' --sonar srf04 --only 'true_cm=5..25' --period 60ms",
-        "--range 2 --distance 1 --no-echo '0,765,no target' --pose-sigma 2mm --moves target"
+        "--range 2 --distance 1 --no-echo '0,765,>=400' --pose-sigma 2mm --moves target"
       })
   void printedCommand_makesTheSameBytes(String options) throws Exception {
     Shell said = type(LADDER, options);
@@ -508,6 +508,14 @@ class DatasetCsvCommandTest {
         "true_cm,reading_cm\\n1,2\\n | --scene none.json | --scene: 'none.json' is not a file",
         "true_cm,reading_cm\\n1,2\\n | --scene none.json --cone 3deg | --cone: does not go with --scene",
         "true_cm,reading_cm\\n1,2\\n | --no-echo >=far | --no-echo: '>=far' is not a number",
+        "true_cm,reading_cm\\n1,2\\n | --no-echo 0,x | --no-echo: 'x' is neither a number as it stands in",
+        "true_cm,reading_cm\\n1,2\\n | --no-echo 4m | --no-echo: '4m' is neither a number as it stands in",
+        "true_cm,reading_cm\\n1,2\\n | --pause-ms 5 | --pause-ms: '5' is neither a column nor a value with its unit, such as 60ms",
+        "true_cm,reading_cm\\n1,2\\n | --distance 30 | --distance: '30' is neither a column nor a value with its unit, such as 30cm",
+        "a,b\\n1,2\\n | '' | --range: is missing: which column holds the sensor's readings; saw 1 a (1), 2 b (2)",
+        "a,b\\n1,2\\n | --range-unit cm | --range: is missing: which column",
+        "10,9\\n | '' | --range-unit: is missing: cm, mm, m, in, us or another; saw column 2, 'column2': 9 (taken for the ranges",
+        "a,b\\nfoo,bar\\n | '' | log.csv: no column holds numbers, expected ranges; found 1 a (foo)",
         "x,r_cm\\n1,2\\n | --x x --range r_cm --target board:1m | --z: is missing: a place is --x with --z"
       })
   void badInput_isOneLine(String text, String options, String problem) throws Exception {

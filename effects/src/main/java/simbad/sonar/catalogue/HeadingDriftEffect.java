@@ -28,6 +28,9 @@ public final class HeadingDriftEffect implements Definition {
   private static final String TURNS = "turn-scale";
   private static final String ASYMMETRY = "wheel-asymmetry";
 
+  /** What has settled after the first pings is no drift: it is a sensor that looks aside. */
+  private static final double LEAST_S = 2;
+
   private static final Parameter DRIFT =
       Parameter.of("rate_deg_s", 0, -5, 5, -1, -0.3, -0.1, 0.1, 0.3, 1);
 
@@ -73,7 +76,7 @@ public final class HeadingDriftEffect implements Definition {
             "settling",
             v -> new HeadingDrift(toRadians(v[0] / v[1]), v[1], false),
             Parameter.of("turn_deg", 0, -60, 60, -15, -5, 5, 15),
-            Parameter.of("settling_s", 10, 0.1, 1000, 1, 10, 40).asClosed());
+            Parameter.of("settling_s", 10, LEAST_S, 1000, 4, 10, 40).asClosed());
     Form way =
         Form.of(
             effect(),

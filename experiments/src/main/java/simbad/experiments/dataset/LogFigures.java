@@ -30,7 +30,7 @@ final class LogFigures {
     if (!settings.has(option)) {
       return Optional.empty();
     }
-    OptionalInt column = column(option);
+    OptionalInt column = column(option, Unit.Kind.LENGTH);
     if (column.isEmpty()) {
       return Optional.of(constant(option, Unit.M));
     }
@@ -76,7 +76,7 @@ final class LogFigures {
       return Optional.empty();
     }
     int way = settings.word("angle-positive", "ccw", "cw").equals("cw") ? -1 : 1;
-    OptionalInt column = column(option);
+    OptionalInt column = column(option, Unit.Kind.ANGLE);
     if (column.isEmpty()) {
       return Optional.of(constant(option, Unit.DEG).turned(way, 0));
     }
@@ -113,7 +113,7 @@ final class LogFigures {
     if (!settings.has(option)) {
       return Optional.empty();
     }
-    OptionalInt column = column(option);
+    OptionalInt column = column(option, unit.kind());
     return Optional.of(
         column.isPresent()
             ? LoggedFigure.column(column.getAsInt(), unit, least)
@@ -153,14 +153,30 @@ final class LogFigures {
   }
 
   /** Empty where a value with its unit stands for all rows. */
-  private OptionalInt column(String option) throws DataFormatException {
+  private OptionalInt column(String option, Unit.Kind kind) throws DataFormatException {
     String word = settings.find(option).orElse("");
     OptionalInt column = LogColumns.find(log, word);
     boolean value = LogNumber.find(word.strip(), false).flatMap(LogNumber::unit).isPresent();
     if (column.isEmpty() && !value) {
-      throw log.missing(word);
+      throw LogSettings.fault(
+          option,
+          "'"
+              + word
+              + "' is neither a column nor a value with its unit, such as "
+              + example(kind)
+              + "; found "
+              + log.shown());
     }
     return column;
+  }
+
+  private static String example(Unit.Kind kind) {
+    return switch (kind) {
+      case LENGTH -> "30cm";
+      case TIME -> "60ms";
+      case ANGLE -> "30deg";
+      case TEMPERATURE -> "20c";
+    };
   }
 
   private LoggedFigure constant(String option, Unit si) throws DataFormatException {

@@ -1,6 +1,5 @@
 package simbad.experiments.dataset;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,6 +18,11 @@ final class LogGuess {
       Pattern.compile("(?i).*(read|range|measur|ultra|sonar|echo|sensor|misur|lettura|mess).*");
   private static final Pattern TRUE =
       Pattern.compile("(?i).*(true|truth|actual|real|tape|ruler|nominal|soll|vera|expected).*");
+
+  /** The range or the true distance, as other columns leave it. */
+  private static final Pattern DISTANCE =
+      Pattern.compile("(?i).*(dist|abstand|entfernung|distan).*");
+
   private static final int SAMPLE = 100;
   private static final String[] POSES = {
     "distance", "x", "z", "y", "bearing", "target-x", "target-z", "target-y"
@@ -28,6 +32,7 @@ final class LogGuess {
   private final Questions questions;
   private final Assumptions assumptions;
   private LogSettings answered;
+  private boolean isRangeSaid;
 
   LogGuess(LogTable log, Questions questions, Assumptions assumptions) {
     this.log = log;
@@ -48,7 +53,8 @@ final class LogGuess {
   LogSettings complete(LogSettings said) throws DataFormatException {
     LogSettings settings = said;
     answered = said;
-    if (!settings.has("range")) {
+    isRangeSaid = settings.has("range");
+    if (!isRangeSaid) {
       settings = settings.with("range", range());
     }
     List<Integer> ranges = LogColumns.list(log, settings.find("range").orElseThrow());
@@ -64,15 +70,40 @@ final class LogGuess {
   }
 
   private String range() throws DataFormatException {
-    Optional<Integer> named =
-        only(column -> isNamed(RANGE, column) && !isNamed(TRUE, column) && hasNumbers(column));
-    boolean two = log.names().size() == 2;
-    if (named.isPresent() || two || log.names().size() == 1) {
-      int column = named.orElse(two ? (isNamed(TRUE, 1) ? 0 : 1) : 0);
-      assumptions.add("The ranges are in column " + shown(column) + " (--range).");
-      return word(column);
+    List<Integer> numbers = columns(this::hasNumbers);
+    if (numbers.isEmpty()) {
+      throw log.fault("no column holds numbers, expected ranges; found " + log.shown());
     }
-    return ask("range", "which column holds the sensor's readings", log.shown());
+    Optional<Integer> column =
+        only(at -> isNamed(RANGE, at) && !isNamed(TRUE, at) && hasNumbers(at))
+            .or(() -> besideTheTrue(numbers))
+            .or(this::onlyNumbers)
+            .or(() -> only(at -> isNamed(DISTANCE, at) && !isNamed(TRUE, at) && hasNumbers(at)))
+            .or(() -> only(at -> isNamed(RANGE, at) && !isNamed(TRUE, at)));
+    if (column.isEmpty()) {
+      return ask("range", "which column holds the sensor's readings", log.shown());
+    }
+    assumptions.add("The ranges are in column " + shown(column.get()) + " (--range).");
+    return word(column.get());
+  }
+
+  /** The one column of numbers, where no other calls itself a range. */
+  private Optional<Integer> onlyNumbers() {
+    return columns(at -> isNamed(RANGE, at)).isEmpty()
+        ? only(at -> hasNumbers(at) && !isNamed(TRUE, at))
+        : Optional.empty();
+  }
+
+  /** Of two columns the one that is not the true distance; without names the second one. */
+  private Optional<Integer> besideTheTrue(List<Integer> numbers) {
+    if (log.names().size() != 2 || numbers.size() != 2) {
+      return Optional.empty();
+    }
+    boolean first = isNamed(TRUE, 0);
+    boolean second = isNamed(TRUE, 1);
+    return first == second && !log.isUnnamed()
+        ? Optional.empty()
+        : Optional.of(second && !first ? 0 : 1);
   }
 
   private String unit(int column) throws DataFormatException {
@@ -81,12 +112,25 @@ final class LogGuess {
     Optional<Unit> unit = found.filter(is -> is.kind() != Unit.Kind.ANGLE);
     return unit.isPresent()
         ? unit.get().word()
-        : ask("range-unit", "cm, mm, m, in, us or another", "column " + examples(column));
+        : ask(
+            "range-unit",
+            "cm, mm, m, in, us or another",
+            "column "
+                + examples(column)
+                + (isRangeSaid ? "" : " (taken for the ranges; --range takes another)"));
   }
 
   private String distance(List<Integer> ranges) throws DataFormatException {
-    Optional<Integer> named = only(column -> isNamed(TRUE, column) && !ranges.contains(column));
-    boolean two = log.names().size() == 2 && ranges.size() == 1;
+    Optional<Integer> named =
+        only(column -> isNamed(TRUE, column) && !ranges.contains(column))
+            .or(
+                () ->
+                    only(
+                        column ->
+                            isNamed(DISTANCE, column)
+                                && !ranges.contains(column)
+                                && hasNumbers(column)));
+    boolean two = log.names().size() == 2 && ranges.size() == 1 && hasNumbers(1 - ranges.get(0));
     if (named.isPresent() || two) {
       int column = named.orElse(two ? 1 - ranges.get(0) : 0);
       assumptions.add("The true distances are in column " + shown(column) + " (--distance).");
@@ -120,9 +164,12 @@ final class LogGuess {
     boolean holds(int column);
   }
 
+  private List<Integer> columns(Test test) {
+    return IntStream.range(0, log.names().size()).filter(test::holds).boxed().toList();
+  }
+
   private Optional<Integer> only(Test test) {
-    List<Integer> found = new ArrayList<>();
-    IntStream.range(0, log.names().size()).filter(test::holds).forEach(found::add);
+    List<Integer> found = columns(test);
     return found.size() == 1 ? Optional.of(found.get(0)) : Optional.empty();
   }
 

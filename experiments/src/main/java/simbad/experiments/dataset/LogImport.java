@@ -138,6 +138,7 @@ public final class LogImport {
   }
 
   private Made made(Optional<SensingSetup> scene, LogSettings again) throws DataFormatException {
+    NoEchoCodes.requireFound(settings.find("no-echo"), logs, settings.find("range").orElse(""));
     List<Target> targets = new ArrayList<>();
     for (String target : settings.all("target")) {
       targets.add(Target.of(target));

@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import simbad.sonar.format.DataFormatException;
@@ -21,6 +23,9 @@ final class LogLines {
 
   /** In the order of preference where two do equally well: a comma may stand in numbers. */
   private static final char[] SEPARATORS = {';', '\t', '|', ',', ' '};
+
+  /** What Excel writes and reads before a table. */
+  private static final Pattern SEPARATOR_LINE = Pattern.compile("(?i)\"?sep=(.)\"?\\s*");
 
   private static final Pattern DATE = Pattern.compile("[\\d:T.,/Z -]*\\d[:/-]\\d[\\d:T.,/Z+ -]*");
 
@@ -55,17 +60,61 @@ final class LogLines {
     for (int i = 0; i < plain.length; i++) {
       plain[i] = i < format.skip() || isComment(plain[i].strip(), format) ? "" : plain[i];
     }
+    Optional<Character> told = format.separator();
+    Matcher first = SEPARATOR_LINE.matcher(plain[0]);
+    if (first.matches()) {
+      plain[0] = "";
+      told = told.or(() -> Optional.of(first.group(1).charAt(0)));
+    }
+    boolean isFree = told.isEmpty() && format.header().isEmpty();
+    Optional<SerialLines.Table> serial = isFree ? SerialLines.of(plain) : Optional.empty();
+    Split split = serial.isPresent() ? serial(file, serial.get()) : split(file, plain, told);
+    if (split.lines().isEmpty()) {
+      throw DataFormatException.inFile(file, "holds no line of a table");
+    }
+    return split;
+  }
+
+  private static Split split(Path file, String[] plain, Optional<Character> told)
+      throws DataFormatException {
     List<String> sample =
         Arrays.stream(plain).filter(line -> !line.isBlank()).limit(SAMPLE).toList();
     if (sample.isEmpty()) {
-      throw DataFormatException.inFile(file, "holds no line of a table");
+      return new Split(',', List.of());
     }
-    char separator = format.separator().orElseGet(() -> best(sample));
-    List<Line> lines = parsed(file, plain, separator);
-    if (lines.isEmpty()) {
-      throw DataFormatException.inFile(file, "holds no line of a table");
+    char separator = told.orElseGet(() -> best(sample));
+    return new Split(separator, parsed(file, plain, separator));
+  }
+
+  /** With the times before the arrows as the first column, and the labels as names. */
+  private static Split serial(Path file, SerialLines.Table table) throws DataFormatException {
+    boolean isNamed = !table.names().isEmpty();
+    Split split =
+        split(
+            file,
+            table.lines().toArray(String[]::new),
+            isNamed ? Optional.of('\t') : Optional.empty());
+    List<Line> lines = new ArrayList<>();
+    for (Line line : split.lines()) {
+      boolean words = line.fields().stream().noneMatch(cell -> isValue(cell, split.separator()));
+      if (lines.isEmpty() && isNamed) {
+        lines.add(stamped(table, line.number(), SerialLines.TIME, table.names()));
+      }
+      String time = table.stamps().isEmpty() ? "" : table.stamps().get((int) line.number() - 1);
+      String first = lines.isEmpty() && words ? SerialLines.TIME : time;
+      lines.add(stamped(table, line.number(), first, line.fields()));
     }
-    return new Split(separator, lines);
+    return new Split(split.separator(), lines);
+  }
+
+  private static Line stamped(
+      SerialLines.Table table, long number, String first, List<String> fields) {
+    if (table.stamps().isEmpty()) {
+      return new Line(number, fields);
+    }
+    List<String> all = new ArrayList<>(List.of(first));
+    all.addAll(fields);
+    return new Line(number, all);
   }
 
   private static boolean isComment(String line, LogFormat format) {

@@ -16,10 +16,16 @@ record LogNumber(double value, Optional<Unit> unit) {
       Pattern.compile(
           "([+-]?(?:\\d+(?:\\.\\d*)?|\\.\\d+)(?:[eE][+-]?\\d+)?)\\s*([^\\s\\d.,;:+-][^\\s\\d]*)?");
 
+  /** Digits in threes behind a first group that does not begin with 0, and what follows them. */
+  private static final Pattern THOUSANDS =
+      Pattern.compile(
+          "([+-]?[1-9]\\d{0,2})((?:([,.' \u2019\u00a0\u202f])\\d{3})(?:\\3\\d{3})*)(?!\\d)(.*)");
+
   private static final int LONGEST = 100;
 
   /**
-   * Reads a number.
+   * Reads a number. Marks between thousands are left out: a blank, an apostrophe, and of comma and
+   * point the one that is not the decimal mark.
    *
    * @param text without blanks round it
    * @param decimalComma whether a comma stands for the point
@@ -29,7 +35,8 @@ record LogNumber(double value, Optional<Unit> unit) {
     if (text.isEmpty() || text.length() > LONGEST) {
       return Optional.empty();
     }
-    Matcher number = NUMBER.matcher(decimalComma ? text.replace(',', '.') : text);
+    String plain = ungrouped(text, decimalComma ? ',' : '.');
+    Matcher number = NUMBER.matcher(decimalComma ? plain.replace(',', '.') : plain);
     if (!number.matches()) {
       return Optional.empty();
     }
@@ -41,5 +48,21 @@ record LogNumber(double value, Optional<Unit> unit) {
           : Optional.empty();
     }
     return Unit.find(behind).map(unit -> new LogNumber(value, Optional.of(unit)));
+  }
+
+  private static String ungrouped(String text, char decimal) {
+    Matcher grouped = THOUSANDS.matcher(text);
+    if (!grouped.matches() || grouped.group(3).charAt(0) == decimal) {
+      return text;
+    }
+    return grouped.group(1) + grouped.group(2).replace(grouped.group(3), "") + grouped.group(4);
+  }
+
+  /** Tells whether a cell is digits in threes with a mark between: thousands, or three decimals. */
+  static boolean isGrouped(String text, char mark) {
+    Matcher grouped = THOUSANDS.matcher(text);
+    return grouped.matches()
+        && grouped.group(3).charAt(0) == mark
+        && (grouped.group(4).isEmpty() || ",.".indexOf(grouped.group(4).charAt(0)) >= 0);
   }
 }

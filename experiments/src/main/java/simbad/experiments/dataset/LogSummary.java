@@ -89,6 +89,7 @@ final class LogSummary {
     if (zero > 0) {
       notes.add(Assumptions.counted(zero, "range") + " of 0; if 0 means no echo: --no-echo 0");
     }
+    thousands(notes);
     if (!taken.bad().isEmpty()) {
       notes.add(
           Assumptions.counted(taken.bad().size(), "row")
@@ -101,6 +102,24 @@ final class LogSummary {
               + " left out: they do not say where sensor or target was");
     }
     return notes;
+  }
+
+  private void thousands(List<String> notes) {
+    for (LogTable log : logs) {
+      for (int column = 0; column < log.names().size(); column++) {
+        String name = log.names().get(column);
+        log.findThousands(column)
+            .ifPresent(
+                cell ->
+                    notes.add(
+                        "'"
+                            + cell
+                            + "' in column '"
+                            + name
+                            + "' is read with a decimal point; if the point is between thousands:"
+                            + " --decimal comma"));
+      }
+    }
   }
 
   private interface Test {

@@ -22,6 +22,7 @@ final class LogTable {
   private final List<LogLines.Line> rows;
   private final List<Integer> sections;
   private final boolean decimalComma;
+  private final boolean unnamed;
 
   private LogTable(Builder made) {
     file = made.file;
@@ -30,6 +31,7 @@ final class LogTable {
     rows = made.rows;
     sections = made.sections;
     decimalComma = made.decimalComma;
+    unnamed = made.unnamed;
   }
 
   /**
@@ -56,14 +58,16 @@ final class LogTable {
     private final List<LogLines.Line> rows = new ArrayList<>();
     private final List<Integer> sections = new ArrayList<>();
     private final boolean decimalComma;
+    private final boolean unnamed;
 
     Builder(Path file, LogLines.Split split, LogFormat format) throws DataFormatException {
       this.file = file;
       List<LogLines.Line> lines = split.lines();
-      decimalComma = format.decimalComma().orElse(split.separator() != ',' && hasCommas(lines));
+      decimalComma = format.decimalComma().orElse(hasCommas(lines, split.separator()));
       List<String> first = lines.get(0).fields();
       boolean header = format.header().orElse(first.stream().noneMatch(this::isNumber));
       headerLine = header ? lines.get(0).number() : 1;
+      unnamed = !header;
       names = header ? first : numbered(lines);
       int section = 0;
       for (LogLines.Line line : header ? lines.subList(1, lines.size()) : lines) {
@@ -84,12 +88,22 @@ final class LogTable {
       return LogNumber.find(cell, decimalComma).isPresent();
     }
 
-    /** Numbers with a comma, and none with a point. */
-    private static boolean hasCommas(List<LogLines.Line> lines) {
+    /**
+     * Numbers with a comma, and none with a point but between thousands. Where commas separate
+     * fields too, three digits behind one are thousands.
+     */
+    private static boolean hasCommas(List<LogLines.Line> lines, char separator) {
       List<String> cells =
           lines.stream().limit(SAMPLE).flatMap(line -> line.fields().stream()).toList();
-      return cells.stream().anyMatch(cell -> cell.matches("[+-]?\\d*,\\d+"))
-          && cells.stream().noneMatch(cell -> cell.matches("[+-]?\\d*\\.\\d+"));
+      return cells.stream().anyMatch(cell -> hasComma(cell, separator))
+          && cells.stream()
+              .filter(cell -> !LogNumber.isGrouped(cell, '.'))
+              .noneMatch(cell -> cell.matches("[+-]?[\\d,]*\\.\\d+"));
+    }
+
+    private static boolean hasComma(String cell, char separator) {
+      return cell.matches("[+-]?[\\d.]*,\\d+")
+          && (separator != ',' || !LogNumber.isGrouped(cell, ','));
     }
 
     private static List<String> numbered(List<LogLines.Line> lines) {
@@ -126,6 +140,11 @@ final class LogTable {
     return names;
   }
 
+  /** Tells whether the log has no header. */
+  boolean isUnnamed() {
+    return unnamed;
+  }
+
   boolean decimalComma() {
     return decimalComma;
   }
@@ -141,6 +160,22 @@ final class LogTable {
 
   long line(int row) {
     return rows.get(row).number();
+  }
+
+  /**
+   * Finds a number of a column whose point may stand between thousands: it has three digits behind
+   * it, and the column's other numbers have no point.
+   */
+  Optional<String> findThousands(int column) {
+    List<String> cells =
+        IntStream.range(0, Math.min(SAMPLE, size())).mapToObj(row -> text(row, column)).toList();
+    boolean others =
+        cells.stream().anyMatch(cell -> cell.matches("\\d{3}"))
+            && cells.stream()
+                .noneMatch(cell -> cell.indexOf('.') >= 0 && !LogNumber.isGrouped(cell, '.'));
+    return others && !decimalComma
+        ? cells.stream().filter(cell -> LogNumber.isGrouped(cell, '.')).findFirst()
+        : Optional.empty();
   }
 
   /** Empty where the row ends before the column. */

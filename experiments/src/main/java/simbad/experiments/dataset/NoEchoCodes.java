@@ -23,7 +23,15 @@ record NoEchoCodes(List<DoublePredicate> numbers, List<String> words) {
           "nan",
           "inf",
           "+inf",
+          "-inf",
           "infinity",
+          "+infinity",
+          "-infinity",
+          "1.#inf",
+          "1.#qnan",
+          "-1.#ind",
+          "ovf",
+          "#n/a",
           "-",
           "--",
           "none",
@@ -32,6 +40,7 @@ record NoEchoCodes(List<DoublePredicate> numbers, List<String> words) {
           "n/a",
           "no echo",
           "noecho",
+          "no reading",
           "timeout",
           "time-out",
           "out of range",
@@ -56,7 +65,8 @@ record NoEchoCodes(List<DoublePredicate> numbers, List<String> words) {
     for (String code : codes.orElse("").split(",", -1)) {
       String plain = code.strip().toLowerCase(Locale.ROOT);
       Optional<LogNumber> number = LogNumber.find(plain.replaceFirst("^[<>]=", ""), false);
-      if (number.isEmpty() && plain.matches("[<>].*")) {
+      boolean isPlain = number.isPresent() && number.get().unit().isEmpty();
+      if (!isPlain && plain.matches("[<>].*")) {
         throw LogSettings.fault(
             "no-echo", "'" + plain + "' is not a number, expected such as >=400");
       }
@@ -64,6 +74,47 @@ record NoEchoCodes(List<DoublePredicate> numbers, List<String> words) {
       number.ifPresent(is -> numbers.add(test(plain, is.value())));
     }
     return new NoEchoCodes(numbers, words);
+  }
+
+  /**
+   * Refuses what is neither a number nor stands anywhere in the ranges: it would do nothing.
+   *
+   * @param codes as for {@link #of}
+   * @param logs all tables of the log
+   * @param ranges the columns of the ranges, as they were given
+   * @throws DataFormatException naming the first such code
+   */
+  static void requireFound(Optional<String> codes, List<LogTable> logs, String ranges)
+      throws DataFormatException {
+    for (String code : codes.orElse("").split(",", -1)) {
+      String plain = code.strip();
+      Optional<LogNumber> number = LogNumber.find(plain.replaceFirst("^[<>]=", ""), false);
+      boolean isPlainNumber = number.isPresent() && number.get().unit().isEmpty();
+      if (!isPlainNumber
+          && !plain.matches("[<>].*")
+          && !USUAL.contains(plain.toLowerCase(Locale.ROOT))) {
+        requireFound(plain, logs, ranges);
+      }
+    }
+  }
+
+  private static void requireFound(String word, List<LogTable> logs, String ranges)
+      throws DataFormatException {
+    for (LogTable log : logs) {
+      for (int column : LogColumns.list(log, ranges)) {
+        for (int row = 0; row < log.size(); row++) {
+          if (log.text(row, column).equalsIgnoreCase(word)) {
+            return;
+          }
+        }
+      }
+    }
+    throw LogSettings.fault(
+        "no-echo",
+        "'"
+            + word
+            + "' is neither a number as it stands in the log, such as 0,765 or >=400, nor a word"
+            + " of the column of ranges");
   }
 
   private static DoublePredicate test(String code, double value) {
@@ -74,7 +125,8 @@ record NoEchoCodes(List<DoublePredicate> numbers, List<String> words) {
   }
 
   boolean isCode(String cell) {
-    return words.contains(cell.toLowerCase(Locale.ROOT));
+    String small = cell.toLowerCase(Locale.ROOT);
+    return words.contains(small) || words.contains(small.replaceFirst("\\s*[!.]+$", ""));
   }
 
   boolean isCode(double number) {

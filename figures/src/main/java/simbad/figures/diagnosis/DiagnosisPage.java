@@ -84,12 +84,17 @@ final class DiagnosisPage {
                 : ""));
     List<PagePicture> pictures = new ArrayList<>();
     List<Obstacle> obstacles = data.setup().scene().obstacles();
-    for (int i = 0; i < Math.min(MOST_MAPS, obstacles.size()); i++) {
+    LadderPart ladder = LadderPart.of(data, rows);
+    if (!ladder.isEmpty()) {
+      ladder.say(page);
+      pictures.add(ladder.picture());
+    }
+    for (int i = 0; ladder.isEmpty() && i < Math.min(MOST_MAPS, obstacles.size()); i++) {
       addMaps(pictures, i, obstacles.get(i));
     }
     addGraphs(pictures);
     page.pictures(pictures);
-    if (obstacles.size() > MOST_MAPS) {
+    if (ladder.isEmpty() && obstacles.size() > MOST_MAPS) {
       page.soft("Only the first " + MOST_MAPS + " obstacles have maps.");
     }
   }

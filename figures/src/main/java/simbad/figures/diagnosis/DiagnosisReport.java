@@ -11,6 +11,7 @@ import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.gap.joint.JointDiagnosis;
+import simbad.gap.locate.PlacementOffset;
 import simbad.sonar.format.TextFile;
 import simbad.sonar.predict.FittedModel;
 
@@ -29,14 +30,20 @@ public final class DiagnosisReport {
    * @param data what was diagnosed
    * @param diagnosis of it
    * @param provenance what it was made by
+   * @return what is off of placements alone, a sentence each without its full stop; none where the
+   *     log was not taken place by place
    * @throws IOException if something cannot be written
    */
-  public static void write(
+  public static List<String> write(
       Path folder, Path source, DataSet data, Diagnosis diagnosis, DiagnosisProvenance provenance)
       throws IOException {
     FittedModel model = DiagnosisFolder.write(folder, source, data, diagnosis, provenance);
     List<RowFinding> rows = rows(data, model, provenance);
     TextFile.write(folder.resolve(PAGE), DiagnosisPage.of(diagnosis, data, rows, provenance));
+    return LadderPart.offsets(data, rows).stream()
+        .filter(PlacementOffset::isOff)
+        .map(LadderPart::sentence)
+        .toList();
   }
 
   /**

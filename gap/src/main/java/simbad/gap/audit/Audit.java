@@ -40,7 +40,10 @@ public final class Audit {
       SensingSetup setup, List<ReadingRow> readings, List<ReadingRow> reference) {
     List<AuditFinding> found = new ArrayList<>(ConstantCheck.of(setup.sensor()));
     found.addAll(rows(setup, readings));
-    rows(setup, reference).forEach(finding -> found.add(finding.in(File.REFERENCE)));
+    rows(setup, reference).stream()
+        .map(one -> one.file() == File.READINGS ? one.in(File.REFERENCE) : one)
+        .filter(one -> !found.contains(one))
+        .forEach(found::add);
     found.sort(Comparator.comparing(AuditFinding::severity).reversed());
     return List.copyOf(found);
   }

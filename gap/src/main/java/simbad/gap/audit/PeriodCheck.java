@@ -57,9 +57,25 @@ final class PeriodCheck {
       }
     }
     double nearest = Math.max(1, Math.rint(times));
-    return Math.abs(times - nearest) > SAME
-        ? Optional.of(finding("", "say in the scene how often it pings", "", Severity.NOTE))
-        : Optional.empty();
+    return Math.abs(times - nearest) > SAME ? Optional.of(stated()) : Optional.empty();
+  }
+
+  /** The clock may well be right: what the scene says of the period is looked at first. */
+  private AuditFinding stated() {
+    String what =
+        "update_period_s = "
+            + Say.number(periodS)
+            + ", but rows of a sensor are "
+            + Say.number(medianS)
+            + " s apart";
+    return new AuditFinding(
+        AuditCheck.PERIOD,
+        File.SCENE,
+        what,
+        List.of(),
+        "say in the scene how often it pings",
+        "",
+        Severity.NOTE);
   }
 
   private AuditFinding finding(String more, String suggestion, String mend, Severity severity) {

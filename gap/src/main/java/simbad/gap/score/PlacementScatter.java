@@ -9,8 +9,11 @@ import java.util.stream.IntStream;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.Robust;
+import simbad.sonar.model.NominalModel;
+import simbad.sonar.model.TransducerPose;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
+import simbad.sonar.scene.SetupDetails;
 import simbad.sonar.scene.SonarSpec;
 
 /**
@@ -46,11 +49,46 @@ public final class PlacementScatter {
   }
 
   /**
-   * Returns the same where placements scatter at least as much as the set-up says of its places:
-   * few of them may lie on a line by chance.
+   * Returns the same where placements scatter at least as much as the set-up says of its places and
+   * headings: few of them may lie on a line by chance. A heading counts by how far the nearest
+   * point in the cone comes nearer or goes away as the sensor turns: by nothing before a wide
+   * board, by much where a corner leaves the cone.
    */
   public static double statedClumping(CalibratedLog given, Placements placements) {
-    return clumping(given, placements, given.setup().details().poseSigmaM());
+    SetupDetails details = given.setup().details();
+    double turned = details.headingSigmaRad() > 0 ? turnedM(given, placements) : 0;
+    return clumping(given, placements, Math.hypot(details.poseSigmaM(), turned));
+  }
+
+  /** By how much ranges change if each placement's heading is off by its standard deviation. */
+  private static double turnedM(CalibratedLog given, Placements placements) {
+    PingLog log = given.log();
+    double sigma = given.setup().details().headingSigmaRad();
+    NominalModel model = new NominalModel(given.setup().sensor(), given.setup().scene());
+    double squares = 0;
+    int count = 0;
+    for (int[] pings : placements.pings()) {
+      double straight = nearestM(model, log, pings[0], 0);
+      for (double way : new double[] {-sigma, sigma}) {
+        double change = nearestM(model, log, pings[0], way) - straight;
+        // What leaves the cone altogether is a missed echo, no other range.
+        if (Double.isFinite(change)) {
+          squares += change * change;
+          count++;
+        }
+      }
+    }
+    return count == 0 ? 0 : Math.sqrt(squares / count);
+  }
+
+  /** Infinity where nothing is in the cone. */
+  private static double nearestM(NominalModel model, PingLog log, int ping, double turnRad) {
+    TransducerPose from = new TransducerPose();
+    from.aim(log.xM(ping), log.zM(ping), log.headingRad(ping) + turnRad);
+    return IntStream.range(0, model.size())
+        .mapToDouble(target -> model.nearestM(target, from))
+        .min()
+        .orElse(Double.POSITIVE_INFINITY);
   }
 
   private static double clumping(CalibratedLog given, Placements placements, double leastM) {

@@ -12,9 +12,11 @@ import org.junit.jupiter.api.Test;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fixture.Ladders;
 import simbad.gap.fixture.Worlds;
+import simbad.sonar.frame.Pose;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SetupDetails;
+import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.ReadingRow;
 
 /** Ladders and drives: what was put in place, and how far its readings hang together. */
@@ -84,6 +86,45 @@ class PlacementsTest {
     Placements placements = new Placements(log);
     assertEquals(1, PlacementScatter.clumping(given, placements), 0.5);
     assertEquals(5.6, PlacementScatter.statedClumping(given, placements), 0.6);
+  }
+
+  /**
+   * Straight before a wide board a turn changes no range. Where the board's normal is 30 degrees
+   * outside the cone, the range d / cos 30 changes by 2/3 d for each radian: for half a degree at d
+   * of 0.52 m by 3 mm, as much as the noise, so the effect is 1 + 15 / 2.
+   */
+  @Test
+  void designEffect_isAtLeastThatOfTheStatedHeadings() {
+    double[] near = IntStream.range(0, 60).mapToDouble(i -> 0.1 + 0.0125 * i).toArray();
+    List<ReadingRow> straight = Ladders.read((range, lot) -> range, near, 16, 0, 3);
+    List<ReadingRow> aside = straight.stream().map(PlacementsTest::turned).toList();
+    assertEquals(1, statedHeadings(straight), 0.7);
+    assertEquals(8.5, statedHeadings(aside), 1);
+  }
+
+  private static ReadingRow turned(ReadingRow row) {
+    double distance = row.pose().position().zM();
+    double noise = ((Echo) row.reading()).rangeM() - distance;
+    double headingRad = Math.PI / 2 + Ladders.BOARD.sensor().coneHalfAngleRad() + Math.PI / 6;
+    return new ReadingRow(
+        row.run(),
+        row.sensor(),
+        row.timeS(),
+        Pose.of(0, distance, headingRad),
+        new Echo(distance / Math.cos(Math.PI / 6) + noise));
+  }
+
+  private static double statedHeadings(List<ReadingRow> rows) {
+    SensingSetup bare = Ladders.BOARD;
+    SensingSetup stated =
+        new SensingSetup(
+            bare.sensor(),
+            bare.scene(),
+            bare.noEchoM(),
+            new SetupDetails(0, Math.toRadians(0.5), Map.of(), Optional.empty(), List.of()));
+    PingLog log = new PingLog(rows);
+    return PlacementScatter.statedClumping(
+        new CalibratedLog(stated, List.of(), log), new Placements(log));
   }
 
   /** A wrong factor is no error of placements, nor are readings from elsewhere. */

@@ -72,7 +72,7 @@ class ProbabilitiesTest {
   /** A turn of all headings, as a misalignment or as a drift that settles at once. */
   @Test
   void ofSetsThatPredictAlike_theOneWithFewerValuesIsLikelier() {
-    Hypothesis settling = Worlds.effect(Effect.HEADING_DRIFT, "settling", 5, 0.1);
+    Hypothesis settling = Worlds.effect(Effect.HEADING_DRIFT, "settling", 5, 2);
     Hypothesis turn = Worlds.effect(Effect.BEAM_MISALIGNMENT, "all", 5);
     Probabilities alike =
         new Probabilities(List.of(scored(settling, -50), scored(turn, -50)), 10, 2, Set.of());
