@@ -3,6 +3,7 @@ package simbad.figures.diagnosis;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import simbad.figures.page.AxisScale;
 import simbad.figures.page.Graph;
 import simbad.figures.page.Html;
@@ -30,6 +31,9 @@ final class LadderPart {
   /** So many dots are told apart. */
   private static final int MOST_DOTS = 800;
 
+  /** Labels below nought need room. */
+  private static final Graph.Frame FRAME = new Graph.Frame(70, 12, 326, 188);
+
   private final List<RowFinding> rows;
   private final List<PlacementOffset> offsets;
 
@@ -49,12 +53,13 @@ final class LadderPart {
     return PlacementOffsets.of(
         data.setup(),
         new PingLog(data.readings()),
-        rows.stream().mapToDouble(row -> metres(row.before())).toArray(),
-        rows.stream().mapToDouble(row -> metres(row.after())).toArray());
+        rows.stream().map(row -> metres(row.before())).toList(),
+        rows.stream().map(row -> metres(row.after())).toList());
   }
 
-  private static double metres(RowFinding.Fit fit) {
-    return fit.residualCm().orElse(Double.NaN) / CM;
+  private static OptionalDouble metres(RowFinding.Fit fit) {
+    OptionalDouble cm = fit.fromMeanCm();
+    return cm.isEmpty() ? cm : OptionalDouble.of(cm.getAsDouble() / CM);
   }
 
   /** Returns the part of a data set that is a ladder; of any other data set an empty one. */
@@ -107,7 +112,7 @@ final class LadderPart {
         new PagePicture(
             "Residuals by distance",
             draw(),
-            "How much too long readings are, as the simulator is. Each large dot is the median of a"
+            "How much too long readings are, as the simulator is. Each large dot is the middle of a"
                 + " placement, its line the 95 % interval, small dots are readings. Blue line: what"
                 + " the diagnosed model adds to the simulator. Dashed: no difference."
                 + (offsets.stream().anyMatch(PlacementOffset::isOff)
@@ -151,7 +156,8 @@ final class LadderPart {
     double most = offsets.get(offsets.size() - 1).distanceM();
     Graph graph =
         new Graph(
-            "Residuals by distance",
+            new Svg(Graph.WIDTH, Graph.HEIGHT, "Residuals by distance"),
+            FRAME,
             AxisScale.over(Math.min(0, offsets.get(0).distanceM()), most, 6),
             AxisScale.over(
                 heights.stream().mapToDouble(h -> h).min().orElse(0),
@@ -167,13 +173,13 @@ final class LadderPart {
 
   /** Each reading at its placement's distance. */
   private void dots(Graph graph) {
-    long count = rows.stream().filter(row -> row.before().residualCm().isPresent()).count();
+    long count = rows.stream().filter(row -> row.before().fromMeanCm().isPresent()).count();
     if (count > MOST_DOTS) {
       return;
     }
     for (PlacementOffset one : offsets) {
       for (int ping : one.pings()) {
-        double cm = rows.get(ping).before().residualCm().orElse(0);
+        double cm = rows.get(ping).before().fromMeanCm().orElse(0);
         graph.svg().circle(graph.spot(one.distanceM(), cm), 1.5, "ring", "");
       }
     }

@@ -40,13 +40,17 @@ public record RowFinding(
    * @param pit where in the forecast the reading lies, in [0, 1]: evenly spread when forecasts hold
    * @param residualCm the reading less the median of the expected echoes, centimetres; empty where
    *     no echo was read or none expected
+   * @param fromMeanCm the same less the mean of the expected echoes but for the outer tenths: where
+   *     ranges come in steps, the median jumps from one to the next
    */
-  public record Fit(double gapCm, double pit, OptionalDouble residualCm) {
+  public record Fit(
+      double gapCm, double pit, OptionalDouble residualCm, OptionalDouble fromMeanCm) {
     /** Checks that all are numbers. */
     public Fit {
       Checks.number("gapCm", gapCm);
       Checks.number("pit", pit);
       Checks.number("residualCm", residualCm);
+      Checks.number("fromMeanCm", fromMeanCm);
     }
   }
 }

@@ -27,6 +27,14 @@ public final class RowSurvey {
   /** Below it, what an echo would have been says nothing about the one that came. */
   private static final double EXPECTED = 0.05;
 
+  private static final double[] MEDIAN = {0.5};
+
+  /** Of echoes, without the outer tenths: strays are expected there. */
+  private static final double[] MIDDLE = {
+    0.12, 0.16, 0.2, 0.24, 0.28, 0.32, 0.36, 0.4, 0.44, 0.48, 0.52, 0.56, 0.6, 0.64, 0.68, 0.72,
+    0.76, 0.8, 0.84, 0.88
+  };
+
   private RowSurvey() {}
 
   /**
@@ -105,7 +113,8 @@ public final class RowSurvey {
     return new Fit(
         CM * ForecastGap.gapM(quantiles, reading, noEchoM),
         pit(forecast, reading, tie),
-        residual(forecast, reading));
+        residual(forecast, reading, MEDIAN),
+        residual(forecast, reading, MIDDLE));
   }
 
   /** No-echo ranks behind every echo; a tie is broken by chance (Smith 1985). */
@@ -120,13 +129,18 @@ public final class RowSurvey {
     return below + tie * (upTo - below);
   }
 
-  private static OptionalDouble residual(ReadingDistribution forecast, Reading reading) {
+  /** The reading less the mean of the expected echoes at some levels. */
+  private static OptionalDouble residual(
+      ReadingDistribution forecast, Reading reading, double... levels) {
     double echo = 1 - forecast.noEchoProbability();
     if (!(reading instanceof Echo heard) || echo < EXPECTED) {
       return OptionalDouble.empty();
     }
-    double median = forecast.quantileM(echo / 2, Double.POSITIVE_INFINITY);
-    return OptionalDouble.of(CM * (heard.rangeM() - median));
+    double sum = 0;
+    for (double level : levels) {
+      sum += forecast.quantileM(level * echo, Double.POSITIVE_INFINITY);
+    }
+    return OptionalDouble.of(CM * (heard.rangeM() - sum / levels.length));
   }
 
   /** Returns the share of a sorted array's values at or below which a value lies. */

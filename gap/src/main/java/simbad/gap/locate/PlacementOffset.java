@@ -9,7 +9,7 @@ import simbad.sonar.check.Checks;
  *
  * @param label its word in the log; its number from 1 where it has none
  * @param distanceM of the echo that the simulator expects there, metres
- * @param pings echoes that were compared, by their number in the log; at least one
+ * @param pings echoes that were compared, by their number in the log
  * @param beforeM median of the readings less what the simulator expects, metres
  * @param afterM the same of the diagnosed model
  * @param after95 95 % interval of afterM: scatter of the readings and half a step of theirs
@@ -28,7 +28,6 @@ public record PlacementOffset(
     Checks.finite("distanceM", distanceM);
     Checks.finite("beforeM", beforeM);
     Checks.finite("afterM", afterM);
-    Checks.atLeast("pings", pings.size(), 1);
     pings = List.copyOf(pings);
   }
 

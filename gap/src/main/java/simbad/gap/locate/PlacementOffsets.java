@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.fit.Robust;
@@ -28,6 +29,9 @@ public final class PlacementOffsets {
   /** Echoes of one placement: fewer may be of something else. */
   private static final int LEAST_ROWS = 3;
 
+  /** Of the mean of the middle half of normal values: its variance over that of their mean. */
+  private static final double MIDDLE_VARIANCE = 1.2;
+
   private static final double NORMAL_95 = 1.96;
 
   private final SensingSetup setup;
@@ -49,13 +53,13 @@ public final class PlacementOffsets {
    *
    * @param setup as the simulator believes it
    * @param log what was read
-   * @param beforeM of each ping the reading less the echo that the simulator expects, metres; not a
-   *     number where no echo was read or none expected
+   * @param beforeM of each ping the reading less the echo that the simulator expects, metres; empty
+   *     where no echo was read or none expected
    * @param afterM the same of the diagnosed model
    * @return by distance; none where the log was not taken place by place
    */
   public static List<PlacementOffset> of(
-      SensingSetup setup, PingLog log, double[] beforeM, double[] afterM) {
+      SensingSetup setup, PingLog log, List<OptionalDouble> beforeM, List<OptionalDouble> afterM) {
     Placements placements = new Placements(log);
     if (!placements.areRepeated()) {
       return List.of();
@@ -65,7 +69,7 @@ public final class PlacementOffsets {
       pings.add(new ArrayList<>());
     }
     for (int ping = 0; ping < log.size(); ping++) {
-      if (Double.isFinite(beforeM[ping]) && Double.isFinite(afterM[ping])) {
+      if (beforeM.get(ping).isPresent() && afterM.get(ping).isPresent()) {
         pings.get(placements.of(ping)).add(ping);
       }
     }
@@ -74,9 +78,8 @@ public final class PlacementOffsets {
     for (int i = 0; i < pings.size(); i++) {
       List<Integer> own = pings.get(i);
       if (!own.isEmpty()) {
-        double[] after = own.stream().mapToDouble(ping -> afterM[ping]).toArray();
-        // A few readings of something else say nothing of where it stood.
-        double middle = Robust.median(after);
+        double[] after = own.stream().mapToDouble(ping -> afterM.get(ping).orElseThrow()).toArray();
+        double middle = middle(after);
         if (own.size() > 1) {
           Arrays.stream(after).map(one -> Math.abs(one - middle)).forEach(within);
         }
@@ -88,13 +91,26 @@ public final class PlacementOffsets {
     return new PlacementOffsets(setup, means, seen > 0 ? seen : believed).all();
   }
 
+  /**
+   * The mean of the middle half: a few readings of something else say nothing of where it stood,
+   * and where readings come in steps a median would lie on one.
+   */
+  private static double middle(double... values) {
+    double[] sorted = values.clone();
+    Arrays.sort(sorted);
+    int left = sorted.length / 4;
+    return Arrays.stream(sorted, left, sorted.length - left).average().orElse(Double.NaN);
+  }
+
   private static Mean mean(
-      PingLog log, List<Integer> pings, int number, double[] beforeM, double afterM) {
-    double[] before = pings.stream().mapToDouble(ping -> beforeM[ping]).toArray();
+      PingLog log, List<Integer> pings, int number, List<OptionalDouble> beforeM, double afterM) {
+    double[] before = pings.stream().mapToDouble(ping -> beforeM.get(ping).orElseThrow()).toArray();
     double[] expected =
-        pings.stream().mapToDouble(ping -> log.rangeM(ping) - beforeM[ping]).toArray();
+        pings.stream()
+            .mapToDouble(ping -> log.rangeM(ping) - beforeM.get(ping).orElseThrow())
+            .toArray();
     String label = log.placement(pings.get(0)).orElse(Integer.toString(number + 1));
-    return new Mean(label, pings, Robust.median(expected), Robust.median(before), afterM);
+    return new Mean(label, pings, Robust.median(expected), middle(before), afterM);
   }
 
   private List<PlacementOffset> all() {
@@ -126,9 +142,9 @@ public final class PlacementOffsets {
     return offsets;
   }
 
-  /** Of a median, which varies more than a mean; a step that all share is not averaged away. */
+  /** A step that all readings of a placement share is not averaged away. */
   private double deviationM(Mean mean) {
-    double scatter = withinM * Math.sqrt(Math.PI / 2 / mean.pings.size());
+    double scatter = withinM * Math.sqrt(MIDDLE_VARIANCE / mean.pings.size());
     return Math.hypot(scatter, setup.sensor().resolutionM() / Math.sqrt(12));
   }
 }

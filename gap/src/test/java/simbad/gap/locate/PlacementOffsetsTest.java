@@ -3,7 +3,9 @@ package simbad.gap.locate;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Collections;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simbad.gap.fixture.Ladders;
@@ -22,8 +24,10 @@ class PlacementOffsetsTest {
   /** The reading less the distance: what a right model leaves. */
   private static List<PlacementOffset> offsets(List<ReadingRow> rows) {
     PingLog log = new PingLog(rows);
-    double[] off =
-        IntStream.range(0, log.size()).mapToDouble(i -> log.rangeM(i) - log.zM(i)).toArray();
+    List<OptionalDouble> off =
+        IntStream.range(0, log.size())
+            .mapToObj(i -> OptionalDouble.of(log.rangeM(i) - log.zM(i)))
+            .toList();
     return PlacementOffsets.of(Ladders.BOARD, log, off, off);
   }
 
@@ -80,8 +84,7 @@ class PlacementOffsetsTest {
   @Test
   void driveHasNoPlacements() {
     PingLog log = new PingLog(Logs.drive(100, 1));
-    assertEquals(
-        List.of(),
-        PlacementOffsets.of(Logs.ROOM, log, new double[log.size()], new double[log.size()]));
+    List<OptionalDouble> none = Collections.nCopies(log.size(), OptionalDouble.empty());
+    assertEquals(List.of(), PlacementOffsets.of(Logs.ROOM, log, none, none));
   }
 }
