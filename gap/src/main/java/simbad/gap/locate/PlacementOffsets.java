@@ -16,11 +16,11 @@ import simbad.sonar.scene.SensingSetup;
  * Of a log that was taken place by place: how far each placement is off, and which one is off alone
  * - where a tape was misread, or something was bumped.
  *
- * <p>One is off alone where it is more than {@value #DEVIATIONS} standard deviations from the
- * median of all: deviations of the others from each other (by their median absolute deviation), and
- * no less than what scatter, steps and places known so well give. Of fewer than {@value #LEAST}
- * placements none is called off. Where none is, one of 10 to 30 is called so in less than 1 of 200
- * logs ({@code PlacementOffsetsTest}).
+ * <p>One is off alone where it is more than six standard deviations from the median of all:
+ * deviations of the others from each other (by their median absolute deviation), and no less than
+ * what scatter, steps and places known so well give. Of fewer than six placements none is called
+ * off. False alarms: of 4000 ladders with 10 to 30 placements by a tape of 2 mm 14, of 5 mm 30;
+ * with 6 to 9 placements 42 and 129.
  */
 public final class PlacementOffsets {
   private static final double DEVIATIONS = 6;
