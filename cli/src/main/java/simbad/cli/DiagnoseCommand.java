@@ -245,7 +245,7 @@ final class DiagnoseCommand extends Subcommand {
     List<AuditFinding> audit =
         new ArrayList<>(Audit.of(data.setup(), data.readings(), data.reference()));
     audit.addAll(MotionAudit.of(drive));
-    motion = StuckTrack.without(motion, drive.trackRows(), audit);
+    motion = StuckTrack.without(motion, drive, audit);
     JointFiles.Log log = new JointFiles.Log(data, motion, audit);
     DiagnosisProvenance provenance = new DiagnosisProvenance(source.sha256(), version, seed);
     try (StagedDirectory staged = StagedDirectory.beside(target)) {
@@ -273,7 +273,7 @@ final class DiagnoseCommand extends Subcommand {
     MotionFolder drive = new MotionFolder(folder);
     MotionData all = drive.read(source.name());
     List<AuditFinding> audit = MotionAudit.of(drive);
-    MotionData data = StuckTrack.without(all, drive.trackRows(), audit);
+    MotionData data = StuckTrack.without(all, drive, audit);
     DiagnosisProvenance provenance = new DiagnosisProvenance(source.sha256(), version, seed);
     try (StagedDirectory staged = StagedDirectory.beside(target)) {
       if (auditOnly || Audit.refuses(audit)) {

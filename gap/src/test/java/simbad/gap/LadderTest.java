@@ -5,8 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,7 +22,6 @@ import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fixture.Ladders;
 import simbad.sonar.scene.SensingSetup;
-import simbad.sonar.scene.SetupDetails;
 import simbad.sonar.sensing.Reading;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -83,12 +80,7 @@ class LadderTest {
   /** Steps of a millimetre under 3 mm of noise say nothing: no value follows their beat. */
   @Test
   void intervals_holdScaleAndOffset_whereRangesComeInFineSteps() {
-    SensingSetup fine =
-        new SensingSetup(
-            Ladders.BOARD.sensor().withResolution(0.001),
-            Ladders.BOARD.scene(),
-            Ladders.BOARD.noEchoM(),
-            new SetupDetails(Ladders.TAPE_M, 0, Map.of(), Optional.empty(), List.of()));
+    SensingSetup fine = Ladders.board(0.001, Ladders.TAPE_M, 0);
     int held = 0;
     int named = 0;
     for (int seed = 1; seed <= 6; seed++) {
@@ -112,12 +104,7 @@ class LadderTest {
    */
   @Test
   void intervalOfAScale_allowsForADatum_thatIsNotNamed() {
-    SensingSetup coarse =
-        new SensingSetup(
-            Ladders.BOARD.sensor().withResolution(0.01),
-            Ladders.BOARD.scene(),
-            Ladders.BOARD.noEchoM(),
-            new SetupDetails(Ladders.TAPE_M, 0, Map.of(), Optional.empty(), List.of()));
+    SensingSetup coarse = Ladders.board(0.01, Ladders.TAPE_M, 0);
     int held = 0;
     for (int seed = 1; seed <= 6; seed++) {
       List<ReadingRow> rows =

@@ -5,27 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import simbad.sonar.fixture.Untimed;
 import simbad.sonar.frame.Pose;
-import simbad.sonar.sensing.Circumstances;
 import simbad.sonar.sensing.Echo;
-import simbad.sonar.sensing.MovedObstacle;
 import simbad.sonar.sensing.ReadingRow;
 
 class PingLogTest {
-  private static final Circumstances UNTIMED =
-      new Circumstances(
-          false,
-          Optional.empty(),
-          OptionalDouble.empty(),
-          MovedObstacle.UNMOVED,
-          OptionalDouble.empty(),
-          OptionalDouble.empty());
-
   /** Each ping as the log has it: sums over pings are then the same to the last bit. */
   private static List<String> pings(List<ReadingRow> rows) {
     PingLog log = new PingLog(rows);
@@ -64,7 +52,7 @@ class PingLogTest {
     List<ReadingRow> rows = new ArrayList<>();
     for (int i = 0; i < 60; i++) {
       Pose pose = Pose.of(0, 1 + i % 4, 0);
-      rows.add(new ReadingRow("r", "s", 0, pose, new Echo(0.01 * i), UNTIMED));
+      rows.add(new ReadingRow("r", "s", 0, pose, new Echo(0.01 * i), Untimed.ROW));
     }
     assertOrderOfRowsIsNothing(rows);
   }

@@ -10,7 +10,9 @@ import simbad.gap.audit.AuditFinding;
 import simbad.motion.MotionRun;
 import simbad.motion.TrackPose;
 import simbad.motion.format.MotionData;
+import simbad.motion.format.MotionFolder;
 import simbad.motion.format.MotionRow;
+import simbad.sonar.format.DataFormatException;
 
 /** Leaves out what a tracker only repeated: there the robot was not seen. */
 public final class StuckTrack {
@@ -20,19 +22,25 @@ public final class StuckTrack {
    * Returns a drive without the rows that an audit found to be repeated.
    *
    * @param data the drive
-   * @param track its rows as they stand in the file, by run
+   * @param folder that it was read from
    * @param audit what was found of it
+   * @throws DataFormatException naming file, line and field of the first fault
    */
-  public static MotionData without(
+  public static MotionData without(MotionData data, MotionFolder folder, List<AuditFinding> audit)
+      throws DataFormatException {
+    return repeated(audit).isEmpty() ? data : without(data, folder.trackRows(), audit);
+  }
+
+  private static Set<Integer> repeated(List<AuditFinding> audit) {
+    return audit.stream()
+        .filter(finding -> finding.check() == AuditCheck.TRACK_STILL)
+        .flatMap(finding -> finding.rows().stream())
+        .collect(Collectors.toUnmodifiableSet());
+  }
+
+  static MotionData without(
       MotionData data, Map<String, List<MotionRow<TrackPose>>> track, List<AuditFinding> audit) {
-    Set<Integer> rows =
-        audit.stream()
-            .filter(finding -> finding.check() == AuditCheck.TRACK_STILL)
-            .flatMap(finding -> finding.rows().stream())
-            .collect(Collectors.toUnmodifiableSet());
-    if (rows.isEmpty()) {
-      return data;
-    }
+    Set<Integer> rows = repeated(audit);
     List<MotionRun> runs = data.runs().stream().map(run -> without(run, track, rows)).toList();
     return new MotionData(data.name(), data.robot(), runs, data.reference());
   }

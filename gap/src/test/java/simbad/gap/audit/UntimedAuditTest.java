@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simbad.gap.fixture.Logs;
+import simbad.sonar.fixture.Untimed;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
@@ -58,7 +59,7 @@ class UntimedAuditTest {
 
   private static ReadingRow untimed(double distance, Reading reading) {
     Pose pose = Pose.of(0, distance, Math.PI / 2);
-    return new ReadingRow("run", "front", 0, pose, reading, Logs.UNTIMED);
+    return new ReadingRow("run", "front", 0, pose, reading, Untimed.ROW);
   }
 
   private static List<AuditCheck> warnings(List<ReadingRow> rows) {

@@ -9,16 +9,13 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
+import simbad.sonar.fixture.Untimed;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.ping.PingLog;
-import simbad.sonar.sensing.Circumstances;
-import simbad.sonar.sensing.MovedObstacle;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -82,19 +79,11 @@ class BlocksTest {
   /** Ten places of ten rows each, without times: what is at one place is in one block. */
   @Test
   void placesWithoutTimes_stayTogether_whateverTheOrder() {
-    Circumstances untimed =
-        new Circumstances(
-            false,
-            Optional.empty(),
-            OptionalDouble.empty(),
-            MovedObstacle.UNMOVED,
-            OptionalDouble.empty(),
-            OptionalDouble.empty());
     List<ReadingRow> rows = new ArrayList<>();
     for (int i = 0; i < 100; i++) {
       int place = i / 10;
       Pose pose = Pose.of(0, 1 + place, 1);
-      rows.add(new ReadingRow("r", "s", 0, pose, NoEcho.NO_ECHO, untimed));
+      rows.add(new ReadingRow("r", "s", 0, pose, NoEcho.NO_ECHO, Untimed.ROW));
     }
     PingLog inOrder = new PingLog(rows);
     Collections.shuffle(rows, new Random(1));

@@ -5,8 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simbad.gap.fit.CalibratedLog;
@@ -15,7 +13,6 @@ import simbad.gap.fixture.Worlds;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
-import simbad.sonar.scene.SetupDetails;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -74,13 +71,7 @@ class PlacementsTest {
   /** Where placements lie on a line by chance, what the set-up says of its places counts. */
   @Test
   void designEffect_isAtLeastThatOfTheStatedPlaces() {
-    SensingSetup bare = Ladders.BOARD;
-    SensingSetup stated =
-        new SensingSetup(
-            bare.sensor(),
-            bare.scene(),
-            bare.noEchoM(),
-            new SetupDetails(0.002, 0, Map.of(), Optional.empty(), List.of()));
+    SensingSetup stated = Ladders.board(0, 0.002, 0);
     PingLog log = new PingLog(Ladders.read((range, lot) -> range, sixty(), 16, 0, 3));
     CalibratedLog given = new CalibratedLog(stated, List.of(), log);
     Placements placements = new Placements(log);
@@ -115,13 +106,7 @@ class PlacementsTest {
   }
 
   private static double statedHeadings(List<ReadingRow> rows) {
-    SensingSetup bare = Ladders.BOARD;
-    SensingSetup stated =
-        new SensingSetup(
-            bare.sensor(),
-            bare.scene(),
-            bare.noEchoM(),
-            new SetupDetails(0, Math.toRadians(0.5), Map.of(), Optional.empty(), List.of()));
+    SensingSetup stated = Ladders.board(0, 0, Math.toRadians(0.5));
     PingLog log = new PingLog(rows);
     return PlacementScatter.statedClumping(
         new CalibratedLog(stated, List.of(), log), new Placements(log));
