@@ -109,18 +109,20 @@ public final class Diagnoser {
         data.reference().isEmpty()
             ? List.of(new Law(Calibration.none(data.setup(), log), 0))
             : Laws.of(data.setup(), new PingLog(data.reference()), log);
-    Inquiry inquiry = inquiry(data, log, laws.get(0).calibration(), offered);
+    List<Inquiry> asked =
+        laws.parallelStream().map(law -> inquire(data, log, law.calibration(), offered)).toList();
+    Inquiry inquiry = asked.get(0);
     if (laws.size() > 1) {
-      Inquiry other = inquiry(data, log, laws.get(1).calibration(), offered);
-      double lead = inquiry.nats(laws.get(0)) - other.nats(laws.get(1));
-      inquiry = lead >= 0 ? inquiry : other;
+      double lead = inquiry.nats(laws.get(0)) - asked.get(1).nats(laws.get(1));
+      inquiry = lead >= 0 ? inquiry : asked.get(1);
     }
+    inquiry = whole(data, log, inquiry, offered);
     return diagnosis(inquiry, conclude(inquiry));
   }
 
   /** Searches until the set-up holds what belongs to it and nothing is left to try. */
-  private Inquiry inquiry(DataSet data, PingLog log, Calibration calibration, Hypothesis offered) {
-    Inquiry inquiry = inquire(data, log, calibration, offered);
+  private Inquiry whole(DataSet data, PingLog log, Inquiry begun, Hypothesis offered) {
+    Inquiry inquiry = begun;
     for (int round = 0; round < ROUNDS; round++) {
       Calibration more = inquiry.settled();
       if (more == inquiry.calibration) {

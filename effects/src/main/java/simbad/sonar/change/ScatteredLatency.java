@@ -34,6 +34,11 @@ public record ScatteredLatency(PoseChange delay, double scatterPings)
   }
 
   @Override
+  public boolean looksBack() {
+    return true;
+  }
+
+  @Override
   public boolean beforeRange() {
     return true;
   }

@@ -33,6 +33,11 @@ public sealed interface Change
     return false;
   }
 
+  /** Tells whether it asks what the transducer saw at its ping before. */
+  default boolean looksBack() {
+    return false;
+  }
+
   /** Returns the changes of one kind, in a list that may be changed. */
   static <T> List<T> only(Class<T> kind, List<? extends Change> changes) {
     List<T> some = new ArrayList<>();

@@ -77,19 +77,26 @@ public final class Geometry {
    * @param changes of which those that act on poses, the scene and the cone count here
    */
   public Geometry(PingLog log, SensingSetup believed, List<? extends Change> changes) {
-    this(log, believed, changes, null);
+    this(log, believed, changes, null, null);
   }
 
   /**
-   * Computes the geometry like another one, and takes over from it what is the same.
+   * Computes the geometry like another one, takes over from it what is the same, and may leave out
+   * pings.
    *
    * @param log the pings
    * @param believed the set-up
    * @param changes of which those that act on poses, the scene and the cone count here
-   * @param like of the same pings and set-up under other changes; null for none
+   * @param like of the same pings and set-up under other changes, of the pings that are asked for
+   *     at least; null for none
+   * @param only which pings are asked for, null for all; what is left for others means nothing
    */
   public Geometry(
-      PingLog log, SensingSetup believed, List<? extends Change> changes, @Nullable Geometry like) {
+      PingLog log,
+      SensingSetup believed,
+      List<? extends Change> changes,
+      @Nullable Geometry like,
+      boolean @Nullable [] only) {
     this(log, log.size(), believed, changes);
     Likeness likeness = like == null ? null : new Likeness(like, this);
     PoseTrack track = new PoseTrack(changes, "", 0);
@@ -102,7 +109,9 @@ public final class Geometry {
       pose.set(log.xM(ping), log.zM(ping), log.headingRad(ping));
       track.next(log.timeS(ping), pose);
       stand(ping, pose, log.timeS(ping) - log.firstS());
-      look(likeness, ping);
+      if (only == null || only[ping]) {
+        look(likeness, ping);
+      }
     }
   }
 

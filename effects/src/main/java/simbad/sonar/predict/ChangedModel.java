@@ -114,7 +114,22 @@ public final class ChangedModel {
    * same log and set-up.
    */
   public Geometry geometryLike(Geometry known) {
-    return new Geometry(known.log(), believed, changes, known);
+    return geometryLike(known, null);
+  }
+
+  /**
+   * Computes the same of some pings.
+   *
+   * @param known under other changes of the same log and set-up; of these pings at least
+   * @param only the pings that are asked for, null for all; what is left for others means nothing
+   */
+  public Geometry geometryLike(Geometry known, boolean @Nullable [] only) {
+    return new Geometry(known.log(), believed, changes, known, only);
+  }
+
+  /** Tells whether what is read at a ping depends on what was seen or read at those before. */
+  public boolean looksBack() {
+    return hasMemory() || changes.stream().anyMatch(Change::looksBack);
   }
 
   /**

@@ -118,6 +118,32 @@ class ReusedWorkTest {
     }
   }
 
+  /** Models that look back are asked with all pings, all others with those that count alone. */
+  @Property(tries = 1500, seed = "19")
+  void geometryOfSomePings_readsThemAsAmongAll(@ForAll long seed) {
+    Random random = random(seed);
+    PingLog log = world(random);
+    ChangedModel model = new ChangedModel(setup, changes(random));
+    boolean[] only = some(random);
+    Geometry known = new ChangedModel(setup, changes(random)).geometry(log);
+    Geometry again = model.geometryLike(model.geometryLike(known, only), only);
+    double[] expected = new double[PINGS];
+    double[] found = new double[PINGS];
+    model.likelihood(model.geometry(log), expected, null, only);
+    model.likelihood(model.looksBack() ? model.geometry(log) : again, found, null, only);
+    for (int ping = 0; ping < PINGS; ping++) {
+      assertEquals(only[ping] ? expected[ping] : 0, only[ping] ? found[ping] : 0);
+    }
+  }
+
+  private static boolean[] some(Random random) {
+    boolean[] only = new boolean[PINGS];
+    for (int ping = 0; ping < PINGS; ping++) {
+      only[ping] = random.nextInt(3) == 0;
+    }
+    return only;
+  }
+
   private static double[] seen(Geometry geometry, int line) {
     boolean heard = geometry.ears() != null && geometry.nearestM(line) < Double.POSITIVE_INFINITY;
     return new double[] {
@@ -146,12 +172,9 @@ class ReusedWorkTest {
     double[] all = new double[PINGS];
     double[] allEchoes = new double[PINGS];
     model.likelihood(geometry, all, allEchoes, null);
-    boolean[] only = new boolean[PINGS];
+    boolean[] only = some(random);
     double[] some = new double[PINGS];
     double[] someEchoes = new double[PINGS];
-    for (int ping = 0; ping < PINGS; ping++) {
-      only[ping] = random.nextInt(3) == 0;
-    }
     model.likelihood(geometry, some, someEchoes, only);
     for (int ping = 0; ping < PINGS; ping++) {
       if (only[ping]) {

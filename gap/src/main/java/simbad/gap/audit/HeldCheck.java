@@ -192,7 +192,8 @@ final class HeldCheck {
     int echoes = view.echoes().toArray().length;
     boolean shows =
         same.length >= NEARLY_ALL * echoes && Math.pow(AGAIN, wrong.length) < Tail.LEVEL;
-    return shows
+    // A floor answers from one distance too, but not where something stands before it.
+    return shows && rightAfter(wrong[0], middle) < LEAST_VALUES
         ? Optional.of(
             new AuditFinding(
                 AuditCheck.STUCK,
@@ -207,6 +208,14 @@ final class HeldCheck {
                 // Of a whole log that is one number no reading can be believed.
                 Severity.REFUSE))
         : Optional.empty();
+  }
+
+  /** How many other values there are from a row on that are right. */
+  private long rightAfter(int row, double value) {
+    return view.echoes()
+        .filter(i -> i > row && view.rangeM(i) != value)
+        .filter(i -> view.isInCone(i, view.asM(i)))
+        .count();
   }
 
   private boolean isStuck(Series series) {

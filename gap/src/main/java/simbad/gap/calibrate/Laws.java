@@ -1,6 +1,7 @@
 package simbad.gap.calibrate;
 
 import java.util.List;
+import java.util.stream.Stream;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
@@ -64,18 +65,18 @@ public final class Laws {
     if (setup.sensor().law().model().isPresent() || !new Blocks(reference).canBeHeldOut()) {
       return List.of(new Law(Calibration.of(setup, reference), 0));
     }
-    Law threshold = calibrated(setup, SensorLaw.Model.THRESHOLD, reference, 0);
+    List<Calibration> calibrated =
+        Stream.of(SensorLaw.Model.THRESHOLD, SensorLaw.Model.LEVEL)
+            .parallel()
+            .map(law -> Calibration.of(setup.under(law), reference))
+            .toList();
     double gained = new Rivals(setup, reference).gainedNats();
-    Law level = calibrated(setup, SensorLaw.Model.LEVEL, reference, gained);
+    Law threshold = new Law(calibrated.get(0), 0);
+    Law level = new Law(calibrated.get(1), gained);
     Law first = gained > 0 ? level : threshold;
     Law second = gained > 0 ? threshold : level;
     double lead = unchanged(first, setup, log) - unchanged(second, setup, log);
     return lead > 0 ? List.of(first) : List.of(first, second);
-  }
-
-  private static Law calibrated(
-      SensingSetup setup, SensorLaw.Model law, PingLog reference, double nats) {
-    return new Law(Calibration.of(setup.under(law), reference), nats);
   }
 
   private static double unchanged(Law law, SensingSetup setup, PingLog log) {

@@ -33,6 +33,9 @@ public class Fitter {
 
   private final Geometries geometries;
 
+  /** Of the pings that count alone. */
+  private final Geometries counted;
+
   /**
    * Creates a fitter.
    *
@@ -46,7 +49,8 @@ public class Fitter {
     for (int i = 0; i < counts.length; i++) {
       counts[i] = fold.holds(i);
     }
-    geometries = given.geometries().ofFit();
+    geometries = given.geometries().ofFit(null);
+    counted = fold == Fold.ALL ? geometries : given.geometries().ofFit(counts);
   }
 
   /** Returns the log likelihood of the pings that count. */
@@ -62,7 +66,8 @@ public class Fitter {
 
   private double computed(Hypothesis hypothesis) {
     ChangedModel model = given.model(hypothesis);
-    given.logLikelihood(model, geometries.of(model), row, counts);
+    Geometries looked = model.looksBack() ? geometries : counted;
+    given.logLikelihood(model, looked.of(model), row, counts);
     double sum = 0;
     for (int i = 0; i < row.length; i++) {
       if (counts[i]) {

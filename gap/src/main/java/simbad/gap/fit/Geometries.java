@@ -3,7 +3,6 @@ package simbad.gap.fit;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
@@ -32,6 +31,9 @@ final class Geometries {
   /** Where the first one is asked for. */
   private final @Nullable Geometries shared;
 
+  /** Of which pings, null for all. */
+  private final boolean @Nullable [] only;
+
   /**
    * Remembers nothing yet.
    *
@@ -42,17 +44,23 @@ final class Geometries {
     this.plain = plain;
     plainly = deciding(calibration);
     shared = null;
+    only = null;
   }
 
-  private Geometries(Geometries shared) {
+  private Geometries(Geometries shared, boolean @Nullable [] only) {
     plain = shared.plain;
     plainly = shared.plainly;
     this.shared = shared;
+    this.only = only;
   }
 
-  /** Returns those of one fit, which begins somewhere that others may know as well. */
-  Geometries ofFit() {
-    return new Geometries(this);
+  /**
+   * Returns those of one fit, which begins somewhere that others may know as well.
+   *
+   * @param only the pings that count, null for all: what is left for others means nothing
+   */
+  Geometries ofFit(boolean @Nullable [] only) {
+    return new Geometries(this, only);
   }
 
   private static List<Change> deciding(List<Change> changes) {
@@ -65,30 +73,52 @@ final class Geometries {
     if (key.equals(plainly)) {
       return plain;
     }
-    Geometry like;
-    synchronized (known) {
-      Geometry before = known.get(key);
-      if (before != null) {
-        return before;
-      }
-      like = known.isEmpty() && shared != null ? null : nearest(key);
+    Geometry before = known(key);
+    if (before != null) {
+      return before;
     }
-    Geometry now =
-        like == null ? Objects.requireNonNull(shared).of(model) : model.geometryLike(like);
+    Geometry now = made(model, key);
     synchronized (known) {
       known.put(key, now);
     }
     return now;
   }
 
+  private @Nullable Geometry known(List<Change> key) {
+    synchronized (known) {
+      return known.get(key);
+    }
+  }
+
+  private Geometry made(ChangedModel model, List<Change> key) {
+    Geometries first = shared;
+    if (first == null || !isEmpty()) {
+      return model.geometryLike(nearest(key), only);
+    }
+    if (only == null) {
+      return first.of(model);
+    }
+    // Others begin there with all pings, if at all.
+    Geometry whole = first.known(key);
+    return whole == null ? model.geometryLike(first.nearest(key), only) : whole;
+  }
+
+  private boolean isEmpty() {
+    synchronized (known) {
+      return known.isEmpty();
+    }
+  }
+
   /** The geometry that depends on most of some changes; of equals the one that was asked last. */
   private Geometry nearest(List<Change> key) {
     Geometry nearest = plain;
     long most = 0;
-    for (Map.Entry<List<Change>, Geometry> entry : known.entrySet()) {
-      long shared = entry.getKey().stream().filter(key::contains).count();
-      nearest = shared >= most ? entry.getValue() : nearest;
-      most = Math.max(most, shared);
+    synchronized (known) {
+      for (Map.Entry<List<Change>, Geometry> entry : known.entrySet()) {
+        long shared = entry.getKey().stream().filter(key::contains).count();
+        nearest = shared >= most ? entry.getValue() : nearest;
+        most = Math.max(most, shared);
+      }
     }
     return nearest;
   }

@@ -23,6 +23,9 @@ public final class Screen {
   /** Of a table: thresholds are held together, and many have no ping to follow. */
   private static final double THRESHOLD_NATS = 0.75;
 
+  /** So many pings are enough to choose what is fitted to all of them. */
+  private static final int ENOUGH_PINGS = 1000;
+
   private static final int REFINED = 6;
 
   /** Forms of one effect that are so near each other are both refined before one is chosen. */
@@ -36,11 +39,23 @@ public final class Screen {
   private final Fit base;
   private final Clues clues;
 
+  /** The pings by which forms are chosen; each stands for so many. */
+  private final Fold some;
+
+  private final int standsFor;
+  private final double baseOfSome;
+
   /** Creates a screen for the forms beside a fit. */
   public Screen(CalibratedLog given, Fit base) {
     this.given = given;
     this.base = base;
     clues = new LogClues(given, base.hypothesis());
+    standsFor = Math.max(1, given.log().size() / ENOUGH_PINGS);
+    some = standsFor == 1 ? Fold.ALL : new Thinned(given.log().size(), standsFor);
+    baseOfSome =
+        standsFor == 1
+            ? base.logLikelihood()
+            : new Fitter(given, some).logLikelihood(base.hypothesis());
   }
 
   /**
@@ -104,17 +119,36 @@ public final class Screen {
   private List<Fit> bestOf(List<Form> forms) {
     List<Fit> fits = new ArrayList<>();
     for (Form form : forms) {
-      Fitter fitter = new Fitter(given, Fold.ALL);
+      Fitter fitter = new Fitter(given, some);
       Fit begun = begun(form, fitter);
-      if (fits.isEmpty() || gain(fits.get(0)) >= CHANCE_NATS || gain(begun) >= CHANCE_NATS) {
+      if (fits.isEmpty()
+          || gainOfSome(fits.get(0)) >= CHANCE_NATS
+          || gainOfSome(begun) >= CHANCE_NATS) {
         fits.add(approached(begun, fitter));
       }
     }
-    fits.sort(Comparator.comparingDouble(fit -> -merit(fit)));
+    fits.sort(Comparator.comparingDouble(fit -> -meritOfSome(fit)));
+    double least = meritOfSome(fits.get(0)) - CLOSE_NATS;
     return fits.stream()
-        .filter(fit -> merit(fit) > merit(fits.get(0)) - CLOSE_NATS)
+        .filter(fit -> meritOfSome(fit) > least)
         .limit(CLOSE)
+        .map(this::ofAll)
+        .sorted(Comparator.comparingDouble(fit -> -merit(fit)))
         .toList();
+  }
+
+  private Fit ofAll(Fit ofSome) {
+    Hypothesis set = ofSome.hypothesis();
+    return standsFor == 1 ? ofSome : new Fit(set, new Fitter(given, Fold.ALL).logLikelihood(set));
+  }
+
+  /** What a fit of some pings would gain of all of them. */
+  private double gainOfSome(Fit ofSome) {
+    return standsFor * (ofSome.logLikelihood() - baseOfSome);
+  }
+
+  private double meritOfSome(Fit ofSome) {
+    return gainOfSome(ofSome) - cost(ofSome);
   }
 
   private static Fit better(Fit one, Fit other) {
@@ -123,8 +157,12 @@ public final class Screen {
 
   /** Of two forms that fit alike the simpler one is taken. */
   private static double merit(Fit fit) {
-    double cost = fit.hypothesis().hasTable() ? THRESHOLD_NATS : CHANCE_NATS;
-    return fit.logLikelihood() - cost * fit.hypothesis().size();
+    return fit.logLikelihood() - cost(fit);
+  }
+
+  private static double cost(Fit fit) {
+    double each = fit.hypothesis().hasTable() ? THRESHOLD_NATS : CHANCE_NATS;
+    return each * fit.hypothesis().size();
   }
 
   private double gain(Fit fit) {

@@ -8,24 +8,24 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
+import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.Refit;
 import simbad.sonar.check.Checks;
 
 /**
  * Scores sets of effects on rows that they were not fitted on: values fitted on every other block
- * of time predict the blocks between, and the other way round.
+ * of time predict the blocks between, and the other way round. What was fitted is remembered. For
+ * one thread.
  */
 public final class HeldOut {
   private static final int EVALUATIONS = 15;
 
-  private final CalibratedLog given;
-  private final Blocks blocks;
+  private final List<Half> halves;
 
   /**
    * A hypothesis with its evidence.
@@ -49,8 +49,7 @@ public final class HeldOut {
    * @param blocks of time that it is cut into
    */
   public HeldOut(CalibratedLog given, Blocks blocks) {
-    this.given = given;
-    this.blocks = blocks;
+    halves = List.of(new Half(given, blocks, 0), new Half(given, blocks, 1));
   }
 
   /**
@@ -96,28 +95,49 @@ public final class HeldOut {
   public List<Scored> score(List<Fit> fits) {
     List<Fit> smallFirst =
         fits.stream().sorted(Comparator.comparingInt(fit -> fit.hypothesis().size())).toList();
-    List<double[]> halves =
-        IntStream.range(0, 2).parallel().mapToObj(half -> scores(smallFirst, half)).toList();
+    List<double[]> scores = halves.parallelStream().map(half -> half.scores(smallFirst)).toList();
     List<Scored> scored = new ArrayList<>();
     for (int i = 0; i < smallFirst.size(); i++) {
       Fit fit = smallFirst.get(i);
       scored.add(
-          new Scored(fit.hypothesis(), fit.logLikelihood(), halves.get(0)[i] + halves.get(1)[i]));
+          new Scored(fit.hypothesis(), fit.logLikelihood(), scores.get(0)[i] + scores.get(1)[i]));
     }
     return scored;
   }
 
-  private double[] scores(List<Fit> smallFirst, int half) {
-    Refit again = new Refit(given, blocks.half(half));
-    Fitter other = new Fitter(given, blocks.half(1 - half));
-    Map<Set<Effect>, Hypothesis> fitted = new HashMap<>();
-    double[] scores = new double[smallFirst.size()];
-    for (int i = 0; i < scores.length; i++) {
-      Hypothesis own = refit(again, smallFirst.get(i).hypothesis(), fitted);
-      fitted.put(new TreeSet<>(own.effects()), own);
-      scores[i] = other.logLikelihood(own);
+  /** Fits on the blocks of one half, and scores on the others. */
+  private static final class Half {
+    private final CalibratedLog given;
+    private final Fold own;
+    private final Fold others;
+
+    /** By the values of the whole log. */
+    private final Map<Hypothesis, Fit> known = new HashMap<>();
+
+    Half(CalibratedLog given, Blocks blocks, int half) {
+      this.given = given;
+      own = blocks.half(half);
+      others = blocks.half(1 - half);
     }
-    return scores;
+
+    double[] scores(List<Fit> smallFirst) {
+      Refit again = new Refit(given, own);
+      Fitter other = new Fitter(given, others);
+      Map<Set<Effect>, Hypothesis> fitted = new HashMap<>();
+      double[] scores = new double[smallFirst.size()];
+      for (int i = 0; i < scores.length; i++) {
+        Hypothesis whole = smallFirst.get(i).hypothesis();
+        Fit scored = known.get(whole);
+        if (scored == null) {
+          Hypothesis refit = refit(again, whole, fitted);
+          scored = new Fit(refit, other.logLikelihood(refit));
+          known.put(whole, scored);
+        }
+        fitted.put(new TreeSet<>(whole.effects()), scored.hypothesis());
+        scores[i] = scored.logLikelihood();
+      }
+      return scores;
+    }
   }
 
   private static Hypothesis refit(

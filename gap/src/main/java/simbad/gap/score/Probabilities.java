@@ -79,8 +79,10 @@ public final class Probabilities {
   /**
    * How many times the cost of one effect some effects cost together: three at once are rare, and
    * what needs them is more often one thing that has no name.
+   *
+   * @param effects how many
    */
-  private static double shares(int effects) {
+  public static double shares(int effects) {
     return effects + 3.0 * Math.max(0, effects - 2) * Math.max(0, effects - 1) / 2;
   }
 

@@ -25,6 +25,7 @@ import simbad.gap.fit.Screen;
 import simbad.gap.score.Blocks;
 import simbad.gap.score.HeldOut;
 import simbad.gap.score.HeldOut.Scored;
+import simbad.gap.score.Probabilities;
 import simbad.gap.unexplained.Misfit;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
@@ -37,6 +38,10 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
   private static final int MOST_EFFECTS = 3;
   private static final int JOINT = 3;
   private static final int PROMISING = 8;
+
+  /** What gains less of what an effect more must gain is out of the question. */
+  private static final double LEAST_SHARE = 0.25;
+
   private static final int RUNNERS_UP = 2;
 
   /** From a set that fits worse by so much than another of its size nothing better is built. */
@@ -48,8 +53,11 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
   /** For each value of what stands beside a table. */
   private static final int TABLED_EVALUATIONS = 20;
 
-  /** What is further behind is not looked at again. */
-  private static final double FRONT_NATS = 12;
+  /**
+   * What is further behind, in costs of an effect, is not looked at again: its probability is e^-6
+   * of the first one's at most.
+   */
+  private static final double FRONT_COSTS = 0.6;
 
   /** How often another set may come to stand first. */
   private static final int RIVALLED = 3;
@@ -58,7 +66,7 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
   private static final int SCORED = 10;
 
   private final CalibratedLog given;
-  private final Blocks blocks;
+  private final HeldOut heldOut;
   private final List<Form> forms;
   private final double worthNats;
   private final Optional<SetupLeave> leave;
@@ -83,7 +91,7 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
     this.given = given;
     this.leave = leave;
     this.worthNats = worthNats;
-    blocks = new Blocks(given.log());
+    heldOut = new HeldOut(given, new Blocks(given.log()));
     forms =
         Gates.open(given, Forms.all(given.setup(), given.log().sensors())).stream()
             .filter(form -> !excluded.contains(form.effect()))
@@ -201,7 +209,8 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
 
   @Override
   protected List<Fit> beside(Fit set, List<Fit> added, Fit before) {
-    if (isBehind(set)) {
+    boolean few = worth(set) - worth(before) < LEAST_SHARE * askedNats(before);
+    if (isBehind(set) || few) {
       return List.of();
     }
     // What gained nothing beside fewer effects gains nothing beside more.
@@ -233,13 +242,26 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
   private List<Fit> grown(Fit base, List<Form> open) {
     builtUpon.add(Set.copyOf(base.hypothesis().effects()));
     List<Fit> added = best(new Screen(given, base).all(open).values());
+    double least = base.logLikelihood() + LEAST_SHARE * askedNats(base);
     List<Fit> joint =
-        added.stream().limit(JOINT).toList().parallelStream().map(this::joint).toList();
+        added.stream()
+            .limit(JOINT)
+            .filter(fit -> fit.logLikelihood() > least)
+            .toList()
+            .parallelStream()
+            .map(this::joint)
+            .toList();
     added.forEach(this::keep);
     joint.forEach(this::keep);
     List<Fit> all = new ArrayList<>(joint);
     all.addAll(added.subList(joint.size(), added.size()));
     return best(all);
+  }
+
+  /** What an effect more must gain beside a set before the two together are the more probable. */
+  private double askedNats(Fit set) {
+    int size = set.hypothesis().forms().size();
+    return worthNats * (Probabilities.shares(size + 1) - Probabilities.shares(size));
   }
 
   @Override
@@ -302,7 +324,6 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
   private List<Scored> scored() {
     List<Fit> ranked =
         fits().values().stream().sorted(Comparator.comparingDouble(fit -> -promise(fit))).toList();
-    HeldOut heldOut = new HeldOut(given, blocks);
     List<Scored> again = heldOut.score(ranked.subList(0, Math.min(SCORED, ranked.size())));
     List<Scored> scored = new ArrayList<>(again);
     ranked.stream().skip(SCORED).map(fit -> HeldOut.guess(fit, again)).forEach(scored::add);
@@ -315,15 +336,20 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
   private List<Scored> moved(List<Scored> sets, SetupLeave open) {
     List<Scored> moved =
         sets.parallelStream().map(one -> plus(one, once(leaves, one, open::nats))).toList();
-    double front = moved.stream().mapToDouble(Scored::heldOut).max().orElse(0) - FRONT_NATS;
+    double first = moved.stream().mapToDouble(this::lessCost).max().orElse(0);
+    double front = first - FRONT_COSTS * worthNats;
     return IntStream.range(0, sets.size())
         .parallel()
         .mapToObj(
             i ->
-                moved.get(i).heldOut() < front
+                lessCost(moved.get(i)) < front
                     ? moved.get(i)
                     : plus(sets.get(i), once(farLeaves, sets.get(i), open::natsWithValues)))
         .toList();
+  }
+
+  private double lessCost(Scored set) {
+    return set.heldOut() - worthNats * Probabilities.shares(set.hypothesis().forms().size());
   }
 
   /** What costs as much as a fit is asked once of a set, however often sets are scored. */

@@ -283,6 +283,23 @@ class AuditTest {
     assertEquals(isFound, has(AuditCheck.STUCK, Logs.BOARD, rows));
   }
 
+  /** A floor that answers wherever nothing stands before it reads one distance nearly always. */
+  @ParameterizedTest
+  @CsvSource({"20, false", "2, true"})
+  void stuck_notOfAFloor(int nearer, boolean isFound) {
+    int[] left = {nearer};
+    List<ReadingRow> rows =
+        each(
+            DRIVE,
+            (i, row) ->
+                row.reading() instanceof Echo && i > 5 && left[0]-- > 0
+                    ? row
+                    : with(row, new Echo(1.4)));
+    assertEquals(
+        isFound,
+        found(Logs.ROOM, rows).stream().anyMatch(one -> one.severity() == Severity.REFUSE));
+  }
+
   /** A sensor before which nothing moves reads the same again and again. */
   @Test
   void stuck_notWhereNothingMoves() {
