@@ -13,7 +13,8 @@ import simbad.sonar.check.Checks;
  * @param beforeM median of the readings less what the simulator expects, metres
  * @param afterM the same of the diagnosed model
  * @param after95 95 % interval of afterM: scatter of the readings and half a step of theirs
- * @param isOff whether it is further from the other placements than these are from each other
+ * @param isOff whether it is further from the other placements than these are from each other, and
+ *     those beside it are not off to the same side
  */
 public record PlacementOffset(
     String label,

@@ -18,9 +18,10 @@ import simbad.sonar.scene.SensingSetup;
  *
  * <p>One is off alone where it is more than six standard deviations from the median of all:
  * deviations of the others from each other (by their median absolute deviation), and no less than
- * what scatter, steps and places known so well give. Of fewer than six placements none is called
- * off. False alarms: of 4000 ladders with 10 to 30 placements by a tape of 2 mm 14, of 5 mm 30;
- * with 6 to 9 placements 42 and 129.
+ * what scatter, steps and places known so well give, and where the placements beside it, in the
+ * order of their poses, are not off to the same side: a whole stretch that is off is no misread
+ * tape. Of fewer than six placements none is called off. False alarms: of 4000 ladders with 10 to
+ * 30 placements by a tape of 2 mm 14, of 5 mm 30; with 6 to 9 placements 42 and 129.
  */
 public final class PlacementOffsets {
   private static final double DEVIATIONS = 6;
@@ -44,7 +45,7 @@ public final class PlacementOffsets {
     this.withinM = withinM;
   }
 
-  /** What one placement reads in the mean. */
+  /** What one placement reads in the mean; all of them stand in the order of their poses. */
   private record Mean(
       String label, List<Integer> pings, double expectedM, double beforeM, double afterM) {}
 
@@ -119,27 +120,38 @@ public final class PlacementOffsets {
         Robust.NORMAL_OVER_MAD
             * Robust.median(
                 means.stream().mapToDouble(mean -> Math.abs(mean.afterM - middle)).toArray());
+    int[] side =
+        means.stream().mapToInt(mean -> offSide(mean, mean.afterM - middle, between)).toArray();
     List<PlacementOffset> offsets = new ArrayList<>();
-    for (Mean mean : means) {
-      double own = deviationM(mean);
-      double placed = Math.hypot(own, setup.details().poseSigmaM());
-      boolean isOff =
-          means.size() >= LEAST
-              && mean.pings.size() >= LEAST_ROWS
-              && Math.abs(mean.afterM - middle) > DEVIATIONS * Math.max(between, placed);
-      double half = NORMAL_95 * own;
-      offsets.add(
-          new PlacementOffset(
-              mean.label,
-              mean.expectedM,
-              mean.pings,
-              mean.beforeM,
-              mean.afterM,
-              new Interval(mean.afterM - half, mean.afterM + half),
-              isOff));
+    for (int i = 0; i < side.length; i++) {
+      boolean withNext = i + 1 < side.length && side[i + 1] == side[i];
+      boolean withBefore = i > 0 && side[i - 1] == side[i];
+      offsets.add(offset(means.get(i), side[i] != 0 && !withNext && !withBefore));
     }
     offsets.sort(Comparator.comparingDouble(PlacementOffset::distanceM));
     return offsets;
+  }
+
+  /** Whether a placement is too far from the others, and to which side: -1, 0 or 1. */
+  private int offSide(Mean mean, double awayM, double betweenM) {
+    double placed = Math.hypot(deviationM(mean), setup.details().poseSigmaM());
+    boolean isOff =
+        means.size() >= LEAST
+            && mean.pings.size() >= LEAST_ROWS
+            && Math.abs(awayM) > DEVIATIONS * Math.max(betweenM, placed);
+    return isOff ? (int) Math.signum(awayM) : 0;
+  }
+
+  private PlacementOffset offset(Mean mean, boolean isOff) {
+    double half = NORMAL_95 * deviationM(mean);
+    return new PlacementOffset(
+        mean.label,
+        mean.expectedM,
+        mean.pings,
+        mean.beforeM,
+        mean.afterM,
+        new Interval(mean.afterM - half, mean.afterM + half),
+        isOff);
   }
 
   /** A step that all readings of a placement share is not averaged away. */

@@ -57,6 +57,22 @@ class PlacementOffsetsTest {
     }
   }
 
+  /** A stretch that reads too long is no tape that was misread twice; two sides are. */
+  @Test
+  void neighboursToTheSameSide_areNotOffAlone() {
+    double fourth = distances(12)[3];
+    for (double off : new double[] {0.04, -0.04}) {
+      List<PlacementOffset> found =
+          offsets(
+              ladder(12, 0.05, 4).stream()
+                  .map(row -> row.pose().position().zM() == fourth ? moved(row, off) : row)
+                  .toList());
+      assertEquals(
+          off > 0 ? List.of() : List.of(2, 3),
+          IntStream.range(0, 12).filter(i -> found.get(i).isOff()).boxed().toList());
+    }
+  }
+
   /** 400 ladders without one that is off: at most 4 say so (expected: less than 2). */
   @Test
   void tapeOfTwoMillimetres_putsNoneOff() {
