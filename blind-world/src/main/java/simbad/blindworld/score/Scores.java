@@ -273,6 +273,10 @@ final class Scores {
     if (!power.isEmpty()) {
       json.put("power", power);
     }
+    List<Object> sizes = SizeCurves.json(cases);
+    if (!sizes.isEmpty()) {
+      json.put("sizes", sizes);
+    }
     json.put("unknown", unknown());
     json.put("verdict_calibration", Calibration.json(verdictClaims()));
     verdictBetterBy().ifPresent(share -> putVerdictBetterBy(json, share));

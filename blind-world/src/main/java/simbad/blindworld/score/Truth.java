@@ -17,6 +17,7 @@ import simbad.blindworld.check.Checks;
  * @param oracleCm the true world's gap on the sealed rows, where known
  * @param accept the sets of names by which all that is at work may be called
  * @param z by how many standard errors the least plain effect shows, where known
+ * @param size of the one effect that was put in, in practical sizes, where there is one
  * @param motion the sealed windows, of a case of motion, whose gaps are in units of the nominal one
  */
 public record Truth(
@@ -29,6 +30,7 @@ public record Truth(
     Optional<Double> oracleCm,
     List<Set<String>> accept,
     Optional<Double> z,
+    Optional<Double> size,
     Optional<MotionSealed> motion) {
 
   private static final double LEAST_REMOVAL_CM = 0.5;
@@ -44,6 +46,7 @@ public record Truth(
     Checks.number("nominal gap", nominalCm);
     Checks.number("oracle's gap", oracleCm);
     Checks.number("standard errors", z);
+    Checks.number("size", size);
     effects = List.copyOf(effects);
     strange = Set.copyOf(strange);
     countedM = Checks.numbers("readings", countedM);
@@ -92,6 +95,7 @@ public record Truth(
         oracleCm,
         accept,
         z,
+        Optional.empty(),
         Optional.empty());
   }
 

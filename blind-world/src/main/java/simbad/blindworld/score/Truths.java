@@ -88,7 +88,14 @@ public final class Truths {
         motion ? json.optionalNumber("sealed_gap_oracle") : gapCm(json, "sealed_gap_oracle"),
         accept(json, effects, strange),
         json.optionalNumber("z"),
+        size(json, effects),
         motion ? Optional.of(MotionSealed.read(one, json)) : Optional.empty());
+  }
+
+  private static Optional<Double> size(JsonObject truth, List<String> effects)
+      throws FormatException {
+    List<Double> sizes = truth.has("sizes") ? truth.numbers("sizes") : List.of();
+    return effects.size() == 1 && sizes.size() == 1 ? Optional.of(sizes.get(0)) : Optional.empty();
   }
 
   private static boolean isMotion(JsonObject truth) throws FormatException {

@@ -33,7 +33,7 @@ class ScoresTest {
         Optional.of(2.0));
   }
 
-  private static Answer answer(Verdict verdict, double unknown, String... names) {
+  static Answer answer(Verdict verdict, double unknown, String... names) {
     List<Answer.Named> effects =
         Arrays.stream(names).map(n -> new Answer.Named(n, 0.9, List.of())).toList();
     return new Answer(

@@ -52,6 +52,7 @@ public final class CheckFiles {
     writeCounts(folder.resolve("standings.csv"), "kind", "standings", scores);
     writeCounts(folder.resolve("confusion.csv"), "so", "confusion", scores);
     writeEffects(folder.resolve("effects.csv"), scores);
+    writeSizes(folder.resolve("sizes.csv"), scores);
     writeCases(folder.resolve("cases.csv"), scores);
   }
 
@@ -143,6 +144,22 @@ public final class CheckFiles {
                           Stream.of(figures.part(), figures.sort()),
                           Stream.of("effect", "share", "low95", "high95", "hits", "of")
                               .map(name -> line.path(name).asText()))
+                      .toList());
+            }
+          }
+        });
+  }
+
+  private static void writeSizes(Path file, CheckScores scores) throws IOException {
+    CsvFile.write(
+        file,
+        csv -> {
+          csv.writeRecord(
+              Stream.concat(Stream.of("part", "answers"), SizeFound.FIELDS.stream()).toList());
+          for (Figures figures : scores.figures()) {
+            for (SizeFound one : SizeFound.of(figures)) {
+              csv.writeRecord(
+                  Stream.concat(Stream.of(figures.part(), figures.sort()), one.fields().stream())
                       .toList());
             }
           }
