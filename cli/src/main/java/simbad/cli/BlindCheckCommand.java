@@ -149,6 +149,14 @@ final class BlindCheckCommand extends Subcommand {
   private @Nullable Integer first;
 
   @Option(
+      names = "--practice",
+      paramLabel = "SEED",
+      description =
+          "With --benchmark and --first: cases of the same kind, drawn by this seed, that "
+              + "are none of the benchmark. To tune a program on.")
+  private @Nullable Integer practice;
+
+  @Option(
       names = "--foreign",
       paramLabel = "DIR",
       description =
@@ -239,6 +247,9 @@ final class BlindCheckCommand extends Subcommand {
     if (first != null) {
       throw wrongUsage("--first: expected --benchmark with it");
     }
+    if (practice != null) {
+      throw wrongUsage("--practice: expected --benchmark with it");
+    }
     if (foreign == null) {
       return new CheckOrder(BuildVersion.text(), drawn(), withhold);
     }
@@ -288,7 +299,14 @@ final class BlindCheckCommand extends Subcommand {
                 () ->
                     wrongUsage(
                         "--benchmark: '" + part + "', expected " + String.join(", ", PARTS)));
-    return new Benchmark(known, Optional.ofNullable(first), Optional.ofNullable(seed));
+    if (practice != null && (first == null || seed != null)) {
+      throw wrongUsage("--practice: expected --first with it, and no --seed");
+    }
+    return new Benchmark(
+        known,
+        Optional.ofNullable(first),
+        Optional.ofNullable(seed),
+        Optional.ofNullable(practice));
   }
 
   private Drawn drawn() {

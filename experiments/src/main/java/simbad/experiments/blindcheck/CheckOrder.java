@@ -58,14 +58,17 @@ public record CheckOrder(String version, Source source, List<String> withheld) {
    * @param part L1, L2, L2w or motion
    * @param first how many of its cases, where not all
    * @param seed of the second half; absent for the first, which everybody may draw
+   * @param practice seed of cases of the same kind that are none of the benchmark
    */
-  public record Benchmark(String part, Optional<Integer> first, Optional<Long> seed)
+  public record Benchmark(
+      String part, Optional<Integer> first, Optional<Long> seed, Optional<Integer> practice)
       implements Source {
     /** How blind-world's command line has it. */
     public List<String> options() {
       List<String> options = new ArrayList<>(List.of("--part", part));
       first.ifPresent(n -> options.addAll(List.of("--first", "" + n)));
       seed.ifPresent(s -> options.addAll(List.of("--seed", "" + s)));
+      practice.ifPresent(s -> options.addAll(List.of("--practice", "" + s)));
       return options;
     }
   }
@@ -98,6 +101,7 @@ public record CheckOrder(String version, Source source, List<String> withheld) {
       json.put("benchmark", benchmark.part());
       benchmark.first().ifPresent(n -> json.put("first", n));
       benchmark.seed().ifPresent(s -> json.put("seed", s));
+      benchmark.practice().ifPresent(s -> json.put("practice", s));
     } else if (source instanceof Foreign foreign) {
       json.put("foreign", foreign.folder());
       foreign.level().ifPresent(level -> json.put("level", level));
@@ -119,6 +123,7 @@ public record CheckOrder(String version, Source source, List<String> withheld) {
       words.add("--benchmark " + benchmark.part());
       benchmark.first().ifPresent(n -> words.add("--first " + n));
       benchmark.seed().ifPresent(s -> words.add("--seed " + s));
+      benchmark.practice().ifPresent(s -> words.add("--practice " + s));
     } else if (source instanceof Foreign foreign) {
       words.add("--foreign " + foreign.folder());
       foreign.level().ifPresent(level -> words.add("--level '" + level + "'"));
