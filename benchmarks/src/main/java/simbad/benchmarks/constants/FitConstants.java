@@ -14,6 +14,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import simbad.gap.unexplained.Constants;
 import simbad.sonar.format.WholeFile;
 
@@ -80,8 +81,22 @@ public final class FitConstants {
       }
     }
     ObjectNode node = origin.putObject("unknown_held_out");
-    score(node.putObject("former"), all, before);
-    score(node.putObject("fitted"), all, after);
+    scores(node.putObject("former"), all, before);
+    scores(node.putObject("fitted"), all, after);
+  }
+
+  /** Of all cases, and of those that were taken to hear by either law. */
+  private static void scores(ObjectNode node, List<CheckedCase> all, double[] probability) {
+    score(node, all, probability);
+    for (boolean level : new boolean[] {false, true}) {
+      int[] own =
+          IntStream.range(0, all.size()).filter(i -> all.get(i).isLevel() == level).toArray();
+      score(
+          node.putObject(level ? "level" : "threshold"),
+          IntStream.of(own).mapToObj(all::get).toList(),
+          IntStream.of(own).mapToDouble(i -> probability[i]).toArray());
+    }
+    System.out.printf(Locale.ROOT, "%s%n", node);
   }
 
   private static void score(ObjectNode node, List<CheckedCase> all, double[] probability) {
@@ -92,7 +107,7 @@ public final class FitConstants {
     }
     node.put("mean_log_score", rounded(log / probability.length));
     node.put("calibration_error", rounded(calibrationError(all, probability)));
-    System.out.printf(Locale.ROOT, "%s%n", node);
+    node.put("cases", probability.length);
   }
 
   /** In bins of equal numbers of cases. */

@@ -6,6 +6,7 @@ import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
 import simbad.experiments.blindcheck.CheckScores.Estimate;
 import simbad.experiments.blindcheck.CheckScores.Figures;
+import simbad.sonar.check.Checks;
 
 /**
  * From which size on an effect is found. Sizes are in units of a practical one.
@@ -30,6 +31,12 @@ public record SizeFound(
     Estimate most,
     String below,
     String above) {
+  /** Checks that sizes are numbers. */
+  public SizeFound {
+    Checks.number("least", least);
+    Checks.number("greatest", greatest);
+  }
+
   static final List<String> FIELDS =
       List.of(
           "effect",
