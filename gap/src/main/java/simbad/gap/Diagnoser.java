@@ -285,7 +285,8 @@ public final class Diagnoser {
             .against(inquiry.best(), inquiry.worthNats, calibration.temperature());
     Map<String, Double> all = new LinkedHashMap<>(signs.byName());
     all.put("strangers_odds", found.odds());
-    return new Conclusion.Unnamed(1 - (1 - bySigns) * found.share(), all, found.what());
+    double unknown = Constants.own().unknown(signs.byName(), found.share());
+    return new Conclusion.Unnamed(unknown, all, found.what());
   }
 
   private static Weighed beside(Calibration calibration, CalibratedLog given, Weighed part) {

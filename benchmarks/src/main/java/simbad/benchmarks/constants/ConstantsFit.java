@@ -22,9 +22,9 @@ import simbad.gap.unexplained.Constants;
  * Most probable constants, given checked cases and the constants that were known before.
  *
  * <p>The weights of the signs are those of a logistic regression with a normal prior around the
- * former ones, so that a few hundred cases move what they speak of and leave the rest. Each
- * temperature makes the accepted sets most probable among those that were weighed, with a
- * log-normal prior around the former one.
+ * former ones, so that a few hundred cases move what they speak of and leave the rest; the most
+ * that they may say has one around its former odds. Each temperature makes the accepted sets most
+ * probable among those that were weighed, with a log-normal prior around the former one.
  */
 final class ConstantsFit {
   /** A weight of 0 may well be 1; a large one came from hundreds of worlds: 6 may be 4.5. */
@@ -38,6 +38,8 @@ final class ConstantsFit {
 
   /** What the former share of right names counts for, in cases. */
   private static final double FORMER_CASES = 100;
+
+  private static final String MOST = "most";
 
   /** Signs that may speak either way; all others keep the sense that their name says. */
   private static final Set<String> EITHER = Set.of("level", "level_misfit", "level_stand_in");
@@ -53,7 +55,7 @@ final class ConstantsFit {
     double[] fitted = regression(cases);
     return new Constants(
         former.least(),
-        former.most(),
+        most(fitted),
         fitted[0],
         weights(fitted),
         temperature(cases, one -> !one.isLevel(), former.thresholdTemperature()),
@@ -68,7 +70,7 @@ final class ConstantsFit {
    * @param one case
    */
   static double unknown(Constants constants, CheckedCase one) {
-    return 1 - (1 - constants.unknown(one.signs())) / (1 + one.strangersOdds());
+    return constants.unknown(one.signs(), 1 / (1 + one.strangersOdds()));
   }
 
   /** What has no name but may be called by names, and was, needs no other word. */
@@ -79,7 +81,12 @@ final class ConstantsFit {
   private double[] start() {
     List<Double> values = new ArrayList<>(List.of(former.base()));
     values.addAll(former.weights().values());
+    values.add(Math.log(former.most() / (1 - former.most())));
     return values.stream().mapToDouble(value -> value).toArray();
+  }
+
+  private static double most(double[] values) {
+    return 1 / (1 + Math.exp(-values[values.length - 1]));
   }
 
   private Map<String, Double> weights(double[] values) {
@@ -94,7 +101,7 @@ final class ConstantsFit {
   private Constants with(double[] values) {
     return new Constants(
         former.least(),
-        former.most(),
+        most(values),
         values[0],
         weights(values),
         former.thresholdTemperature(),
@@ -110,8 +117,9 @@ final class ConstantsFit {
     double[] high = new double[start.length];
     List<String> names = new ArrayList<>(List.of("base"));
     names.addAll(former.weights().keySet());
+    names.add(MOST);
     for (int i = 0; i < start.length; i++) {
-      boolean isFree = i == 0 || EITHER.contains(names.get(i));
+      boolean isFree = i == 0 || names.get(i).equals(MOST) || EITHER.contains(names.get(i));
       low[i] = start[i] - FURTHEST * spread[i];
       high[i] = start[i] + FURTHEST * spread[i];
       if (!isFree) {

@@ -91,10 +91,12 @@ public final class FitConstants {
     for (boolean level : new boolean[] {false, true}) {
       int[] own =
           IntStream.range(0, all.size()).filter(i -> all.get(i).isLevel() == level).toArray();
-      score(
-          node.putObject(level ? "level" : "threshold"),
-          IntStream.of(own).mapToObj(all::get).toList(),
-          IntStream.of(own).mapToDouble(i -> probability[i]).toArray());
+      if (own.length > 0) {
+        score(
+            node.putObject(level ? "level" : "threshold"),
+            IntStream.of(own).mapToObj(all::get).toList(),
+            IntStream.of(own).mapToDouble(i -> probability[i]).toArray());
+      }
     }
     System.out.printf(Locale.ROOT, "%s%n", node);
   }
@@ -131,7 +133,7 @@ public final class FitConstants {
   private static void constants(ObjectNode root, Constants fitted) {
     ObjectNode unknown = root.putObject("unknown");
     unknown.put("least", fitted.least());
-    unknown.put("most", fitted.most());
+    unknown.put("most", rounded(fitted.most()));
     unknown.put("base", rounded(fitted.base()));
     fitted.weights().forEach((name, weight) -> unknown.put(name, rounded(weight)));
     ObjectNode temperature = root.putObject("temperature");

@@ -12,6 +12,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import simbad.gap.audit.AuditFinding.File;
+import simbad.sonar.frame.Angles;
 import simbad.sonar.frame.Pose;
 
 /**
@@ -31,6 +32,7 @@ final class RepeatCheck {
   private static final int LEAST_PAIRS = 10;
 
   private static final int LEAST_PLACES = 3;
+  private static final double SAME_RAD = Math.toRadians(2);
   private static final int LEAST_VALUES = 5;
 
   /** To either side, in steps: here it is counted how many values were read rightly. */
@@ -91,7 +93,8 @@ final class RepeatCheck {
     displaced.forEach(
         (value, at) -> {
           boolean wasRead = right.contains(value);
-          boolean pile = places(at) >= LEAST_PLACES && chance(value, at, agree) < level();
+          boolean pile =
+              places(at) >= LEAST_PLACES && movesAlong(at) && chance(value, at, agree) < level();
           if (wasRead && (many || pile)) {
             held.put(value, at);
           } else if (pile) {
@@ -108,6 +111,28 @@ final class RepeatCheck {
 
   private long places(List<Integer> at) {
     return at.stream().map(this::pose).distinct().count();
+  }
+
+  /**
+   * Whether the sensor came nearer to whatever may stand before it, looking the same way: what it
+   * hears while it moves past something may have one distance all the time.
+   */
+  private boolean movesAlong(List<Integer> at) {
+    double least = NEIGHBOURS * (stepM + rest.noiseM());
+    List<Pose> poses = at.stream().map(this::pose).distinct().toList();
+    return poses.stream()
+        .anyMatch(one -> poses.stream().anyMatch(other -> aheadM(one, other) > least));
+  }
+
+  /** How far one pose is ahead of another that looks the same way; 0 if it does not. */
+  private static double aheadM(Pose one, Pose other) {
+    double heading = other.heading().radians();
+    if (Math.abs(Angles.signed(one.heading().radians() - heading)) > SAME_RAD) {
+      return 0;
+    }
+    double xM = one.position().xM() - other.position().xM();
+    double zM = one.position().zM() - other.position().zM();
+    return xM * Math.cos(heading) - zM * Math.sin(heading);
   }
 
   private Pose pose(int i) {

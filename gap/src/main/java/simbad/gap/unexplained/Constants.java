@@ -18,7 +18,7 @@ import simbad.sonar.scene.SensorLaw;
  * benchmarks/fit-constants fits them anew.
  *
  * @param least probability of something without a name where no sign speaks for it
- * @param most the same where all do
+ * @param most the same where all do: the share of such logs in which something had no name
  * @param base of the regression
  * @param weights of the signs, by name
  * @param thresholdTemperature by which nats are divided under the threshold rule, positive
@@ -105,10 +105,24 @@ public record Constants(
    * fitted logistic regression says, within the bounds of what it may say.
    */
   public double unknown(Map<String, Double> signs) {
+    return unknown(signs, 1);
+  }
+
+  /**
+   * Returns the same where something that has no name was fitted as well.
+   *
+   * @param signs by name
+   * @param namedShare how probable the named set is among it and what has no name, in [0, 1]
+   */
+  public double unknown(Map<String, Double> signs, double namedShare) {
+    Checks.share("namedShare", namedShare);
     double logit = base;
     for (Map.Entry<String, Double> weight : weights.entrySet()) {
       logit += weight.getValue() * signs.getOrDefault(weight.getKey(), 0.0);
     }
-    return least + (most - least) / (1 + Math.exp(-logit));
+    // What no set of effects that was tried accounts for is often one that the search did not find:
+    // the bound is of all that says so, signs and fits alike.
+    double nothingElse = namedShare / (1 + Math.exp(logit));
+    return least + (most - least) * (1 - nothingElse);
   }
 }

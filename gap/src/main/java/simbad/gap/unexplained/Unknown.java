@@ -49,9 +49,6 @@ public final class Unknown {
 
   private static final double MILLIMETRE = 1e-3;
 
-  /** Nothing that was named leaves so much; less sure than what misfits show. */
-  private static final double REST = 0.9;
-
   /** A gap that is left and is a smaller share of the gap before does not matter. */
   private static final double SMALL_SHARE = 0.05;
 
@@ -128,11 +125,11 @@ public final class Unknown {
   }
 
   /**
-   * Returns the probability where so much is left that nothing is explained, though the misfits
-   * alone would not say so: a value at the end of a search, or twice the scatter that is expected.
+   * Returns the probability where so much is left that nothing is explained, whether misfits say so
+   * or not: a value at the end of a search, or twice the scatter that is expected.
    */
   public static double besideARest(double probability) {
-    return probability > 0.5 ? probability : REST;
+    return Math.max(probability, Constants.own().most());
   }
 
   /**

@@ -164,6 +164,29 @@ class UntimedAuditTest {
     }
   }
 
+  /** What stands where the scene has nothing is as far at each place of a line past it. */
+  @Test
+  void stuck_notOfWhatTheSensorMovesPast() {
+    List<ReadingRow> rows = new ArrayList<>(log(false, 0.01, 1, (d, right, random) -> right));
+    List<ReadingRow> past = new ArrayList<>();
+    List<ReadingRow> towards = new ArrayList<>();
+    for (int i = 0; i < 16; i++) {
+      for (int again = 0; again < 10; again++) {
+        past.add(at(0.01 * i - 0.08, 1.2));
+        towards.add(at(0, 1.2 + 0.02 * i));
+      }
+    }
+    past.addAll(rows);
+    towards.addAll(rows);
+    assertTrue(warnings(past).stream().noneMatch(NO_READING::contains), "past it");
+    assertTrue(warnings(towards).stream().anyMatch(NO_READING::contains), "towards it");
+  }
+
+  private static ReadingRow at(double xM, double zM) {
+    Pose pose = Pose.of(xM, zM, Math.PI / 2);
+    return new ReadingRow("run", "front", 0, pose, new Echo(0.873), Untimed.ROW);
+  }
+
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void jump_ofATimersByte_bothWays(boolean random) {

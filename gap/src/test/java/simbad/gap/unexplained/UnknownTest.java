@@ -88,7 +88,10 @@ class UnknownTest {
     assertFalse(standsIn(Effect.UNMODELLED_OBJECT, "post", 0.59, 0, 0.05, 4, 0.95, 90));
   }
 
-  /** The same log, the same share of it lost: only how long bursts are said to be differs. */
+  /**
+   * The same log, the same share of it lost: only how long bursts are said to be differs. A name is
+   * said where it is at least 80 % probable.
+   */
   @Test
   void standIn_makesTheUnknownProbable() {
     CalibratedLog given =
@@ -105,6 +108,6 @@ class UnknownTest {
       GapGain gain = GapGain.of(given, blocks, bursts);
       probability[i] = unknown(Unknown.signs(given, given, Calibration.none(), gain, bursts));
     }
-    assertTrue(probability[0] < 0.5 && probability[1] > 0.5, () -> Arrays.toString(probability));
+    assertTrue(probability[0] < 0.1 && probability[1] > 0.2, () -> Arrays.toString(probability));
   }
 }
