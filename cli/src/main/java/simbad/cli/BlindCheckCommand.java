@@ -244,11 +244,9 @@ final class BlindCheckCommand extends Subcommand {
     if (benchmark != null) {
       return new CheckOrder(BuildVersion.text(), benchmark(benchmark), List.of());
     }
-    if (first != null) {
-      throw wrongUsage("--first: expected --benchmark with it");
-    }
-    if (practice != null) {
-      throw wrongUsage("--practice: expected --benchmark with it");
+    if (first != null || practice != null) {
+      throw wrongUsage(
+          (first != null ? "--first" : "--practice") + ": expected --benchmark with it");
     }
     if (foreign == null) {
       return new CheckOrder(BuildVersion.text(), drawn(), withhold);
