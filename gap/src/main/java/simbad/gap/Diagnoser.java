@@ -255,7 +255,7 @@ public final class Diagnoser {
                 .confirmed(inquiry.gains, inquiry.sets, inquiry.worthNats)
                 .map(part -> beside(calibration, given, part))
             : Optional.empty();
-    double stated = first.verdict() == Verdict.UNEXPLAINED ? Unknown.besideARest(unknown) : unknown;
+    double stated = first.verdict() == Verdict.UNEXPLAINED ? Unknown.besideARest() : unknown;
     return sure.flatMap(
             part ->
                 first

@@ -65,7 +65,7 @@ record EffectFindings(
     return findings;
   }
 
-  /** That it is at work: beside what has no name, those named nearly all only stand in for it. */
+  /** That it is at work, and nothing without a name is what it stands in for. */
   private double stated(double amongTheNamed) {
     return Constants.own().namedRightly() * (1 - unknown) * amongTheNamed;
   }

@@ -128,8 +128,8 @@ public final class Unknown {
    * Returns the probability where so much is left that nothing is explained, whether misfits say so
    * or not: a value at the end of a search, or twice the scatter that is expected.
    */
-  public static double besideARest(double probability) {
-    return Math.max(probability, Constants.own().most());
+  public static double besideARest() {
+    return Constants.own().most();
   }
 
   /**
