@@ -8,6 +8,9 @@ package simbad.motion;
  * @param turnRadPerS counter-clockwise
  */
 public record Command(double timeS, double speedMPerS, double turnRadPerS) {
+  /** Of a robot that stands. */
+  public static final Command STAND = new Command(0, 0, 0);
+
   /** Checks that all are finite. */
   public Command {
     if (!Double.isFinite(timeS + speedMPerS + turnRadPerS)) {

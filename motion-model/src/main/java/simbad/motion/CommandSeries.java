@@ -1,5 +1,7 @@
 package simbad.motion;
 
+import java.util.List;
+
 /**
  * The mean speed and the mean rate of turning that commands ask for in each step of a grid. Held
  * commands make these exact wherever a command changes within a step.
@@ -58,16 +60,18 @@ record CommandSeries(double[] speeds, double[] turns) {
   }
 
   /** Puts in the place of these means how speeds follow others of the same length. */
-  void follow(CommandSeries asked, Response response) {
+  void follow(CommandSeries asked, List<Response> responses) {
     System.arraycopy(asked.speeds, 0, speeds, 0, speeds.length);
     System.arraycopy(asked.turns, 0, turns, 0, turns.length);
-    follow(response);
+    follow(responses);
   }
 
-  /** Puts in the place of these means how speeds follow them. */
-  void follow(Response response) {
-    Response.Step step = response.over(Way.STEP_S);
-    step.speed().follow(speeds);
-    step.turn().follow(turns);
+  /** Puts in the place of these means how speeds follow them, by responses in series. */
+  void follow(List<Response> responses) {
+    for (Response response : responses) {
+      Response.Step step = response.over(Way.STEP_S);
+      step.speed().follow(speeds);
+      step.turn().follow(turns);
+    }
   }
 }

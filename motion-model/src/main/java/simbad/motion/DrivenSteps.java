@@ -75,17 +75,17 @@ public final class DrivenSteps {
   private record Asked(List<MotionChange> changes, double delayS) {}
 
   /** How speeds followed it. */
-  private record Followed(Asked asked, Response response) {}
+  private record Followed(Asked asked, List<Response> responses) {}
 
   /** The means of the chains that were driven last. */
   private final class Kept {
     private final RecentSeries<Asked> asked = new RecentSeries<>(size, this::ask);
     private final RecentSeries<Followed> followed =
-        new RecentSeries<>(size, (key, into) -> into.follow(asked.of(key.asked), key.response));
+        new RecentSeries<>(size, (key, into) -> into.follow(asked.of(key.asked), key.responses));
 
     CommandSeries means(Stages stages, MotionChain chain) {
       Asked key = new Asked(List.of(stages.commands()), chain.delayS());
-      return followed.of(new Followed(key, chain.response()));
+      return followed.of(new Followed(key, chain.responses()));
     }
 
     private void ask(Asked key, CommandSeries into) {

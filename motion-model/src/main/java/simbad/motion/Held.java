@@ -15,21 +15,21 @@ final class Held {
   /** By command, which of the different ones it is. */
   private final int[] kinds;
 
-  /** The different ones as they were given. */
-  private final Command[] given;
+  /** The different ones. */
+  private final Command[] commands;
 
   private final double[] speeds;
   private final double[] turns;
 
-  private Held(double[] timesS, int[] kinds, Command[] given, Command[] taken) {
+  private Held(double[] timesS, int[] kinds, Command[] commands) {
     this.timesS = timesS;
     this.kinds = kinds;
-    this.given = given;
-    speeds = new double[taken.length];
-    turns = new double[taken.length];
-    for (int k = 0; k < taken.length; k++) {
-      speeds[k] = taken[k].speedMPerS();
-      turns[k] = taken[k].turnRadPerS();
+    this.commands = commands;
+    speeds = new double[commands.length];
+    turns = new double[commands.length];
+    for (int k = 0; k < commands.length; k++) {
+      speeds[k] = commands[k].speedMPerS();
+      turns[k] = commands[k].turnRadPerS();
     }
   }
 
@@ -39,19 +39,21 @@ final class Held {
    * @param commands in order of time
    */
   static Held of(List<Command> commands) {
+    return of(
+        commands.stream().mapToDouble(Command::timeS).toArray(), commands.toArray(Command[]::new));
+  }
+
+  private static Held of(double[] timesS, Command[] commands) {
     Map<Asked, Integer> different = new LinkedHashMap<>();
-    double[] timesS = new double[commands.size()];
-    int[] kinds = new int[commands.size()];
-    Command[] given = new Command[commands.size()];
+    int[] kinds = new int[commands.length];
+    Command[] kept = new Command[commands.length];
     for (int i = 0; i < kinds.length; i++) {
-      Command command = commands.get(i);
-      timesS[i] = command.timeS();
+      Command command = commands[i];
       Asked asked = new Asked(command.speedMPerS(), command.turnRadPerS());
       kinds[i] = different.computeIfAbsent(asked, key -> different.size());
-      given[kinds[i]] = command;
+      kept[kinds[i]] = command;
     }
-    Command[] kept = Arrays.copyOf(given, different.size());
-    return new Held(timesS, kinds, kept, kept);
+    return new Held(timesS, kinds, Arrays.copyOf(kept, different.size()));
   }
 
   /** What a command asks for. */
@@ -63,13 +65,28 @@ final class Held {
    * @param changes in the order in which they act
    */
   Held taken(Iterable<MotionChange> changes) {
-    Command[] taken = given.clone();
+    Held held = this;
     for (MotionChange change : changes) {
-      for (int k = 0; k < taken.length; k++) {
-        taken[k] = change.commanded(taken[k]);
-      }
+      held = change.remembers() ? held.takenInTurn(change) : held.taken(change);
     }
-    return new Held(timesS, kinds, given, taken);
+    return held;
+  }
+
+  private Held taken(MotionChange change) {
+    Command[] taken = new Command[commands.length];
+    Arrays.setAll(taken, k -> change.commanded(commands[k]));
+    return new Held(timesS, kinds, taken);
+  }
+
+  /** Each command after the one before it. */
+  private Held takenInTurn(MotionChange change) {
+    Command[] taken = new Command[timesS.length];
+    Command before = Command.STAND;
+    for (int i = 0; i < taken.length; i++) {
+      before = change.commanded(commands[kinds[i]], before);
+      taken[i] = before;
+    }
+    return of(timesS, taken);
   }
 
   /** Returns when a command is given; infinite behind the last. */

@@ -47,7 +47,7 @@ final class Leg {
   }
 
   private double speed(int cell) {
-    return stages.speed(means.speeds()[cell + 1]);
+    return stages.speed(means.speeds()[cell + 1], means.turns()[cell + 1]);
   }
 
   private void add(int cell, double share) {

@@ -1,7 +1,9 @@
 package simbad.motion;
 
 import java.util.ArrayDeque;
+import java.util.Arrays;
 import java.util.Deque;
+import java.util.List;
 
 /**
  * A robot that is commanded as it goes: the same chain as {@link Way} has for a recorded run. What
@@ -9,14 +11,19 @@ import java.util.Deque;
  */
 public final class LiveMotion {
   private final MotionChain chain;
-  private final Response response;
+  private final List<Response> responses;
   private final double lateS;
 
   /** Commands that act now or are yet to act, oldest first. */
   private final Deque<Piece> ahead = new ArrayDeque<>();
 
-  private double speedMPerS;
-  private double turnRadPerS;
+  /** What each change made of the command before. */
+  private final Command[] before;
+
+  /** After each response. */
+  private final double[] speedsMPerS;
+
+  private final double[] turnsRadPerS;
   private double wayM;
   private double turnRad;
 
@@ -34,7 +41,10 @@ public final class LiveMotion {
    */
   public LiveMotion(MotionChain chain) {
     this.chain = chain;
-    response = chain.response();
+    before = new Command[chain.changes().size()];
+    responses = chain.responses();
+    speedsMPerS = new double[responses.size()];
+    turnsRadPerS = new double[responses.size()];
     // Nothing acts before it is commanded.
     lateS = Math.max(0, chain.delayS());
     stop();
@@ -46,8 +56,9 @@ public final class LiveMotion {
     if (lateS > 0) {
       ahead.add(new Piece(0, 0, lateS));
     }
-    speedMPerS = 0;
-    turnRadPerS = 0;
+    Arrays.fill(before, Command.STAND);
+    Arrays.fill(speedsMPerS, 0);
+    Arrays.fill(turnsRadPerS, 0);
     wayM = 0;
     turnRad = 0;
   }
@@ -65,7 +76,7 @@ public final class LiveMotion {
     }
     wayM = 0;
     turnRad = 0;
-    Command taken = chain.commanded(new Command(0, commandedMPerS, commandedRadPerS));
+    Command taken = taken(new Command(0, commandedMPerS, commandedRadPerS));
     ahead.add(new Piece(taken.speedMPerS(), taken.turnRadPerS(), durationS));
     double left = durationS;
     while (left > 0) {
@@ -79,23 +90,39 @@ public final class LiveMotion {
     }
   }
 
+  private Command taken(Command command) {
+    Command taken = command;
+    for (int k = 0; k < before.length; k++) {
+      taken = chain.changes().get(k).commanded(taken, before[k]);
+      before[k] = taken;
+    }
+    return taken;
+  }
+
   /** In steps of at most {@link Way#STEP_S}; in one where speeds follow at once. */
   private void hold(Piece piece, double durationS) {
-    boolean atOnce = response.equals(Response.AT_ONCE);
+    boolean atOnce = responses.isEmpty();
     int steps = atOnce ? 1 : (int) Math.max(1, Math.ceil(durationS / Way.STEP_S - 1e-9));
     double stepS = durationS / steps;
-    Response.Step follow = response.over(stepS);
+    List<Response.Step> follow = responses.stream().map(one -> one.over(stepS)).toList();
     for (int i = 0; i < steps; i++) {
-      double speed = follow.speed().next(speedMPerS, piece.speedMPerS());
-      double turn = follow.turn().next(turnRadPerS, piece.turnRadPerS());
-      double mean = follow.speed().mean(speedMPerS, piece.speedMPerS(), speed);
-      double meanTurn = follow.turn().mean(turnRadPerS, piece.turnRadPerS(), turn);
-      double overGround = chain.speed(mean);
+      double speed = piece.speedMPerS();
+      double turn = piece.turnRadPerS();
+      for (int k = 0; k < speedsMPerS.length; k++) {
+        speed = followed(follow.get(k).speed(), speedsMPerS, k, speed);
+        turn = followed(follow.get(k).turn(), turnsRadPerS, k, turn);
+      }
+      double overGround = chain.speed(speed, turn);
       wayM += overGround * stepS;
-      turnRad += chain.turn(meanTurn, overGround) * stepS;
-      speedMPerS = speed;
-      turnRadPerS = turn;
+      turnRad += chain.turn(turn, overGround) * stepS;
     }
+  }
+
+  /** Moves a rate on towards a target, and returns its mean over the step. */
+  private static double followed(Response.Rate rate, double[] rates, int index, double target) {
+    double now = rates[index];
+    rates[index] = rate.next(now, target);
+    return rate.mean(now, target, rates[index]);
   }
 
   /** Returns how far it went in the last step, metres; negative backwards. */

@@ -42,20 +42,27 @@ public record MotionChain(List<MotionChange> changes) {
     return delay;
   }
 
-  /** Returns how speeds follow commands. */
-  public Response response() {
-    Response response = Response.AT_ONCE;
+  /**
+   * Returns how speeds follow commands: responses in series, each of which follows what the one
+   * before gives; none where speeds are at once what is commanded.
+   */
+  public List<Response> responses() {
+    Response first = Response.AT_ONCE;
+    List<Response> responses = new ArrayList<>();
     for (MotionChange change : changes) {
-      response = change.response(response);
+      first = change.response(first);
+      responses.add(change.then());
     }
-    return response;
+    responses.add(0, first);
+    responses.removeIf(Response.AT_ONCE::equals);
+    return responses;
   }
 
-  /** Returns the speed over ground, m/s, for the drive's. */
-  public double speed(double speedMPerS) {
+  /** Returns the speed over ground, m/s, for the drive's speed and rate. */
+  public double speed(double speedMPerS, double turnRadPerS) {
     double speed = speedMPerS;
     for (MotionChange change : changes) {
-      speed = change.speed(speed);
+      speed = change.speed(speed, turnRadPerS);
     }
     return speed;
   }

@@ -23,6 +23,21 @@ public interface MotionChange {
     return same ? command : new Command(command.timeS(), speed, turn);
   }
 
+  /**
+   * Changes a command that comes after another one: what sticks needs more to start than to go on.
+   *
+   * @param command as the changes before left it
+   * @param before what this change made of the command before; at first one that stands
+   */
+  default Command commanded(Command command, Command before) {
+    return commanded(command);
+  }
+
+  /** Tells whether what was commanded before makes a difference. */
+  default boolean remembers() {
+    return false;
+  }
+
   /** Changes by how many seconds commands act late. */
   default double delayS(double delayS) {
     return delayS;
@@ -33,8 +48,18 @@ public interface MotionChange {
     return response;
   }
 
-  /** Changes the speed over ground, m/s. */
-  default double speed(double speedMPerS) {
+  /** Tells how speeds follow, in turn, what the responses before made of commands. */
+  default Response then() {
+    return Response.AT_ONCE;
+  }
+
+  /**
+   * Changes the speed over ground, m/s.
+   *
+   * @param speedMPerS as the changes before left it
+   * @param turnRadPerS rate at which the drive turns, before any change
+   */
+  default double speed(double speedMPerS, double turnRadPerS) {
     return speedMPerS;
   }
 

@@ -21,7 +21,7 @@ record Stages(MotionChange[] commands, MotionChange[] speeds, MotionChange[] tur
           has(type, "commanded", Command.class)
               || has(type, "commandedSpeed", double.class)
               || has(type, "commandedTurn", double.class),
-          has(type, "speed", double.class),
+          has(type, "speed", double.class, double.class),
           has(type, "turn", double.class, double.class));
     }
 
@@ -65,10 +65,10 @@ record Stages(MotionChange[] commands, MotionChange[] speeds, MotionChange[] tur
     return changes.toArray(MotionChange[]::new);
   }
 
-  double speed(double speedMPerS) {
+  double speed(double speedMPerS, double turnRadPerS) {
     double speed = speedMPerS;
     for (MotionChange change : speeds) {
-      speed = change.speed(speed);
+      speed = change.speed(speed, turnRadPerS);
     }
     return speed;
   }

@@ -59,14 +59,14 @@ public final class Way {
             Held.of(run.commands()).taken(List.of(stages.commands())),
             fromS - chain.delayS(),
             size);
-    means.follow(chain.response());
+    means.follow(chain.responses());
     way.drive(stages, means);
     return way;
   }
 
   private void drive(Stages stages, CommandSeries means) {
     for (int i = 1; i < xs.length; i++) {
-      double speed = stages.speed(means.speeds()[i]);
+      double speed = stages.speed(means.speeds()[i], means.turns()[i]);
       step(i, speed, stages.turn(means.turns()[i], speed));
     }
   }

@@ -27,7 +27,7 @@ class StagesTest {
     Held taken = Held.of(List.of(COMMAND)).taken(List.of(stages.commands()));
     assertEquals(chain.commanded(COMMAND).speedMPerS(), taken.speed(0));
     assertEquals(chain.commanded(COMMAND).turnRadPerS(), taken.turn(0));
-    assertEquals(chain.speed(0.31), stages.speed(0.31));
+    assertEquals(chain.speed(0.31, 0), stages.speed(0.31, 0));
     assertEquals(chain.turn(-0.7, 0.31), stages.turn(-0.7, 0.31));
   }
 
@@ -51,7 +51,7 @@ class StagesTest {
 
   private record Halving() implements MotionChange {
     @Override
-    public double speed(double speedMPerS) {
+    public double speed(double speedMPerS, double turnRadPerS) {
       return speedMPerS / 2;
     }
   }

@@ -43,7 +43,7 @@ class StudioTest {
       MotionChain.EXACT.with(
           new MotionChange() {
             @Override
-            public double speed(double speedMPerS) {
+            public double speed(double speedMPerS, double turnRadPerS) {
               return speedMPerS / 2;
             }
           });

@@ -47,7 +47,7 @@ class WorldsTest {
           MotionChain.EXACT.with(
               new MotionChange() {
                 @Override
-                public double speed(double speedMPerS) {
+                public double speed(double speedMPerS, double turnRadPerS) {
                   return speedMPerS / 2;
                 }
               }));

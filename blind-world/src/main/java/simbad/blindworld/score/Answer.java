@@ -113,9 +113,12 @@ public record Answer(
 
   /**
    * The probability of a verdict: as stated, or else from that of the unknown and of the most
-   * probable effect.
+   * probable effect. "Partly" says as "unexplained" does that something without a name is at work.
    */
   public double probabilityOf(Verdict which) {
+    if (which == Verdict.PARTLY) {
+      return probabilityOf(Verdict.UNEXPLAINED);
+    }
     if (verdictProbability.isPresent()) {
       return verdictProbability.get().getOrDefault(which, 0.0);
     }
@@ -124,7 +127,7 @@ public record Answer(
       case UNEXPLAINED -> unknownProbability;
       case EXPLAINED -> (1 - unknownProbability) * any;
       case NONE -> (1 - unknownProbability) * (1 - any);
-      case PARTLY, UNDECIDED -> 0;
+      case UNDECIDED, PARTLY -> 0;
     };
   }
 }

@@ -116,6 +116,13 @@ class ScoresTest {
         "gain+latency", graded(truth(), answer(Verdict.EXPLAINED, 0, "latency", "gain")).said());
   }
 
+  /** "Partly" is right where something without a name is at work: that is what it is sure of. */
+  @Test
+  void partly_isAsSureAsTheUnknown() {
+    assertEquals(0.7, answer(Verdict.PARTLY, 0.7, "gain").probabilityOf(Verdict.PARTLY), 1e-12);
+    assertEquals(0, answer(Verdict.UNDECIDED, 0.7).probabilityOf(Verdict.UNDECIDED));
+  }
+
   @Test
   void shares_countTheirOwnKinds() {
     Scores scores =

@@ -1,5 +1,6 @@
 package simbad.gap.motion;
 
+import java.util.Arrays;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.hipparchus.linear.Array2DRowRealMatrix;
@@ -20,6 +21,9 @@ final class Linear {
 
   /** unless these are so few that they say nothing. */
   private static final int LEAST_PARTS = 4;
+
+  /** Steps, of a fifth of a second each, over which scatter may hang together. */
+  private static final int LASTING = 10;
 
   private final MotionSteps given;
   private final Whitening[] white;
@@ -141,7 +145,11 @@ final class Linear {
 
   /** The sum over all blocks of the squares of their pulls. */
   private RealMatrix pulls() {
-    RealMatrix pulls = new Array2DRowRealMatrix(vectors);
+    return squares(vectors);
+  }
+
+  private static RealMatrix squares(double[][] rows) {
+    RealMatrix pulls = new Array2DRowRealMatrix(rows);
     return pulls.transpose().multiply(pulls);
   }
 
@@ -157,31 +165,109 @@ final class Linear {
   }
 
   /**
+   * Returns by how many times what lasts some steps and no longer makes sums of residuals scatter
+   * more than by chance, the most of all components (Newey and West 1987, a flat window). What
+   * lasts longer is no scatter, and is taken away: it has a cause.
+   */
+  double lasting() {
+    double[] move = move(block -> true, 0);
+    double most = 1;
+    for (int c = 0; c < white.length; c++) {
+      most = Math.max(most, lasting(pulls(c, move)));
+    }
+    return most;
+  }
+
+  /** How each residual of a component pulls, the values moved; far ones pull little. */
+  private double[] pulls(int c, double[] move) {
+    double[] pulls = new double[given.size()];
+    for (int i = 0; i < pulls.length; i++) {
+      double z = white[c].white[i];
+      for (int p = 0; p < move.length; p++) {
+        z -= columns[p][c][i] * move[p];
+      }
+      pulls[i] = white[c].weights[i] * z;
+    }
+    return pulls;
+  }
+
+  private double lasting(double[] pulls) {
+    double[] products = new double[2 * LASTING + 1];
+    int begin = 0;
+    for (int i = 0; i < pulls.length; i++) {
+      begin = given.isChained(i) ? begin : i;
+      for (int lag = 0; lag < products.length && i - lag >= begin; lag++) {
+        products[lag] += pulls[i] * pulls[i - lag];
+      }
+    }
+    double sum = 1;
+    for (int lag = 1; lag <= LASTING && products[0] > 0; lag++) {
+      sum += 2 * (products[lag] - products[lag + LASTING]) / products[0];
+    }
+    return sum;
+  }
+
+  /**
    * Returns by how many times the pulls of whole parts of the log are larger than those of its
    * blocks foretell, the mean over the values: what the robot does wanders for minutes. At least 1,
    * and 1 where the log has too few blocks to say.
    */
   private double wandering() {
+    Drift drift = drift(0);
+    return drift.freedoms == 0 ? 1 : Math.max(1, drift.square / drift.freedoms);
+  }
+
+  /**
+   * How far the values of whole parts of the log pull apart.
+   *
+   * @param square of their pulls, by what their blocks foretell: chi-square by chance
+   * @param freedoms of the chi-square; 0 where the log has too few blocks to say
+   */
+  record Drift(double square, int freedoms) {}
+
+  /**
+   * Compares parts of the log.
+   *
+   * @param from the first of the values that are compared
+   */
+  Drift drift(int from) {
     int n = vectors.length;
-    int parts = Math.min(PARTS, n / LEAST_IN_PART);
-    if (parts < LEAST_PARTS || n < 2 * columns.length) {
-      return 1;
+    int values = columns.length - from;
+    int parts = parts();
+    if (parts < LEAST_PARTS || n < 2 * values) {
+      return new Drift(0, 0);
     }
-    double[][] sums = new double[parts][columns.length];
+    double[][] pulls = new double[n][];
+    Arrays.setAll(pulls, b -> Arrays.copyOfRange(vectors[b], from, columns.length));
+    double[][] sums = new double[parts][values];
+    double[] mean = new double[values];
     int[] sizes = new int[parts];
     for (int b = 0; b < n; b++) {
-      int part = (int) ((long) b * parts / n);
+      int part = part(b);
       sizes[part]++;
-      for (int p = 0; p < columns.length; p++) {
-        sums[part][p] += vectors[b][p] / Math.sqrt(n);
+      for (int p = 0; p < values; p++) {
+        sums[part][p] += pulls[b][p] / Math.sqrt(n);
+        mean[p] += pulls[b][p] / Math.sqrt(n) / n;
       }
     }
-    RealMatrix usual = NormalMatrix.of(pulls().scalarMultiply(1.0 / n).getData()).inverse();
+    RealMatrix usual = NormalMatrix.of(squares(pulls).scalarMultiply(1.0 / n).getData()).inverse();
     double square = 0;
     for (int part = 0; part < parts; part++) {
-      RealVector own = new ArrayRealVector(sums[part]);
+      RealVector own =
+          new ArrayRealVector(sums[part])
+              .subtract(new ArrayRealVector(mean).mapMultiply(sizes[part]));
       square += own.dotProduct(usual.operate(own)) * n / sizes[part];
     }
-    return Math.max(1, square / (columns.length * (parts - 1.0)));
+    return new Drift(square, values * (parts - 1));
+  }
+
+  /** Returns into how many parts a log is cut that is compared with itself. */
+  int parts() {
+    return Math.min(PARTS, vectors.length / LEAST_IN_PART);
+  }
+
+  /** Returns the part of a block. */
+  int part(int block) {
+    return (int) ((long) block * parts() / vectors.length);
   }
 }

@@ -25,6 +25,9 @@ record MotionConclusion(
   /** An effect that is less probable, its ties counted, is not concluded. */
   private static final double SURE = 0.8;
 
+  /** An effect that the vocabulary fits only nearly leaves scatter beside it. */
+  private static final double SURE_BESIDE = 0.9;
+
   /** What may be the shadow of something without a name is no likelier than not. */
   private static final double EVEN = 0.5;
 
@@ -41,12 +44,20 @@ record MotionConclusion(
     Odds odds = told.odds();
     List<MotionFinding> found = new Findings(odds).named();
     MotionStrangers strangers = new MotionStrangers(told.given(), odds.best());
-    MotionUnknown all =
-        new MotionUnknown(
-            strangers.traces(odds.nominal().fit().residuals()), told.scatter().otherEvents());
+    List<MotionStrangers.Trace> traces =
+        new ArrayList<>(strangers.traces(odds.nominal().fit().residuals()));
+    if (slip.isEmpty()) {
+      told.scatter().oneSided().ifPresent(traces::add);
+    }
+    // Where all motion scatters, some of it does so far.
+    double events = noise(told).isPresent() ? 0 : told.scatter().otherEvents();
+    MotionUnknown all = new MotionUnknown(traces, events);
     // A wheel whose size is named may well be out of round.
     boolean wheels = found.stream().anyMatch(one -> WHEELS.contains(one.effect()));
     MotionUnknown unknown = wheels ? all.without(MotionStrangers.Kind.RIPPLE) : all;
+    if (wheels && told.scatter().isOfTheWay()) {
+      unknown = unknown.without(MotionStrangers.Kind.SCATTER);
+    }
     List<MotionFinding> named = new ArrayList<>();
     List<String> shadows = new ArrayList<>();
     for (MotionFinding one : found) {
@@ -60,13 +71,9 @@ record MotionConclusion(
     List<MotionFinding> noises = noises(told, slip, !unknown.isLikely() && !all.isRipple());
     // Beside names, scatter that is not sure is only said to be possible.
     boolean alone = named.isEmpty();
-    noises.stream().filter(one -> alone || isSure(one)).forEach(named::add);
-    sure &= !alone || noises.stream().allMatch(MotionConclusion::isSure);
+    noises.stream().filter(one -> alone || one.probability() >= SURE_BESIDE).forEach(named::add);
+    sure &= !alone || noises.stream().allMatch(one -> one.probability() >= SURE);
     return new MotionConclusion(named, noises, shadows, unknown, sure);
-  }
-
-  private static boolean isSure(MotionFinding one) {
-    return one.probability() >= SURE;
   }
 
   /**
@@ -82,7 +89,7 @@ record MotionConclusion(
     Odds odds = told.odds();
     MotionStrangers without = new MotionStrangers(told.given(), odds.lacking(one.effect()));
     double nats = with.heldOut(trace.kind()) - without.heldOut(trace.kind());
-    return nats > trace.nats() && odds.ofGain(nats) >= SURE;
+    return nats > trace.raw() && odds.ofGain(nats) >= SURE;
   }
 
   /**
@@ -92,11 +99,18 @@ record MotionConclusion(
       Told told, Optional<MotionFinding> slip, boolean nothingElse) {
     List<MotionFinding> noises = new ArrayList<>();
     slip.ifPresent(noises::add);
-    boolean named = !told.odds().best().hypothesis().forms().isEmpty();
-    if (nothingElse && (named || told.gap().ratio() <= MotionDiagnoser.WORTH)) {
-      told.scatter().noise().ifPresent(noises::add);
+    if (nothingElse) {
+      noise(told).ifPresent(noises::add);
     }
     return noises;
+  }
+
+  /** Scatter alone is said only where it makes a gap. */
+  private static Optional<MotionFinding> noise(Told told) {
+    boolean named = !told.odds().best().hypothesis().forms().isEmpty();
+    return named || told.gap().ratio() <= MotionDiagnoser.WORTH
+        ? told.scatter().noise()
+        : Optional.empty();
   }
 
   Verdict verdict() {

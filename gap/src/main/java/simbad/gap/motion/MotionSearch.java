@@ -177,6 +177,9 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
 
   /** Two forms stand beside each other only where they change different things. */
   private static boolean apart(MotionHypothesis base, MotionForm form) {
+    if (form.followsALag() && base.chain().responses().isEmpty()) {
+      return false;
+    }
     for (MotionForm one : base.forms()) {
       boolean same = one.effect().equals(form.effect()) && sharesName(one, form);
       if (same || one.doublesWith(form)) {

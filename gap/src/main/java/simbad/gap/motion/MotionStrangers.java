@@ -3,9 +3,14 @@ package simbad.gap.motion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
+import java.util.function.IntFunction;
 import simbad.motion.Command;
+import simbad.motion.MotionChain;
 import simbad.motion.MotionRun;
 import simbad.motion.TrackPose;
+import simbad.motion.effect.MotionForm;
+import simbad.motion.effect.MotionForms;
 
 /**
  * What has no name and leaves a trace: plain regressions of what an explanation leaves over on
@@ -17,6 +22,9 @@ final class MotionStrangers {
   private static final double LAG_S = 0.2;
   private static final double RIDGE = 1e-3;
 
+  private static final MotionForm LATER = MotionForms.find("actuation-latency").orElseThrow();
+  private static final double LATER_S = 0.02;
+
   /** What loses more with the noise as it was gains nothing with another. */
   private static final double HOPELESS_NATS = -5;
 
@@ -25,18 +33,33 @@ final class MotionStrangers {
 
   private static final double LONGEST_M = 1.6;
   private static final double FINE = 1.002;
+  private static final int LENGTHS = (int) (Math.log(LONGEST_M / SHORTEST_M) / Math.log(FINE));
+
+  /** Lengths up to a fifth longer or shorter, most of which a wave does not reach. */
+  private static final int ABOUT = (int) (Math.log(1.2) / Math.log(FINE));
 
   /** The best of so many lengths gains by chance what so many values do: twice their logarithm. */
   private static final int SCANNED = 16;
+
+  /** Kinds that no plain regression shows. */
+  private static final Set<Kind> SHOWN_OTHERWISE = Set.of(Kind.RIPPLE, Kind.DRIFT, Kind.SCATTER);
 
   private final MotionSteps given;
   private final ScoredMotion best;
   private final double[][] expected;
 
+  /** What is expected were commands to act a little later. */
+  private final double[][] later;
+
+  /** By how many times waves of about the length that was found are larger than by chance. */
+  private double rippleLevel = 1;
+
   MotionStrangers(MotionSteps given, ScoredMotion best) {
     this.given = given;
     this.best = best;
-    expected = given.expected(best.hypothesis().chain());
+    MotionChain chain = best.hypothesis().chain();
+    expected = given.expected(chain);
+    later = given.expected(chain.with(LATER.change(LATER_S)));
   }
 
   /** A kind of trace. */
@@ -47,6 +70,8 @@ final class MotionStrangers {
     SIDE("left differs from right, or forwards from backwards"),
     PLACE("it depends on the place"),
     RIPPLE("it comes again after a certain distance, as if a wheel were not round"),
+    DRIFT("it wanders for minutes"),
+    SCATTER("its way scatters and its turns do not, or the other way round"),
     RESPONSE("it depends on the commands in a way that no named effect describes");
 
     private final String words;
@@ -64,60 +89,113 @@ final class MotionStrangers {
    * What a kind of trace foretells.
    *
    * @param kind of the trace
-   * @param nats by which left-out blocks are likelier with it
+   * @param raw nats by which left-out blocks are likelier with it
+   * @param nats the same over how many times more than by chance blocks pull apart
    * @param values that were fitted
    * @param share of the mean square of what the nominal model leaves over, the component where it
    *     is greatest
    */
-  record Trace(Kind kind, double nats, int values, double share) {}
+  record Trace(Kind kind, double raw, double nats, int values, double share) {}
 
+  /**
+   * Returns a trace of each kind.
+   *
+   * @param nominal what the nominal model leaves over
+   */
   List<Trace> traces(double[][] nominal) {
-    double without = withItsNoise(best.slopes().linear(), List.of());
-    return Arrays.stream(Kind.values()).map(kind -> trace(kind, nominal, without)).toList();
+    Beside alone = new Beside(List.of());
+    Trace ripple = trace(Kind.RIPPLE, alone, nominal);
+    // What comes again as a wheel turns is no trace of anything else.
+    Beside base = MotionUnknown.gain(ripple) > 0 ? new Beside(columns(Kind.RIPPLE)) : alone;
+    List<Trace> traces = new ArrayList<>(List.of(ripple, drift(nominal)));
+    for (Kind kind : Kind.values()) {
+      if (!SHOWN_OTHERWISE.contains(kind)) {
+        traces.add(trace(kind, base, nominal));
+      }
+    }
+    return traces;
+  }
+
+  /** What changes for minutes, back and forth perhaps: scales, veering and turning by itself. */
+  private Trace drift(double[][] nominal) {
+    List<double[][]> raw = columns(Kind.DRIFT);
+    Linear linear = new Beside(raw).linear;
+    Linear.Drift drift = linear.drift(best.slopes().columns().length);
+    if (drift.freedoms() == 0) {
+      return new Trace(Kind.DRIFT, 0, 0, 0, 0);
+    }
+    double[][] values = new double[linear.parts()][];
+    for (int part = 0; part < values.length; part++) {
+      int own = part;
+      double[] all = linear.move(block -> linear.part(block) == own, RIDGE);
+      values[part] = Arrays.copyOfRange(all, all.length - raw.size(), all.length);
+    }
+    double chance = Math.min(1, drift.freedoms() / drift.square());
+    double share = share(raw, step -> values[linear.part(given.block(step))], nominal);
+    return new Trace(Kind.DRIFT, 0, drift.square() / 2, drift.freedoms(), (1 - chance) * share);
   }
 
   /** Returns the log density of left-out blocks with a kind of trace beside the explanation. */
   double heldOut(Kind kind) {
-    return Arrays.stream(beside(columns(kind)).heldOut()).sum();
+    return new Beside(columns(kind)).heldOut();
   }
 
-  /** The values of the explanation, and those of a trace behind them. */
-  private Linear beside(List<double[][]> raw) {
-    Whitening[] white = best.slopes().white();
-    double[][][] own = best.slopes().columns();
-    double[][][] all = Arrays.copyOf(own, own.length + raw.size());
-    for (int k = 0; k < raw.size(); k++) {
-      double[][] column = new double[white.length][];
-      for (int c = 0; c < column.length; c++) {
-        column[c] = white[c].of(raw.get(k)[c]);
+  /** The explanation, with columns beside its own. */
+  private final class Beside {
+    private final List<double[][]> raw;
+    private final Linear linear;
+
+    Beside(List<double[][]> raw) {
+      this.raw = raw;
+      Whitening[] white = best.slopes().white();
+      double[][][] own = best.slopes().columns();
+      double[][][] all = Arrays.copyOf(own, own.length + raw.size());
+      for (int k = 0; k < raw.size(); k++) {
+        double[][] column = new double[white.length][];
+        for (int c = 0; c < column.length; c++) {
+          column[c] = white[c].of(raw.get(k)[c]);
+        }
+        all[own.length + k] = column;
       }
-      all[own.length + k] = column;
+      linear = new Linear(given, white, all);
     }
-    return new Linear(given, white, all);
+
+    Beside with(List<double[][]> more) {
+      List<double[][]> all = new ArrayList<>(raw);
+      all.addAll(more);
+      return new Beside(all);
+    }
+
+    double heldOut() {
+      return Arrays.stream(linear.heldOut()).sum();
+    }
   }
 
-  private Trace trace(Kind kind, double[][] nominal, double without) {
+  private Trace trace(Kind kind, Beside base, double[][] nominal) {
     List<double[][]> raw = columns(kind);
-    int own = best.slopes().columns().length;
-    Linear with = beside(raw);
-    double nats = Arrays.stream(with.heldOut()).sum() - best.heldOut();
-    nats = nats > HOPELESS_NATS ? Math.max(nats, withItsNoise(with, raw) - without) : nats;
-    double[] values = with.move(block -> true, RIDGE);
+    Beside with = base.with(raw);
+    double nats = with.heldOut() - base.heldOut();
+    nats = nats > HOPELESS_NATS ? Math.max(nats, withItsNoise(with) - withItsNoise(base)) : nats;
+    double chance = kind == Kind.RIPPLE ? rippleLevel : 1;
+    double[] values = with.linear.move(block -> true, RIDGE);
+    double[] own = Arrays.copyOfRange(values, values.length - raw.size(), values.length);
     return new Trace(
         kind,
         nats,
+        nats / Math.max(chance, with.linear.lasting()),
         raw.size() + (kind == Kind.RIPPLE ? SCANNED : 0),
-        share(raw, Arrays.copyOfRange(values, own, values.length), nominal));
+        share(raw, step -> own, nominal));
   }
 
   /**
    * The log density of left-out blocks with the noise that is left then: what lasts as long as a
    * command does was taken for the robot's own scatter, and hides what foretells it.
    */
-  private double withItsNoise(Linear with, List<double[][]> raw) {
+  private double withItsNoise(Beside with) {
+    List<double[][]> raw = with.raw;
     double[][][] own = best.slopes().raw();
     double[][] moves = new double[MotionSteps.FOLDS][];
-    Arrays.setAll(moves, with::withoutFold);
+    Arrays.setAll(moves, with.linear::withoutFold);
     double[][] left = new double[MotionSteps.COMPONENTS][given.size()];
     for (int c = 0; c < left.length; c++) {
       for (int i = 0; i < given.size(); i++) {
@@ -132,15 +210,16 @@ final class MotionStrangers {
     return Whitening.logDensity(given, NoiseFit.afresh(given, left), left);
   }
 
-  private double share(List<double[][]> raw, double[] values, double[][] nominal) {
+  private double share(List<double[][]> raw, IntFunction<double[]> values, double[][] nominal) {
     double most = 0;
     for (int c = 0; c < nominal.length; c++) {
       double foretold = 0;
       double all = 0;
       for (int i = 0; i < given.size(); i++) {
         double sum = 0;
-        for (int k = 0; k < values.length; k++) {
-          sum += values[k] * raw.get(k)[c][i];
+        double[] own = values.apply(i);
+        for (int k = 0; k < own.length; k++) {
+          sum += own[k] * raw.get(k)[c][i];
         }
         foretold += sum * sum;
         all += nominal[c][i] * nominal[c][i];
@@ -158,6 +237,8 @@ final class MotionStrangers {
       case SIDE -> side();
       case PLACE -> place();
       case RIPPLE -> ripple();
+      case DRIFT -> plain();
+      case SCATTER -> List.of();
       case RESPONSE -> response();
     };
   }
@@ -167,7 +248,8 @@ final class MotionStrangers {
         column(0, i -> minutes(i) * along(i)),
         column(2, i -> minutes(i) * turn(i)),
         column(2, i -> minutes(i) * along(i)),
-        column(2, i -> minutes(i) * seconds(i)));
+        column(2, i -> minutes(i) * seconds(i)),
+        lateness(this::minutes));
   }
 
   private List<double[][]> heading() {
@@ -193,6 +275,26 @@ final class MotionStrangers {
         column(2, i -> Math.abs(along(i))));
   }
 
+  private List<double[][]> plain() {
+    return List.of(
+        column(0, this::along),
+        column(2, this::turn),
+        column(2, this::seconds),
+        lateness(step -> 1));
+  }
+
+  /** How steps change as commands act later, times something. */
+  private double[][] lateness(Value times) {
+    double[][] column = new double[MotionSteps.COMPONENTS][given.size()];
+    for (int c = 0; c < column.length; c++) {
+      for (int i = 0; i < given.size(); i++) {
+        double change = MotionSteps.wrapped(later[c][i] - expected[c][i]);
+        column[c][i] = change / LATER_S * times.at(i);
+      }
+    }
+    return column;
+  }
+
   /** What is slower in a part of the room, or is pulled to a point of it. */
   private List<double[][]> place() {
     List<double[][]> columns = new ArrayList<>();
@@ -207,22 +309,42 @@ final class MotionStrangers {
     return columns;
   }
 
-  /** What comes again after the way that shows it most. */
+  /**
+   * What comes again after the way that shows it most. Scatter that lasts shows every long way more
+   * than chance does: what counts is how far one stands out of those of about its length.
+   */
   private List<double[][]> ripple() {
     double[] way = way();
     double most = 0;
-    List<double[][]> best = List.of();
-    for (double lengthM = SHORTEST_M; lengthM < LONGEST_M; lengthM *= FINE) {
-      for (int component : new int[] {0, 2}) {
-        List<double[][]> columns = waves(way, component, 2 * Math.PI / lengthM);
-        double size = size(component, columns);
-        if (size > most) {
-          most = size;
-          best = columns;
+    List<double[][]> found = waves(way, 0, 2 * Math.PI);
+    for (int component : new int[] {0, 2}) {
+      double[] sizes = new double[LENGTHS];
+      for (int k = 0; k < LENGTHS; k++) {
+        List<double[][]> columns = waves(way, component, perM(k));
+        sizes[k] = size(component, columns);
+      }
+      for (int k = 0; k < LENGTHS; k++) {
+        double level = level(sizes, k);
+        if (sizes[k] / level > most) {
+          most = sizes[k] / level;
+          rippleLevel = level;
+          found = waves(way, component, perM(k));
         }
       }
     }
-    return best.isEmpty() ? waves(way, 0, 2 * Math.PI) : best;
+    return found;
+  }
+
+  private static double perM(int length) {
+    return 2 * Math.PI / (SHORTEST_M * Math.pow(FINE, length));
+  }
+
+  /** By how many times sizes about one are larger than by chance (chi-square of 2), at least 1. */
+  private static double level(double[] sizes, int at) {
+    int from = Math.max(0, Math.min(sizes.length - 2 * ABOUT, at - ABOUT));
+    double[] about = Arrays.copyOfRange(sizes, from, Math.min(sizes.length, from + 2 * ABOUT));
+    Arrays.sort(about);
+    return Math.max(1, about[about.length / 2] / (2 * Math.log(2)));
   }
 
   private List<double[][]> waves(double[] way, int component, double perM) {

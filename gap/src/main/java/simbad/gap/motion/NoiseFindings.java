@@ -35,6 +35,7 @@ final class NoiseFindings {
   private final Noise[] believed;
   private final MotionFit fit;
   private final Events events;
+  private final Scatter scatter;
 
   NoiseFindings(MotionSteps given, BelievedMotion base, MotionFit fit) {
     this.given = given;
@@ -42,6 +43,7 @@ final class NoiseFindings {
     believed = base.noises();
     this.fit = fit;
     events = Events.of(given, fit);
+    scatter = Scatter.of(given, fit, believed);
   }
 
   /** Tells how probable it is that something happens now and then that is no slip. */
@@ -83,14 +85,8 @@ final class NoiseFindings {
    * changed, leaves the median of half seconds as it was.
    */
   Optional<MotionFinding> noise() {
-    double times =
-        Math.max(scattersAsItMoves(0) ? times(0) : 0, scattersAsItMoves(2) ? times(2) : 0);
-    double nats = -Odds.COST_NATS;
-    for (int c = 0; c < believed.length; c++) {
-      double own = new Whitening(given, fit.noises()[c], fit.residuals()[c]).logDensity();
-      nats += own - new Whitening(given, believed[c], fit.residuals()[c]).logDensity();
-    }
-    if (times < MATTERS || nats <= 0 || believed[0].tracker() <= Noise.LEAST) {
+    double nats = more();
+    if (nats <= 0 || scatter.isOneSided()) {
       return Optional.empty();
     }
     double sigma = Math.sqrt(fit.noises()[0].variance(OVER_S, 1));
@@ -101,6 +97,37 @@ final class NoiseFindings {
             NormalChance.ofLogOdds(nats),
             parameter("along_sigma_m", sigma, half),
             "let the distance driven in half a second scatter by %.2g m"));
+  }
+
+  /**
+   * Returns the trace of a cause without a name that shows as scatter of the way alone or of the
+   * turns alone.
+   */
+  Optional<MotionStrangers.Trace> oneSided() {
+    double nats = more();
+    return nats > 0 && scatter.isOneSided()
+        ? Optional.of(MotionUnknown.scatter(nats, scatter.greatest() / Scatter.MATTERS))
+        : Optional.empty();
+  }
+
+  /** By how many nats more scatter than believed is likelier; 0 where it does not matter. */
+  private double more() {
+    double times =
+        Math.max(scattersAsItMoves(0) ? times(0) : 0, scattersAsItMoves(2) ? times(2) : 0);
+    if (times < MATTERS || believed[0].tracker() <= Noise.LEAST || !scatter.matters()) {
+      return 0;
+    }
+    double nats = -Odds.COST_NATS;
+    for (int c = 0; c < believed.length; c++) {
+      double own = new Whitening(given, fit.noises()[c], fit.residuals()[c]).logDensity();
+      nats += own - new Whitening(given, believed[c], fit.residuals()[c]).logDensity();
+    }
+    return Math.max(0, nats);
+  }
+
+  /** Tells whether the way scatters more than the turns, as of a wheel that is not round. */
+  boolean isOfTheWay() {
+    return scatter.along() > scatter.turn();
   }
 
   /** Tells whether scatter goes with motion itself rather than with changes of the command. */

@@ -35,6 +35,9 @@ final class TrackCheck {
   /** A factor is one of these if it is no further off. */
   private static final double NEAR = 1.6;
 
+  /** A heading in radians that is taken for degrees turns 57 times too little. */
+  private static final double BENDS_AS_IT_TURNS = 8;
+
   private static final double TURNED_RAD = Math.toRadians(30);
   private static final double JUMP_TIMES = 8;
   private static final double STILL_S = 3;
@@ -177,7 +180,7 @@ final class TrackCheck {
     }
     double factor = median(factors);
     int row = pairs.stream().filter(TrackCheck::turns).mapToInt(Pair::row).findFirst().orElse(0);
-    if (near(factor * 180 / Math.PI, 1)) {
+    if (near(factor * 180 / Math.PI, 1) && !turnsAsItsWayBends()) {
       add(
           AuditCheck.TRACK_HEADING,
           String.format(
@@ -196,6 +199,30 @@ final class TrackCheck {
               + " heading_deg, or of the commanded turns",
           Severity.REFUSE);
     }
+  }
+
+  /**
+   * Tells whether the way bends about as far as the heading turns: then it is in degrees, and the
+   * robot does not do what it is told. Without a way that bends there is nothing to tell by.
+   */
+  private boolean turnsAsItsWayBends() {
+    double both = 0;
+    double square = 0;
+    for (int i = 1; i < pairs.size(); i++) {
+      Pair before = pairs.get(i - 1);
+      Pair after = pairs.get(i);
+      boolean goes = before.to().equals(after.from()) && moves(before) && moves(after);
+      if (goes && before.command().speedMPerS() * after.command().speedMPerS() > 0) {
+        double turn = Math.IEEEremainder(after.heading() - before.heading(), 2 * Math.PI);
+        both += turn * Math.IEEEremainder(after.course() - before.course(), 2 * Math.PI);
+        square += turn * turn;
+      }
+    }
+    return both > 0 && both < BENDS_AS_IT_TURNS * square;
+  }
+
+  private static boolean moves(Pair pair) {
+    return pair.wayM() / pair.seconds() > MOVES_M_S;
   }
 
   /** Turns that are commanded far too fast, of which a 57th is seen. */

@@ -71,6 +71,15 @@ final class Drives {
   /** Share by which turns to the left are larger, and to the right smaller. */
   double oneSided;
 
+  /** Speeds bend towards it, infinite for none: by a hyperbolic tangent above half of it. */
+  double softSpeed = Double.POSITIVE_INFINITY;
+
+  /** By how much the right wheel is larger, on a base of 20 cm; the left one is as it should be. */
+  double rightWheel;
+
+  /** Share by which turns are larger or smaller for a second at a time. */
+  double unsteadyTurns;
+
   /** Commands in a minute that are not followed. */
   double dropped;
 
@@ -123,6 +132,7 @@ final class Drives {
     double slipsUntil = -1;
     double waitsS = 0;
     double wheel = 0;
+    double wanders = 0;
     int at = -1;
     Command now = new Command(0, 0, 0);
     for (int i = 0; i * DT < seconds; i++) {
@@ -137,7 +147,7 @@ final class Drives {
       }
       double left = Math.max(0, mostSpeed - lostPerTurn * Math.abs(now.turnRadPerS()));
       double asked = driven(now.speedMPerS(), deadSpeed, left, speedStep);
-      v = followed(v, less(asked), acceleration);
+      v = followed(v, bent(less(asked)), acceleration);
       w = followed(w, driven(now.turnRadPerS(), deadTurn, mostTurn, turnStep), 5 * acceleration);
       if (random.nextDouble() < slips / 60 * DT && v != 0) {
         slipsUntil = t + 0.5;
@@ -146,11 +156,18 @@ final class Drives {
       wheel += ground * DT;
       ground *= 1 + ripple * Math.cos(2 * Math.PI * wheel / 0.2);
       ground *= 1 + slope * Math.cos(heading - 0.7);
+      double rim = ground + w * turnFactor * 0.1;
+      ground += rightWheel * rim / 2;
+      if (unsteadyTurns > 0 && i % 500 == 0) {
+        wanders = unsteadyTurns * random.nextGaussian();
+      }
       double scatter = roughness * Math.sqrt(Math.abs(v) * DT);
       double way = ground * DT + scatter * random.nextGaussian();
       double turn =
           (w * turnFactor * (1 + Math.signum(w) * oneSided) + turnBias + turnPerMetre * ground)
+              * (1 + wanders)
               * DT;
+      turn += rightWheel * rim / 0.2 * DT;
       turn += 5 * scatter * random.nextGaussian();
       x += way * Math.cos(heading + turn / 2);
       y += way * Math.sin(heading + turn / 2);
@@ -167,6 +184,11 @@ final class Drives {
   private double less(double speed) {
     double left = Math.max(0, speed - lessSpeed);
     return cutStep > 0 ? Math.floor(left / cutStep) * cutStep : left;
+  }
+
+  private double bent(double speed) {
+    double half = softSpeed / 2;
+    return speed > half ? half + half * Math.tanh((speed - half) / half) : speed;
   }
 
   private double followed(double now, double target, double most) {

@@ -83,6 +83,24 @@ class LinearTest {
     assertEquals(fitted(moved), about(moved, 0).move(block -> true, 0)[0], 0.005);
   }
 
+  /**
+   * Scatter that stays for a second makes sums scatter more; what stays for a minute has a cause.
+   */
+  @Test
+  void whatLastsASecond_isKnownFromWhatLastsAMinute() {
+    double[] residuals = heavy(new SplittableRandom(34));
+    double[] lasting = new double[STEPS];
+    double[] drifting = new double[STEPS];
+    for (int i = 0; i < STEPS; i++) {
+      lasting[i] = (i < 5 ? 0 : 0.8 * lasting[i - 1]) + residuals[i];
+      drifting[i] = residuals[i] + (i / 300 % 2 == 0 ? 0.3 : -0.3);
+    }
+    double white = about(residuals, fitted(residuals)).lasting();
+    assertTrue(white < 1.6, "white " + white);
+    assertTrue(about(lasting, fitted(lasting)).lasting() > 3, "lasting");
+    assertTrue(about(drifting, fitted(drifting)).lasting() < 2, "drifting");
+  }
+
   /** What is a little more for half a minute and a little less for the next is known less well. */
   @Test
   void whatWanders_isKnownLessWell() {
@@ -92,6 +110,9 @@ class LinearTest {
     Linear steady = about(residuals, fitted(residuals));
     Linear wanders = about(wandering, fitted(wandering));
     assertTrue(wanders.clumping() > 3 * steady.clumping(), "clumping " + wanders.clumping());
+    assertTrue(wanders.drift(0).square() > 2 * 9, "wanders " + wanders.drift(0));
+    assertEquals(9, steady.drift(0).freedoms());
+    assertTrue(steady.drift(0).square() < 2.5 * 9, "steady " + steady.drift(0));
     assertTrue(wanders.standardErrors()[0] > 1.7 * steady.standardErrors()[0], "error");
   }
 }

@@ -100,6 +100,18 @@ class MotionAuditTest {
     assertTrue(told.refuses() && told.suggestion().contains("one clock"), told.what());
   }
 
+  /** It goes straight on whatever turns it is told, but for a 57th: its heading is in degrees. */
+  @Test
+  void robotThatHardlyTurns_isBelieved() {
+    Drives drives = new Drives(7);
+    drives.turnFactor = Math.PI / 180;
+    MotionRun run = drives.data().runs().get(0);
+
+    List<AuditFinding> findings =
+        MotionAudit.of(Map.of("a", rows(run.commands())), Map.of("a", rows(run.track())), true);
+    assertTrue(findings.stream().noneMatch(AuditFinding::refuses), findings.toString());
+  }
+
   @Test
   void turnsInDegreesASecond_areRefused() {
     AuditFinding worst = worst(commands(1, 180 / Math.PI), RUN.track());

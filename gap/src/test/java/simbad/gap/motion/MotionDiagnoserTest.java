@@ -48,6 +48,8 @@ class MotionDiagnoserTest {
         world(10, "saturation", d -> d.mostSpeed = 0.23),
         world(11, "saturation", d -> d.mostTurn = 0.85),
         world(9, "saturation", MotionDiagnoserTest::slowWhileTurning),
+        world(20, "saturation", d -> d.softSpeed = 0.25),
+        world(21, "wheel-asymmetry", d -> d.rightWheel = 0.02),
         world(12, "command-quantization", d -> d.speedStep = 0.04),
         world(15, "dead-band", d -> d.lessSpeed = 0.02),
         world(16, "command-quantization", d -> d.cutStep = 0.04),
@@ -124,7 +126,7 @@ class MotionDiagnoserTest {
     assertEquals(Verdict.EXPLAINED, diagnosis.verdict(), diagnosis.headline());
     assertEquals(expected, names(diagnosis));
     diagnosis.findings().forEach(one -> assertTrue(one.probability() > 0.8, one.toString()));
-    assertTrue(diagnosis.gap().shrink() > 0, diagnosis.headline());
+    assertTrue(diagnosis.gap().shrink() > 0, diagnosis.headline() + diagnosis.fitted());
     double parts = diagnosis.budget().stream().mapToDouble(MotionDiagnosis.Part::share).sum();
     assertEquals(1, parts, 1e-9);
   }
@@ -145,6 +147,7 @@ class MotionDiagnoserTest {
         world(51, "heading", d -> d.slope = 0.1),
         world(52, "time", d -> d.sag = 0.15),
         world(53, "now and then", d -> d.dropped = 0.1),
+        world(57, "scatters", d -> d.unsteadyTurns = 0.1),
         world(56, "left differs from right", d -> d.oneSided = 0.05));
   }
 

@@ -4,33 +4,29 @@ import java.util.List;
 import simbad.motion.MotionChange;
 import simbad.motion.Response;
 
-/** Speeds that approach the command gradually, beside what was believed already. */
-record Lag(
-    double speedS, double turnS, double brakingFactor, double acceleration, double turnAcceleration)
-    implements MotionChange {
+/**
+ * Speeds that approach the command gradually.
+ *
+ * @param own response, beside what was believed already
+ * @param inSeries whether it follows what was believed instead of adding to it
+ */
+record Lag(Response own, boolean inSeries) implements MotionChange {
   private static final double NO_LIMIT = Double.POSITIVE_INFINITY;
-  private static final MotionParameter SPEED =
-      MotionParameter.smooth("speed_time_constant_s", 0, 3, 0, 0.03).tried(0.05, 0.15, 0.4);
-  private static final MotionParameter TURN =
-      MotionParameter.smooth("turn_time_constant_s", 0, 3, 0, 0.03).tried(0.05, 0.15, 0.4);
 
   static final MotionForm CONSTANTS =
       new MotionForm(
           "actuation-lag",
           "actuation-lag: time constants",
-          List.of(SPEED, TURN),
-          p -> new Lag(p[0], p[1], 1, NO_LIMIT, NO_LIMIT),
+          List.of(constant("speed"), constant("turn")),
+          p -> new Lag(constants(p[0], p[1], 1), false),
           "let the speed follow commands with a time constant of %s s",
           false);
   static final MotionForm BRAKING =
       new MotionForm(
           "actuation-lag",
           "actuation-lag: other in braking",
-          List.of(
-              SPEED,
-              TURN,
-              MotionParameter.smooth("braking_factor", 0.05, 20, 1, NO_LIMIT).tried(0.4, 1, 2.5)),
-          p -> new Lag(p[0], p[1], p[2], NO_LIMIT, NO_LIMIT),
+          List.of(constant("speed"), constant("turn"), braking("braking_factor")),
+          p -> new Lag(constants(p[0], p[1], p[2]), false),
           "let the speed follow commands with a time constant of %s s, and with a "
               + "different one while braking",
           false);
@@ -38,22 +34,74 @@ record Lag(
       new MotionForm(
           "actuation-lag",
           "actuation-lag: greatest acceleration",
-          List.of(
-              MotionParameter.smooth("acceleration_m_s2", 0.01, 100, NO_LIMIT, 0.02)
-                  .tried(2, 1, 0.5, 0.25, 0.1),
-              MotionParameter.smooth("turn_acceleration_rad_s2", 0.05, 1000, NO_LIMIT, 0.1)
-                  .tried(10, 5, 2.5, 1, 0.5)),
-          p -> new Lag(0, 0, 1, p[0], p[1]),
+          List.of(acceleration(""), turnAcceleration("")),
+          p -> new Lag(limits(p[0], p[1]), false),
           "limit accelerations to %s m/s2",
           false);
 
+  /**
+   * A motor behind a controller that is slow itself: two lags in series are one of second order.
+   */
+  static final MotionForm SECOND =
+      new MotionForm(
+          "actuation-lag",
+          "actuation-lag: a second one",
+          List.of(
+              constant("second_speed"), constant("second_turn"), braking("second_braking_factor")),
+          p -> new Lag(constants(p[0], p[1], p[2]), true),
+          "let a second lag follow the first, with a time constant of %s s",
+          false);
+
+  static final MotionForm SECOND_ACCELERATION =
+      new MotionForm(
+          "actuation-lag",
+          "actuation-lag: a second one, greatest acceleration",
+          List.of(acceleration("second_"), turnAcceleration("second_")),
+          p -> new Lag(limits(p[0], p[1]), true),
+          "limit accelerations of what the first lag gives to %s m/s2",
+          false);
+
+  private static MotionParameter constant(String of) {
+    return MotionParameter.smooth(of + "_time_constant_s", 0, 3, 0, 0.03).tried(0.05, 0.15, 0.4);
+  }
+
+  private static MotionParameter braking(String name) {
+    return MotionParameter.smooth(name, 0.05, 20, 1, NO_LIMIT).tried(0.4, 1, 2.5);
+  }
+
+  private static MotionParameter acceleration(String of) {
+    return MotionParameter.smooth(of + "acceleration_m_s2", 0.01, 100, NO_LIMIT, 0.02)
+        .tried(2, 1, 0.5, 0.25, 0.1);
+  }
+
+  private static MotionParameter turnAcceleration(String of) {
+    return MotionParameter.smooth(of + "turn_acceleration_rad_s2", 0.05, 1000, NO_LIMIT, 0.1)
+        .tried(10, 5, 2.5, 1, 0.5);
+  }
+
+  private static Response constants(double speedS, double turnS, double brakingFactor) {
+    return new Response(speedS, turnS, brakingFactor, NO_LIMIT, NO_LIMIT);
+  }
+
+  private static Response limits(double acceleration, double turnAcceleration) {
+    return new Response(0, 0, 1, acceleration, turnAcceleration);
+  }
+
   @Override
   public Response response(Response before) {
+    if (inSeries) {
+      return before;
+    }
     return new Response(
-        before.speedTimeConstantS() + speedS,
-        before.turnTimeConstantS() + turnS,
-        before.brakingFactor() * brakingFactor,
-        Math.min(before.maxAccelerationMPerS2(), acceleration),
-        Math.min(before.maxTurnAccelerationRadPerS2(), turnAcceleration));
+        before.speedTimeConstantS() + own.speedTimeConstantS(),
+        before.turnTimeConstantS() + own.turnTimeConstantS(),
+        before.brakingFactor() * own.brakingFactor(),
+        Math.min(before.maxAccelerationMPerS2(), own.maxAccelerationMPerS2()),
+        Math.min(before.maxTurnAccelerationRadPerS2(), own.maxTurnAccelerationRadPerS2()));
+  }
+
+  @Override
+  public Response then() {
+    return inSeries ? own : Response.AT_ONCE;
   }
 }

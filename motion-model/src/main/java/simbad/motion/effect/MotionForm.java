@@ -61,6 +61,13 @@ public record MotionForm(
     return doubles(this, other) || doubles(other, this);
   }
 
+  /**
+   * Tells whether it stands behind another lag, and is the same as that one where there is none.
+   */
+  public boolean followsALag() {
+    return equals(Lag.SECOND) || equals(Lag.SECOND_ACCELERATION);
+  }
+
   private static boolean doubles(MotionForm one, MotionForm other) {
     boolean delays = one.equals(Delay.CLOCKS) && other.equals(Delay.LATENCY);
     boolean scales =

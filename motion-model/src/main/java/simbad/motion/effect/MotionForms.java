@@ -19,16 +19,21 @@ public final class MotionForms {
           Scale.TURN_GROWING,
           Veer.BIAS,
           Veer.ASYMMETRY,
+          Veer.ONE_WHEEL,
           Delay.LATENCY,
           Delay.CLOCKS,
           Lag.CONSTANTS,
           Lag.BRAKING,
           Lag.ACCELERATION,
+          Lag.SECOND,
+          Lag.SECOND_ACCELERATION,
           DeadBand.FORM,
           DeadBand.LESS,
+          DeadBand.STICKS,
           Saturation.SPEED,
           Saturation.TURN,
           Saturation.TURN_FIRST,
+          Saturation.SOFT,
           Quantization.FORM,
           Quantization.CUT,
           CaptureOffset.POINT,
@@ -82,6 +87,7 @@ public final class MotionForms {
     List<MotionForm> forms = new ArrayList<>(ALL);
     forms.add(DeadBand.wheels(robot.wheelBaseM()));
     forms.add(Saturation.wheels(robot.wheelBaseM()));
+    forms.add(Saturation.keepingCurves(robot.wheelBaseM()));
     forms.add(Quantization.wheels(robot.wheelBaseM()));
     return forms;
   }

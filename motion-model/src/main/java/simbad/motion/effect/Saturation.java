@@ -11,6 +11,9 @@ import simbad.motion.MotionChange;
 final class Saturation {
   private static final double NONE = Double.POSITIVE_INFINITY;
 
+  /** A knee as sharp as this is a corner. */
+  private static final double HARD = 0.02;
+
   /** Sizes that are tried, each of which was commanded. */
   private static final int TRIES = 6;
 
@@ -34,6 +37,23 @@ final class Saturation {
                   .tried(use -> CommandUse.among(use.turns(), TRIES))),
           p -> new CommandChange(v -> v, w -> cut(w, p[0])),
           "cut turn rates at %s rad/s",
+          false);
+
+  /**
+   * Speeds that bend towards a limit: a battery that sags and friction that grows with speed. A
+   * knee that is softer than half would bend all speeds, which is a scale.
+   */
+  static final MotionForm SOFT =
+      new MotionForm(
+          "saturation",
+          "saturation: soft",
+          List.of(
+              RIM.tried(use -> CommandUse.among(use.speeds(), TRIES)),
+              MotionParameter.smooth("max_turn_rad_s", 0.02, 20, NONE, 0.03)
+                  .tried(use -> CommandUse.among(use.turns(), TRIES)),
+              MotionParameter.smooth("softness", 0, 0.5, 0, 0.2).tried(0, 0.12, 0.25, 0.4)),
+          p -> new CommandChange(v -> bent(v, p[0], p[2]), w -> bent(w, p[1], p[2])),
+          "bend speeds towards a limit of %s m/s",
           false);
 
   /** Of the greatest speed over the greatest rate that were commanded. */
@@ -82,8 +102,36 @@ final class Saturation {
         false);
   }
 
+  /** Where a wheel would be too fast both are slowed by the same factor: the curve is kept. */
+  static MotionForm keepingCurves(double wheelBaseM) {
+    return new MotionForm(
+        "saturation",
+        "saturation: wheels, the curve kept",
+        List.of(RIM.tried(use -> CommandUse.among(use.rims(), TRIES))),
+        p ->
+            new WholeCommandChange(
+                (v, w) -> v * slowed(v, w, wheelBaseM, p[0]),
+                (v, w) -> w * slowed(v, w, wheelBaseM, p[0])),
+        "slow both wheels by one factor where one would go faster than %s m/s",
+        false);
+  }
+
+  private static double slowed(double speed, double turn, double wheelBaseM, double most) {
+    double fastest = Math.abs(speed) + Math.abs(turn) * wheelBaseM / 2;
+    return fastest > most ? most / fastest : 1;
+  }
+
   private static double cut(double command, double most) {
     return Math.abs(command) > most ? Math.copySign(most, command) : command;
+  }
+
+  /** The limiter of Cann (1980), whose exponent is 1 / softness; 0 is a plain cut. */
+  private static double bent(double command, double most, double softness) {
+    if (most == NONE || softness < HARD) {
+      return cut(command, most);
+    }
+    double share = Math.pow(Math.abs(command) / most, 1 / softness);
+    return command / Math.pow(1 + share, softness);
   }
 
   /**

@@ -57,7 +57,7 @@ record Scale(double speedFactor, double perMPerS, double turnFactor, double perR
           false);
 
   @Override
-  public double speed(double speedMPerS) {
+  public double speed(double speedMPerS, double turnRadPerS) {
     return scaled(speedMPerS, speedFactor, perMPerS);
   }
 

@@ -5,6 +5,9 @@ import simbad.motion.MotionChange;
 
 /** Turning that nobody commanded: at a constant rate, or in proportion to the speed. */
 record Veer(double biasRadPerS, double perMetreRad) implements MotionChange {
+  private static final MotionParameter TURN =
+      MotionParameter.smooth("turn_rad_per_m", -5, 5, 0, 0.02);
+
   static final MotionForm BIAS =
       new MotionForm(
           "turn-bias",
@@ -17,9 +20,23 @@ record Veer(double biasRadPerS, double perMetreRad) implements MotionChange {
       new MotionForm(
           "wheel-asymmetry",
           "wheel-asymmetry",
-          List.of(MotionParameter.smooth("turn_rad_per_m", -5, 5, 0, 0.02)),
+          List.of(TURN),
           p -> new Veer(0, p[0]),
           "add %s rad per metre driven to every turn",
+          false);
+
+  /** One wheel alone is off: the right one on a base above 0, the left one on a base below. */
+  static final MotionForm ONE_WHEEL =
+      new MotionForm(
+          "wheel-asymmetry",
+          "wheel-asymmetry: one wheel",
+          List.of(
+              TURN,
+              MotionParameter.smooth("signed_base_m", -2, 2, 0.2, Double.POSITIVE_INFINITY)
+                  .besideTheOneBefore()
+                  .tried(-0.4, -0.15, 0.15, 0.4)),
+          p -> new OneWheel(p[0], p[1]),
+          "one wheel is off: it adds %s rad per metre driven to every turn",
           false);
 
   /** Adding nothing must not make -0 of 0. */

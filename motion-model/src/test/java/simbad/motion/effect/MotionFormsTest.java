@@ -1,12 +1,16 @@
 package simbad.motion.effect;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import simbad.motion.Capture;
 import simbad.motion.Command;
 import simbad.motion.CommandUse;
@@ -43,12 +47,12 @@ class MotionFormsTest {
     MotionChange speed = change("speed-scale: growing with the speed", 0.9, 0.5);
     MotionChange turn = change("turn-scale: growing with the turn rate", 1.1, -0.2);
 
-    assertEquals(0.2 * (0.9 + 0.5 * 0.2), speed.speed(0.2), 1e-12);
-    assertEquals(-0.4 * (0.9 + 0.5 * 0.4), speed.speed(-0.4), 1e-12);
+    assertEquals(0.2 * (0.9 + 0.5 * 0.2), speed.speed(0.2, 0), 1e-12);
+    assertEquals(-0.4 * (0.9 + 0.5 * 0.4), speed.speed(-0.4, 0), 1e-12);
     assertEquals(3, speed.turn(3, 0.2), "turns are as they were");
     assertEquals(-1.5 * (1.1 - 0.2 * 1.5), turn.turn(-1.5, 0), 1e-12);
     assertEquals(0, turn.turn(7, 0), "no factor turns it round");
-    assertEquals(0.2, turn.speed(0.2));
+    assertEquals(0.2, turn.speed(0.2, 0));
   }
 
   @Test
@@ -110,6 +114,23 @@ class MotionFormsTest {
             .speedMPerS());
   }
 
+  /**
+   * Cann's limiter: at the limit itself half a power of two is left, far above all of the limit.
+   */
+  @Test
+  void saturationThatIsSoft_bendsTowardsItsLimit() {
+    MotionChange soft = change("saturation: soft", 0.4, Double.POSITIVE_INFINITY, 0.25);
+    MotionChange hard = change("saturation: soft", 0.4, 1, 0);
+
+    assertEquals(0.4 / Math.pow(2, 0.25), soft.commandedSpeed(0.4), 1e-12);
+    assertEquals(-0.4, soft.commandedSpeed(-40), 1e-8);
+    assertEquals(0.05, soft.commandedSpeed(0.05), 1e-5);
+    assertEquals(7, soft.commandedTurn(7));
+    assertEquals(0.3, hard.commandedSpeed(0.3));
+    assertEquals(-0.4, hard.commandedSpeed(-0.5));
+    assertEquals(1, hard.commandedTurn(3));
+  }
+
   /** No turns were commanded, or nothing at all: there is nothing to try. */
   @Test
   void saturationWhileTurning_isTriedOnlyWhereTurnsWereCommanded() {
@@ -121,6 +142,32 @@ class MotionFormsTest {
     double[] tries = form.parameters().get(1).tries().apply(both);
     assertEquals(0.04, tries[0], 1e-12);
     assertEquals(0.4, tries[tries.length - 1], 1e-12);
+  }
+
+  private static double[] ways(String form, double... values) {
+    MotionRun run =
+        new MotionRun(
+            "a",
+            List.of(
+                new Command(0, 0.05, 0),
+                new Command(1, 0.2, 0),
+                new Command(2, 0.05, 0),
+                new Command(3, 0.02, 0),
+                new Command(4, 0.05, 0)),
+            List.of());
+    Way way = Way.of(run, MotionChain.EXACT.with(change(form, values)), 0, 6);
+    double[] ways = new double[5];
+    Arrays.setAll(ways, i -> way.between(i, i + 1).alongM());
+    return ways;
+  }
+
+  /** It starts at 0.1 m/s, goes on at 0.05, stops at 0.02, and does not start at 0.05. */
+  @Test
+  void deadBandThatSticks_needsMoreToStartThanToGoOn() {
+    assertArrayEquals(
+        new double[] {0, 0.2, 0.05, 0, 0}, ways("dead-band: sticks", 0.1, 0, 0.4), 1e-9);
+    assertArrayEquals(new double[] {0, 0.2, 0, 0, 0}, ways("dead-band: sticks", 0.1, 0, 1), 1e-9);
+    assertArrayEquals(new double[] {0, 0.2, 0, 0, 0}, ways("dead-band", 0.1, 0), 1e-9);
   }
 
   @Test
@@ -161,6 +208,41 @@ class MotionFormsTest {
     double faster = response.over(0.02).speed().next(0, 1);
     double slower = 1 - response.over(0.02).speed().next(1, 0);
     assertTrue(faster > 2.5 * slower, faster + " and " + slower);
+  }
+
+  /** A step through two lags in series falls behind by the sum of their time constants. */
+  @Test
+  void secondLag_followsTheFirst() {
+    MotionChain both =
+        MotionChain.EXACT
+            .with(change("actuation-lag: time constants", 0.2, 0.2))
+            .with(change("actuation-lag: a second one", 0.1, 0.1, 1));
+    MotionRun run = new MotionRun("a", List.of(new Command(0, 1, 0)), List.of());
+    Way way = Way.of(run, both, 0, 6);
+
+    assertEquals(2, both.responses().size());
+    assertEquals(5 - 0.3, way.between(0, 5).alongM(), 1e-6);
+    // t - T1 - T2 + (T1^2 exp(-t / T1) - T2^2 exp(-t / T2)) / (T1 - T2)
+    double way300 = 0.3 - 0.3 + (0.04 * Math.exp(-1.5) - 0.01 * Math.exp(-3)) / 0.1;
+    assertEquals(way300, way.between(0, 0.3).alongM(), 1e-3);
+    assertTrue(MotionChain.EXACT.responses().isEmpty());
+    assertEquals(
+        List.of(new Response(0, 0, 1, 0.5, 3)),
+        MotionChain.EXACT
+            .with(change("actuation-lag: a second one, greatest acceleration", 0.5, 3))
+            .responses());
+  }
+
+  /** The rim of one wheel goes further, that of the other as far as before. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0.3, -0.3})
+  void oneWheel_leavesTheOtherAsItWas(double base) {
+    MotionChange one = change("wheel-asymmetry: one wheel", 0.1, base);
+    double speed = one.speed(0.4, 0.7);
+    double turn = one.turn(0.7, speed);
+
+    assertEquals(0.4 - 0.7 * base / 2, speed - turn * base / 2, 1e-12);
+    assertEquals((1 + 0.1 * base) * (0.4 + 0.7 * base / 2), speed + turn * base / 2, 1e-12);
   }
 
   @Test
@@ -226,6 +308,9 @@ class MotionFormsTest {
     assertEquals(0.9, rims("saturation: wheels", 0.2, 0.02, 0.3).turnRadPerS(), 1e-12);
     assertEquals(0.15, rims("command-quantization: wheels", 0.1, 0.02, 0.3).speedMPerS(), 1e-12);
     assertTrue(MotionForms.find("saturation: wheels").isEmpty());
+    Command slowed = rims("saturation: wheels, the curve kept", 0.2, 0.02, 0.3);
+    assertEquals(0.2, slowed.speedMPerS() + slowed.turnRadPerS() * 0.1, 1e-12);
+    assertEquals(0.16 / 1.4, slowed.speedMPerS() / slowed.turnRadPerS(), 1e-12);
   }
 
   @Test
