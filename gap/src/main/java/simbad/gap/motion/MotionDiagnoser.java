@@ -24,6 +24,15 @@ public final class MotionDiagnoser {
   /** An effect that takes away less than a hundredth of the gap explains nothing. */
   static final double WORTH = 0.99;
 
+  /** What acts on each command in a way of its own. */
+  private static final String STEPS = "command-quantization";
+
+  /**
+   * Of 47 practice worlds of SRB-1 that have steps (seeds 781 to 783) one knew them less exactly;
+   * of 12 in which steps were said falsely, all did.
+   */
+  private static final double VAGUE = 0.05;
+
   private static final int MOST_ROUNDS = 3;
 
   private final MotionData data;
@@ -132,13 +141,24 @@ public final class MotionDiagnoser {
     MotionGap gap = gap(base, odds.best());
     // Many that explain next to nothing may explain something together.
     double all = gap.fitted(odds.best().hypothesis().chain());
-    for (Optional<String> idle = idle(odds, gap, all);
-        idle.isPresent();
-        idle = idle(odds, gap, all)) {
-      odds = odds.without(idle.get());
+    for (Optional<String> less = needless(of, odds, gap, all);
+        less.isPresent();
+        less = needless(of, odds, gap, all)) {
+      odds = odds.without(less.get());
       gap = gap(base, odds.best());
     }
     return new Told(of, odds, gap, new NoiseFindings(of, base, odds.best().fit()));
+  }
+
+  private static Optional<String> needless(MotionSteps of, Odds odds, MotionGap gap, double all) {
+    return idle(odds, gap, all).or(() -> vague(of, odds.best()));
+  }
+
+  /** Steps that do not just do what they say are bent to something else. */
+  private static Optional<String> vague(MotionSteps of, ScoredMotion best) {
+    boolean vague =
+        best.hypothesis().names(STEPS) && Amplitude.standardError(of, best, STEPS) > VAGUE;
+    return vague ? Optional.of(STEPS) : Optional.empty();
   }
 
   /** Finds the effect without which the explanation is nearly as good as with all. */
