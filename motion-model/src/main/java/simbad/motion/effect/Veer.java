@@ -36,7 +36,7 @@ record Veer(double biasRadPerS, double perMetreRad) implements MotionChange {
                   .besideTheOneBefore()
                   .tried(-0.4, -0.15, 0.15, 0.4)),
           p -> new OneWheel(p[0], p[1]),
-          "one wheel is off: it adds %s rad per metre driven to every turn",
+          "make one wheel larger or smaller: alone it adds %s rad per metre driven to every turn",
           false);
 
   /** Adding nothing must not make -0 of 0. */
