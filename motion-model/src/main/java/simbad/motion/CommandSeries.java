@@ -69,9 +69,7 @@ record CommandSeries(double[] speeds, double[] turns) {
   /** Puts in the place of these means how speeds follow them, by responses in series. */
   void follow(List<Response> responses) {
     for (Response response : responses) {
-      Response.Step step = response.over(Way.STEP_S);
-      step.speed().follow(speeds);
-      step.turn().follow(turns);
+      response.over(Way.STEP_S).follow(speeds, turns);
     }
   }
 }

@@ -109,8 +109,13 @@ public final class LiveMotion {
       double speed = piece.speedMPerS();
       double turn = piece.turnRadPerS();
       for (int k = 0; k < speedsMPerS.length; k++) {
-        speed = followed(follow.get(k).speed(), speedsMPerS, k, speed);
-        turn = followed(follow.get(k).turn(), turnsRadPerS, k, turn);
+        Response.Step step = follow.get(k);
+        double half = turn * step.rimBaseM() / 2;
+        boolean rims = step.rimBaseM() > 0;
+        double first = followed(step.speed(), speedsMPerS, k, speed - half);
+        double second = followed(step.turn(), turnsRadPerS, k, rims ? speed + half : turn);
+        speed = rims ? Unicycle.speedOfWheels(first, second) : first;
+        turn = rims ? Unicycle.turnOfWheels(first, second, step.rimBaseM()) : second;
       }
       double overGround = chain.speed(speed, turn);
       wayM += overGround * stepS;

@@ -10,16 +10,19 @@ import simbad.sonar.check.Checks;
  * @param brakingFactor by which time constants are multiplied where the speed falls; above 0
  * @param maxAccelerationMPerS2 above 0, infinite for none
  * @param maxTurnAccelerationRadPerS2 above 0, infinite for none
+ * @param rimBaseM 0, or where each wheel's rim follows by itself, with the figures of the speed:
+ *     the distance of the wheels, metres
  */
 public record Response(
     double speedTimeConstantS,
     double turnTimeConstantS,
     double brakingFactor,
     double maxAccelerationMPerS2,
-    double maxTurnAccelerationRadPerS2) {
+    double maxTurnAccelerationRadPerS2,
+    double rimBaseM) {
   /** Speeds are at once what is commanded. */
   public static final Response AT_ONCE =
-      new Response(0, 0, 1, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
+      new Response(0, 0, 1, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0);
 
   /** Checks the figures. */
   public Response {
@@ -28,6 +31,7 @@ public record Response(
     Checks.positive("brakingFactor", brakingFactor);
     Checks.positiveOrInfinite("maxAccelerationMPerS2", maxAccelerationMPerS2);
     Checks.positiveOrInfinite("maxTurnAccelerationRadPerS2", maxTurnAccelerationRadPerS2);
+    Checks.notNegative("rimBaseM", rimBaseM);
   }
 
   /**
@@ -36,18 +40,44 @@ public record Response(
    * @param stepS above 0
    */
   public Step over(double stepS) {
-    return new Step(
-        Rate.of(speedTimeConstantS, brakingFactor, maxAccelerationMPerS2, stepS),
-        Rate.of(turnTimeConstantS, brakingFactor, maxTurnAccelerationRadPerS2, stepS));
+    Rate speed = Rate.of(speedTimeConstantS, brakingFactor, maxAccelerationMPerS2, stepS);
+    Rate turn = Rate.of(turnTimeConstantS, brakingFactor, maxTurnAccelerationRadPerS2, stepS);
+    return new Step(speed, rimBaseM > 0 ? speed : turn, rimBaseM);
   }
 
   /**
    * How speeds follow within steps of one length.
    *
-   * @param speed of the speed
-   * @param turn of the rate of turning
+   * @param speed of the speed, or of the left rim
+   * @param turn of the rate of turning, or of the right rim
+   * @param rimBaseM 0, or the distance of the wheels where each rim follows by itself
    */
-  public record Step(Rate speed, Rate turn) {}
+  public record Step(Rate speed, Rate turn, double rimBaseM) {
+    /** Checks the distance. */
+    public Step {
+      Checks.notNegative("rimBaseM", rimBaseM);
+    }
+
+    /** Puts the means of each step in the place of targets, from rest. */
+    void follow(double[] speeds, double[] turns) {
+      if (rimBaseM > 0) {
+        for (int i = 0; i < speeds.length; i++) {
+          double half = turns[i] * rimBaseM / 2;
+          turns[i] = speeds[i] + half;
+          speeds[i] -= half;
+        }
+      }
+      speed.follow(speeds);
+      turn.follow(turns);
+      if (rimBaseM > 0) {
+        for (int i = 0; i < speeds.length; i++) {
+          double left = speeds[i];
+          speeds[i] = Unicycle.speedOfWheels(left, turns[i]);
+          turns[i] = Unicycle.turnOfWheels(left, turns[i], rimBaseM);
+        }
+      }
+    }
+  }
 
   /**
    * How a rate follows its target within a step.
@@ -108,15 +138,20 @@ public record Response(
       for (int i = 1; i < targets.length && share < 1; i++) {
         double target = targets[i];
         double off = now - target;
-        boolean falls = Math.abs(target) < Math.abs(now);
+        boolean falls = falls(now, target);
         targets[i] = target + off * (falls ? brakingKept : kept);
         now -= off * (falls ? brakingShare : share);
       }
     }
 
+    /** Tells whether the amount falls: also what turns back brakes first. */
+    private static boolean falls(double now, double target) {
+      return Math.abs(target) < Math.abs(now) || target * now < 0;
+    }
+
     /** Returns the rate after a step towards a target. */
     public double next(double now, double target) {
-      double part = Math.abs(target) < Math.abs(now) ? brakingShare : share;
+      double part = falls(now, target) ? brakingShare : share;
       double wanted = part < 1 ? now + (target - now) * part : target;
       return Math.abs(wanted - now) <= most ? wanted : now + Math.copySign(most, wanted - now);
     }
@@ -129,7 +164,7 @@ public record Response(
      * @param next at its end
      */
     public double mean(double now, double target, double next) {
-      double left = Math.abs(target) < Math.abs(now) ? brakingKept : kept;
+      double left = falls(now, target) ? brakingKept : kept;
       if (left > 0 && Math.abs(next - now) < most) {
         return target + (now - target) * left;
       }

@@ -43,7 +43,7 @@ record MotionConclusion(
   static MotionConclusion of(Told told, Optional<MotionFinding> slip) {
     Odds odds = told.odds();
     List<MotionFinding> found = new Findings(odds).named();
-    MotionStrangers strangers = new MotionStrangers(told.given(), odds.best());
+    MotionStrangers strangers = new MotionStrangers(told, odds.best());
     List<MotionStrangers.Trace> traces =
         new ArrayList<>(strangers.traces(odds.nominal().fit().residuals()));
     if (slip.isEmpty()) {
@@ -87,7 +87,7 @@ record MotionConclusion(
     }
     MotionStrangers.Trace trace = unknown.trace().get();
     Odds odds = told.odds();
-    MotionStrangers without = new MotionStrangers(told.given(), odds.lacking(one.effect()));
+    MotionStrangers without = new MotionStrangers(told, odds.lacking(one.effect()));
     double nats = with.heldOut(trace.kind()) - without.heldOut(trace.kind());
     return nats > trace.raw() && odds.ofGain(nats) >= SURE;
   }

@@ -147,7 +147,7 @@ public final class MotionDiagnoser {
       odds = odds.without(less.get());
       gap = gap(base, odds.best());
     }
-    return new Told(of, odds, gap, new NoiseFindings(of, base, odds.best().fit()));
+    return new Told(of, data.runs(), odds, gap, new NoiseFindings(of, base, odds.best().fit()));
   }
 
   private static Optional<String> needless(MotionSteps of, Odds odds, MotionGap gap, double all) {

@@ -170,6 +170,15 @@ final class MotionSteps {
   }
 
   /**
+   * Returns the same steps of a robot that is told something else, from the same time on.
+   *
+   * @param others the runs with other commands
+   */
+  MotionSteps told(List<MotionRun> others) {
+    return new MotionSteps(others, left);
+  }
+
+  /**
    * Returns a part of a long log, some blocks of it with the commands shortly before: what is tried
    * on it costs a part too. A log that is not long is returned as it is.
    */

@@ -42,9 +42,15 @@ final class MotionStrangers {
   private static final int SCANNED = 16;
 
   /** Kinds that no plain regression shows. */
-  private static final Set<Kind> SHOWN_OTHERWISE = Set.of(Kind.RIPPLE, Kind.DRIFT, Kind.SCATTER);
+  private static final Set<Kind> SHOWN_OTHERWISE =
+      Set.of(Kind.RIPPLE, Kind.DRIFT, Kind.SCATTER, Kind.LOST, Kind.LATE);
 
   private final MotionSteps given;
+  private final List<MotionRun> sent;
+
+  /** By how many times blocks pull apart more than by chance. */
+  private final double clumping;
+
   private final ScoredMotion best;
   private final double[][] expected;
 
@@ -54,8 +60,10 @@ final class MotionStrangers {
   /** By how many times waves of about the length that was found are larger than by chance. */
   private double rippleLevel = 1;
 
-  MotionStrangers(MotionSteps given, ScoredMotion best) {
-    this.given = given;
+  MotionStrangers(Told told, ScoredMotion best) {
+    given = told.given();
+    sent = told.sent();
+    clumping = told.odds().clumping();
     this.best = best;
     MotionChain chain = best.hypothesis().chain();
     expected = given.expected(chain);
@@ -71,6 +79,8 @@ final class MotionStrangers {
     PLACE("it depends on the place"),
     RIPPLE("it comes again after a certain distance, as if a wheel were not round"),
     DRIFT("it wanders for minutes"),
+    LOST("now and then a command is not carried out"),
+    LATE("its commands act sooner for some seconds and later for others"),
     SCATTER("its way scatters and its turns do not, or the other way round"),
     RESPONSE("it depends on the commands in a way that no named effect describes");
 
@@ -107,7 +117,8 @@ final class MotionStrangers {
     Trace ripple = trace(Kind.RIPPLE, alone, nominal);
     // What comes again as a wheel turns is no trace of anything else.
     Beside base = MotionUnknown.gain(ripple) > 0 ? new Beside(columns(Kind.RIPPLE)) : alone;
-    List<Trace> traces = new ArrayList<>(List.of(ripple, drift(nominal)));
+    List<Trace> traces =
+        new ArrayList<>(List.of(ripple, drift(nominal), lost(nominal), late(nominal)));
     for (Kind kind : Kind.values()) {
       if (!SHOWN_OTHERWISE.contains(kind)) {
         traces.add(trace(kind, base, nominal));
@@ -135,9 +146,23 @@ final class MotionStrangers {
     return new Trace(Kind.DRIFT, 0, drift.square() / 2, drift.freedoms(), (1 - chance) * share);
   }
 
+  private Trace lost(double[][] nominal) {
+    LostCommands lost = new LostCommands(given, sent, best.hypothesis().chain());
+    double nats = lost.gain() / Math.max(1, clumping);
+    return new Trace(Kind.LOST, lost.gain(), nats, 1, lost.share(nominal));
+  }
+
+  private Trace late(double[][] nominal) {
+    Lateness late = new Lateness(given, best.fit().residuals(), lateness(step -> 1));
+    double nats = late.hangsTogether() / 2;
+    return new Trace(Kind.LATE, nats, nats, Lateness.LAGS, late.share(nominal));
+  }
+
   /** Returns the log density of left-out blocks with a kind of trace beside the explanation. */
   double heldOut(Kind kind) {
-    return new Beside(columns(kind)).heldOut();
+    return kind == Kind.LOST
+        ? new LostCommands(given, sent, best.hypothesis().chain()).logDensity()
+        : new Beside(columns(kind)).heldOut();
   }
 
   /** The explanation, with columns beside its own. */
@@ -238,7 +263,7 @@ final class MotionStrangers {
       case PLACE -> place();
       case RIPPLE -> ripple();
       case DRIFT -> plain();
-      case SCATTER -> List.of();
+      case LOST, LATE, SCATTER -> List.of();
       case RESPONSE -> response();
     };
   }

@@ -69,11 +69,11 @@ record MotionUnknown(List<MotionStrangers.Trace> traces, double events) {
     return probability() > LIKELY;
   }
 
-  /** Returns the trace that it shows by, if it is no event. */
+  /** Returns the trace that it shows by, if it is no event: a likely trace says more than those. */
   Optional<MotionStrangers.Trace> trace() {
     return traces.stream()
         .max(Comparator.comparingDouble(MotionUnknown::logOdds))
-        .filter(trace -> probability(trace) >= events);
+        .filter(trace -> probability(trace) >= Math.min(events, LIKELY));
   }
 
   /** Says what it looks like. */

@@ -17,6 +17,10 @@ final class NoiseFindings {
 
   private static final int LEAST_SLIPS = 5;
 
+  /** Names of what makes commands act late. */
+  private static final List<String> TIMING =
+      List.of("actuation-latency", "actuation-lag", "time-offset");
+
   /** A robot that is asked for less, of the mean, is taken to stand. */
   private static final double MOVING = 0.25;
 
@@ -46,10 +50,16 @@ final class NoiseFindings {
     scatter = Scatter.of(given, fit, believed);
   }
 
-  /** Tells how probable it is that something happens now and then that is no slip. */
+  /**
+   * Tells how probable it is that something happens now and then that is no slip. What is off just
+   * as commands have changed comes at unsteady moments where commands are known to act late; where
+   * they are not, it is off.
+   */
   double otherEvents() {
+    boolean late = TIMING.stream().anyMatch(name -> fit.hypothesis().names(name));
+    int other = events.other() + (late ? 0 : events.late());
     double often = OTHER_SHARE * events.shorter();
-    return events.other() < LEAST_SLIPS ? 0 : NormalChance.ofLogOdds(events.other() - often - 2);
+    return other < LEAST_SLIPS ? 0 : NormalChance.ofLogOdds(other - often - 2);
   }
 
   /** Returns when wheels slipped. */

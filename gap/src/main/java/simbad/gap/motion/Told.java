@@ -1,16 +1,20 @@
 package simbad.gap.motion;
 
+import java.util.List;
+import simbad.motion.MotionRun;
 import simbad.motion.effect.MotionForm;
 
 /**
  * What a log says, slips left out or not.
  *
  * @param given steps that were explained
+ * @param sent the runs with every command, also those that repeat the one before
  * @param odds of sets of effects
  * @param gap before and after the most probable set
  * @param scatter beside it
  */
-record Told(MotionSteps given, Odds odds, MotionGap gap, NoiseFindings scatter) {
+record Told(
+    MotionSteps given, List<MotionRun> sent, Odds odds, MotionGap gap, NoiseFindings scatter) {
   /** Returns by how much a form of the most probable set makes the log likelier, in nats. */
   double gain(MotionForm form) {
     MotionFit best = odds.best().fit();

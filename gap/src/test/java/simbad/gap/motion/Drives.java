@@ -83,6 +83,15 @@ final class Drives {
   /** Commands in a minute that are not followed. */
   double dropped;
 
+  /** What is sent in every second stretch of six seconds acts later by so much. */
+  double clogS;
+
+  /** Every second command goes backwards. */
+  boolean backwards;
+
+  /** Turn by which casters push it aside in the half second after it has turned back. */
+  double kick;
+
   /** Steps of the speeds that are asked for; 0 for any speed. */
   double askedStep;
 
@@ -107,6 +116,7 @@ final class Drives {
     for (double t = 0; t < seconds; t += 0.8 + 2 * random.nextDouble()) {
       double kind = random.nextDouble();
       double speed = oneSpeed ? 0.2 : 0.01 + 0.29 * random.nextDouble();
+      speed = backwards && commands.size() % 2 > 0 ? -speed : speed;
       speed = askedStep > 0 ? askedStep * Math.ceil(speed / askedStep) : speed;
       double turn = 2 * random.nextDouble() - 1;
       if (kind < 0.15) {
@@ -133,6 +143,8 @@ final class Drives {
     double waitsS = 0;
     double wheel = 0;
     double wanders = 0;
+    double before = 0;
+    double kickedUntil = -1;
     int at = -1;
     Command now = new Command(0, 0, 0);
     for (int i = 0; i * DT < seconds; i++) {
@@ -140,7 +152,7 @@ final class Drives {
       if (i % PER_POSE == 0) {
         track.add(seen(t, x, y, heading));
       }
-      while (at + 1 < commands.size() && commands.get(at + 1).timeS() <= t - lateS - waitsS) {
+      while (at + 1 < commands.size() && actsS(commands.get(at + 1)) <= t - waitsS) {
         at++;
         waitsS = unsteadyS > 0 ? unsteadyS * random.nextDouble() : 0;
         now = random.nextDouble() < dropped ? now : commands.get(at);
@@ -149,6 +161,10 @@ final class Drives {
       double asked = driven(now.speedMPerS(), deadSpeed, left, speedStep);
       v = followed(v, bent(less(asked)), acceleration);
       w = followed(w, driven(now.turnRadPerS(), deadTurn, mostTurn, turnStep), 5 * acceleration);
+      if (kick != 0 && v != 0) {
+        kickedUntil = v * before < 0 ? t + 0.5 : kickedUntil;
+        before = v;
+      }
       if (random.nextDouble() < slips / 60 * DT && v != 0) {
         slipsUntil = t + 0.5;
       }
@@ -167,7 +183,7 @@ final class Drives {
           (w * turnFactor * (1 + Math.signum(w) * oneSided) + turnBias + turnPerMetre * ground)
               * (1 + wanders)
               * DT;
-      turn += rightWheel * rim / 0.2 * DT;
+      turn += rightWheel * rim / 0.2 * DT + (t < kickedUntil ? kick / 0.5 * DT : 0);
       turn += 5 * scatter * random.nextGaussian();
       x += way * Math.cos(heading + turn / 2);
       y += way * Math.sin(heading + turn / 2);
@@ -176,14 +192,18 @@ final class Drives {
     return track;
   }
 
+  private double actsS(Command command) {
+    return command.timeS() + lateS + (command.timeS() % 12 < 6 ? clogS : 0);
+  }
+
   private static double driven(double command, double dead, double most, double step) {
     double size = Math.abs(command) < dead ? 0 : Math.min(most, Math.abs(command));
     return Math.copySign(step > 0 ? step * Math.rint(size / step) : size, command);
   }
 
   private double less(double speed) {
-    double left = Math.max(0, speed - lessSpeed);
-    return cutStep > 0 ? Math.floor(left / cutStep) * cutStep : left;
+    double left = Math.max(0, Math.abs(speed) - lessSpeed);
+    return Math.copySign(cutStep > 0 ? Math.floor(left / cutStep) * cutStep : left, speed);
   }
 
   private double bent(double speed) {

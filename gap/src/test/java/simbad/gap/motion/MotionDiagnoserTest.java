@@ -64,6 +64,16 @@ class MotionDiagnoserTest {
         world(32, "actuation-lag turn-bias", MotionDiagnoserTest::laggingAndTurning));
   }
 
+  private static void clogging(Drives drives) {
+    drives.seconds = 400;
+    drives.clogS = 0.3;
+  }
+
+  private static void pushedAside(Drives drives) {
+    drives.backwards = true;
+    drives.kick = 0.2;
+  }
+
   private static void slowWhileTurning(Drives drives) {
     drives.mostSpeed = 0.3;
     drives.lostPerTurn = 0.15;
@@ -147,6 +157,10 @@ class MotionDiagnoserTest {
         world(51, "heading", d -> d.slope = 0.1),
         world(52, "time", d -> d.sag = 0.15),
         world(53, "now and then", d -> d.dropped = 0.1),
+        world(54, "a command is not carried out", d -> d.dropped = 0.3),
+        world(55, "far off", d -> d.clogS = 0.3),
+        world(55, "sooner for some seconds", MotionDiagnoserTest::clogging),
+        world(56, "scatters", MotionDiagnoserTest::pushedAside),
         world(57, "scatters", d -> d.unsteadyTurns = 0.1),
         world(56, "left differs from right", d -> d.oneSided = 0.05));
   }

@@ -80,11 +80,28 @@ record Lag(Response own, boolean inSeries) implements MotionChange {
   }
 
   private static Response constants(double speedS, double turnS, double brakingFactor) {
-    return new Response(speedS, turnS, brakingFactor, NO_LIMIT, NO_LIMIT);
+    return new Response(speedS, turnS, brakingFactor, NO_LIMIT, NO_LIMIT, 0);
   }
 
   private static Response limits(double acceleration, double turnAcceleration) {
-    return new Response(0, 0, 1, acceleration, turnAcceleration);
+    return new Response(0, 0, 1, acceleration, turnAcceleration, 0);
+  }
+
+  /** Each wheel has a motor of its own, which accelerates its rim so much and no more. */
+  static MotionForm wheels(double wheelBaseM) {
+    return new MotionForm(
+        "actuation-lag",
+        "actuation-lag: greatest acceleration of a wheel",
+        List.of(acceleration("")),
+        p -> new Lag(rims(p[0], wheelBaseM), true),
+        "limit the acceleration of each wheel's rim to %s m/s2",
+        false);
+  }
+
+  private static Response rims(double acceleration, double wheelBaseM) {
+    return acceleration < NO_LIMIT
+        ? new Response(0, 0, 1, acceleration, NO_LIMIT, wheelBaseM)
+        : Response.AT_ONCE;
   }
 
   @Override
@@ -97,7 +114,8 @@ record Lag(Response own, boolean inSeries) implements MotionChange {
         before.turnTimeConstantS() + own.turnTimeConstantS(),
         before.brakingFactor() * own.brakingFactor(),
         Math.min(before.maxAccelerationMPerS2(), own.maxAccelerationMPerS2()),
-        Math.min(before.maxTurnAccelerationRadPerS2(), own.maxTurnAccelerationRadPerS2()));
+        Math.min(before.maxTurnAccelerationRadPerS2(), own.maxTurnAccelerationRadPerS2()),
+        before.rimBaseM());
   }
 
   @Override

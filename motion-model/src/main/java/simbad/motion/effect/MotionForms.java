@@ -85,6 +85,7 @@ public final class MotionForms {
       return ALL;
     }
     List<MotionForm> forms = new ArrayList<>(ALL);
+    forms.add(Lag.wheels(robot.wheelBaseM()));
     forms.add(DeadBand.wheels(robot.wheelBaseM()));
     forms.add(Saturation.wheels(robot.wheelBaseM()));
     forms.add(Saturation.keepingCurves(robot.wheelBaseM()));

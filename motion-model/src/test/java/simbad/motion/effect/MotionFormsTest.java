@@ -210,6 +210,40 @@ class MotionFormsTest {
     assertTrue(faster > 2.5 * slower, faster + " and " + slower);
   }
 
+  /** What turns back brakes down to rest, and only then speeds up. */
+  @Test
+  void braking_goesOnToRestAsItTurnsBack() {
+    MotionChange lag = change("actuation-lag: other in braking", 0.2, 0.1, 3);
+    Response.Rate rate = lag.response(Response.AT_ONCE).over(0.02).speed();
+
+    assertEquals(1 - 2 * (1 - Math.exp(-0.02 / 0.6)), rate.next(1, -1), 1e-12);
+    assertEquals(1 - 4 * (1 - Math.exp(-0.02 / 0.6)), rate.next(1, -3), 1e-12);
+    assertEquals(-2 * (1 - Math.exp(-0.02 / 0.2)), rate.next(0, -2), 1e-12);
+  }
+
+  /**
+   * Each rim speeds up by itself: a turn on the spot needs both, a curve one more than the other.
+   */
+  @Test
+  void accelerationOfAWheel_isThatOfItsRim() {
+    Robot robot = new Robot(true, 0.2, false, 0, 0, MotionChain.EXACT);
+    MotionChain chain = MotionChain.EXACT.with(wheel(robot, 0.5));
+    // The right rim is told 0.4 m/s and needs 0.8 s; the left one stands, and is turned about.
+    MotionRun run = new MotionRun("a", List.of(new Command(0, 0.2, 2)), List.of());
+    double turn = (0.4 * 1 - 0.4 * 0.8 / 2) / 0.2;
+
+    assertEquals(turn, Way.of(run, chain, 0, 3).between(0, 1).turnRad(), 1e-3);
+    assertEquals(0.1 * Math.sin(turn), Way.of(run, chain, 0, 3).between(0, 1).alongM(), 1e-3);
+    assertTrue(
+        MotionChain.EXACT.with(wheel(robot, Double.POSITIVE_INFINITY)).responses().isEmpty());
+  }
+
+  private static MotionChange wheel(Robot robot, double acceleration) {
+    return MotionForms.find("actuation-lag: greatest acceleration of a wheel", robot)
+        .orElseThrow()
+        .change(acceleration);
+  }
+
   /** A step through two lags in series falls behind by the sum of their time constants. */
   @Test
   void secondLag_followsTheFirst() {
@@ -227,7 +261,7 @@ class MotionFormsTest {
     assertEquals(way300, way.between(0, 0.3).alongM(), 1e-3);
     assertTrue(MotionChain.EXACT.responses().isEmpty());
     assertEquals(
-        List.of(new Response(0, 0, 1, 0.5, 3)),
+        List.of(new Response(0, 0, 1, 0.5, 3, 0)),
         MotionChain.EXACT
             .with(change("actuation-lag: a second one, greatest acceleration", 0.5, 3))
             .responses());
