@@ -20,7 +20,8 @@ import numpy as np
 from sklearn.ensemble import HistGradientBoostingClassifier
 from sklearn.model_selection import StratifiedKFold, cross_val_predict
 
-from features import case
+import features as sensing
+import motion
 
 SEED = 20261124
 VERDICTS = ("none", "explained", "unexplained")
@@ -34,6 +35,10 @@ def trees():
 
 def folders(world: Path):
     return sorted(path for path in (world / "cases").iterdir() if path.is_dir())
+
+
+def case(folder: Path) -> dict:
+    return motion.case(folder) if (folder / "robot.json").exists() else sensing.case(folder)
 
 
 def truth(world: Path, name: str):

@@ -13,8 +13,9 @@ import java.util.List;
  * @param late times that something was off just as its own command had changed
  * @param other times that more was made, or that it turned without being told
  * @param slips the stretches of those that are shorter
+ * @param heavy mean square of all steps, in units of what their median says; 1 of Gaussian ones
  */
-record Events(int shorter, int late, int other, List<MotionSteps.Stretch> slips) {
+record Events(int shorter, int late, int other, List<MotionSteps.Stretch> slips, double heavy) {
   /** Of Gaussian steps one in 400,000 is farther off. */
   private static final double FAR = 4.7;
 
@@ -54,7 +55,12 @@ record Events(int shorter, int late, int other, List<MotionSteps.Stretch> slips)
         count(events, Kind.SHORTER),
         count(events, Kind.LATE),
         count(events, Kind.OTHER),
-        events.stream().filter(one -> one.kind == Kind.SHORTER).map(Event::stretch).toList());
+        events.stream().filter(one -> one.kind == Kind.SHORTER).map(Event::stretch).toList(),
+        Math.max(meanSquare(white[ALONG]), meanSquare(white[TURN])));
+  }
+
+  private static double meanSquare(double[] white) {
+    return Arrays.stream(white).map(z -> z * z).average().orElse(1);
   }
 
   private static int count(List<Event> events, Kind kind) {

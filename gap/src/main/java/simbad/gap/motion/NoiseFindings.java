@@ -17,6 +17,9 @@ final class NoiseFindings {
 
   private static final int LEAST_SLIPS = 5;
 
+  /** What is far off is then as much as all the rest together. */
+  private static final double HEAVY = 2;
+
   /** Names of what makes commands act late. */
   private static final List<String> TIMING =
       List.of("actuation-latency", "actuation-lag", "time-offset");
@@ -52,12 +55,13 @@ final class NoiseFindings {
 
   /**
    * Tells how probable it is that something happens now and then that is no slip. What is off just
-   * as commands have changed comes at unsteady moments where commands are known to act late; where
-   * they are not, it is off.
+   * as commands have changed comes at unsteady moments where commands are known to act late, or
+   * where it hardly matters; else it is off.
    */
   double otherEvents() {
-    boolean late = TIMING.stream().anyMatch(name -> fit.hypothesis().names(name));
-    int other = events.other() + (late ? 0 : events.late());
+    boolean unsteady =
+        events.heavy() < HEAVY || TIMING.stream().anyMatch(name -> fit.hypothesis().names(name));
+    int other = events.other() + (unsteady ? 0 : events.late());
     double often = OTHER_SHARE * events.shorter();
     return other < LEAST_SLIPS ? 0 : NormalChance.ofLogOdds(other - often - 2);
   }
