@@ -10,6 +10,8 @@ import simbad.sonar.check.Checks;
  * @param brakingFactor by which time constants are multiplied where the speed falls; above 0
  * @param maxAccelerationMPerS2 above 0, infinite for none
  * @param maxTurnAccelerationRadPerS2 above 0, infinite for none
+ * @param brakesToTurnBack whether what turns back is braking until it rests, instead of speeding up
+ *     if it will be at least as fast
  * @param rimBaseM 0, or where each wheel's rim follows by itself, with the figures of the speed:
  *     the distance of the wheels, metres
  */
@@ -19,10 +21,11 @@ public record Response(
     double brakingFactor,
     double maxAccelerationMPerS2,
     double maxTurnAccelerationRadPerS2,
+    boolean brakesToTurnBack,
     double rimBaseM) {
   /** Speeds are at once what is commanded. */
   public static final Response AT_ONCE =
-      new Response(0, 0, 1, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0);
+      new Response(0, 0, 1, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, false, 0);
 
   /** Checks the figures. */
   public Response {
@@ -40,9 +43,25 @@ public record Response(
    * @param stepS above 0
    */
   public Step over(double stepS) {
-    Rate speed = Rate.of(speedTimeConstantS, brakingFactor, maxAccelerationMPerS2, stepS);
-    Rate turn = Rate.of(turnTimeConstantS, brakingFactor, maxTurnAccelerationRadPerS2, stepS);
+    Rate speed = rate(speedTimeConstantS, maxAccelerationMPerS2, stepS);
+    Rate turn = rate(turnTimeConstantS, maxTurnAccelerationRadPerS2, stepS);
     return new Step(speed, rimBaseM > 0 ? speed : turn, rimBaseM);
+  }
+
+  private Rate rate(double constantS, double most, double stepS) {
+    double share = share(stepS, constantS);
+    double falls = share(stepS, constantS * brakingFactor);
+    return new Rate(
+        share,
+        constantS > 0 ? share * constantS / stepS : 0,
+        falls,
+        constantS > 0 ? falls * constantS * brakingFactor / stepS : 0,
+        most * stepS,
+        brakesToTurnBack);
+  }
+
+  private static double share(double stepS, double constantS) {
+    return constantS > 0 ? -Math.expm1(-stepS / constantS) : 1;
   }
 
   /**
@@ -87,9 +106,15 @@ public record Response(
    * @param brakingShare of the difference that is gone where it falls
    * @param brakingKept the mean where it falls
    * @param most by which it changes in a step
+   * @param brakesToTurnBack whether it falls where it turns back, however fast it will be
    */
   public record Rate(
-      double share, double kept, double brakingShare, double brakingKept, double most) {
+      double share,
+      double kept,
+      double brakingShare,
+      double brakingKept,
+      double most,
+      boolean brakesToTurnBack) {
     /** Checks that all are numbers. */
     public Rate {
       Checks.number("share", share);
@@ -97,21 +122,6 @@ public record Response(
       Checks.number("brakingShare", brakingShare);
       Checks.number("brakingKept", brakingKept);
       Checks.number("most", most);
-    }
-
-    private static Rate of(double constantS, double braking, double most, double stepS) {
-      double share = share(stepS, constantS);
-      double falls = share(stepS, constantS * braking);
-      return new Rate(
-          share,
-          constantS > 0 ? share * constantS / stepS : 0,
-          falls,
-          constantS > 0 ? falls * constantS * braking / stepS : 0,
-          most * stepS);
-    }
-
-    private static double share(double stepS, double constantS) {
-      return constantS > 0 ? -Math.expm1(-stepS / constantS) : 1;
     }
 
     /**
@@ -144,9 +154,8 @@ public record Response(
       }
     }
 
-    /** Tells whether the amount falls: also what turns back brakes first. */
-    private static boolean falls(double now, double target) {
-      return Math.abs(target) < Math.abs(now) || target * now < 0;
+    private boolean falls(double now, double target) {
+      return Math.abs(target) < Math.abs(now) || (brakesToTurnBack && target * now < 0);
     }
 
     /** Returns the rate after a step towards a target. */

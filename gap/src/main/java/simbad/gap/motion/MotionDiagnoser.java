@@ -137,28 +137,33 @@ public final class MotionDiagnoser {
   }
 
   private Told told(BelievedMotion base, MotionSteps of) {
-    Odds odds = new Odds(new MotionSearch(of, data.robot()).run(base.nominal().chain()));
+    MotionSearch search = new MotionSearch(of, data.robot());
+    MotionChain nominal = base.nominal().chain();
+    Told told = told(base, of, new Odds(search.run(nominal)));
+    ScoredMotion best = told.odds().best();
+    // All sets that are left may name the steps: then what is left of them would be nothing.
+    return isVague(of, best)
+        ? told(base, of, new Odds(search.without(nominal, best.hypothesis(), STEPS)))
+        : told;
+  }
+
+  private Told told(BelievedMotion base, MotionSteps of, Odds found) {
+    Odds odds = found;
     MotionGap gap = gap(base, odds.best());
     // Many that explain next to nothing may explain something together.
     double all = gap.fitted(odds.best().hypothesis().chain());
-    for (Optional<String> less = needless(of, odds, gap, all);
+    for (Optional<String> less = idle(odds, gap, all);
         less.isPresent();
-        less = needless(of, odds, gap, all)) {
+        less = idle(odds, gap, all)) {
       odds = odds.without(less.get());
       gap = gap(base, odds.best());
     }
     return new Told(of, data.runs(), odds, gap, new NoiseFindings(of, base, odds.best().fit()));
   }
 
-  private static Optional<String> needless(MotionSteps of, Odds odds, MotionGap gap, double all) {
-    return idle(odds, gap, all).or(() -> vague(of, odds.best()));
-  }
-
   /** Steps that do not just do what they say are bent to something else. */
-  private static Optional<String> vague(MotionSteps of, ScoredMotion best) {
-    boolean vague =
-        best.hypothesis().names(STEPS) && Amplitude.standardError(of, best, STEPS) > VAGUE;
-    return vague ? Optional.of(STEPS) : Optional.empty();
+  private static boolean isVague(MotionSteps of, ScoredMotion best) {
+    return best.hypothesis().names(STEPS) && Amplitude.standardError(of, best, STEPS) > VAGUE;
   }
 
   /** Finds the effect without which the explanation is nearly as good as with all. */

@@ -48,6 +48,7 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
   private static final double LEAST_NATS = 1;
 
   private final MotionSteps given;
+  private final Robot robot;
   private final MotionFitter fitter;
   private final List<MotionForm> forms;
 
@@ -55,10 +56,15 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
   private double clumping = 1;
 
   MotionSearch(MotionSteps given, Robot robot) {
+    this(given, robot, forms(robot));
+  }
+
+  private MotionSearch(MotionSteps given, Robot robot, List<MotionForm> forms) {
     super(WORTH_NATS);
     this.given = given;
+    this.robot = robot;
+    this.forms = forms;
     fitter = new MotionFitter(given, CommandUse.of(given.runs(), robot.wheelBaseM()));
-    forms = forms(robot);
   }
 
   /** Returns the forms that are looked for: a clock of its own only where there may be one. */
@@ -73,6 +79,28 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
     MotionFit nominal = fitter.asItIs(new MotionHypothesis(base, List.of(), new double[0]));
     keepIfItMatters(nominal);
     MotionFit set = built(nominal, grown(nominal, forms, REFINED));
+    replaced(set);
+    return scored(set.hypothesis().effects());
+  }
+
+  /**
+   * Returns sets without an effect, about one that was found with it: what is left of that one is
+   * fitted anew, and built upon.
+   *
+   * @param base what was believed
+   * @param found effects of a set
+   * @param effect that is no longer looked for
+   */
+  List<ScoredMotion> without(MotionChain base, MotionHypothesis found, String effect) {
+    List<MotionForm> others = forms.stream().filter(one -> !one.effect().equals(effect)).toList();
+    return new MotionSearch(given, robot, others).about(base, found.without(effect));
+  }
+
+  private List<ScoredMotion> about(MotionChain base, MotionHypothesis found) {
+    keepIfItMatters(fitter.asItIs(new MotionHypothesis(base, List.of(), new double[0])));
+    MotionFit start = fitter.fit(fitter.asItIs(found));
+    keepIfItMatters(start);
+    MotionFit set = built(start, grown(start, forms, REFINED));
     replaced(set);
     return scored(set.hypothesis().effects());
   }

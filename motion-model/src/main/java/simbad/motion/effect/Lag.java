@@ -18,7 +18,7 @@ record Lag(Response own, boolean inSeries) implements MotionChange {
           "actuation-lag",
           "actuation-lag: time constants",
           List.of(constant("speed"), constant("turn")),
-          p -> new Lag(constants(p[0], p[1], 1), false),
+          p -> new Lag(constants(p[0], p[1], 1, false), false),
           "let the speed follow commands with a time constant of %s s",
           false);
   static final MotionForm BRAKING =
@@ -26,10 +26,21 @@ record Lag(Response own, boolean inSeries) implements MotionChange {
           "actuation-lag",
           "actuation-lag: other in braking",
           List.of(constant("speed"), constant("turn"), braking("braking_factor")),
-          p -> new Lag(constants(p[0], p[1], p[2]), false),
+          p -> new Lag(constants(p[0], p[1], p[2], false), false),
           "let the speed follow commands with a time constant of %s s, and with a "
               + "different one while braking",
           false);
+
+  /** Whether a motor that is told to turn back brakes down to rest first differs between drives. */
+  static final MotionForm BRAKING_BACK =
+      new MotionForm(
+          "actuation-lag",
+          "actuation-lag: other in braking, also to turn back",
+          BRAKING.parameters(),
+          p -> new Lag(constants(p[0], p[1], p[2], true), false),
+          BRAKING.remedy(),
+          false);
+
   static final MotionForm ACCELERATION =
       new MotionForm(
           "actuation-lag",
@@ -48,8 +59,17 @@ record Lag(Response own, boolean inSeries) implements MotionChange {
           "actuation-lag: a second one",
           List.of(
               constant("second_speed"), constant("second_turn"), braking("second_braking_factor")),
-          p -> new Lag(constants(p[0], p[1], p[2]), true),
+          p -> new Lag(constants(p[0], p[1], p[2], false), true),
           "let a second lag follow the first, with a time constant of %s s",
+          false);
+
+  static final MotionForm SECOND_BACK =
+      new MotionForm(
+          "actuation-lag",
+          "actuation-lag: a second one, braking also to turn back",
+          SECOND.parameters(),
+          p -> new Lag(constants(p[0], p[1], p[2], true), true),
+          SECOND.remedy(),
           false);
 
   static final MotionForm SECOND_ACCELERATION =
@@ -79,12 +99,13 @@ record Lag(Response own, boolean inSeries) implements MotionChange {
         .tried(10, 5, 2.5, 1, 0.5);
   }
 
-  private static Response constants(double speedS, double turnS, double brakingFactor) {
-    return new Response(speedS, turnS, brakingFactor, NO_LIMIT, NO_LIMIT, 0);
+  private static Response constants(
+      double speedS, double turnS, double brakingFactor, boolean toTurnBack) {
+    return new Response(speedS, turnS, brakingFactor, NO_LIMIT, NO_LIMIT, toTurnBack, 0);
   }
 
   private static Response limits(double acceleration, double turnAcceleration) {
-    return new Response(0, 0, 1, acceleration, turnAcceleration, 0);
+    return new Response(0, 0, 1, acceleration, turnAcceleration, false, 0);
   }
 
   /** Each wheel has a motor of its own, which accelerates its rim so much and no more. */
@@ -100,7 +121,7 @@ record Lag(Response own, boolean inSeries) implements MotionChange {
 
   private static Response rims(double acceleration, double wheelBaseM) {
     return acceleration < NO_LIMIT
-        ? new Response(0, 0, 1, acceleration, NO_LIMIT, wheelBaseM)
+        ? new Response(0, 0, 1, acceleration, NO_LIMIT, false, wheelBaseM)
         : Response.AT_ONCE;
   }
 
@@ -115,6 +136,7 @@ record Lag(Response own, boolean inSeries) implements MotionChange {
         before.brakingFactor() * own.brakingFactor(),
         Math.min(before.maxAccelerationMPerS2(), own.maxAccelerationMPerS2()),
         Math.min(before.maxTurnAccelerationRadPerS2(), own.maxTurnAccelerationRadPerS2()),
+        before.brakesToTurnBack() || own.brakesToTurnBack(),
         before.rimBaseM());
   }
 

@@ -65,7 +65,7 @@ public record MotionForm(
    * Tells whether it stands behind another lag, and is the same as that one where there is none.
    */
   public boolean followsALag() {
-    return equals(Lag.SECOND) || equals(Lag.SECOND_ACCELERATION);
+    return equals(Lag.SECOND) || equals(Lag.SECOND_BACK) || equals(Lag.SECOND_ACCELERATION);
   }
 
   private static boolean doubles(MotionForm one, MotionForm other) {

@@ -210,20 +210,24 @@ class MotionFormsTest {
     assertTrue(faster > 2.5 * slower, faster + " and " + slower);
   }
 
-  /** What turns back brakes down to rest, and only then speeds up. */
+  /** One form brakes down to rest before it turns back, the other speeds up at once. */
   @Test
-  void braking_goesOnToRestAsItTurnsBack() {
-    MotionChange lag = change("actuation-lag: other in braking", 0.2, 0.1, 3);
-    Response.Rate rate = lag.response(Response.AT_ONCE).over(0.02).speed();
+  void braking_mayGoOnToRestAsItTurnsBack() {
+    MotionChange back = change("actuation-lag: other in braking, also to turn back", 0.2, 0.1, 3);
+    Response.Rate rate = back.response(Response.AT_ONCE).over(0.02).speed();
+    MotionChange plain = change("actuation-lag: other in braking", 0.2, 0.1, 3);
+    Response.Rate other = plain.response(Response.AT_ONCE).over(0.02).speed();
+    double quick = 1 - Math.exp(-0.02 / 0.2);
+    double slow = 1 - Math.exp(-0.02 / 0.6);
 
-    assertEquals(1 - 2 * (1 - Math.exp(-0.02 / 0.6)), rate.next(1, -1), 1e-12);
-    assertEquals(1 - 4 * (1 - Math.exp(-0.02 / 0.6)), rate.next(1, -3), 1e-12);
-    assertEquals(-2 * (1 - Math.exp(-0.02 / 0.2)), rate.next(0, -2), 1e-12);
+    assertEquals(1 - 2 * slow, rate.next(1, -1), 1e-12);
+    assertEquals(1 - 4 * slow, rate.next(1, -3), 1e-12);
+    assertEquals(-2 * quick, rate.next(0, -2), 1e-12);
+    assertEquals(1 - 2 * quick, other.next(1, -1), 1e-12);
+    assertEquals(1 - 0.5 * slow, other.next(1, 0.5), 1e-12);
   }
 
-  /**
-   * Each rim speeds up by itself: a turn on the spot needs both, a curve one more than the other.
-   */
+  /** Each rim speeds up by itself: in a curve the outer one needs longer. */
   @Test
   void accelerationOfAWheel_isThatOfItsRim() {
     Robot robot = new Robot(true, 0.2, false, 0, 0, MotionChain.EXACT);
@@ -261,7 +265,7 @@ class MotionFormsTest {
     assertEquals(way300, way.between(0, 0.3).alongM(), 1e-3);
     assertTrue(MotionChain.EXACT.responses().isEmpty());
     assertEquals(
-        List.of(new Response(0, 0, 1, 0.5, 3, 0)),
+        List.of(new Response(0, 0, 1, 0.5, 3, false, 0)),
         MotionChain.EXACT
             .with(change("actuation-lag: a second one, greatest acceleration", 0.5, 3))
             .responses());
