@@ -101,8 +101,9 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
     MotionFit start = fitter.fit(fitter.asItIs(found));
     keepIfItMatters(start);
     MotionFit set = built(start, grown(start, forms, REFINED));
-    replaced(set);
-    return scored(set.hypothesis().effects());
+    Set<String> effects = set.hypothesis().effects();
+    effects.forEach(one -> keepIfItMatters(rest(set, one)));
+    return scored(effects);
   }
 
   @Override
