@@ -56,14 +56,16 @@ def grids(robot: dict, commands: Path, track: Path) -> list:
         bad = ~(known[:-1] & known[1:])
         for one in (along, across, rate):
             one[bad] = np.nan
-        # The mean of what is held over each step: an integral of the staircase.
-        edges = np.concatenate([c[:, 0], [times[-1] + 10]])
-        def mean(values):
-            area = np.concatenate([[0], np.cumsum(values * np.diff(edges))])
-            at = np.interp(times, edges, area)
-            return np.diff(at) / STEP_S
-        found.append(np.column_stack([times[:-1], mean(speed), mean(turn), along, across, rate, x[:-1], z[:-1], middle]))
+        held = [staircase(c[:, 0], values, times) for values in (speed, turn)]
+        found.append(np.column_stack([times[:-1], *held, along, across, rate, x[:-1], z[:-1], middle]))
     return found
+
+
+def staircase(since: np.ndarray, values: np.ndarray, times: np.ndarray) -> np.ndarray:
+    """The mean over each step of the grid of what is held from each time to the next."""
+    edges = np.concatenate([since, [times[-1] + 10]])
+    area = np.concatenate([[0], np.cumsum(values * np.diff(edges))])
+    return np.diff(np.interp(times, edges, area)) / STEP_S
 
 
 def lagged(values: np.ndarray) -> np.ndarray:

@@ -29,7 +29,9 @@ final class Lateness {
   private final double[][] residuals;
   private final double[][] perS;
   private final List<Stretch> stretches = new ArrayList<>();
-  private double spreadS;
+  private final boolean enough;
+  private final double middleS;
+  private final double spreadS;
 
   private record Stretch(int run, double startS, double lateS, double errorS) {
     boolean isKnown() {
@@ -63,6 +65,14 @@ final class Lateness {
       stretches.add(
           new Stretch(first.run(), first.from().timeS(), late, 1 / Math.sqrt(information)));
     }
+    double[] known =
+        stretches.stream().filter(Stretch::isKnown).mapToDouble(Stretch::lateS).sorted().toArray();
+    enough = known.length >= FEWEST;
+    middleS = enough ? known[known.length / 2] : 0;
+    spreadS =
+        enough
+            ? (known[known.length * 3 / 4] - known[known.length / 4]) / (2 * NormalChance.MEDIAN)
+            : 0;
   }
 
   private double scale(int component) {
@@ -80,20 +90,15 @@ final class Lateness {
    * nothing about the next ones; 0 where too few stretches are known.
    */
   double hangsTogether() {
-    double[] late =
-        stretches.stream().filter(Stretch::isKnown).mapToDouble(Stretch::lateS).sorted().toArray();
-    if (late.length < FEWEST) {
+    if (!enough) {
       return 0;
     }
-    double middle = late[late.length / 2];
-    spreadS = (late[late.length * 3 / 4] - late[late.length / 4]) / (2 * NormalChance.MEDIAN);
     double square = 0;
     for (int lag = 1; lag <= LAGS; lag++) {
       double sum = 0;
       double variance = 1e-12;
       for (int k = lag; k < stretches.size(); k++) {
-        double product =
-            deviation(stretches.get(k), middle) * deviation(stretches.get(k - lag), middle);
+        double product = deviation(stretches.get(k)) * deviation(stretches.get(k - lag));
         if (areSoFarApart(stretches.get(k), stretches.get(k - lag), lag)) {
           sum += product;
           variance += product * product;
@@ -104,8 +109,8 @@ final class Lateness {
     return square;
   }
 
-  private double deviation(Stretch one, double middle) {
-    double deviation = (one.lateS - middle) / Math.max(1e-9, spreadS);
+  private double deviation(Stretch one) {
+    double deviation = (one.lateS - middleS) / Math.max(1e-9, spreadS);
     return Math.max(-FAR, Math.min(FAR, deviation));
   }
 
@@ -116,23 +121,12 @@ final class Lateness {
         && one.startS - before.startS < (lag + 1) * STRETCH_S;
   }
 
-  /**
-   * Returns how much of the mean square of what the nominal model leaves over changing lateness
-   * accounts for, in the component where it is most. Asked after {@link #hangsTogether}.
-   *
-   * @param nominal what it leaves over
-   */
-  double share(double[][] nominal) {
-    double most = 0;
+  /** Returns what lateness that changes by its spread adds to what was seen, by component. */
+  double[][] part() {
+    double[][] part = new double[perS.length][given.size()];
     for (int c : new int[] {ALONG, TURN}) {
-      double late = 0;
-      double all = 0;
-      for (int i = 0; i < given.size(); i++) {
-        late += spreadS * spreadS * perS[c][i] * perS[c][i];
-        all += nominal[c][i] * nominal[c][i];
-      }
-      most = all > 0 ? Math.max(most, late / all) : most;
+      Arrays.setAll(part[c], i -> spreadS * perS[c][i]);
     }
-    return most;
+    return part;
   }
 }

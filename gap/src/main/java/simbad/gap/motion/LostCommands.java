@@ -209,24 +209,14 @@ final class LostCommands {
     return after - before;
   }
 
-  /**
-   * Returns how much of the mean square of what the nominal model leaves over the losses account
-   * for, in the component where it is most.
-   *
-   * @param nominal what it leaves over
-   */
-  double share(double[][] nominal) {
-    double[][] left = left();
-    double most = 0;
-    for (int c = 0; c < nominal.length; c++) {
-      double lost = 0;
-      double all = 0;
+  /** Returns what losses add to what was seen, by component and step. */
+  double[][] part() {
+    double[][] part = left();
+    for (int c = 0; c < part.length; c++) {
       for (int i = 0; i < given.size(); i++) {
-        lost += Math.pow(residuals[c][i] - left[c][i], 2);
-        all += nominal[c][i] * nominal[c][i];
+        part[c][i] = residuals[c][i] - part[c][i];
       }
-      most = all > 0 ? Math.max(most, lost / all) : most;
     }
-    return most;
+    return part;
   }
 }

@@ -60,8 +60,10 @@ record MotionConclusion(
     }
     List<MotionFinding> named = new ArrayList<>();
     List<String> shadows = new ArrayList<>();
+    double beside =
+        unknown.isLikely() ? unknown.trace().map(t -> strangers.heldOut(t.kind())).orElse(0.0) : 0;
     for (MotionFinding one : found) {
-      if (isConfirmed(one, told, strangers, unknown)) {
+      if (isConfirmed(one, told, beside, unknown)) {
         named.add(one);
       } else {
         shadows.add(one.effect());
@@ -79,16 +81,18 @@ record MotionConclusion(
   /**
    * Tells whether an effect is needed also where something without a name may be anything, and
    * matters more than that: what gains less may be its shadow.
+   *
+   * @param beside log density of left-out blocks with all effects and what has no name
    */
   private static boolean isConfirmed(
-      MotionFinding one, Told told, MotionStrangers with, MotionUnknown unknown) {
+      MotionFinding one, Told told, double beside, MotionUnknown unknown) {
     if (!unknown.isLikely() || unknown.trace().isEmpty()) {
       return true;
     }
     MotionStrangers.Trace trace = unknown.trace().get();
     Odds odds = told.odds();
     MotionStrangers without = new MotionStrangers(told, odds.lacking(one.effect()));
-    double nats = with.heldOut(trace.kind()) - without.heldOut(trace.kind());
+    double nats = beside - without.heldOut(trace.kind());
     return nats > trace.raw() && odds.ofGain(nats) >= SURE;
   }
 

@@ -149,13 +149,13 @@ final class MotionStrangers {
   private Trace lost(double[][] nominal) {
     LostCommands lost = new LostCommands(given, sent, best.hypothesis().chain());
     double nats = lost.gain() / Math.max(1, clumping);
-    return new Trace(Kind.LOST, lost.gain(), nats, 1, lost.share(nominal));
+    return new Trace(Kind.LOST, lost.gain(), nats, 1, share(lost.part(), nominal));
   }
 
   private Trace late(double[][] nominal) {
     Lateness late = new Lateness(given, best.fit().residuals(), lateness(step -> 1));
     double nats = late.hangsTogether() / 2;
-    return new Trace(Kind.LATE, nats, nats, Lateness.LAGS, late.share(nominal));
+    return new Trace(Kind.LATE, nats, nats, Lateness.LAGS, share(late.part(), nominal));
   }
 
   /** Returns the log density of left-out blocks with a kind of trace beside the explanation. */
@@ -236,22 +236,40 @@ final class MotionStrangers {
   }
 
   private double share(List<double[][]> raw, IntFunction<double[]> values, double[][] nominal) {
-    double most = 0;
-    for (int c = 0; c < nominal.length; c++) {
-      double foretold = 0;
-      double all = 0;
+    double[][] foretold = new double[MotionSteps.COMPONENTS][given.size()];
+    for (int c = 0; c < foretold.length; c++) {
       for (int i = 0; i < given.size(); i++) {
-        double sum = 0;
         double[] own = values.apply(i);
         for (int k = 0; k < own.length; k++) {
-          sum += own[k] * raw.get(k)[c][i];
+          foretold[c][i] += own[k] * raw.get(k)[c][i];
         }
-        foretold += sum * sum;
-        all += nominal[c][i] * nominal[c][i];
       }
-      most = all > 0 ? Math.max(most, foretold / all) : most;
+    }
+    return share(foretold, nominal);
+  }
+
+  /**
+   * Returns how much of the mean square of what the nominal model leaves over a part of it accounts
+   * for, in the component where it is most.
+   *
+   * @param part by component and step
+   * @param nominal what the nominal model leaves over
+   */
+  static double share(double[][] part, double[][] nominal) {
+    double most = 0;
+    for (int c = 0; c < nominal.length; c++) {
+      double all = square(nominal[c]);
+      most = all > 0 ? Math.max(most, square(part[c]) / all) : most;
     }
     return most;
+  }
+
+  private static double square(double[] values) {
+    double sum = 0;
+    for (double value : values) {
+      sum += value * value;
+    }
+    return sum;
   }
 
   private List<double[][]> columns(Kind kind) {

@@ -29,7 +29,7 @@ class LatenessTest {
     }
     Lateness lateness = new Lateness(given, residuals, perS);
     double square = lateness.hangsTogether();
-    share = lateness.share(given.residuals(MotionChain.EXACT));
+    share = MotionStrangers.share(lateness.part(), given.residuals(MotionChain.EXACT));
     return square;
   }
 

@@ -31,7 +31,7 @@ class LostCommandsTest {
     MotionSteps given = new MotionSteps(data.runs());
     assertTrue(lost.gain() > 500, "gain " + lost.gain());
     // Of two that were lost in a row the second is held too early.
-    double share = lost.share(given.residuals(MotionChain.EXACT));
+    double share = MotionStrangers.share(lost.part(), given.residuals(MotionChain.EXACT));
     assertTrue(share > 0.6 && share < 1, "share " + share);
   }
 

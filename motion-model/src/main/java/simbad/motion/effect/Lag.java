@@ -1,6 +1,7 @@
 package simbad.motion.effect;
 
 import java.util.List;
+import java.util.function.Function;
 import simbad.motion.MotionChange;
 import simbad.motion.Response;
 
@@ -13,73 +14,84 @@ import simbad.motion.Response;
 record Lag(Response own, boolean inSeries) implements MotionChange {
   private static final double NO_LIMIT = Double.POSITIVE_INFINITY;
 
+  private static final List<MotionParameter> FIRST =
+      List.of(constant("speed"), constant("turn"), braking("braking_factor"));
+
+  private static final List<MotionParameter> BEHIND =
+      List.of(constant("second_speed"), constant("second_turn"), braking("second_braking_factor"));
+
+  private static final String BRAKES =
+      "let the speed follow commands with a time constant of %s s, and with a different one while "
+          + "braking";
+  private static final String FOLLOWS =
+      "let a second lag follow the first, with a time constant of %s s";
+
   static final MotionForm CONSTANTS =
-      new MotionForm(
-          "actuation-lag",
-          "actuation-lag: time constants",
-          List.of(constant("speed"), constant("turn")),
+      form(
+          "time constants",
+          FIRST.subList(0, 2),
           p -> new Lag(constants(p[0], p[1], 1, false), false),
-          "let the speed follow commands with a time constant of %s s",
-          false);
+          "let the speed follow commands with a time constant of %s s");
+
   static final MotionForm BRAKING =
-      new MotionForm(
-          "actuation-lag",
-          "actuation-lag: other in braking",
-          List.of(constant("speed"), constant("turn"), braking("braking_factor")),
+      form(
+          "other in braking",
+          FIRST,
           p -> new Lag(constants(p[0], p[1], p[2], false), false),
-          "let the speed follow commands with a time constant of %s s, and with a "
-              + "different one while braking",
-          false);
+          BRAKES);
 
   /** Whether a motor that is told to turn back brakes down to rest first differs between drives. */
   static final MotionForm BRAKING_BACK =
-      new MotionForm(
-          "actuation-lag",
-          "actuation-lag: other in braking, also to turn back",
-          BRAKING.parameters(),
+      form(
+          "other in braking, also to turn back",
+          FIRST,
           p -> new Lag(constants(p[0], p[1], p[2], true), false),
-          BRAKING.remedy(),
-          false);
+          BRAKES);
 
   static final MotionForm ACCELERATION =
-      new MotionForm(
-          "actuation-lag",
-          "actuation-lag: greatest acceleration",
+      form(
+          "greatest acceleration",
           List.of(acceleration(""), turnAcceleration("")),
           p -> new Lag(limits(p[0], p[1]), false),
-          "limit accelerations to %s m/s2",
-          false);
+          "limit accelerations to %s m/s2");
 
   /**
    * A motor behind a controller that is slow itself: two lags in series are one of second order.
    */
   static final MotionForm SECOND =
-      new MotionForm(
-          "actuation-lag",
-          "actuation-lag: a second one",
-          List.of(
-              constant("second_speed"), constant("second_turn"), braking("second_braking_factor")),
-          p -> new Lag(constants(p[0], p[1], p[2], false), true),
-          "let a second lag follow the first, with a time constant of %s s",
-          false);
+      form("a second one", BEHIND, p -> new Lag(constants(p[0], p[1], p[2], false), true), FOLLOWS);
 
   static final MotionForm SECOND_BACK =
-      new MotionForm(
-          "actuation-lag",
-          "actuation-lag: a second one, braking also to turn back",
-          SECOND.parameters(),
+      form(
+          "a second one, braking also to turn back",
+          BEHIND,
           p -> new Lag(constants(p[0], p[1], p[2], true), true),
-          SECOND.remedy(),
-          false);
+          FOLLOWS);
 
   static final MotionForm SECOND_ACCELERATION =
-      new MotionForm(
-          "actuation-lag",
-          "actuation-lag: a second one, greatest acceleration",
+      form(
+          "a second one, greatest acceleration",
           List.of(acceleration("second_"), turnAcceleration("second_")),
           p -> new Lag(limits(p[0], p[1]), true),
-          "limit accelerations of what the first lag gives to %s m/s2",
-          false);
+          "limit accelerations of what the first lag gives to %s m/s2");
+
+  /** Each wheel has a motor of its own, which accelerates its rim so much and no more. */
+  static MotionForm wheels(double wheelBaseM) {
+    return form(
+        "greatest acceleration of a wheel",
+        List.of(acceleration("")),
+        p -> new Lag(rims(p[0], wheelBaseM), true),
+        "limit the acceleration of each wheel's rim to %s m/s2");
+  }
+
+  private static MotionForm form(
+      String name,
+      List<MotionParameter> parameters,
+      Function<double[], MotionChange> maker,
+      String remedy) {
+    return new MotionForm(
+        "actuation-lag", "actuation-lag: " + name, parameters, maker, remedy, false);
+  }
 
   private static MotionParameter constant(String of) {
     return MotionParameter.smooth(of + "_time_constant_s", 0, 3, 0, 0.03).tried(0.05, 0.15, 0.4);
@@ -101,22 +113,12 @@ record Lag(Response own, boolean inSeries) implements MotionChange {
 
   private static Response constants(
       double speedS, double turnS, double brakingFactor, boolean toTurnBack) {
-    return new Response(speedS, turnS, brakingFactor, NO_LIMIT, NO_LIMIT, toTurnBack, 0);
+    boolean differs = brakingFactor != 1;
+    return new Response(speedS, turnS, brakingFactor, NO_LIMIT, NO_LIMIT, toTurnBack && differs, 0);
   }
 
   private static Response limits(double acceleration, double turnAcceleration) {
     return new Response(0, 0, 1, acceleration, turnAcceleration, false, 0);
-  }
-
-  /** Each wheel has a motor of its own, which accelerates its rim so much and no more. */
-  static MotionForm wheels(double wheelBaseM) {
-    return new MotionForm(
-        "actuation-lag",
-        "actuation-lag: greatest acceleration of a wheel",
-        List.of(acceleration("")),
-        p -> new Lag(rims(p[0], wheelBaseM), true),
-        "limit the acceleration of each wheel's rim to %s m/s2",
-        false);
   }
 
   private static Response rims(double acceleration, double wheelBaseM) {
