@@ -10,6 +10,7 @@ An answer is a folder for each case with diagnosis.json, as blind-world's scorer
 import argparse
 import json
 import os
+import sys
 from pathlib import Path
 
 # One thread each: small trees wait for one another otherwise.
@@ -34,6 +35,9 @@ def trees():
 
 
 def folders(world: Path):
+    if not (world / "cases").is_dir():
+        print(f"rival.py: {world}: no folder that blind-world made, it has no cases", file=sys.stderr)
+        sys.exit(2)
     return sorted(path for path in (world / "cases").iterdir() if path.is_dir())
 
 

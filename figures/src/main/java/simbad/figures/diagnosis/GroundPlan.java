@@ -8,8 +8,8 @@ import simbad.sonar.frame.Point;
 /** A piece of ground seen from above, one scale for both axes, so that angles are true. */
 final class GroundPlan {
   private static final int SIZE = 420;
-  private static final int PLOT = 358;
-  private static final int LEFT = 54;
+  private static final int PLOT = 342;
+  private static final int LEFT = 70;
   private static final int TOP = 8;
   private static final double MARGIN = 0.06;
 

@@ -168,7 +168,7 @@ public final class DiagnosedMotion {
       }
       Optional<MotionForm> found = MotionForms.find(name, robot);
       if (found.isEmpty()) {
-        throw one.field("form").isNot("the name of a form");
+        throw one.field("form").isNot("the name of a form of this robot");
       }
       forms.add(new FittedMotion(found.get(), values(found.get(), one.field(PARAMETERS))));
     }
