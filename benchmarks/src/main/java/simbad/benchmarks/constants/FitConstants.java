@@ -24,7 +24,6 @@ import simbad.sonar.format.WholeFile;
  */
 public final class FitConstants {
   private static final int FOLDS = 5;
-  private static final int BINS = 10;
   private static final MathContext DIGITS = new MathContext(4);
 
   private FitConstants() {}
@@ -103,31 +102,14 @@ public final class FitConstants {
 
   private static void score(ObjectNode node, List<CheckedCase> all, double[] probability) {
     double log = 0;
+    boolean[] unknown = new boolean[probability.length];
     for (int i = 0; i < probability.length; i++) {
-      boolean unknown = ConstantsFit.isUnknown(all.get(i));
-      log += Math.log(unknown ? probability[i] : 1 - probability[i]);
+      unknown[i] = ConstantsFit.isUnknown(all.get(i));
+      log += Math.log(unknown[i] ? probability[i] : 1 - probability[i]);
     }
     node.put("mean_log_score", rounded(log / probability.length));
-    node.put("calibration_error", rounded(calibrationError(all, probability)));
+    node.put("calibration_error", rounded(CalibrationError.of(probability, unknown)));
     node.put("cases", probability.length);
-  }
-
-  /** In bins of equal numbers of cases. */
-  private static double calibrationError(List<CheckedCase> all, double[] probability) {
-    Integer[] order = new Integer[probability.length];
-    Arrays.setAll(order, i -> i);
-    Arrays.sort(order, Comparator.comparingDouble(i -> probability[i]));
-    double error = 0;
-    for (int bin = 0; bin < BINS; bin++) {
-      int from = bin * order.length / BINS;
-      int to = (bin + 1) * order.length / BINS;
-      double off = 0;
-      for (int i = from; i < to; i++) {
-        off += probability[order[i]] - (ConstantsFit.isUnknown(all.get(order[i])) ? 1 : 0);
-      }
-      error += Math.abs(off);
-    }
-    return error / order.length;
   }
 
   private static void constants(ObjectNode root, Constants fitted) {

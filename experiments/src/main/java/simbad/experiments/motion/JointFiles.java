@@ -100,6 +100,7 @@ public final class JointFiles {
     root.set(EFFECTS, merged(root.path(EFFECTS), motion.remove(EFFECTS), diagnosis.shared()));
     motion.remove("explanation");
     motion.remove("unknown_probability");
+    motion.remove("verdict_probability");
     ArrayNode shared = root.putArray("shared");
     diagnosis.shared().forEach(one -> add(shared.addObject(), one));
     log.addRows((ObjectNode) root.path("provenance").path("rows"));

@@ -16,6 +16,7 @@ import simbad.gap.diagnosis.AuditJson;
 import simbad.gap.diagnosis.DiagnosisJson;
 import simbad.gap.diagnosis.DiagnosisProvenance;
 import simbad.gap.diagnosis.Interval;
+import simbad.gap.diagnosis.Verdict;
 import simbad.gap.motion.MotionDiagnosis;
 import simbad.gap.motion.MotionFinding;
 import simbad.gap.motion.MotionPlace;
@@ -123,6 +124,12 @@ public final class MotionFiles {
     ArrayNode names = json.putArray("explanation");
     diagnosis.findings().stream().map(MotionFinding::effect).forEach(names::add);
     put(json, "unknown_probability", diagnosis.unknownProbability());
+    if (!diagnosis.signs().isEmpty()) {
+      ObjectNode verdicts = json.putObject("verdict_probability");
+      for (Verdict verdict : Verdict.TRUTHS) {
+        put(verdicts, verdict.word(), diagnosis.probability(verdict));
+      }
+    }
     ArrayNode bounds = json.putArray("at_bound");
     diagnosis.findings().forEach(finding -> atBound(bounds, finding));
     gap(json.putObject("gap"), diagnosis.gap());
@@ -136,6 +143,8 @@ public final class MotionFiles {
     ArrayNode hidden = json.putArray("undetectable");
     diagnosis.undetectable().forEach(one -> add(hidden.addObject(), one));
     diagnosis.next().ifPresent(next -> add(json.putObject("next_experiment"), next));
+    ObjectNode signs = json.putObject("signs");
+    diagnosis.signs().forEach((name, value) -> put(signs, name, value));
   }
 
   private static void atBound(ArrayNode bounds, MotionFinding finding) {
@@ -175,6 +184,7 @@ public final class MotionFiles {
     put(node, "floor", gap.floor());
     put(node, "shrink", gap.shrink());
     interval(node.putArray("shrink_ci95"), gap.shrinkCi95());
+    interval(node.putArray("shrink_of_this_log_ci95"), gap.shrinkHere95());
     ArrayNode horizons = node.putArray("horizons");
     for (int h = 0; h < Windows.horizonsS().length; h++) {
       ObjectNode horizon = horizons.addObject();

@@ -11,6 +11,8 @@ import simbad.figures.page.PagePicture;
 import simbad.figures.page.Table;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.DiagnosisProvenance;
+import simbad.gap.diagnosis.Interval;
+import simbad.gap.diagnosis.Verdict;
 import simbad.gap.motion.MotionDiagnosis;
 import simbad.gap.motion.MotionFinding;
 import simbad.gap.motion.MotionPlace;
@@ -89,6 +91,10 @@ public final class MotionPage {
     }
     diagnosis.findings().forEach(this::effect);
     List<Object> rest = new ArrayList<>();
+    if (diagnosis.verdict() != Verdict.UNDECIDED) {
+      rest.add("The verdict is right: ");
+      rest.add(Numbers.probability(diagnosis.probability(diagnosis.verdict())) + ". ");
+    }
     rest.add("Something unknown: ");
     rest.add(Numbers.probability(diagnosis.unknownProbability()) + ".");
     for (MotionFinding other : possible(diagnosis)) {
@@ -148,6 +154,10 @@ public final class MotionPage {
             : " This log cannot tell it from " + String.join(", ", finding.ties()) + ".");
   }
 
+  private static String range(Interval shares) {
+    return Numbers.percent(shares.low()) + " to " + Numbers.percent(shares.high());
+  }
+
   private void gap(MotionData data, MotionDiagnosis diagnosis) {
     MotionDiagnosis.Gap gap = diagnosis.gap();
     page.section("How well the models forecast");
@@ -156,10 +166,10 @@ public final class MotionPage {
             + "that were not used for the fit. In total it shrinks by ",
         Numbers.percent(gap.shrink()),
         " (95\u00a0% interval ",
-        Numbers.percent(gap.shrinkCi95().low()),
-        " to ",
-        Numbers.percent(gap.shrinkCi95().high()),
-        ").");
+        range(gap.shrinkHere95()),
+        "). On another drive of this robot it would shrink by ",
+        range(gap.shrinkCi95()),
+        ", 19 times of 20: other commands bring out other causes.");
     Table table =
         Table.of("forecast over", "component", "#before", "#after", "#seen within 90\u00a0%");
     for (int h = 0; h < HORIZONS.length; h++) {

@@ -31,10 +31,6 @@ public final class DiagnosisJson {
   /** The name of the file with the poses to measure next, beside it. */
   public static final String POSES = "next-experiment.csv";
 
-  /** Undecided is no state of the world, so it has no probability. */
-  private static final List<Verdict> TRUTHS =
-      List.of(Verdict.NONE, Verdict.EXPLAINED, Verdict.UNEXPLAINED);
-
   private static final ObjectMapper MAPPER = new ObjectMapper();
 
   private DiagnosisJson() {}
@@ -129,7 +125,7 @@ public final class DiagnosisJson {
   }
 
   private static void verdicts(ObjectNode node, Diagnosis diagnosis) {
-    for (Verdict verdict : TRUTHS) {
+    for (Verdict verdict : Verdict.TRUTHS) {
       put(node, verdict.word(), diagnosis.probability(verdict));
     }
   }

@@ -1,5 +1,7 @@
 package simbad.gap.diagnosis;
 
+import java.util.List;
+
 /** What a diagnosis concludes. */
 public enum Verdict {
   /** No gap beyond chance. */
@@ -12,6 +14,9 @@ public enum Verdict {
   UNEXPLAINED("unexplained"),
   /** These data cannot tell. */
   UNDECIDED("undecided");
+
+  /** What may be so. Partly is unexplained as well; undecided is no state of the world. */
+  public static final List<Verdict> TRUTHS = List.of(NONE, EXPLAINED, UNEXPLAINED);
 
   private final String word;
 

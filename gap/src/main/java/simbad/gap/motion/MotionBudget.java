@@ -31,7 +31,7 @@ record MotionBudget(
       sum += cost;
     }
     List<MotionDiagnosis.Part> parts = new ArrayList<>();
-    Interval shrink = figures.shrinkCi95();
+    Interval shrink = figures.shrinkHere95();
     double taken = means.isEmpty() ? 0 : figures.shrink();
     for (int i = 0; i < costs.length; i++) {
       double share = costs[i] / sum;
@@ -54,7 +54,7 @@ record MotionBudget(
             .filter(e -> e.equals(MotionForms.MOTION_NOISE) || e.equals(MotionForms.SLIP))
             .toList();
     double tracker = scatter.isEmpty() ? floor : Math.min(floor, gap.floor(believed));
-    double half = (figures.ratioCi95().high() - figures.ratioCi95().low()) / 2;
+    double half = (figures.ratioHere95().high() - figures.ratioHere95().low()) / 2;
     for (String effect : scatter) {
       parts.add(part(effect, (floor - tracker) / scatter.size(), half));
     }

@@ -3,6 +3,7 @@ package simbad.gap.motion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import simbad.gap.diagnosis.Estimate;
@@ -39,6 +40,7 @@ public final class MotionDiagnoser {
   private final List<MotionRun> runs;
   private final MotionSteps given;
   private final CommandUse use;
+  private final MotionConstants constants = MotionConstants.own();
 
   /**
    * Prepares a diagnosis.
@@ -200,12 +202,14 @@ public final class MotionDiagnoser {
     Verdict verdict = conclusion.verdict();
     List<MotionFinding> explanation = conclusion.explanation();
     MotionDiagnosis.Gap figures = figures(told.gap(), odds.best(), verdict);
+    Map<String, Double> signs = MotionSigns.of(conclusion, figures).byName();
     return new MotionDiagnosis(
         verdict,
         conclusion.headline(figures.shrink()),
-        explanation,
+        explanation.stream().map(one -> one.times(constants.namedRightly(signs))).toList(),
         conclusion.others(new Findings(odds).others(explanation)),
-        conclusion.unknown().probability(),
+        constants.verdict(Verdict.UNEXPLAINED, signs),
+        signs,
         figures,
         new MotionBudget(told.gap(), figures, odds.best(), base.noises()).of(explanation),
         MotionPlaces.of(runs, told.gap()),
@@ -224,7 +228,7 @@ public final class MotionDiagnoser {
   }
 
   /** Without an effect the forecast stays what was believed. */
-  private static MotionDiagnosis.Gap figures(MotionGap gap, ScoredMotion best, Verdict verdict) {
+  private MotionDiagnosis.Gap figures(MotionGap gap, ScoredMotion best, Verdict verdict) {
     boolean none = verdict == Verdict.NONE;
     double ratio = none ? 1 : gap.ratio();
     return new MotionDiagnosis.Gap(
@@ -234,6 +238,7 @@ public final class MotionDiagnoser {
         gap.coverage(),
         ratio,
         none ? new Interval(1, 1) : gap.ci95(),
+        none ? new Interval(1, 1) : gap.onAnotherDrive95(constants.otherDrive()),
         Math.min(ratio, gap.floor(best.fit().noises())));
   }
 
@@ -265,7 +270,8 @@ public final class MotionDiagnoser {
             .map(name -> new MotionFinding(name, "", 0, List.of(), List.of(), ""))
             .toList(),
         0.5,
-        new MotionDiagnosis.Gap(0, none, none, none, 1, new Interval(0, 1), 0),
+        Map.of(),
+        new MotionDiagnosis.Gap(0, none, none, none, 1, new Interval(0, 1), new Interval(0, 1), 0),
         Arrays.asList(new MotionDiagnosis.Part("rest", 1, new Interval(0, 1))),
         List.of(),
         List.of(),

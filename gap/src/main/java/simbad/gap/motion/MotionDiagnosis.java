@@ -1,6 +1,9 @@
 package simbad.gap.motion;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Verdict;
@@ -17,6 +20,7 @@ import simbad.sonar.check.Checks;
  * @param findings the effects of the explanation, the surest first
  * @param others every other name of the vocabulary, most probable first
  * @param unknownProbability that something without a name is at work
+ * @param signs by which it is judged how sure this is, by name; empty where nothing was judged
  * @param gap how far forecasts are off before and after
  * @param budget how the gap before is made up, in units of it; adds up to 1
  * @param places where the gap is
@@ -32,6 +36,7 @@ public record MotionDiagnosis(
     List<MotionFinding> findings,
     List<MotionFinding> others,
     double unknownProbability,
+    Map<String, Double> signs,
     Gap gap,
     List<Part> budget,
     List<MotionPlace> places,
@@ -45,6 +50,7 @@ public record MotionDiagnosis(
     findings = List.copyOf(findings);
     others = List.copyOf(others);
     budget = List.copyOf(budget);
+    signs = Collections.unmodifiableMap(new LinkedHashMap<>(signs));
     places = List.copyOf(places);
     undetectable = List.copyOf(undetectable);
     fitted = List.copyOf(fitted);
@@ -55,6 +61,11 @@ public record MotionDiagnosis(
     return gap.windows() == 0;
   }
 
+  /** Returns how probable it is that a verdict is the right one; 0 where nothing was judged. */
+  public double probability(Verdict of) {
+    return signs.isEmpty() ? 0 : MotionConstants.own().verdict(of, signs);
+  }
+
   /** Returns the same with another model. */
   MotionDiagnosis with(List<FittedMotion> model, MotionForecast foretelling) {
     return new MotionDiagnosis(
@@ -63,6 +74,7 @@ public record MotionDiagnosis(
         findings,
         others,
         unknownProbability,
+        signs,
         gap,
         budget,
         places,
@@ -81,7 +93,8 @@ public record MotionDiagnosis(
    * @param after of the diagnosed model
    * @param coverage share of what was seen within forecasts of 90 %, of the diagnosed model
    * @param ratio the gap: the mean of the nine, each in units of its nominal value
-   * @param ratioCi95 interval of it
+   * @param ratioHere95 interval of it, as stretches of this log tell it
+   * @param ratioCi95 where it would lie on another drive of the robot, 19 times of 20
    * @param floor the gap that scatter alone would leave, in the same units
    */
   @SuppressWarnings("ArrayRecordComponent") // Nine numbers, never compared.
@@ -91,6 +104,7 @@ public record MotionDiagnosis(
       double[][] after,
       double[][] coverage,
       double ratio,
+      Interval ratioHere95,
       Interval ratioCi95,
       double floor) {
     /** Refuses what is no number. */
@@ -107,9 +121,18 @@ public record MotionDiagnosis(
       return 1 - ratio;
     }
 
-    /** Returns the interval of that. */
+    /** Returns the interval of that, as stretches of this log tell it. */
+    public Interval shrinkHere95() {
+      return shrinks(ratioHere95);
+    }
+
+    /** Returns by how much the gap of another drive of the robot would shrink, 19 times of 20. */
     public Interval shrinkCi95() {
-      return new Interval(1 - ratioCi95.high(), 1 - ratioCi95.low());
+      return shrinks(ratioCi95);
+    }
+
+    private static Interval shrinks(Interval ratio) {
+      return new Interval(1 - ratio.high(), 1 - ratio.low());
     }
   }
 

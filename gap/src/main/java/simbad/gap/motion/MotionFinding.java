@@ -34,6 +34,11 @@ public record MotionFinding(
     return new MotionFinding(effect, form, Math.min(probability, most), parameters, ties, remedy);
   }
 
+  /** Returns the same, less probable by a factor. */
+  MotionFinding times(double share) {
+    return new MotionFinding(effect, form, share * probability, parameters, ties, remedy);
+  }
+
   /**
    * A fitted number.
    *

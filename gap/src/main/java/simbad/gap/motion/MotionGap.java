@@ -214,6 +214,18 @@ final class MotionGap {
     return new Interval(ratio - half, ratio + half);
   }
 
+  /**
+   * Returns where the ratio would lie on another drive of the robot, 19 times of 20: what is left
+   * of the gap differs by a factor, for other commands bring out other causes.
+   *
+   * @param otherDrive logarithm of that factor
+   */
+  Interval onAnotherDrive95(double otherDrive) {
+    double ratio = ratio();
+    double factor = Math.exp(Math.hypot(otherDrive, (ci95().high() - ratio) / ratio));
+    return new Interval(ratio / factor, ratio * factor);
+  }
+
   private double ratio(int leftOut) {
     double sum = 0;
     int parts = 0;

@@ -1,0 +1,135 @@
+package simbad.benchmarks.constants;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+import org.hipparchus.optim.InitialGuess;
+import org.hipparchus.optim.MaxEval;
+import org.hipparchus.optim.SimpleBounds;
+import org.hipparchus.optim.nonlinear.scalar.GoalType;
+import org.hipparchus.optim.nonlinear.scalar.ObjectiveFunction;
+import org.hipparchus.optim.nonlinear.scalar.noderiv.BOBYQAOptimizer;
+import org.hipparchus.stat.descriptive.rank.Percentile;
+import simbad.gap.diagnosis.Verdict;
+import simbad.gap.motion.MotionConstants;
+
+/**
+ * Most probable constants of motion, given checked cases: logistic regressions whose weights have a
+ * normal prior around 0, and the factor that holds 19 of 20 other drives.
+ */
+final class MotionFit {
+  /** Signs are log odds, shares and counts: a unit of any may well mean so much in log odds. */
+  private static final double SPREAD = 3;
+
+  private static final double FURTHEST = 4;
+  private static final int EVALUATIONS = 20_000;
+  private static final double HELD_PERCENT = 95;
+
+  private MotionFit() {}
+
+  /** Returns the constants that the cases make most probable. */
+  static MotionConstants of(List<CheckedDrive> cases) {
+    int size = MotionConstants.VERDICT_SIGNS.size() + 1;
+    double[] verdicts =
+        fitted(2 * size, values -> verdictScore(constants(values, size, new double[0], 1), cases));
+    double[] names =
+        fitted(
+            MotionConstants.NAME_SIGNS.size() + 1,
+            values -> nameScore(constants(verdicts, size, values, 1), cases));
+    return constants(verdicts, size, names, otherDrive(cases));
+  }
+
+  private static MotionConstants constants(
+      double[] verdicts, int size, double[] names, double otherDrive) {
+    return new MotionConstants(
+        weights(Arrays.copyOf(verdicts, size), MotionConstants.VERDICT_SIGNS),
+        weights(Arrays.copyOfRange(verdicts, size, 2 * size), MotionConstants.VERDICT_SIGNS),
+        names.length == 0 ? Map.of() : weights(names, MotionConstants.NAME_SIGNS),
+        otherDrive);
+  }
+
+  private static Map<String, Double> weights(double[] values, List<String> signs) {
+    Map<String, Double> weights = new LinkedHashMap<>();
+    weights.put(MotionConstants.BASE, values[0]);
+    for (int i = 0; i < signs.size(); i++) {
+      weights.put(signs.get(i), values[i + 1]);
+    }
+    return weights;
+  }
+
+  private static double[] fitted(int size, ToDoubleFunction<double[]> score) {
+    double[] bound = new double[size];
+    Arrays.fill(bound, FURTHEST * SPREAD);
+    double[] low = Arrays.stream(bound).map(b -> -b).toArray();
+    return new BOBYQAOptimizer(2 * size + 1)
+        .optimize(
+            new MaxEval(EVALUATIONS),
+            new ObjectiveFunction(
+                values -> {
+                  double prior = 0;
+                  for (double value : values) {
+                    prior += value * value / (2 * SPREAD * SPREAD);
+                  }
+                  return prior - score.applyAsDouble(values);
+                }),
+            GoalType.MINIMIZE,
+            new InitialGuess(new double[size]),
+            new SimpleBounds(low, bound))
+        .getPoint();
+  }
+
+  /** Returns the sum of the log probabilities of what is so, natural. */
+  static double verdictScore(MotionConstants constants, List<CheckedDrive> cases) {
+    return cases.stream()
+        .mapToDouble(one -> Math.log(constants.verdict(one.truth(), one.signs())))
+        .sum();
+  }
+
+  /** Returns the sum of the log probabilities that each concluded effect is there, or is not. */
+  static double nameScore(MotionConstants constants, List<CheckedDrive> cases) {
+    double sum = 0;
+    for (CheckedDrive one : cases) {
+      double rightly = constants.namedRightly(one.signs());
+      for (boolean isThere : one.names()) {
+        sum += Math.log(isThere ? rightly : 1 - rightly);
+      }
+    }
+    return sum;
+  }
+
+  /** Returns what 19 of 20 other drives stay within. */
+  static double otherDrive(List<CheckedDrive> cases) {
+    double[] apart =
+        cases.stream()
+            .filter(one -> one.verdict() == Verdict.EXPLAINED)
+            .flatMapToDouble(one -> one.otherDrive().stream())
+            .toArray();
+    return new Percentile(HELD_PERCENT).evaluate(apart);
+  }
+
+  /**
+   * Returns constants for each case that were fitted without it, a fifth left out at a time.
+   *
+   * @param cases in an order that has nothing to do with what they are
+   */
+  static List<MotionConstants> heldOut(List<CheckedDrive> cases, int folds) {
+    List<MotionConstants> fits = new ArrayList<>();
+    for (int fold = 0; fold < folds; fold++) {
+      List<CheckedDrive> rest = new ArrayList<>();
+      for (int i = 0; i < cases.size(); i++) {
+        if (i % folds != fold) {
+          rest.add(cases.get(i));
+        }
+      }
+      fits.add(of(rest));
+    }
+    List<MotionConstants> each = new ArrayList<>();
+    for (int i = 0; i < cases.size(); i++) {
+      each.add(fits.get(i % folds));
+    }
+    return each;
+  }
+}

@@ -1,0 +1,135 @@
+package simbad.gap.motion;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import simbad.gap.diagnosis.Verdict;
+import simbad.sonar.check.Checks;
+
+/**
+ * How sure a diagnosis of motion is, by its {@link MotionSigns}: logistic regressions whose weights
+ * stand in one file with where they come from. benchmarks/fit-motion fits them anew.
+ *
+ * @param none log odds of none against explained: base and weights of signs, by name
+ * @param unexplained the same of something without a name
+ * @param namedRightly log odds that a concluded effect is at work
+ * @param otherDrive logarithm of the factor by which what is left of the gap differs on another
+ *     drive, at most, 19 times of 20
+ */
+public record MotionConstants(
+    Map<String, Double> none,
+    Map<String, Double> unexplained,
+    Map<String, Double> namedRightly,
+    double otherDrive) {
+  /** What stands beside the weights. */
+  public static final String BASE = "base";
+
+  /** Signs that tell the verdict. */
+  public static final List<String> VERDICT_SIGNS =
+      List.of("named", "stranger", "stranger_beside", "left_beside", "left_alone", "further_forms");
+
+  /** Signs that tell whether names are right. */
+  public static final List<String> NAME_SIGNS = List.of("stranger", "left_beside", "further_forms");
+
+  private static final String FILE = "constants.json";
+  private static final String FORMAT = "simbad-motion-constants/1";
+  private static final MotionConstants OWN = read();
+
+  /** Copies the weights, in their order. */
+  public MotionConstants {
+    Checks.positive("otherDrive", otherDrive);
+    none = copy(none);
+    unexplained = copy(unexplained);
+    namedRightly = copy(namedRightly);
+  }
+
+  private static Map<String, Double> copy(Map<String, Double> weights) {
+    weights.forEach(Checks::finite);
+    return Collections.unmodifiableMap(new LinkedHashMap<>(weights));
+  }
+
+  /** Returns those that the diagnosis uses. */
+  public static MotionConstants own() {
+    return OWN;
+  }
+
+  private static MotionConstants read() {
+    try (InputStream file = MotionConstants.class.getResourceAsStream(FILE)) {
+      return of(new ObjectMapper().readTree(Objects.requireNonNull(file, FILE)));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /**
+   * Reads constants.
+   *
+   * @param root of a file of format "simbad-motion-constants/1"
+   * @throws IllegalArgumentException if a field is missing or no number
+   */
+  public static MotionConstants of(JsonNode root) {
+    if (!FORMAT.equals(root.path("format").asText())) {
+      throw new IllegalArgumentException(
+          "format: \"" + root.path("format").asText() + "\" is not \"" + FORMAT + '"');
+    }
+    return new MotionConstants(
+        weights(root.path("none"), VERDICT_SIGNS),
+        weights(root.path("unexplained"), VERDICT_SIGNS),
+        weights(root.path("named_rightly"), NAME_SIGNS),
+        number(root, "other_drive"));
+  }
+
+  private static Map<String, Double> weights(JsonNode node, List<String> signs) {
+    Map<String, Double> weights = new LinkedHashMap<>();
+    weights.put(BASE, number(node, BASE));
+    signs.forEach(sign -> weights.put(sign, number(node, sign)));
+    return weights;
+  }
+
+  private static double number(JsonNode parent, String field) {
+    if (!parent.path(field).isNumber()) {
+      throw new IllegalArgumentException(field + ": " + parent.path(field) + " is not a number");
+    }
+    return parent.get(field).doubleValue();
+  }
+
+  /**
+   * Returns how probable it is that a verdict is the right one. None, explained and unexplained add
+   * up to 1; partly has the probability of unexplained, undecided has 0.
+   *
+   * @param of which verdict
+   * @param signs by name; those that are missing count as 0
+   */
+  public double verdict(Verdict of, Map<String, Double> signs) {
+    double nothing = Math.exp(logOdds(none, signs));
+    double stranger = Math.exp(logOdds(unexplained, signs));
+    double sum = 1 + nothing + stranger;
+    return switch (of) {
+      case NONE -> nothing / sum;
+      case EXPLAINED -> 1 / sum;
+      case PARTLY, UNEXPLAINED -> stranger / sum;
+      case UNDECIDED -> 0;
+    };
+  }
+
+  /** Returns how probable it is that an effect is at work that is sure by its weight alone. */
+  public double namedRightly(Map<String, Double> signs) {
+    return NormalChance.ofLogOdds(logOdds(namedRightly, signs));
+  }
+
+  private static double logOdds(Map<String, Double> weights, Map<String, Double> signs) {
+    double sum = 0;
+    for (Map.Entry<String, Double> weight : weights.entrySet()) {
+      double sign = weight.getKey().equals(BASE) ? 1 : signs.getOrDefault(weight.getKey(), 0.0);
+      sum += weight.getValue() * sign;
+    }
+    return sum;
+  }
+}
