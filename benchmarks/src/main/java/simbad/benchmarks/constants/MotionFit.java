@@ -12,7 +12,6 @@ import org.hipparchus.optim.SimpleBounds;
 import org.hipparchus.optim.nonlinear.scalar.GoalType;
 import org.hipparchus.optim.nonlinear.scalar.ObjectiveFunction;
 import org.hipparchus.optim.nonlinear.scalar.noderiv.BOBYQAOptimizer;
-import org.hipparchus.stat.descriptive.rank.Percentile;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.motion.MotionConstants;
 
@@ -26,7 +25,7 @@ final class MotionFit {
 
   private static final double FURTHEST = 4;
   private static final int EVALUATIONS = 20_000;
-  private static final double HELD_PERCENT = 95;
+  private static final double HELD = 0.95;
 
   private MotionFit() {}
 
@@ -106,8 +105,12 @@ final class MotionFit {
         cases.stream()
             .filter(one -> one.verdict() == Verdict.EXPLAINED)
             .flatMapToDouble(one -> one.otherDrive().stream())
+            .sorted()
             .toArray();
-    return new Percentile(HELD_PERCENT).evaluate(apart);
+    if (apart.length == 0) {
+      throw new IllegalArgumentException("no explained case with a gap and a sealed drive");
+    }
+    return apart[(int) Math.ceil(HELD * apart.length) - 1];
   }
 
   /**

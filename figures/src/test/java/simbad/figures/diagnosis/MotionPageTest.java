@@ -71,7 +71,16 @@ class MotionPageTest {
             findings,
             List.of(new MotionFinding("dead-band", "", 0.12, List.of(), List.of(), "")),
             0.2,
-            new MotionDiagnosis.Gap(100, before, after, within, 0.6, new Interval(0.55, 0.65), 0.3),
+            Map.of("named", 1.0),
+            new MotionDiagnosis.Gap(
+                100,
+                before,
+                after,
+                within,
+                0.6,
+                new Interval(0.55, 0.65),
+                new Interval(0.4, 0.9),
+                0.3),
             List.of(
                 new MotionDiagnosis.Part("speed-scale", 0.4, new Interval(0.35, 0.45)),
                 new MotionDiagnosis.Part("rest", 0.3, new Interval(0.2, 0.4))),
@@ -83,6 +92,16 @@ class MotionPageTest {
             List.of(),
             MotionForecast.believed(Robot.EXACT_UNICYCLE));
     return MotionPage.of(DRIVE, List.of(AUDITED), diagnosis, ORIGIN);
+  }
+
+  @Test
+  void theShrinkage_isOfThisLogAndOfAnotherDrive() {
+    String page = page(Verdict.EXPLAINED, List.of());
+    assertTrue(page.contains("shrinks by 40"), page);
+    assertTrue(page.contains("35&nbsp;% to 45&nbsp;%"), page);
+    assertTrue(page.contains("On another drive of this robot it would shrink by 10&nbsp;%"), page);
+    assertTrue(page.contains("The verdict is right:"), page);
+    assertFalse(page(Verdict.UNDECIDED, List.of()).contains("The verdict is right:"));
   }
 
   /** Of twelve seconds two forecasts, of three none. */
