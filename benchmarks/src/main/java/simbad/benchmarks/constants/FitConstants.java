@@ -1,13 +1,7 @@
 package simbad.benchmarks.constants;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.math.BigDecimal;
-import java.math.MathContext;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -16,7 +10,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 import simbad.gap.unexplained.Constants;
-import simbad.sonar.format.WholeFile;
 
 /**
  * Fits the constants that decide to finished checks, and writes them with where they come from.
@@ -24,7 +17,6 @@ import simbad.sonar.format.WholeFile;
  */
 public final class FitConstants {
   private static final int FOLDS = 5;
-  private static final MathContext DIGITS = new MathContext(4);
 
   private FitConstants() {}
 
@@ -39,27 +31,18 @@ public final class FitConstants {
       throw new IllegalArgumentException("give OUT.json DATE CHECK...");
     }
     List<CheckedCase> all = new ArrayList<>();
-    ObjectNode root = new ObjectMapper().createObjectNode();
-    root.put("format", "simbad-constants/1");
-    ObjectNode origin = root.putObject("origin");
-    origin.put("how", "benchmarks/fit-constants");
-    origin.put("date", arguments[1]);
-    ArrayNode checks = origin.putArray("checks");
+    ConstantsFile file =
+        new ConstantsFile("simbad-constants/1", "benchmarks/fit-constants", arguments[1]);
     for (String check : Arrays.asList(arguments).subList(2, arguments.length)) {
       List<CheckedCase> cases = CheckedCase.read(Path.of(check));
       all.addAll(cases);
-      ObjectNode node = checks.addObject();
-      node.set(
-          "order", new ObjectMapper().readTree(Files.readString(Path.of(check, "order.json"))));
-      node.put("cases", cases.size());
+      file.add(Path.of(check), cases.size());
     }
     all.sort(Comparator.comparing(CheckedCase::name));
     ConstantsFit fit = new ConstantsFit(Constants.own());
-    figures(origin, all, fit);
-    constants(root, fit.of(all));
-    String text =
-        new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsString(root) + "\n";
-    WholeFile.write(Path.of(arguments[0]), text.getBytes(StandardCharsets.UTF_8));
+    figures(file.origin(), all, fit);
+    constants(file.root(), fit.of(all));
+    file.write(Path.of(arguments[0]));
   }
 
   /** How well it does on cases that it was not fitted on, beside the former constants. */
@@ -107,24 +90,20 @@ public final class FitConstants {
       unknown[i] = ConstantsFit.isUnknown(all.get(i));
       log += Math.log(unknown[i] ? probability[i] : 1 - probability[i]);
     }
-    node.put("mean_log_score", rounded(log / probability.length));
-    node.put("calibration_error", rounded(CalibrationError.of(probability, unknown)));
+    node.put("mean_log_score", ConstantsFile.rounded(log / probability.length));
+    node.put("calibration_error", ConstantsFile.rounded(CalibrationError.of(probability, unknown)));
     node.put("cases", probability.length);
   }
 
   private static void constants(ObjectNode root, Constants fitted) {
     ObjectNode unknown = root.putObject("unknown");
     unknown.put("least", fitted.least());
-    unknown.put("most", rounded(fitted.most()));
-    unknown.put("base", rounded(fitted.base()));
-    fitted.weights().forEach((name, weight) -> unknown.put(name, rounded(weight)));
+    unknown.put("most", ConstantsFile.rounded(fitted.most()));
+    unknown.put("base", ConstantsFile.rounded(fitted.base()));
+    ConstantsFile.put(unknown, fitted.weights());
     ObjectNode temperature = root.putObject("temperature");
-    temperature.put("threshold", rounded(fitted.thresholdTemperature()));
-    temperature.put("level", rounded(fitted.levelTemperature()));
-    root.put("named_rightly", rounded(fitted.namedRightly()));
-  }
-
-  private static double rounded(double value) {
-    return new BigDecimal(value).round(DIGITS).doubleValue();
+    temperature.put("threshold", ConstantsFile.rounded(fitted.thresholdTemperature()));
+    temperature.put("level", ConstantsFile.rounded(fitted.levelTemperature()));
+    root.put("named_rightly", ConstantsFile.rounded(fitted.namedRightly()));
   }
 }
