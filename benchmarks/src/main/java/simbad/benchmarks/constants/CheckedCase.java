@@ -1,18 +1,12 @@
 package simbad.benchmarks.constants;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeSet;
-import java.util.stream.Stream;
 
 /**
  * One answered case of a finished check, with its opened truth.
@@ -38,7 +32,6 @@ record CheckedCase(
     boolean hasNameless,
     boolean isExplained,
     Set<String> explanation) {
-  private static final ObjectMapper MAPPER = new ObjectMapper();
   private static final String ODDS = "strangers_odds";
 
   /** A set of effects, and by how many nats it is behind the likeliest one. */
@@ -56,65 +49,38 @@ record CheckedCase(
    * @throws IOException if a file cannot be read, or an answer is of a program without signs
    */
   static List<CheckedCase> read(Path check) throws IOException {
-    List<CheckedCase> cases = new ArrayList<>();
-    try (Stream<Path> answers = Files.list(check.resolve("answers"))) {
-      for (Path answer : answers.sorted().toList()) {
-        Path diagnosis = answer.resolve("diagnosis.json");
-        String name = answer.getFileName().toString();
-        Path truth = check.resolve("world/truth").resolve(name).resolve("truth.json");
-        if (Files.exists(diagnosis)) {
-          cases.add(of(name, tree(diagnosis), tree(truth), diagnosis));
-        }
-      }
-    }
-    return cases;
+    return AnsweredCase.read(check, "misfit").stream().map(CheckedCase::of).toList();
   }
 
-  private static JsonNode tree(Path file) throws IOException {
-    return MAPPER.readTree(Files.readString(file));
-  }
-
-  private static CheckedCase of(String name, JsonNode answer, JsonNode truth, Path file)
-      throws IOException {
-    if (!answer.path("signs").has("misfit")) {
-      throw new IOException(file + ": signs: not there; a diagnosis of an older program");
-    }
-    Map<String, Double> signs = new LinkedHashMap<>();
-    answer.get("signs").properties().forEach(e -> signs.put(e.getKey(), e.getValue().asDouble()));
+  private static CheckedCase of(AnsweredCase one) {
+    Map<String, Double> signs = one.signs();
     double odds = signs.getOrDefault(ODDS, 0.0);
     signs.remove(ODDS);
     List<Weighed> tried = new ArrayList<>();
-    for (JsonNode set : answer.path("tried")) {
+    for (JsonNode set : one.said().path("tried")) {
       if (set.path("behind_nats").isNumber()) {
-        tried.add(new Weighed(words(set.path("effects")), set.get("behind_nats").asDouble()));
+        tried.add(
+            new Weighed(
+                AnsweredCase.words(set.path("effects")), set.get("behind_nats").asDouble()));
       }
     }
     return new CheckedCase(
-        name,
-        answer.path("model").asText().equals("level"),
+        one.name(),
+        one.said().path("model").asText().equals("level"),
         signs,
         odds,
         tried,
-        accepted(truth),
-        !truth.path("unknown").isEmpty() || !truth.path("outside_vocabulary").isEmpty(),
-        answer.path("verdict").asText().equals("explained"),
-        words(answer.path("explanation")));
+        accepted(one),
+        one.hasNameless(),
+        one.said().path("verdict").asText().equals("explained"),
+        one.explanation());
   }
 
-  private static Set<Set<String>> accepted(JsonNode truth) {
-    Set<Set<String>> sets = new LinkedHashSet<>();
-    truth.path("accept").forEach(set -> sets.add(words(set)));
+  private static Set<Set<String>> accepted(AnsweredCase one) {
+    Set<Set<String>> sets = one.accepted();
     if (sets.isEmpty()) {
-      Set<String> all = new TreeSet<>();
-      truth.path("effects").fieldNames().forEachRemaining(all::add);
-      sets.add(all);
+      sets.add(one.effects());
     }
     return sets;
-  }
-
-  private static Set<String> words(JsonNode array) {
-    Set<String> words = new TreeSet<>();
-    array.forEach(word -> words.add(word.asText()));
-    return words;
   }
 }

@@ -1,18 +1,16 @@
 package simbad.benchmarks.constants;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.stream.Stream;
 import simbad.gap.diagnosis.Verdict;
 
@@ -35,8 +33,6 @@ record CheckedDrive(
     Verdict truth,
     List<Boolean> names,
     OptionalDouble otherDrive) {
-  private static final ObjectMapper MAPPER = new ObjectMapper();
-
   /** As in the scorer: less of the nominal gap is no gap. */
   private static final double LEAST_REMOVABLE = 0.05;
 
@@ -48,28 +44,10 @@ record CheckedDrive(
    */
   static List<CheckedDrive> read(Path check) throws IOException {
     Map<String, Double> sealed = sealed(check.resolve("cases.csv"));
-    List<CheckedDrive> cases = new ArrayList<>();
-    try (Stream<Path> answers = Files.list(check.resolve("answers"))) {
-      for (Path answer : answers.sorted().toList()) {
-        String name = answer.getFileName().toString();
-        Path diagnosis = answer.resolve("diagnosis.json");
-        if (Files.exists(diagnosis)) {
-          JsonNode said = tree(diagnosis);
-          if (!said.has("signs")) {
-            throw new IOException(diagnosis + ": signs: not there; of an older program");
-          }
-          JsonNode truth = tree(check.resolve("world/truth").resolve(name).resolve("truth.json"));
-          if (!said.get("signs").isEmpty()) {
-            cases.add(of(name, said, truth, sealed.getOrDefault(name, Double.NaN)));
-          }
-        }
-      }
-    }
-    return cases;
-  }
-
-  private static JsonNode tree(Path file) throws IOException {
-    return MAPPER.readTree(Files.readString(file));
+    return AnsweredCase.read(check, "named").stream()
+        .filter(one -> !one.signs().isEmpty())
+        .map(one -> of(one, sealed.getOrDefault(one.name(), Double.NaN)))
+        .toList();
   }
 
   /** By how much the gap of the sealed drive shrank, by case. */
@@ -86,55 +64,56 @@ record CheckedDrive(
     return sealed;
   }
 
-  static CheckedDrive of(String name, JsonNode said, JsonNode truth, double sealedShrink) {
-    Map<String, Double> signs = new LinkedHashMap<>();
-    said.path("signs").properties().forEach(e -> signs.put(e.getKey(), e.getValue().asDouble()));
-    List<Set<String>> accepted = new ArrayList<>();
-    truth.path("accept").forEach(set -> accepted.add(words(set)));
-    Set<String> there = new TreeSet<>();
-    truth.path("effects").fieldNames().forEachRemaining(there::add);
-    accepted.forEach(there::addAll);
-    Set<String> explanation = words(said.path("explanation"));
+  static CheckedDrive of(AnsweredCase one, double sealedShrink) {
+    Verdict verdict = verdict(one.said().path("verdict").asText());
+    return new CheckedDrive(
+        one.name(),
+        one.signs(),
+        verdict,
+        truth(one, verdict),
+        names(one),
+        otherDrive(one, sealedShrink));
+  }
+
+  private static Verdict truth(AnsweredCase one, Verdict verdict) {
+    if (one.hasNameless()) {
+      boolean calledByNames =
+          verdict == Verdict.EXPLAINED && one.accepted().contains(one.explanation());
+      return calledByNames ? Verdict.EXPLAINED : Verdict.UNEXPLAINED;
+    }
+    return one.effects().isEmpty() ? Verdict.NONE : Verdict.EXPLAINED;
+  }
+
+  private static List<Boolean> names(AnsweredCase one) {
+    Set<String> there = one.effects();
+    one.accepted().forEach(there::addAll);
+    Set<String> explanation = one.explanation();
     List<Boolean> names = new ArrayList<>();
-    for (JsonNode effect : said.path("effects")) {
-      if (explanation.contains(effect.path("name").asText())) {
-        Set<String> any = words(effect.path("indistinguishable_from"));
-        any.add(effect.path("name").asText());
-        any.retainAll(there);
-        names.add(!any.isEmpty());
+    for (JsonNode effect : one.said().path("effects")) {
+      String name = effect.path("name").asText();
+      if (explanation.contains(name)) {
+        Set<String> any = AnsweredCase.words(effect.path("indistinguishable_from"));
+        any.add(name);
+        names.add(!Collections.disjoint(any, there));
       }
     }
-    Verdict verdict = verdict(said.path("verdict").asText());
-    boolean calledByNames = verdict == Verdict.EXPLAINED && accepted.contains(explanation);
-    boolean isStrange =
-        !truth.path("outside_vocabulary").isEmpty() || !truth.path("unknown").isEmpty();
-    Verdict right = truth.path("effects").isEmpty() ? Verdict.NONE : Verdict.EXPLAINED;
-    if (isStrange) {
-      right = calledByNames ? Verdict.EXPLAINED : Verdict.UNEXPLAINED;
-    }
-    return new CheckedDrive(
-        name, signs, verdict, right, names, otherDrive(said.path("gap"), truth, sealedShrink));
+    return names;
   }
 
   private static Verdict verdict(String word) {
     return Stream.of(Verdict.values()).filter(v -> v.word().equals(word)).findFirst().orElseThrow();
   }
 
-  private static OptionalDouble otherDrive(JsonNode gap, JsonNode truth, double sealedShrink) {
+  private static OptionalDouble otherDrive(AnsweredCase one, double sealedShrink) {
+    JsonNode gap = one.said().path("gap");
     double left = gap.path("after").asDouble();
     double here = 1 - gap.path("shrink_of_this_log_ci95").path(0).asDouble() - left;
-    boolean isGap = truth.path("sealed_gap_oracle").asDouble(1) <= 1 - LEAST_REMOVABLE;
+    boolean isGap = one.truth().path("sealed_gap_oracle").asDouble(1) <= 1 - LEAST_REMOVABLE;
     if (!isGap || here <= 0 || !(sealedShrink < 1)) {
       return OptionalDouble.empty();
     }
     double apart = Math.log((1 - sealedShrink) / left);
     double own = here / left;
     return OptionalDouble.of(Math.sqrt(Math.max(0, apart * apart - own * own)));
-  }
-
-  private static Set<String> words(JsonNode array) {
-    Set<String> words = new TreeSet<>();
-    array.forEach(word -> words.add(word.asText()));
-    return words;
   }
 }

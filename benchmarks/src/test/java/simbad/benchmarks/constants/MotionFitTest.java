@@ -42,8 +42,7 @@ class MotionFitTest {
             "stranger", stranger,
             "stranger_beside", isNamed ? stranger : 0.0,
             "left_beside", isNamed ? left : 0.0,
-            "left_alone", isNamed ? 0.0 : left,
-            "further_forms", 0.0);
+            "left_alone", isNamed ? 0.0 : left);
     double at = random.nextDouble() - TRUTH.verdict(Verdict.NONE, signs);
     Verdict truth = Verdict.NONE;
     if (at > 0) {
@@ -98,7 +97,7 @@ class MotionFitTest {
   @Test
   void aCase_isReadWithWhatWouldHaveBeenRight() throws IOException {
     JsonNode truth = json("{'effects': {'wheel-scale': {}}, 'sealed_gap_oracle': 0.4}");
-    CheckedDrive one = CheckedDrive.of("c", json(SAID), truth, 0.25);
+    CheckedDrive one = CheckedDrive.of(new AnsweredCase("c", json(SAID), truth), 0.25);
     assertEquals(Verdict.EXPLAINED, one.truth());
     assertEquals(List.of(true, false), one.names());
     // Left over is 0.75 where 0.5 was said, give or take a tenth of it.
@@ -109,17 +108,20 @@ class MotionFitTest {
   @Test
   void whatHasNoName_mayBeCalledByNames() throws IOException {
     JsonNode strange = json("{'effects': {}, 'outside_vocabulary': ['slope']}");
-    assertEquals(Verdict.UNEXPLAINED, CheckedDrive.of("c", json(SAID), strange, 0.2).truth());
+    assertEquals(
+        Verdict.UNEXPLAINED,
+        CheckedDrive.of(new AnsweredCase("c", json(SAID), strange), 0.2).truth());
     JsonNode called =
         json(
             "{'effects': {}, 'outside_vocabulary': ['slope'], 'sealed_gap_oracle': 1,"
                 + " 'accept': [['slip', 'speed-scale']]}");
-    CheckedDrive one = CheckedDrive.of("c", json(SAID), called, 0.2);
+    CheckedDrive one = CheckedDrive.of(new AnsweredCase("c", json(SAID), called), 0.2);
     assertEquals(Verdict.EXPLAINED, one.truth());
     assertEquals(List.of(true, true), one.names());
     assertTrue(one.otherDrive().isEmpty());
     assertEquals(
-        Verdict.NONE, CheckedDrive.of("c", json(SAID), json("{'effects': {}}"), 0).truth());
+        Verdict.NONE,
+        CheckedDrive.of(new AnsweredCase("c", json(SAID), json("{'effects': {}}")), 0).truth());
   }
 
   @Test

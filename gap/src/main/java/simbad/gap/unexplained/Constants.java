@@ -1,14 +1,10 @@
 package simbad.gap.unexplained;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.Objects;
+import simbad.gap.constants.FittedConstants;
 import simbad.sonar.check.Checks;
 import simbad.sonar.scene.SensorLaw;
 
@@ -33,9 +29,8 @@ public record Constants(
     double thresholdTemperature,
     double levelTemperature,
     double namedRightly) {
-  private static final String FILE = "constants.json";
   private static final String FORMAT = "simbad-constants/1";
-  private static final Constants OWN = read();
+  private static final Constants OWN = of(FittedConstants.of(Constants.class));
 
   /** Copies the weights, in their order. */
   public Constants {
@@ -53,14 +48,6 @@ public record Constants(
     return OWN;
   }
 
-  private static Constants read() {
-    try (InputStream file = Constants.class.getResourceAsStream(FILE)) {
-      return of(new ObjectMapper().readTree(Objects.requireNonNull(file, FILE)));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
-
   /**
    * Reads constants.
    *
@@ -68,31 +55,21 @@ public record Constants(
    * @throws IllegalArgumentException if a field is missing or no number
    */
   public static Constants of(JsonNode root) {
-    if (!FORMAT.equals(root.path("format").asText())) {
-      throw new IllegalArgumentException(
-          "format: \"" + root.path("format").asText() + "\" is not \"" + FORMAT + '"');
-    }
+    FittedConstants.check(root, FORMAT);
     JsonNode unknown = root.path("unknown");
     Map<String, Double> weights = new LinkedHashMap<>();
     for (String name : Signs.NONE.byName().keySet()) {
-      weights.put(name, number(unknown, name));
+      weights.put(name, FittedConstants.number(unknown, name));
     }
     JsonNode temperature = root.path("temperature");
     return new Constants(
-        number(unknown, "least"),
-        number(unknown, "most"),
-        number(unknown, "base"),
+        FittedConstants.number(unknown, "least"),
+        FittedConstants.number(unknown, "most"),
+        FittedConstants.number(unknown, "base"),
         weights,
-        number(temperature, "threshold"),
-        number(temperature, "level"),
-        number(root, "named_rightly"));
-  }
-
-  private static double number(JsonNode parent, String field) {
-    if (!parent.path(field).isNumber()) {
-      throw new IllegalArgumentException(field + ": " + parent.path(field) + " is not a number");
-    }
-    return parent.get(field).doubleValue();
+        FittedConstants.number(temperature, "threshold"),
+        FittedConstants.number(temperature, "level"),
+        FittedConstants.number(root, "named_rightly"));
   }
 
   /** Returns the temperature under a law. */
