@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -43,9 +42,7 @@ public final class FitMotion {
     // Names of cases are drawn, so their order has nothing to do with what they are.
     all.sort(Comparator.comparing(CheckedDrive::name));
     ObjectNode heldOut = file.origin().putObject("held_out");
-    figures(
-        heldOut.putObject("former"), all, Collections.nCopies(all.size(), MotionConstants.own()));
-    figures(heldOut.putObject("fitted"), all, MotionFit.heldOut(all, FOLDS));
+    figures(heldOut, all, MotionFit.heldOut(all, FOLDS));
     System.out.println(heldOut.toPrettyString());
     MotionConstants fitted = MotionFit.of(all);
     ConstantsFile.put(file.root().putObject("none"), fitted.none());

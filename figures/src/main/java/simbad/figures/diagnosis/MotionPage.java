@@ -30,9 +30,9 @@ public final class MotionPage {
   private static final Shown MILLIMETRES = new Shown(1000, "\u00a0mm");
   private static final Shown DEGREES = new Shown(Math.toDegrees(1), "°");
   private static final String LIMITS =
-      "Probabilities compare sets of effects by how well they forecast stretches of "
-          + "this log that were not used for the fit. Intervals hold for this log; another "
-          + "day can differ by more.";
+      "Probabilities say how often such an answer was right in simulated drives whose truth "
+          + "was known afterwards. Intervals of values hold for this log; another day can differ "
+          + "by more.";
 
   private final Page page;
 

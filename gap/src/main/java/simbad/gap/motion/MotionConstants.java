@@ -1,15 +1,11 @@
 package simbad.gap.motion;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
+import simbad.gap.constants.FittedConstants;
 import simbad.gap.diagnosis.Verdict;
 import simbad.sonar.check.Checks;
 
@@ -33,14 +29,13 @@ public record MotionConstants(
 
   /** Signs that tell the verdict. */
   public static final List<String> VERDICT_SIGNS =
-      List.of("named", "stranger", "stranger_beside", "left_beside", "left_alone", "further_forms");
+      List.of("named", "stranger", "stranger_beside", "left_beside", "left_alone");
 
   /** Signs that tell whether names are right. */
-  public static final List<String> NAME_SIGNS = List.of("stranger", "left_beside", "further_forms");
+  public static final List<String> NAME_SIGNS = List.of("stranger", "left_beside");
 
-  private static final String FILE = "constants.json";
   private static final String FORMAT = "simbad-motion-constants/1";
-  private static final MotionConstants OWN = read();
+  private static final MotionConstants OWN = of(FittedConstants.of(MotionConstants.class));
 
   /** Copies the weights, in their order. */
   public MotionConstants {
@@ -60,14 +55,6 @@ public record MotionConstants(
     return OWN;
   }
 
-  private static MotionConstants read() {
-    try (InputStream file = MotionConstants.class.getResourceAsStream(FILE)) {
-      return of(new ObjectMapper().readTree(Objects.requireNonNull(file, FILE)));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
-
   /**
    * Reads constants.
    *
@@ -75,29 +62,19 @@ public record MotionConstants(
    * @throws IllegalArgumentException if a field is missing or no number
    */
   public static MotionConstants of(JsonNode root) {
-    if (!FORMAT.equals(root.path("format").asText())) {
-      throw new IllegalArgumentException(
-          "format: \"" + root.path("format").asText() + "\" is not \"" + FORMAT + '"');
-    }
+    FittedConstants.check(root, FORMAT);
     return new MotionConstants(
         weights(root.path("none"), VERDICT_SIGNS),
         weights(root.path("unexplained"), VERDICT_SIGNS),
         weights(root.path("named_rightly"), NAME_SIGNS),
-        number(root, "other_drive"));
+        FittedConstants.number(root, "other_drive"));
   }
 
   private static Map<String, Double> weights(JsonNode node, List<String> signs) {
     Map<String, Double> weights = new LinkedHashMap<>();
-    weights.put(BASE, number(node, BASE));
-    signs.forEach(sign -> weights.put(sign, number(node, sign)));
+    weights.put(BASE, FittedConstants.number(node, BASE));
+    signs.forEach(sign -> weights.put(sign, FittedConstants.number(node, sign)));
     return weights;
-  }
-
-  private static double number(JsonNode parent, String field) {
-    if (!parent.path(field).isNumber()) {
-      throw new IllegalArgumentException(field + ": " + parent.path(field) + " is not a number");
-    }
-    return parent.get(field).doubleValue();
   }
 
   /**

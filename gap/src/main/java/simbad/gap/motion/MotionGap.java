@@ -222,6 +222,9 @@ final class MotionGap {
    */
   Interval onAnotherDrive95(double otherDrive) {
     double ratio = ratio();
+    if (ratio == 0) {
+      return new Interval(0, 0);
+    }
     double factor = Math.exp(Math.hypot(otherDrive, (ci95().high() - ratio) / ratio));
     return new Interval(ratio / factor, ratio * factor);
   }

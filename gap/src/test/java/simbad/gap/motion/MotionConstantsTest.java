@@ -19,7 +19,7 @@ class MotionConstantsTest {
   private static final MotionConstants OWN = MotionConstants.own();
 
   private static Map<String, Double> signs(boolean isNamed, double stranger, double left) {
-    return new MotionSigns(isNamed, stranger, left, isNamed ? 1 : 0).byName();
+    return new MotionSigns(isNamed, stranger, left).byName();
   }
 
   @Test
@@ -86,8 +86,7 @@ class MotionConstantsTest {
             "stranger", signs.strangerLogOdds(),
             "stranger_beside", 0.0,
             "left_beside", 0.0,
-            "left_alone", signs.left(),
-            "further_forms", 0.0),
+            "left_alone", signs.left()),
         signs.byName());
   }
 
