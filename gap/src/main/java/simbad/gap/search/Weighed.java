@@ -80,6 +80,8 @@ public record Weighed(
     List<Scored> some =
         sets.stream()
             .filter(set -> !set.hypothesis().forms().isEmpty() && set.heldOut() > least)
+            // What outdoes a set at an end of the search may itself say too little to be here.
+            .filter(set -> !isOutdone(set, sets, worthNats))
             .toList();
     return some.isEmpty()
         ? Optional.empty()

@@ -101,6 +101,19 @@ class WeighedTest {
         "leaves the gap as it is");
   }
 
+  /** What outdoes it says too little itself, so that neither is left. */
+  @Test
+  void ofSome_isEmpty_whereOnlyWhatIsOutdoneSaysEnough() {
+    double worth = Probabilities.COST_NATS;
+    List<Scored> sets =
+        List.of(
+            new Scored(offset(1), 0.6 * worth, 0.6 * worth),
+            new Scored(offset(0.1), 0.4 * worth, 0.4 * worth),
+            new Scored(Hypothesis.NONE, 0, 0));
+    assertTrue(sets.get(0).hypothesis().isAtBound());
+    assertTrue(Weighed.ofSome(new GapGains(shifted(0.1, 0.1)), sets, worth, 1).isEmpty());
+  }
+
   @Test
   void setThatShrinksTheGap_isTaken() {
     Scored set = new Scored(offset(0.1), 500, 500);
