@@ -1,10 +1,13 @@
 package simbad.sonar.catalogue;
 
 import static java.util.stream.Collectors.joining;
+import static simbad.sonar.effect.FittedValues.text;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
@@ -12,6 +15,7 @@ import simbad.definition.Parameter;
 import simbad.sonar.change.BearingFactor;
 import simbad.sonar.change.OrientationShadow;
 import simbad.sonar.change.OrientationShadows;
+import simbad.sonar.change.OtherOutline;
 import simbad.sonar.effect.Clues;
 import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
@@ -19,15 +23,32 @@ import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.effect.LogDesign;
 import simbad.sonar.effect.Probe;
+import simbad.sonar.frame.Angles;
+import simbad.sonar.frame.Point;
+import simbad.sonar.level.StrengthTable;
+import simbad.sonar.ping.OutlineLevels;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.ping.Scenes;
+import simbad.sonar.scene.Detection;
+import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.StrengthDetection;
 import simbad.sonar.scene.UniformDetection;
+import simbad.sonar.shape.Outline;
 import simbad.sonar.shape.ThresholdTable;
 
 /** The threshold depends on the bearing, while the simulator believes it uniform. */
 public final class OrientationShadowEffect implements Definition {
   private static final double MOST_THRESHOLD_M = 20;
+
+  private static final double MOST_SIDE_M = 0.5;
+  private static final String POST = "post:";
+
+  /** A side's lobe is some five degrees wide. */
+  private static final int TURN_STEP_DEG = 3;
+
+  /** As many as hold a side's lobe. */
+  private static final int STRENGTHS = 144;
 
   /** A table's step. */
   private static final double ONE_SIDE_DEG = 360.0 / Forms.TABLE_SIZE;
@@ -75,10 +96,71 @@ public final class OrientationShadowEffect implements Definition {
     return forms;
   }
 
-  /** Of a shadow there is nothing left to find: strengths are by bearing. */
+  /**
+   * Strengths are by bearing already; but what is believed to be the same all round may stand for a
+   * post with flat sides, whose echo and nearest point depend on the bearing together.
+   */
   @Override
   public List<Form> levelForms(SensingSetup setup, List<String> sensors) {
-    return List.of();
+    List<String> labels = Scenes.labels(setup.scene());
+    return IntStream.range(0, labels.size())
+        .filter(i -> setup.scene().obstacles().get(i).detection() instanceof UniformDetection)
+        .mapToObj(i -> post(setup, labels.get(i), i))
+        .toList();
+  }
+
+  private Form post(SensingSetup setup, String label, int obstacle) {
+    Outline outline = setup.scene().obstacles().get(obstacle).outline();
+    OutlineLevels believed = new OutlineLevels(outline, LevelForms.wavenumberPerM(setup));
+    Posts posts = new Posts(believed.wavenumberPerM());
+    return Form.of(
+        effect(),
+        POST + label + "#" + obstacle,
+        v ->
+            v[0] > 0 && v[1] > 0
+                ? new OtherOutline(
+                    Optional.of(label), believed, posts.of(v[0], v[1]), Math.toRadians(v[2]))
+                : new OtherOutline(Optional.of(label), believed, believed, 0),
+        Parameter.of("width_m", 0, 0, MOST_SIDE_M),
+        Parameter.of("depth_m", 0, 0, MOST_SIDE_M),
+        Parameter.of("turn_deg", 0, -90, 90).asClosed());
+  }
+
+  /**
+   * Posts with flat sides. A fit turns one many times before it makes another, so that the last few
+   * are kept: what they are does not depend on it.
+   */
+  private static final class Posts {
+    private static final int KEPT = 16;
+    private final double wavenumberPerM;
+    private final Map<Point, OutlineLevels> last =
+        new LinkedHashMap<>() {
+          @Override
+          protected boolean removeEldestEntry(Map.Entry<Point, OutlineLevels> eldest) {
+            return size() > KEPT;
+          }
+        };
+
+    Posts(double wavenumberPerM) {
+      this.wavenumberPerM = wavenumberPerM;
+    }
+
+    synchronized OutlineLevels of(double widthM, double depthM) {
+      return last.computeIfAbsent(new Point(widthM / 2, depthM / 2), this::levels);
+    }
+
+    private OutlineLevels levels(Point corner) {
+      double x = corner.xM();
+      double z = corner.zM();
+      return new OutlineLevels(
+          Outline.of(
+              List.of(new Point(-x, -z), new Point(-x, z), new Point(x, z), new Point(x, -z))),
+          wavenumberPerM);
+    }
+  }
+
+  private static boolean isPost(Form form) {
+    return form.name().startsWith(POST);
   }
 
   private static double uniformM(SensingSetup setup, int obstacle) {
@@ -143,6 +225,9 @@ public final class OrientationShadowEffect implements Definition {
   /** A form that is about no single obstacle has no number: each obstacle's waves may be all's. */
   @Override
   public List<double[]> starts(Form form, Clues clues) {
+    if (form.with(form.neutral()) instanceof OtherOutline same) {
+      return posts(same.believed().outline());
+    }
     int hash = form.name().lastIndexOf('#');
     if (hash < 0) {
       return IntStream.range(0, clues.obstacles()).mapToObj(clues::waves).toList();
@@ -150,6 +235,14 @@ public final class OrientationShadowEffect implements Definition {
     String[] numbers = form.name().substring(hash + 1).split(",", -1);
     int[] obstacles = Arrays.stream(numbers).mapToInt(Integer::parseInt).toArray();
     return List.of(form.isTable() ? clues.tables(obstacles) : clues.waves(obstacles[0]));
+  }
+
+  /** Square posts of the same area, turned so that one has its sides near the real one's. */
+  private static List<double[]> posts(Outline believed) {
+    double sideM = Math.min(MOST_SIDE_M, Math.sqrt(Math.abs(believed.signedAreaM2())));
+    return IntStream.range(0, 90 / TURN_STEP_DEG)
+        .mapToObj(i -> new double[] {sideM, sideM, i * TURN_STEP_DEG - 45.0})
+        .toList();
   }
 
   /** A tenth by bearing: thresholds that swing twice about the believed ones in a turn. */
@@ -180,11 +273,38 @@ public final class OrientationShadowEffect implements Definition {
 
   @Override
   public boolean canShow(Form form, LogDesign log) {
-    return !log.isOfRoundOnes(form, false) && !log.isFromOneSide(ONE_SIDE_DEG);
+    // What is believed to be round may be another post; if it is the same one, it is round.
+    boolean canBe = isPost(form) || !log.isOfRoundOnes(form, false);
+    return canBe && !log.isFromOneSide(ONE_SIDE_DEG);
+  }
+
+  /** Of a post with flat sides: its outline, and how strongly that answers all round. */
+  @Override
+  public Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
+    if (!(form.with(values) instanceof OtherOutline other)) {
+      return Definition.super.corrected(stated, form, values);
+    }
+    Scene scene = Scenes.detected(stated.scene(), other.only(), d -> heard(stated, other, d));
+    return Optional.of(stated.with(other.apply(scene)));
+  }
+
+  private static Detection heard(SensingSetup stated, OtherOutline other, Detection believed) {
+    double thresholdM = believed.greatestM();
+    double uniformDb = stated.sensor().levelLaw().strengthDb(thresholdM);
+    double[] strengthDb = new double[STRENGTHS];
+    Arrays.setAll(
+        strengthDb, i -> uniformDb + other.strongerDb(i * Angles.TURN_RAD / STRENGTHS, thresholdM));
+    return StrengthDetection.of(
+        StrengthTable.of(strengthDb), stated.sensor().levelLaw(), stated.sensor().maxRangeM());
   }
 
   @Override
   public String remedy(FittedValues values) {
-    return "give the obstacle a threshold table instead of one range";
+    return values.has("width_m")
+        ? text(
+            "give the obstacle the outline that it has, some %.0f by %.0f mm with flat sides, and "
+                + "a threshold table instead of one range",
+            1000 * values.value("width_m"), 1000 * values.value("depth_m"))
+        : "give the obstacle a threshold table instead of one range";
   }
 }

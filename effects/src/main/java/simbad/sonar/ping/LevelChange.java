@@ -16,4 +16,15 @@ public non-sealed interface LevelChange extends Change {
   default double scatterDb() {
     return 0;
   }
+
+  /**
+   * Returns how far an echo may be off for want of knowledge of what the change does to it.
+   *
+   * @param geometry of all pings
+   * @param line index of a ping's line of sight to an obstacle
+   * @return decibels, at least 0
+   */
+  default double deviationDb(Geometry geometry, int line) {
+    return 0;
+  }
 }

@@ -9,6 +9,7 @@ import simbad.sonar.frame.Placement;
 import simbad.sonar.scene.Detection;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
+import simbad.sonar.shape.Outline;
 
 /** Scenes with some obstacles changed. */
 public final class Scenes {
@@ -55,6 +56,20 @@ public final class Scenes {
                 obstacle.worldFromObstacle(),
                 obstacle.outline(),
                 change.apply(obstacle.detection()),
+                obstacle.extent()));
+  }
+
+  /** Returns a scene in which an obstacle, or all where none is named, has another outline. */
+  public static Scene shaped(Scene scene, Optional<String> only, UnaryOperator<Outline> change) {
+    return changed(
+        scene,
+        only,
+        obstacle ->
+            new Obstacle(
+                obstacle.name(),
+                obstacle.worldFromObstacle(),
+                change.apply(obstacle.outline()),
+                obstacle.detection(),
                 obstacle.extent()));
   }
 

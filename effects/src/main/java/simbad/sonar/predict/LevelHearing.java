@@ -105,11 +105,13 @@ final class LevelHearing {
       grow();
     }
     double excess = geometry.excessDb(line);
+    double deviation = together(geometry.excessDeviationDb(line), moreScatterDb);
     for (LevelChange change : changes) {
       excess += change.addedDb(ears, geometry, line);
+      deviation = together(deviation, change.deviationDb(geometry, line));
     }
     distanceM[size] = geometry.nearestM(line);
-    deviationDb[size] = together(geometry.excessDeviationDb(line), moreScatterDb);
+    deviationDb[size] = deviation;
     addedM[size] = geometry.pathM(line);
     addedDeviationM[size] = geometry.pathDeviationM(line);
     kept[size] = keptShare * heardShare * nearShare(distanceM[size]);

@@ -71,6 +71,20 @@ class StartsTest {
     return new PingLog(rows);
   }
 
+  /** Posts of the area that is believed, turned all the ways that a square can be. */
+  @Test
+  void flatSidedPosts_startAsSquaresOfTheSameArea() {
+    Definition shadow = Definitions.of(Effect.ORIENTATION_SHADOW);
+    Form post = shadow.levelForms(SETUP, List.of("s")).get(0);
+    double areaM2 = Math.abs(SETUP.scene().obstacles().get(0).outline().signedAreaM2());
+    List<double[]> starts = shadow.starts(post, new HalfStrange());
+    assertEquals(30, starts.size());
+    for (int i = 0; i < starts.size(); i++) {
+      assertEquals(areaM2, starts.get(i)[0] * starts.get(i)[1], 1e-9);
+      assertEquals(3.0 * i - 45, starts.get(i)[2]);
+    }
+  }
+
   private static final class HalfStrange implements Clues {
     private final PingLog log = StartsTest.log();
 

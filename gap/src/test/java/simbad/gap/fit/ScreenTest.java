@@ -1,5 +1,6 @@
 package simbad.gap.fit;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -13,17 +14,21 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simbad.definition.Effect;
 import simbad.gap.fixture.Worlds;
+import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.frame.Placement;
+import simbad.sonar.frame.Point;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SensorLaw;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
+import simbad.sonar.shape.Outline;
 
 /** Of the forms of an effect the one that drew the log is found, where others come near. */
 class ScreenTest {
@@ -110,6 +115,37 @@ class ScreenTest {
     assertEquals("post", found.hypothesis().forms().get(0).name());
     assertEquals(0.913, found.hypothesis().values()[0], 0.004);
     assertEquals(-0.627, found.hypothesis().values()[1], 0.004);
+  }
+
+  /** A square post in the place of a round one: its size, and which way it is turned. */
+  @Test
+  void postWithFlatSides_isFoundWhereARoundOneWas() {
+    SensingSetup pole = Worlds.POST.under(SensorLaw.Model.LEVEL).with(round());
+    Form law = LevelForms.law(pole);
+    Form post = form(pole, Effect.ORIENTATION_SHADOW, "post:post#0");
+    Hypothesis truth = Hypothesis.NONE.and(law, law.neutral()).and(post, 0.06, 0.045, 20);
+    PingLog log = new PingLog(Worlds.read(pole, Worlds.poses(1200, 0.3, 2.5, 37), truth, 32));
+    CalibratedLog given = new CalibratedLog(pole, List.of(law.with(law.neutral())), log);
+    Fit nominal = new Fitter(given, Fold.ALL).refine(Hypothesis.NONE, 0);
+    Fit found =
+        Objects.requireNonNull(
+            new Screen(given, nominal).all(List.of(post)).get(Effect.ORIENTATION_SHADOW));
+    assertArrayEquals(new double[] {0.06, 0.045, 20}, found.hypothesis().values(), 0.5);
+    assertEquals(0.06, found.hypothesis().values()[0], 0.002);
+    assertEquals(0.045, found.hypothesis().values()[1], 0.002);
+  }
+
+  private static Scene round() {
+    List<Point> corners = new ArrayList<>();
+    for (int i = 0; i < 48; i++) {
+      double angle = Math.toRadians(7.5 * i);
+      corners.add(new Point(0.03 * Math.sin(angle), 0.03 * Math.cos(angle)));
+    }
+    Obstacle post = Worlds.POST.scene().obstacles().get(0);
+    return new Scene(
+        List.of(
+            new Obstacle(
+                post.name(), post.worldFromObstacle(), Outline.of(corners), post.detection())));
   }
 
   /** The centres of steps are odd multiples of half a step, which keeps their beat as well. */

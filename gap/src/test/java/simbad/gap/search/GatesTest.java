@@ -22,6 +22,7 @@ import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SensorLaw;
 import simbad.sonar.scene.UniformDetection;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
@@ -94,6 +95,16 @@ class GatesTest {
     assertEquals(
         Set.of(Effect.NO_ECHO_CODE, Effect.PLACEMENT_ERROR, Effect.WAVE_HOP, Effect.RANGE_WALK),
         closed(pole(new Point(0.02, 0)), every(0.05)));
+  }
+
+  /** Where strengths are known, a post with flat sides may stand where a round one was. */
+  @Test
+  void roundPole_mayBeAnotherPost_underTheLevelLaw() {
+    SensingSetup pole = pole(new Point(0, 0)).under(SensorLaw.Model.LEVEL);
+    assertEquals(false, closed(pole, every(0.05)).contains(Effect.ORIENTATION_SHADOW));
+    assertEquals(
+        true,
+        closed(pole, Ladders.read((range, lot) -> range, 1)).contains(Effect.ORIENTATION_SHADOW));
   }
 
   /**
