@@ -3,6 +3,7 @@
     python rival.py features WORLD... --out features.joblib     # folders that blind-world made
     python rival.py train features.joblib --out rival.joblib
     python rival.py answer rival.joblib features.joblib --out ANSWERS
+    python rival.py kinds features.joblib other-features.joblib --answers ANSWERS
 
 An answer is a folder for each case with diagnosis.json, as blind-world's scorer reads it.
 """
@@ -19,6 +20,7 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")
 import joblib
 import numpy as np
 from sklearn.ensemble import HistGradientBoostingClassifier
+from sklearn.metrics import roc_auc_score
 from sklearn.model_selection import StratifiedKFold, cross_val_predict
 
 import features as sensing
@@ -122,6 +124,34 @@ def answer(arguments):
     print(f"{len(data['cases'])} answers, written to {arguments.out}")
 
 
+def kinds(arguments):
+    """How well trees tell a kind of world without a name that they learnt from, and one that they never saw."""
+    data, other = joblib.load(arguments.features), joblib.load(arguments.other)
+    names = data["names"]
+    x, z = columns(data, names), columns(other, names)
+    kind, asked = ([(told["outside_vocabulary"] or [""])[0] for told in one["truths"]] for one in (data, other))
+    kind, asked = np.array(kind), np.array(asked)
+    told = [json.loads((arguments.answers / name / "diagnosis.json").read_text())["unknown_probability"]
+            if (arguments.answers / name / "diagnosis.json").exists() else 0.5 for name in other["cases"]] if arguments.answers else []
+
+    def chances(kept):
+        return trees().fit(x[kept], kind[kept] != "").predict_proba(z)[:, 1]
+
+    seen = chances(np.full(len(kind), True))
+    rows = []
+    for one in sorted(set(asked) - {""}):
+        among = (asked == one) | (asked == "")
+        for chance in (seen, chances(kind != one), *([np.array(told)] if told else [])):
+            rows.append((one, int(np.sum(asked == one)), roc_auc_score(asked[among] != "", chance[among])))
+    each = 3 if told else 2
+    print("AUROC of what has no name, by its kind: cases, trees that learnt the kind, trees that did not" + (", ANSWERS" if told else ""))
+    for at in range(0, len(rows), each):
+        print(f"  {rows[at][0]:20} {rows[at][1]:4} " + " ".join(f"{row[2]:6.2f}" for row in rows[at:at + each]))
+    weights = [row[1] for row in rows[::each]]
+    print(f"  {'all':20} {sum(weights):4} " + " ".join(
+        f"{np.average([row[2] for row in rows[i::each]], weights=weights):6.2f}" for i in range(each)))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--jobs", type=int, default=2, help="processes at a time")
@@ -139,6 +169,11 @@ def main():
     step.add_argument("features", type=Path)
     step.add_argument("--out", type=Path, required=True)
     step.set_defaults(run=answer)
+    step = steps.add_parser("kinds", help="see how trees tell what has no name where they never saw its kind")
+    step.add_argument("features", type=Path, help="to learn from")
+    step.add_argument("other", type=Path, help="features of other worlds whose truth is known")
+    step.add_argument("--answers", type=Path, help="of a program on the other worlds, to stand beside")
+    step.set_defaults(run=kinds)
     arguments = parser.parse_args()
     arguments.run(arguments)
 
