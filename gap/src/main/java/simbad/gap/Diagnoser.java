@@ -255,7 +255,10 @@ public final class Diagnoser {
                 .confirmed(inquiry.gains, inquiry.sets, inquiry.worthNats)
                 .map(part -> beside(calibration, given, part))
             : Optional.empty();
-    double stated = first.verdict() == Verdict.UNEXPLAINED ? Unknown.besideARest() : unknown;
+    double stated =
+        first.verdict() == Verdict.UNEXPLAINED
+            ? besideARest(calibration.model(), unknown)
+            : unknown;
     return sure.flatMap(
             part ->
                 first
@@ -271,22 +274,32 @@ public final class Diagnoser {
     return Set.copyOf(weighed.taken().hypothesis().effects());
   }
 
-  /** What no effect does, as signs show it, or as it is likelier than the effects. */
+  /** What no effect does, as signs show it, and under the level law how likely it is itself. */
   private static Conclusion.Unnamed unnamed(Inquiry inquiry, Signs signs) {
     Calibration calibration = inquiry.calibration;
-    double bySigns = Constants.own().unknown(signs.byName());
     CalibratedLog given = inquiry.given();
-    if (calibration.model() != SensorLaw.Model.LEVEL || bySigns > 0.5) {
-      String what = bySigns > 0.5 ? Unknown.standsIn(given, inquiry.best()) : "";
-      return new Conclusion.Unnamed(bySigns, signs.byName(), what);
-    }
-    Strangers.Found found =
-        new Strangers(given, new SetupLeave(given, calibration))
-            .against(inquiry.best(), inquiry.worthNats, calibration.temperature());
     Map<String, Double> all = new LinkedHashMap<>(signs.byName());
-    all.put("strangers_odds", found.odds());
-    double unknown = Constants.own().unknown(signs.byName(), found.share());
-    return new Conclusion.Unnamed(unknown, all, found.what());
+    String what = "";
+    if (calibration.model() == SensorLaw.Model.LEVEL) {
+      Strangers.Found found =
+          new Strangers(given, new SetupLeave(given, calibration))
+              .against(inquiry.best(), inquiry.worthNats, calibration.temperature());
+      all.put(Constants.STRANGERS_ODDS, found.odds());
+      what = found.what();
+    }
+    double unknown = Constants.own().unknown(calibration.model(), all);
+    if (what.isEmpty() && unknown > 0.5) {
+      what = Unknown.standsIn(given, inquiry.best());
+    }
+    return new Conclusion.Unnamed(unknown, all, what);
+  }
+
+  /**
+   * How probable it is where so much is left that nothing is explained, whether signs say so or
+   * not: a value at the end of a search, or twice the scatter that is expected.
+   */
+  private static double besideARest(SensorLaw.Model law, double unknown) {
+    return law == SensorLaw.Model.LEVEL ? Math.max(0.5, unknown) : Constants.own().most();
   }
 
   private static Weighed beside(Calibration calibration, CalibratedLog given, Weighed part) {

@@ -14,8 +14,6 @@ import java.util.Set;
  * @param name of the case
  * @param isLevel whether the level law was taken
  * @param signs of something without a name, by name
- * @param strangersOdds how many times as likely as the named set what has no name is; 0 where it
- *     was not asked
  * @param tried sets that were weighed
  * @param accepted sets of names by which the truth may be called; the empty one for none
  * @param hasNameless whether something without a name is at work
@@ -26,14 +24,11 @@ record CheckedCase(
     String name,
     boolean isLevel,
     Map<String, Double> signs,
-    double strangersOdds,
     List<Weighed> tried,
     Set<Set<String>> accepted,
     boolean hasNameless,
     boolean isExplained,
     Set<String> explanation) {
-  private static final String ODDS = "strangers_odds";
-
   /** A set of effects, and by how many nats it is behind the likeliest one. */
   record Weighed(Set<String> effects, double behindNats) {}
 
@@ -53,9 +48,6 @@ record CheckedCase(
   }
 
   private static CheckedCase of(AnsweredCase one) {
-    Map<String, Double> signs = one.signs();
-    double odds = signs.getOrDefault(ODDS, 0.0);
-    signs.remove(ODDS);
     List<Weighed> tried = new ArrayList<>();
     for (JsonNode set : one.said().path("tried")) {
       if (set.path("behind_nats").isNumber()) {
@@ -67,8 +59,7 @@ record CheckedCase(
     return new CheckedCase(
         one.name(),
         one.said().path("model").asText().equals("level"),
-        signs,
-        odds,
+        one.signs(),
         tried,
         accepted(one),
         one.hasNameless(),

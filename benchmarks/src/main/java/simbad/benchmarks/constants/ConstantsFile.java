@@ -18,39 +18,51 @@ final class ConstantsFile {
   private static final ObjectMapper MAPPER = new ObjectMapper();
 
   private final ObjectNode root = MAPPER.createObjectNode();
-  private final ObjectNode origin;
-  private final ArrayNode checks;
 
   /**
    * Begins one.
    *
    * @param format of the file
-   * @param how the program that fits
-   * @param date that the file shall say
    */
-  ConstantsFile(String format, String how, String date) {
+  ConstantsFile(String format) {
     root.put("format", format);
-    origin = root.putObject("origin");
-    origin.put("how", how);
-    origin.put("date", date);
-    checks = origin.putArray("checks");
   }
 
-  /** Notes a check and how many of its cases counted. */
-  void add(Path check, int cases) throws IOException {
-    ObjectNode node = checks.addObject();
-    node.set("order", MAPPER.readTree(Files.readString(check.resolve("order.json"))));
-    node.put("cases", cases);
+  /** Where constants come from. */
+  static final class Origin {
+    private final ObjectNode node = MAPPER.createObjectNode();
+    private final ArrayNode checks;
+
+    /**
+     * Begins one.
+     *
+     * @param how the program that fits
+     * @param date that the file shall say
+     */
+    Origin(String how, String date) {
+      node.put("how", how);
+      node.put("date", date);
+      checks = node.putArray("checks");
+    }
+
+    /** Notes a check and how many of its cases counted; none is no origin. */
+    void add(Path check, int cases) throws IOException {
+      if (cases > 0) {
+        ObjectNode one = checks.addObject();
+        one.set("order", MAPPER.readTree(Files.readString(check.resolve("order.json"))));
+        one.put("cases", cases);
+      }
+    }
+
+    /** Returns its node, to which more may be put. */
+    ObjectNode node() {
+      return node;
+    }
   }
 
   /** Returns the node of the constants. */
   ObjectNode root() {
     return root;
-  }
-
-  /** Returns the node of where they come from. */
-  ObjectNode origin() {
-    return origin;
   }
 
   void write(Path file) throws IOException {

@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.function.Predicate;
 import org.hipparchus.optim.InitialGuess;
 import org.hipparchus.optim.MaxEval;
@@ -21,10 +20,12 @@ import simbad.gap.unexplained.Constants;
 /**
  * Most probable constants, given checked cases and the constants that were known before.
  *
- * <p>The weights of the signs are those of a logistic regression with a normal prior around the
- * former ones, so that a few hundred cases move what they speak of and leave the rest; the most
- * that they may say has one around its former odds. Each temperature makes the accepted sets most
- * probable among those that were weighed, with a log-normal prior around the former one.
+ * <p>Each law has its own cases. Under the threshold rule the weights of the signs are those of a
+ * logistic regression with a normal prior around the former ones, so that a few hundred cases move
+ * what they speak of and leave the rest; the most that they may say has one around its former odds.
+ * Under the level law they are those of one with a normal prior around 0. Each temperature makes
+ * the accepted sets most probable among those that were weighed, with a log-normal prior around the
+ * former one.
  */
 final class ConstantsFit {
   /** A weight of 0 may well be 1; a large one came from hundreds of worlds: 6 may be 4.5. */
@@ -41,8 +42,8 @@ final class ConstantsFit {
 
   private static final String MOST = "most";
 
-  /** Signs that may speak either way; all others keep the sense that their name says. */
-  private static final Set<String> EITHER = Set.of("level", "level_misfit", "level_stand_in");
+  /** Under the level law; a unit of any sign may well mean so much in log odds. */
+  private static final double LEVEL_SPREAD = 1;
 
   private final Constants former;
 
@@ -52,12 +53,13 @@ final class ConstantsFit {
 
   /** Returns the constants that the cases make most probable. */
   Constants of(List<CheckedCase> cases) {
-    double[] fitted = regression(cases);
+    double[] fitted = regression(cases.stream().filter(one -> !one.isLevel()).toList());
     return new Constants(
         former.least(),
         most(fitted),
         fitted[0],
         weights(fitted),
+        levelWeights(cases.stream().filter(CheckedCase::isLevel).toList()),
         temperature(cases, one -> !one.isLevel(), former.thresholdTemperature()),
         temperature(cases, CheckedCase::isLevel, former.levelTemperature()),
         namedRightly(cases));
@@ -70,7 +72,7 @@ final class ConstantsFit {
    * @param one case
    */
   static double unknown(Constants constants, CheckedCase one) {
-    return constants.unknown(one.signs(), 1 / (1 + one.strangersOdds()));
+    return one.isLevel() ? constants.unknownByLevels(one.signs()) : constants.unknown(one.signs());
   }
 
   /** What has no name but may be called by names, and was, needs no other word. */
@@ -104,6 +106,39 @@ final class ConstantsFit {
         most(values),
         values[0],
         weights(values),
+        former.levelWeights(),
+        former.thresholdTemperature(),
+        former.levelTemperature(),
+        former.namedRightly());
+  }
+
+  /** Without a case, those that were known before. */
+  private Map<String, Double> levelWeights(List<CheckedCase> cases) {
+    if (cases.isEmpty()) {
+      return former.levelWeights();
+    }
+    return levelWeights(
+        Regression.fitted(
+            Constants.LEVEL_SIGNS.size(),
+            LEVEL_SPREAD,
+            values -> logScore(withLevel(levelWeights(values)), cases)));
+  }
+
+  private static Map<String, Double> levelWeights(double... values) {
+    Map<String, Double> weights = new LinkedHashMap<>();
+    for (int i = 0; i < values.length; i++) {
+      weights.put(Constants.LEVEL_SIGNS.get(i), values[i]);
+    }
+    return weights;
+  }
+
+  private Constants withLevel(Map<String, Double> weights) {
+    return new Constants(
+        former.least(),
+        former.most(),
+        former.base(),
+        former.weights(),
+        weights,
         former.thresholdTemperature(),
         former.levelTemperature(),
         former.namedRightly());
@@ -119,7 +154,8 @@ final class ConstantsFit {
     names.addAll(former.weights().keySet());
     names.add(MOST);
     for (int i = 0; i < start.length; i++) {
-      boolean isFree = i == 0 || names.get(i).equals(MOST) || EITHER.contains(names.get(i));
+      // All others keep the sense that their name says.
+      boolean isFree = i == 0 || names.get(i).equals(MOST);
       low[i] = start[i] - FURTHEST * spread[i];
       high[i] = start[i] + FURTHEST * spread[i];
       if (!isFree) {

@@ -1,5 +1,6 @@
 package simbad.benchmarks.constants;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -8,15 +9,21 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.IntStream;
+import simbad.gap.constants.FittedConstants;
 import simbad.gap.unexplained.Constants;
 
 /**
- * Fits the constants that decide to finished checks, and writes them with where they come from.
- * {@code benchmarks/fit-constants} draws the worlds, has them diagnosed and calls it.
+ * Fits the constants that decide to finished checks, and writes them with where they come from. A
+ * law of which there are few cases keeps its own. {@code benchmarks/fit-constants} draws the
+ * worlds, has them diagnosed and calls it.
  */
 public final class FitConstants {
   private static final int FOLDS = 5;
+
+  /** Of fewer cases nothing is learnt. */
+  private static final int LEAST_CASES = 50;
+
+  private static final String UNKNOWN = "unknown";
 
   private FitConstants() {}
 
@@ -30,23 +37,57 @@ public final class FitConstants {
     if (arguments.length < 3) {
       throw new IllegalArgumentException("give OUT.json DATE CHECK...");
     }
+    List<String> checks = Arrays.asList(arguments).subList(2, arguments.length);
+    ConstantsFile file = new ConstantsFile("simbad-constants/2");
+    JsonNode known = FittedConstants.of(Constants.class);
     List<CheckedCase> all = new ArrayList<>();
-    ConstantsFile file =
-        new ConstantsFile("simbad-constants/1", "benchmarks/fit-constants", arguments[1]);
-    for (String check : Arrays.asList(arguments).subList(2, arguments.length)) {
-      List<CheckedCase> cases = CheckedCase.read(Path.of(check));
+    for (boolean level : new boolean[] {false, true}) {
+      String law = level ? "level" : "threshold";
+      List<CheckedCase> cases = new ArrayList<>();
+      ConstantsFile.Origin origin =
+          new ConstantsFile.Origin("benchmarks/fit-constants", arguments[1]);
+      for (String check : checks) {
+        List<CheckedCase> own =
+            CheckedCase.read(Path.of(check)).stream().filter(c -> c.isLevel() == level).toList();
+        cases.addAll(own);
+        origin.add(Path.of(check), own.size());
+      }
+      if (cases.size() < LEAST_CASES) {
+        System.out.printf(
+            Locale.ROOT, "%s: %d cases, too few: it keeps its constants%n", law, cases.size());
+        file.root().set(law, known.path(law));
+        continue;
+      }
+      cases.sort(Comparator.comparing(CheckedCase::name));
       all.addAll(cases);
-      file.add(Path.of(check), cases.size());
+      fit(file.root().putObject(law), origin, cases, level);
     }
-    all.sort(Comparator.comparing(CheckedCase::name));
-    ConstantsFit fit = new ConstantsFit(Constants.own());
-    figures(file.origin(), all, fit);
-    constants(file.root(), fit.of(all));
+    file.root()
+        .put(
+            "named_rightly",
+            ConstantsFile.rounded(new ConstantsFit(Constants.own()).of(all).namedRightly()));
     file.write(Path.of(arguments[0]));
   }
 
+  private static void fit(
+      ObjectNode law, ConstantsFile.Origin origin, List<CheckedCase> cases, boolean level) {
+    ConstantsFit fit = new ConstantsFit(Constants.own());
+    figures(origin.node().putObject("unknown_held_out"), cases, fit);
+    law.set("origin", origin.node());
+    Constants fitted = fit.of(cases);
+    ObjectNode unknown = law.putObject(UNKNOWN);
+    if (!level) {
+      unknown.put("least", fitted.least());
+      unknown.put("most", ConstantsFile.rounded(fitted.most()));
+      unknown.put("base", ConstantsFile.rounded(fitted.base()));
+    }
+    ConstantsFile.put(unknown, level ? fitted.levelWeights() : fitted.weights());
+    double temperature = level ? fitted.levelTemperature() : fitted.thresholdTemperature();
+    law.put("temperature", ConstantsFile.rounded(temperature));
+  }
+
   /** How well it does on cases that it was not fitted on, beside the former constants. */
-  private static void figures(ObjectNode origin, List<CheckedCase> all, ConstantsFit fit) {
+  private static void figures(ObjectNode node, List<CheckedCase> all, ConstantsFit fit) {
     double[] before = new double[all.size()];
     double[] after = new double[all.size()];
     for (int fold = 0; fold < FOLDS; fold++) {
@@ -62,25 +103,8 @@ public final class FitConstants {
         after[i] = ConstantsFit.unknown(fitted, all.get(i));
       }
     }
-    ObjectNode node = origin.putObject("unknown_held_out");
-    scores(node.putObject("former"), all, before);
-    scores(node.putObject("fitted"), all, after);
-  }
-
-  /** Of all cases, and of those that were taken to hear by either law. */
-  private static void scores(ObjectNode node, List<CheckedCase> all, double[] probability) {
-    score(node, all, probability);
-    for (boolean level : new boolean[] {false, true}) {
-      int[] own =
-          IntStream.range(0, all.size()).filter(i -> all.get(i).isLevel() == level).toArray();
-      if (own.length > 0) {
-        score(
-            node.putObject(level ? "level" : "threshold"),
-            IntStream.of(own).mapToObj(all::get).toList(),
-            IntStream.of(own).mapToDouble(i -> probability[i]).toArray());
-      }
-    }
-    System.out.printf(Locale.ROOT, "%s%n", node);
+    score(node.putObject("former"), all, before);
+    score(node.putObject("fitted"), all, after);
   }
 
   private static void score(ObjectNode node, List<CheckedCase> all, double[] probability) {
@@ -93,17 +117,6 @@ public final class FitConstants {
     node.put("mean_log_score", ConstantsFile.rounded(log / probability.length));
     node.put("calibration_error", ConstantsFile.rounded(CalibrationError.of(probability, unknown)));
     node.put("cases", probability.length);
-  }
-
-  private static void constants(ObjectNode root, Constants fitted) {
-    ObjectNode unknown = root.putObject("unknown");
-    unknown.put("least", fitted.least());
-    unknown.put("most", ConstantsFile.rounded(fitted.most()));
-    unknown.put("base", ConstantsFile.rounded(fitted.base()));
-    ConstantsFile.put(unknown, fitted.weights());
-    ObjectNode temperature = root.putObject("temperature");
-    temperature.put("threshold", ConstantsFile.rounded(fitted.thresholdTemperature()));
-    temperature.put("level", ConstantsFile.rounded(fitted.levelTemperature()));
-    root.put("named_rightly", ConstantsFile.rounded(fitted.namedRightly()));
+    System.out.printf(Locale.ROOT, "%s%n", node);
   }
 }

@@ -32,16 +32,17 @@ public final class FitMotion {
       throw new IllegalArgumentException("give OUT.json DATE CHECK...");
     }
     List<CheckedDrive> all = new ArrayList<>();
-    ConstantsFile file =
-        new ConstantsFile("simbad-motion-constants/1", "benchmarks/fit-motion", arguments[1]);
+    ConstantsFile file = new ConstantsFile("simbad-motion-constants/1");
+    ConstantsFile.Origin origin = new ConstantsFile.Origin("benchmarks/fit-motion", arguments[1]);
+    file.root().set("origin", origin.node());
     for (String check : Arrays.asList(arguments).subList(2, arguments.length)) {
       List<CheckedDrive> cases = CheckedDrive.read(Path.of(check));
       all.addAll(cases);
-      file.add(Path.of(check), cases.size());
+      origin.add(Path.of(check), cases.size());
     }
     // Names of cases are drawn, so their order has nothing to do with what they are.
     all.sort(Comparator.comparing(CheckedDrive::name));
-    ObjectNode heldOut = file.origin().putObject("held_out");
+    ObjectNode heldOut = origin.node().putObject("held_out");
     figures(heldOut, all, MotionFit.heldOut(all, FOLDS));
     System.out.println(heldOut.toPrettyString());
     MotionConstants fitted = MotionFit.of(all);

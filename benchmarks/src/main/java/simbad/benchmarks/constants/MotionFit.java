@@ -5,13 +5,6 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.ToDoubleFunction;
-import org.hipparchus.optim.InitialGuess;
-import org.hipparchus.optim.MaxEval;
-import org.hipparchus.optim.SimpleBounds;
-import org.hipparchus.optim.nonlinear.scalar.GoalType;
-import org.hipparchus.optim.nonlinear.scalar.ObjectiveFunction;
-import org.hipparchus.optim.nonlinear.scalar.noderiv.BOBYQAOptimizer;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.motion.MotionConstants;
 
@@ -23,8 +16,6 @@ final class MotionFit {
   /** Signs are log odds, shares and counts: a unit of any may well mean so much in log odds. */
   private static final double SPREAD = 3;
 
-  private static final double FURTHEST = 4;
-  private static final int EVALUATIONS = 20_000;
   private static final double HELD = 0.95;
 
   private MotionFit() {}
@@ -33,10 +24,14 @@ final class MotionFit {
   static MotionConstants of(List<CheckedDrive> cases) {
     int size = MotionConstants.VERDICT_SIGNS.size() + 1;
     double[] verdicts =
-        fitted(2 * size, values -> verdictScore(constants(values, size, new double[0], 1), cases));
+        Regression.fitted(
+            2 * size,
+            SPREAD,
+            values -> verdictScore(constants(values, size, new double[0], 1), cases));
     double[] names =
-        fitted(
+        Regression.fitted(
             MotionConstants.NAME_SIGNS.size() + 1,
+            SPREAD,
             values -> nameScore(constants(verdicts, size, values, 1), cases));
     return constants(verdicts, size, names, otherDrive(cases));
   }
@@ -57,27 +52,6 @@ final class MotionFit {
       weights.put(signs.get(i), values[i + 1]);
     }
     return weights;
-  }
-
-  private static double[] fitted(int size, ToDoubleFunction<double[]> score) {
-    double[] bound = new double[size];
-    Arrays.fill(bound, FURTHEST * SPREAD);
-    double[] low = Arrays.stream(bound).map(b -> -b).toArray();
-    return new BOBYQAOptimizer(2 * size + 1)
-        .optimize(
-            new MaxEval(EVALUATIONS),
-            new ObjectiveFunction(
-                values -> {
-                  double prior = 0;
-                  for (double value : values) {
-                    prior += value * value / (2 * SPREAD * SPREAD);
-                  }
-                  return prior - score.applyAsDouble(values);
-                }),
-            GoalType.MINIMIZE,
-            new InitialGuess(new double[size]),
-            new SimpleBounds(low, bound))
-        .getPoint();
   }
 
   /** Returns the sum of the log probabilities of what is so, natural. */

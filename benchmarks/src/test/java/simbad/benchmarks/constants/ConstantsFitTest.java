@@ -29,7 +29,6 @@ class ConstantsFitTest {
         "c",
         true,
         Map.of("misfit", 0.0),
-        0,
         List.of(
             new CheckedCase.Weighed(GAIN, gainBehind),
             new CheckedCase.Weighed(Set.of("absorption"), otherBehind)),
@@ -44,7 +43,6 @@ class ConstantsFitTest {
         "c",
         false,
         Map.of("misfit", misfit),
-        0,
         List.of(),
         Set.of(isUnknown ? Set.of("wind") : Set.of()),
         isUnknown,
@@ -73,7 +71,8 @@ class ConstantsFitTest {
     Random random = new Random(3);
     Map<String, Double> weights = new LinkedHashMap<>(Constants.own().weights());
     weights.put("misfit", 1.0);
-    Constants truth = new Constants(0.005, 0.965, -2, weights, 2, 2, 0.985);
+    Constants truth =
+        new Constants(0.005, 0.965, -2, weights, Constants.own().levelWeights(), 2, 2, 0.985);
     List<CheckedCase> cases = new ArrayList<>();
     for (int i = 0; i < 2000; i++) {
       double misfit = 4 * random.nextDouble();
@@ -106,15 +105,42 @@ class ConstantsFitTest {
         "no case of that law");
   }
 
+  /**
+   * Drawn by odds alone: what has no name is as probable as the odds say, and misfits say nothing.
+   */
   @Test
-  void strangers_addToTheUnknown() {
-    CheckedCase one =
-        new CheckedCase("c", true, Map.of(), 3, List.of(), Set.of(), true, false, Set.of());
-    Constants own = Constants.own();
-    double range = own.most() - own.least();
-    double bySigns = (own.unknown(Map.of()) - own.least()) / range;
-    assertEquals(
-        own.least() + range * (1 - (1 - bySigns) / 4), ConstantsFit.unknown(own, one), 1e-12);
+  void levelCases_bringTheirOwnWeights() {
+    Random random = new Random(5);
+    List<CheckedCase> cases = new ArrayList<>();
+    for (int i = 0; i < 2000; i++) {
+      double logOdds = 8 * random.nextDouble() - 4;
+      boolean unknown = random.nextDouble() < 1 / (1 + Math.exp(1 - logOdds));
+      cases.add(strange(6 * random.nextDouble(), Math.exp(logOdds), unknown));
+    }
+    Constants fitted = new ConstantsFit(Constants.own()).of(cases);
+    assertEquals(1, levelWeight(fitted, "strangers_likelier"), 0.2);
+    assertEquals(1, levelWeight(fitted, "strangers_less_likely"), 0.2);
+    assertEquals(0, levelWeight(fitted, "misfit"), 0.15);
+    assertEquals(-1, levelWeight(fitted, "base"), 0.5);
+    assertEquals(Constants.own().base(), fitted.base(), 1e-3, "no case of the other law");
+    assertTrue(
+        ConstantsFit.logScore(fitted, cases) > ConstantsFit.logScore(Constants.own(), cases));
+  }
+
+  private static CheckedCase strange(double misfit, double odds, boolean isUnknown) {
+    return new CheckedCase(
+        "c",
+        true,
+        Map.of("misfit", misfit, "strangers_odds", odds),
+        List.of(),
+        Set.of(isUnknown ? Set.of("wind") : Set.of()),
+        isUnknown,
+        false,
+        Set.of());
+  }
+
+  private static double levelWeight(Constants constants, String name) {
+    return Objects.requireNonNull(constants.levelWeights().get(name), name);
   }
 
   /** All signs speak for it, and in three of four there was something: no more is said. */
@@ -143,8 +169,7 @@ class ConstantsFitTest {
         "{\"effects\": {\"short-burst\": {}}, \"unknown\": [\"short-burst\"],"
             + " \"accept\": [[\"short-burst\"], [\"gain\"]]}");
     CheckedCase one = CheckedCase.read(check).get(0);
-    assertEquals(2, one.strangersOdds());
-    assertEquals(Map.of("misfit", 0.5), one.signs());
+    assertEquals(Map.of("misfit", 0.5, "strangers_odds", 2.0), one.signs());
     assertEquals(1, one.tried().size(), "what was left out has no odds");
     assertTrue(one.hasNameless() && one.isNamedRightly() && !ConstantsFit.isUnknown(one));
     write(check, "answers/c1/diagnosis.json", "{}");
@@ -169,43 +194,43 @@ class ConstantsFitTest {
   }
 
   /**
-   * Two checks of one case each: what is written is read as constants again, and says its origin.
+   * What is written is read as constants again, says its origin, and leaves the other law alone.
    */
   @Test
   void program_writesConstantsWithTheirOrigin(@TempDir Path folder) throws IOException {
-    for (String check : List.of("L1", "L2w")) {
+    Path check = folder.resolve("L1");
+    for (int i = 0; i < 50; i++) {
+      String name = "c" + i;
       write(
-          folder,
-          check + "/answers/" + check + "c/diagnosis.json",
+          check,
+          "answers/" + name + "/diagnosis.json",
           "{\"verdict\": \"none\", \"explanation\": [], \"model\": \"threshold\","
               + " \"signs\": {\"misfit\": 0}, \"tried\": []}");
-      write(folder, check + "/world/truth/" + check + "c/truth.json", "{\"effects\": {}}");
-      write(folder, check + "/order.json", "{\"seed\": 7}");
+      write(check, "world/truth/" + name + "/truth.json", "{\"effects\": {}}");
     }
+    write(check, "order.json", "{\"seed\": 7}");
     Path out = folder.resolve("constants.json");
-    FitConstants.main(
-        new String[] {
-          out.toString(),
-          "2026-11-25",
-          folder.resolve("L1").toString(),
-          folder.resolve("L2w").toString()
-        });
+    FitConstants.main(new String[] {out.toString(), "2026-11-25", check.toString()});
     JsonNode root = new ObjectMapper().readTree(Files.readString(out));
-    assertEquals("2026-11-25", root.at("/origin/date").asText());
-    assertEquals(7, root.at("/origin/checks/1/order/seed").asInt());
-    assertEquals(1, root.at("/origin/checks/1/cases").asInt());
-    double score = root.at("/origin/unknown_held_out/former/mean_log_score").asDouble();
+    JsonNode origin = root.at("/threshold/origin");
+    assertEquals("2026-11-25", origin.at("/date").asText());
+    assertEquals(7, origin.at("/checks/0/order/seed").asInt());
+    assertEquals(50, origin.at("/checks/0/cases").asInt());
+    double score = origin.at("/unknown_held_out/former/mean_log_score").asDouble();
     assertEquals(Math.log(1 - Constants.own().unknown(Map.of())), score, 1e-5);
-    assertEquals(Constants.own().weights().keySet(), Constants.of(root).weights().keySet());
+    Constants read = Constants.of(root);
+    assertEquals(Constants.own().weights().keySet(), read.weights().keySet());
+    assertEquals(Constants.own().levelWeights(), read.levelWeights(), "no case of it");
+    assertTrue(root.at("/level/origin/date").isTextual());
     assertThrows(IllegalArgumentException.class, () -> FitConstants.main(new String[] {"x"}));
   }
 
   @Test
   void missingNumber_isNamed() throws IOException {
-    JsonNode root = new ObjectMapper().readTree("{\"format\": \"simbad-constants/1\"}");
+    JsonNode root = new ObjectMapper().readTree("{\"format\": \"simbad-constants/2\"}");
     IllegalArgumentException wrong =
         assertThrows(IllegalArgumentException.class, () -> Constants.of(root));
-    assertTrue(wrong.toString().contains("misfit: "), wrong.toString());
+    assertTrue(wrong.toString().contains("least: "), wrong.toString());
   }
 
   private static void write(Path folder, String name, String text) throws IOException {

@@ -17,7 +17,6 @@ import simbad.sonar.check.Checks;
  * @param many whether more than two are named
  * @param twoForLittle whether two or more take away little of the gap
  * @param standIn whether a value stands at its bound, or one fits nothing that there is
- * @param level whether the sensor was taken to hear by the level law
  */
 public record Signs(
     double misfit,
@@ -27,8 +26,7 @@ public record Signs(
     boolean soaks,
     boolean many,
     boolean twoForLittle,
-    boolean standIn,
-    boolean level) {
+    boolean standIn) {
   /** Refuses what is no number. */
   public Signs {
     Checks.number("misfit", misfit);
@@ -37,11 +35,11 @@ public record Signs(
   }
 
   /** Nothing speaks for it. */
-  static final Signs NONE = new Signs(0, 0, false, 0, false, false, false, false, false);
+  static final Signs NONE = new Signs(0, 0, false, 0, false, false, false, false);
 
   /** Returns the same where a part of the set fits nothing that there is. */
   Signs withStandIn() {
-    return new Signs(misfit, left, leftLittle, shareLeft, soaks, many, twoForLittle, true, level);
+    return new Signs(misfit, left, leftLittle, shareLeft, soaks, many, twoForLittle, true);
   }
 
   /** Returns the numbers by the names that their weights have, in a fixed order. */
@@ -55,9 +53,6 @@ public record Signs(
     all.put("many", number(many));
     all.put("two_for_little", number(twoForLittle));
     all.put("stand_in", number(standIn));
-    all.put("level", number(level));
-    all.put("level_misfit", level ? misfit : 0);
-    all.put("level_stand_in", level ? number(standIn) : 0);
     return all;
   }
 

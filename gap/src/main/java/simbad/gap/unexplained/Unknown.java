@@ -14,7 +14,6 @@ import simbad.sonar.frame.Point;
 import simbad.sonar.ping.Change;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
-import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.shape.Outline;
 
 /**
@@ -83,7 +82,8 @@ public final class Unknown {
     if (doubt.isHeldOut() && isWithinItself(gain)) {
       off = Math.min(off, CHANCE + MOST_UNSEEN);
     }
-    Signs signs = signs(Math.max(0, off - CHANCE), gain, doubt.gapTimes(), best, given.setup());
+    Signs signs =
+        signs(Math.max(0, off - CHANCE), gain, doubt.gapTimes(), best, given.setup().scene());
     return Strays.of(given, best).goWithDistance() ? signs.withStandIn() : signs;
   }
 
@@ -100,13 +100,12 @@ public final class Unknown {
   }
 
   /** Three effects at once are rarer than one thing that has no name. */
-  static Signs signs(
-      double misfit, GapGain gain, double times, Hypothesis best, SensingSetup setup) {
+  static Signs signs(double misfit, GapGain gain, double times, Hypothesis best, Scene scene) {
     double shrinkage = gain.shrinkage();
     boolean isNamed = best.size() > 0;
     // A value that would go on beyond what there is fits something else.
     boolean standIn =
-        best.isAtBound() || best.changes().stream().anyMatch(c -> isStandIn(c, setup.scene()));
+        best.isAtBound() || best.changes().stream().anyMatch(c -> isStandIn(c, scene));
     return new Signs(
         misfit,
         left(gain, times),
@@ -115,21 +114,12 @@ public final class Unknown {
         best.effects().stream().anyMatch(SOAK::contains),
         best.forms().size() > 2,
         best.forms().size() > 1 && shrinkage < WORTH_TWO,
-        standIn,
-        setup.sensor().law().isLevel());
+        standIn);
   }
 
   /** Whether the gap before is hardly more than the set-up expects of itself. */
   private static boolean isWithinItself(GapGain gain) {
     return gain.beforeM() < WITHIN_ITSELF * mean(gain.before().expectedM());
-  }
-
-  /**
-   * Returns the probability where so much is left that nothing is explained, whether misfits say so
-   * or not: a value at the end of a search, or twice the scatter that is expected.
-   */
-  public static double besideARest() {
-    return Constants.own().most();
   }
 
   /**

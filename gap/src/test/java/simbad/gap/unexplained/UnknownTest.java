@@ -22,7 +22,7 @@ class UnknownTest {
   private static final Hypothesis OFFSET = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.04);
 
   private static Signs signs(Hypothesis best, double shrinkage) {
-    return Unknown.signs(0, gain(1, 1 - shrinkage, 1 - shrinkage), 1, best, Worlds.POST);
+    return Unknown.signs(0, gain(1, 1 - shrinkage, 1 - shrinkage), 1, best, Worlds.POST.scene());
   }
 
   private static double unknown(Signs signs) {
