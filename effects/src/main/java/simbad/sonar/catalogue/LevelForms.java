@@ -13,7 +13,6 @@ import simbad.definition.Parameter;
 import simbad.sonar.effect.Form;
 import simbad.sonar.level.Curve;
 import simbad.sonar.level.LevelDefaults;
-import simbad.sonar.level.LevelFigures;
 import simbad.sonar.level.LevelLaw;
 import simbad.sonar.level.PistonBeam;
 import simbad.sonar.level.StrengthTable;
@@ -122,8 +121,12 @@ public final class LevelForms {
 
   /** Returns the wavenumber of a sensor's carrier in its air, radians per metre. */
   public static double wavenumberPerM(SonarSpec sensor) {
-    LevelFigures figures = sensor.law().level();
-    return figures.air().wavenumberPerM(figures.frequencyHz().orElse(LevelDefaults.FREQUENCY_HZ));
+    return sensor.law().level().air().wavenumberPerM(frequencyHz(sensor));
+  }
+
+  /** Returns a sensor's carrier, hertz. */
+  static double frequencyHz(SonarSpec sensor) {
+    return sensor.law().level().frequencyHz().orElse(LevelDefaults.FREQUENCY_HZ);
   }
 
   private static LevelRule rule(LevelLaw stated, double wavenumber, double... v) {

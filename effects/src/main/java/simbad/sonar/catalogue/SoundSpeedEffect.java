@@ -14,6 +14,8 @@ import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.definition.Trait;
 import simbad.sonar.change.AirTemperature;
+import simbad.sonar.change.LevelAbsorption;
+import simbad.sonar.change.OtherAir;
 import simbad.sonar.change.ReadingScale;
 import simbad.sonar.change.SoundSpeed;
 import simbad.sonar.effect.Clues;
@@ -25,6 +27,7 @@ import simbad.sonar.effect.LogDesign;
 import simbad.sonar.effect.Modes;
 import simbad.sonar.effect.Probe;
 import simbad.sonar.effect.Tries;
+import simbad.sonar.level.Air;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
@@ -58,6 +61,20 @@ public final class SoundSpeedEffect implements Definition {
   private static final double COLDEST_M_S = 318;
 
   private static final double HOTTEST_M_S = 362;
+
+  /** Air of -40 and of 70 degrees. */
+  private static final double LEAST_AIR_M_S = 306;
+
+  private static final double MOST_AIR_M_S = 371;
+
+  /** Beyond these the formula of absorption is not for. */
+  private static final double COLDEST_C = -40;
+
+  private static final double WARMEST_C = 60;
+  private static final double FREEZING_K = 273.15;
+  private static final String AIR = "air";
+  private static final String SPEED = "sound_speed_m_s";
+  private static final String HUMIDITY = "humidity_percent";
 
   @Override
   public Effect effect() {
@@ -102,6 +119,47 @@ public final class SoundSpeedEffect implements Definition {
             Parameter.of("follows", 0, 0, 1, 0.5, 1).asClosed()));
   }
 
+  /** Warmer air is faster, and takes more of an echo; how much more hangs on how damp it is. */
+  @Override
+  public List<Form> levelForms(SensingSetup setup, List<String> sensors) {
+    double assumed = setup.sensor().assumedSoundSpeedMPerS();
+    double hz = LevelForms.frequencyHz(setup.sensor());
+    List<Form> forms = new ArrayList<>(forms(setup, sensors));
+    forms.add(
+        Form.of(
+            effect(),
+            AIR,
+            v ->
+                new OtherAir(
+                    new SoundSpeed(assumed / v[0]),
+                    new LevelAbsorption(addedDbPerM(assumed, v[0], v[1], hz))),
+            Parameter.of(
+                SPEED,
+                assumed,
+                Math.min(assumed, LEAST_AIR_M_S),
+                Math.max(assumed, MOST_AIR_M_S),
+                0.96 * assumed,
+                0.98 * assumed,
+                1.02 * assumed,
+                1.04 * assumed),
+            Parameter.of(HUMIDITY, Air.ROOM.humidityPercent(), 2, 98, 10, 50, 90).asClosed()));
+    return forms;
+  }
+
+  /** What air of one speed of sound takes more than that of another one, equally damp. */
+  private static double addedDbPerM(double from, double to, double humidityPercent, double hz) {
+    return airOf(to, humidityPercent).absorptionDbPerM(hz)
+        - airOf(from, humidityPercent).absorptionDbPerM(hz);
+  }
+
+  private static Air airOf(double speed, double humidityPercent) {
+    return new Air(Math.max(COLDEST_C, Math.min(WARMEST_C, temperatureC(speed))), humidityPercent);
+  }
+
+  private static double temperatureC(double speed) {
+    return FREEZING_K * (speed * speed / (FREEZING_M_S * FREEZING_M_S) - 1);
+  }
+
   /**
    * Steps that are finer than the scatter do not show. Scaled, they beat with the steps of the log,
    * and a fit would follow the beat.
@@ -112,7 +170,7 @@ public final class SoundSpeedEffect implements Definition {
 
   private static Parameter speed(double assumed, double... shares) {
     return Parameter.of(
-        "sound_speed_m_s",
+        SPEED,
         assumed,
         assumed / MOST_SCALE,
         assumed * MOST_SCALE,
@@ -161,12 +219,12 @@ public final class SoundSpeedEffect implements Definition {
   /** Half a kelvin is 0.3 m/s. */
   @Override
   public boolean isWithinDays(Form form, double... values) {
-    return values.length == 1 && Math.abs(values[0] - form.neutral()[0]) < 0.6;
+    return isPlain(form) && Math.abs(values[0] - form.neutral()[0]) < 0.6;
   }
 
   @Override
   public String remedy(FittedValues values) {
-    double speed = values.value("sound_speed_m_s");
+    double speed = values.value(SPEED);
     double assumed = values.sensor().assumedSoundSpeedMPerS();
     if (values.value("follows") > LEAST_FOLLOWED) {
       return text(
@@ -177,17 +235,34 @@ public final class SoundSpeedEffect implements Definition {
       return text(
           "multiply readings by %.4g: that is a unit or a constant, not the air", speed / assumed);
     }
-    return text(
-        "compute with %.1f m/s (air of %.0f degrees), not %.1f",
-        speed, (speed - FREEZING_M_S) / DEGREES_OF_AIR, assumed);
+    String compute =
+        text(
+            "compute with %.1f m/s (air of %.0f degrees), not %.1f",
+            speed, (speed - FREEZING_M_S) / DEGREES_OF_AIR, assumed);
+    return values.has(HUMIDITY) ? compute + absorbs(values) : compute;
+  }
+
+  private static String absorbs(FittedValues values) {
+    double more =
+        addedDbPerM(
+            values.sensor().assumedSoundSpeedMPerS(),
+            values.value(SPEED),
+            values.value(HUMIDITY),
+            LevelForms.frequencyHz(values.sensor()));
+    return text("; it takes %.1f dB/m %s of an echo", Math.abs(more), more < 0 ? "less" : "more");
   }
 
   /** A wrong unit is no speed of sound: readings are to be mended then, not the scene. */
   @Override
   public Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
-    return isAir(values[0]) && values.length == 1
+    return isAir(values[0]) && isPlain(form)
         ? Optional.of(stated.with(stated.sensor().withSoundSpeed(values[0])))
         : Optional.empty();
+  }
+
+  /** Of one speed of sound, whatever else it brings. */
+  private static boolean isPlain(Form form) {
+    return form.parameters().size() == 1 || form.name().equals(AIR);
   }
 
   private static boolean isAir(double speed) {

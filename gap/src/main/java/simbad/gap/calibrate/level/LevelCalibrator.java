@@ -111,9 +111,10 @@ public final class LevelCalibrator {
   }
 
   private static boolean leavesRanges(Change effect) {
-    return effect instanceof LevelChange
-        || effect instanceof LossChange
-        || (effect instanceof EchoChange && !(effect instanceof RangeChange));
+    return !(effect instanceof RangeChange)
+        && (effect instanceof LevelChange
+            || effect instanceof LossChange
+            || effect instanceof EchoChange);
   }
 
   /** How probable the whole reference is where echoes come from as they do there. */
