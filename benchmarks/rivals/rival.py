@@ -127,29 +127,33 @@ def answer(arguments):
 def kinds(arguments):
     """How well trees tell a kind of world without a name that they learnt from, and one that they never saw."""
     data, other = joblib.load(arguments.features), joblib.load(arguments.other)
-    names = data["names"]
-    x, z = columns(data, names), columns(other, names)
-    kind, asked = ([(told["outside_vocabulary"] or [""])[0] for told in one["truths"]] for one in (data, other))
-    kind, asked = np.array(kind), np.array(asked)
-    told = [json.loads((arguments.answers / name / "diagnosis.json").read_text())["unknown_probability"]
-            if (arguments.answers / name / "diagnosis.json").exists() else 0.5 for name in other["cases"]] if arguments.answers else []
+    x, z = columns(data, data["names"]), columns(other, data["names"])
+    kind, asked = (np.array([(told["outside_vocabulary"] or [""])[0] for told in one["truths"]]) for one in (data, other))
 
     def chances(kept):
         return trees().fit(x[kept], kind[kept] != "").predict_proba(z)[:, 1]
 
-    seen = chances(np.full(len(kind), True))
+    def said(name):
+        file = arguments.answers / name / "diagnosis.json"
+        return json.loads(file.read_text())["unknown_probability"] if file.exists() else 0.5
+
+    # What is missing is a number that says how many echoes fewer came than the nominal model expects.
+    alike = {"learnt": chances(np.full(len(kind), True)), "missing": -np.nan_to_num(columns(other, ["surplus"])[:, 0])}
+    if arguments.answers:
+        alike["ANSWERS"] = np.array([said(name) for name in other["cases"]])
     rows = []
     for one in sorted(set(asked) - {""}):
         among = (asked == one) | (asked == "")
-        for chance in (seen, chances(kind != one), *([np.array(told)] if told else [])):
-            rows.append((one, int(np.sum(asked == one)), roc_auc_score(asked[among] != "", chance[among])))
-    each = 3 if told else 2
-    print("AUROC of what has no name, by its kind: cases, trees that learnt the kind, trees that did not" + (", ANSWERS" if told else ""))
-    for at in range(0, len(rows), each):
-        print(f"  {rows[at][0]:20} {rows[at][1]:4} " + " ".join(f"{row[2]:6.2f}" for row in rows[at:at + each]))
-    weights = [row[1] for row in rows[::each]]
-    print(f"  {'all':20} {sum(weights):4} " + " ".join(
-        f"{np.average([row[2] for row in rows[i::each]], weights=weights):6.2f}" for i in range(each)))
+        each = {**alike, "unseen": chances(kind != one)}
+        rows.append((one, np.sum(asked == one), {by: roc_auc_score(asked[among] != "", p[among]) for by, p in each.items()}))
+    shown = ["learnt", "unseen", "missing"] + (["ANSWERS"] if arguments.answers else [])
+    print("AUROC of what has no name, by its kind: trees that learnt the kind, trees that did not see it, echoes that are missing")
+    print(f"  {'kind':20} cases " + " ".join(f"{by:>8}" for by in shown))
+    for one, cases, figures in rows:
+        print(f"  {one:20} {cases:5} " + " ".join(f"{figures[by]:8.2f}" for by in shown))
+    weights = [cases for _, cases, _ in rows]
+    print(f"  {'all':20} {sum(weights):5} " + " ".join(
+        f"{np.average([figures[by] for _, _, figures in rows], weights=weights):8.2f}" for by in shown))
 
 
 def main():

@@ -340,7 +340,7 @@ public final class Diagnoser {
         verdict,
         told.conclusion.reason(),
         best.effects(),
-        new EffectFindings(given, sets, weighed, told.unknown, clumping, isPartly).all(),
+        new EffectFindings(given, sets, weighed, told.unknown, law, clumping, isPartly).all(),
         told.unknown,
         1 - weighed.probabilities().ofNone(),
         told.conclusion.atBound(),

@@ -25,6 +25,7 @@ import simbad.gap.search.Weighed;
 import simbad.gap.unexplained.Constants;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
+import simbad.sonar.scene.SensorLaw;
 
 /**
  * What is said of each effect.
@@ -33,6 +34,7 @@ import simbad.sonar.effect.Form;
  * @param sets that were fitted
  * @param weighed the set that is concluded upon
  * @param unknown probability that something without a name is at work
+ * @param law of hearing that was taken
  * @param clumping by which readings hang together
  * @param isPartly whether what is named stands beside something else
  */
@@ -41,6 +43,7 @@ record EffectFindings(
     List<Scored> sets,
     Weighed weighed,
     double unknown,
+    SensorLaw.Model law,
     double clumping,
     boolean isPartly) {
   private static final double NORMAL_95 = 1.96;
@@ -51,7 +54,7 @@ record EffectFindings(
     weighed.probabilities().ofEffects().forEach((e, p) -> probability.put(e, stated(p)));
     Hypothesis best = weighed.taken().hypothesis();
     if (isPartly) {
-      best.effects().forEach(effect -> probability.put(effect, Constants.own().namedRightly()));
+      best.effects().forEach(effect -> probability.put(effect, namedRightly()));
     }
     double[] deviations = deviations(best);
     List<EffectFinding> findings = new ArrayList<>();
@@ -65,9 +68,13 @@ record EffectFindings(
     return findings;
   }
 
+  private double namedRightly() {
+    return Constants.own().namedRightly(law);
+  }
+
   /** That it is at work, and nothing without a name is what it stands in for. */
   private double stated(double amongTheNamed) {
-    return Constants.own().namedRightly() * (1 - unknown) * amongTheNamed;
+    return namedRightly() * (1 - unknown) * amongTheNamed;
   }
 
   private double[] deviations(Hypothesis set) {

@@ -62,7 +62,8 @@ final class ConstantsFit {
         levelWeights(cases.stream().filter(CheckedCase::isLevel).toList()),
         temperature(cases, one -> !one.isLevel(), former.thresholdTemperature()),
         temperature(cases, CheckedCase::isLevel, former.levelTemperature()),
-        namedRightly(cases));
+        namedRightly(cases, one -> !one.isLevel(), former.thresholdNamedRightly()),
+        namedRightly(cases, CheckedCase::isLevel, former.levelNamedRightly()));
   }
 
   /**
@@ -109,7 +110,8 @@ final class ConstantsFit {
         former.levelWeights(),
         former.thresholdTemperature(),
         former.levelTemperature(),
-        former.namedRightly());
+        former.thresholdNamedRightly(),
+        former.levelNamedRightly());
   }
 
   /** Without a case, those that were known before. */
@@ -141,7 +143,8 @@ final class ConstantsFit {
         weights,
         former.thresholdTemperature(),
         former.levelTemperature(),
-        former.namedRightly());
+        former.thresholdNamedRightly(),
+        former.levelNamedRightly());
   }
 
   private double[] regression(List<CheckedCase> cases) {
@@ -230,9 +233,11 @@ final class ConstantsFit {
     return sum;
   }
 
-  private double namedRightly(List<CheckedCase> cases) {
-    long explained = cases.stream().filter(CheckedCase::isExplained).count();
-    long rightly = cases.stream().filter(one -> one.isExplained() && one.isNamedRightly()).count();
-    return (rightly + FORMER_CASES * former.namedRightly()) / (explained + FORMER_CASES);
+  private static double namedRightly(
+      List<CheckedCase> all, Predicate<CheckedCase> law, double before) {
+    List<CheckedCase> explained =
+        all.stream().filter(law).filter(CheckedCase::isExplained).toList();
+    long rightly = explained.stream().filter(CheckedCase::isNamedRightly).count();
+    return (rightly + FORMER_CASES * before) / (explained.size() + FORMER_CASES);
   }
 }

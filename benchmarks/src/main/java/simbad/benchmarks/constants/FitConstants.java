@@ -40,7 +40,6 @@ public final class FitConstants {
     List<String> checks = Arrays.asList(arguments).subList(2, arguments.length);
     ConstantsFile file = new ConstantsFile("simbad-constants/2");
     JsonNode known = FittedConstants.of(Constants.class);
-    List<CheckedCase> all = new ArrayList<>();
     for (boolean level : new boolean[] {false, true}) {
       String law = level ? "level" : "threshold";
       List<CheckedCase> cases = new ArrayList<>();
@@ -59,13 +58,8 @@ public final class FitConstants {
         continue;
       }
       cases.sort(Comparator.comparing(CheckedCase::name));
-      all.addAll(cases);
       fit(file.root().putObject(law), origin, cases, level);
     }
-    file.root()
-        .put(
-            "named_rightly",
-            ConstantsFile.rounded(new ConstantsFit(Constants.own()).of(all).namedRightly()));
     file.write(Path.of(arguments[0]));
   }
 
@@ -84,6 +78,8 @@ public final class FitConstants {
     ConstantsFile.put(unknown, level ? fitted.levelWeights() : fitted.weights());
     double temperature = level ? fitted.levelTemperature() : fitted.thresholdTemperature();
     law.put("temperature", ConstantsFile.rounded(temperature));
+    double named = level ? fitted.levelNamedRightly() : fitted.thresholdNamedRightly();
+    law.put("named_rightly", ConstantsFile.rounded(named));
   }
 
   /** How well it does on cases that it was not fitted on, beside the former constants. */

@@ -62,7 +62,8 @@ class ConstantsFitTest {
     assertEquals(former.most(), fitted.most(), 1e-3);
     former.weights().forEach((name, w) -> assertEquals(w, weight(fitted, name), 1e-3, name));
     assertEquals(former.thresholdTemperature(), fitted.thresholdTemperature(), 1e-3);
-    assertEquals(former.namedRightly(), fitted.namedRightly(), 1e-12);
+    assertEquals(former.thresholdNamedRightly(), fitted.thresholdNamedRightly(), 1e-12);
+    assertEquals(former.levelNamedRightly(), fitted.levelNamedRightly(), 1e-12);
   }
 
   /** Drawn by base -2 and weight 1: two thousand cases outweigh what was believed before. */
@@ -72,7 +73,8 @@ class ConstantsFitTest {
     Map<String, Double> weights = new LinkedHashMap<>(Constants.own().weights());
     weights.put("misfit", 1.0);
     Constants truth =
-        new Constants(0.005, 0.965, -2, weights, Constants.own().levelWeights(), 2, 2, 0.985);
+        new Constants(
+            0.005, 0.965, -2, weights, Constants.own().levelWeights(), 2, 2, 0.985, 0.985);
     List<CheckedCase> cases = new ArrayList<>();
     for (int i = 0; i < 2000; i++) {
       double misfit = 4 * random.nextDouble();

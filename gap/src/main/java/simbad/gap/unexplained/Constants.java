@@ -23,7 +23,9 @@ import simbad.sonar.scene.SensorLaw;
  * @param levelWeights of the regression under the level law, by name: {@link #LEVEL_SIGNS}
  * @param thresholdTemperature by which nats are divided under the threshold rule, positive
  * @param levelTemperature the same under the level law
- * @param namedRightly share of the named effects that were there, in logs that were checked
+ * @param thresholdNamedRightly share of the named effects that were there, in logs that were
+ *     checked, under the threshold rule
+ * @param levelNamedRightly the same under the level law
  */
 public record Constants(
     double least,
@@ -33,7 +35,8 @@ public record Constants(
     Map<String, Double> levelWeights,
     double thresholdTemperature,
     double levelTemperature,
-    double namedRightly) {
+    double thresholdNamedRightly,
+    double levelNamedRightly) {
   /** Name of the sign of what was weighed against the named set, under the level law alone. */
   public static final String STRANGERS_ODDS = "strangers_odds";
 
@@ -64,6 +67,7 @@ public record Constants(
   /** Nothing is surer by signs. */
   private static final double SUREST = 0.005;
 
+  private static final String NAMED_RIGHTLY = "named_rightly";
   private static final String FORMAT = "simbad-constants/2";
   private static final Constants OWN = of(FittedConstants.of(Constants.class));
 
@@ -74,7 +78,8 @@ public record Constants(
     Checks.finite("base", base);
     Checks.positive("thresholdTemperature", thresholdTemperature);
     Checks.positive("levelTemperature", levelTemperature);
-    Checks.share("namedRightly", namedRightly);
+    Checks.share("thresholdNamedRightly", thresholdNamedRightly);
+    Checks.share("levelNamedRightly", levelNamedRightly);
     weights = copy(weights);
     levelWeights = copy(levelWeights);
   }
@@ -108,13 +113,19 @@ public record Constants(
         weights(level.path("unknown"), LEVEL_SIGNS),
         FittedConstants.number(threshold, "temperature"),
         FittedConstants.number(level, "temperature"),
-        FittedConstants.number(root, "named_rightly"));
+        FittedConstants.number(threshold, NAMED_RIGHTLY),
+        FittedConstants.number(level, NAMED_RIGHTLY));
   }
 
   private static Map<String, Double> weights(JsonNode node, Collection<String> names) {
     Map<String, Double> weights = new LinkedHashMap<>();
     names.forEach(name -> weights.put(name, FittedConstants.number(node, name)));
     return weights;
+  }
+
+  /** Returns the share of named effects that were there under a law. */
+  public double namedRightly(SensorLaw.Model law) {
+    return law == SensorLaw.Model.LEVEL ? levelNamedRightly : thresholdNamedRightly;
   }
 
   /** Returns the temperature under a law. */

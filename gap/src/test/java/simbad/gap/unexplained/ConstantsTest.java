@@ -12,7 +12,7 @@ class ConstantsTest {
   private static Constants levels(Map<String, Double> weights) {
     Map<String, Double> all = new LinkedHashMap<>();
     Constants.LEVEL_SIGNS.forEach(sign -> all.put(sign, weights.getOrDefault(sign, 0.0)));
-    return new Constants(0.005, 0.8, -4, Map.of("misfit", 1.0), all, 1, 1, 0.95);
+    return new Constants(0.005, 0.8, -4, Map.of("misfit", 1.0), all, 1, 1, 0.95, 0.95);
   }
 
   /** Signs of either law count under that law alone. */
