@@ -121,9 +121,9 @@ public final class OrientationShadowEffect implements Definition {
                 ? new OtherOutline(
                     Optional.of(label), believed, posts.of(v[0], v[1]), Math.toRadians(v[2]))
                 : new OtherOutline(Optional.of(label), believed, believed, 0),
-        Parameter.of("width_m", 0, 0, MOST_SIDE_M),
-        Parameter.of("depth_m", 0, 0, MOST_SIDE_M),
-        Parameter.of("turn_deg", 0, -90, 90).asClosed());
+        Parameter.of("width_m", 0, 0, MOST_SIDE_M, 0.03, 0.06),
+        Parameter.of("depth_m", 0, 0, MOST_SIDE_M, 0.03, 0.06),
+        Parameter.of("turn_deg", 0, -90, 90, 0, 20).asClosed());
   }
 
   /**

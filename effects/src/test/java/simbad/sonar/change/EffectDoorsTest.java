@@ -18,6 +18,7 @@ import simbad.sonar.level.Curve;
 import simbad.sonar.level.LevelLaw;
 import simbad.sonar.level.PistonBeam;
 import simbad.sonar.level.StrengthTable;
+import simbad.sonar.ping.OutlineLevels;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.UniformDetection;
 import simbad.sonar.shape.Outline;
@@ -36,6 +37,8 @@ class EffectDoorsTest {
         .with(Curve.class, curve)
         .with(Beam.class, beam)
         .with(Form.class, form)
+        .with(Outline.class, TRIANGLE)
+        .with(OutlineLevels.class, new OutlineLevels(TRIANGLE, 700))
         .with(
             Obstacle.class,
             new Obstacle("one", Placement.IDENTITY, TRIANGLE, new UniformDetection(1)))
