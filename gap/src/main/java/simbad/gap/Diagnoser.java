@@ -36,6 +36,7 @@ import simbad.gap.search.Search;
 import simbad.gap.search.Strangers;
 import simbad.gap.search.Weighed;
 import simbad.gap.unexplained.Constants;
+import simbad.gap.unexplained.LevelConstants;
 import simbad.gap.unexplained.Signs;
 import simbad.gap.unexplained.Unknown;
 import simbad.sonar.effect.Definitions;
@@ -257,7 +258,7 @@ public final class Diagnoser {
             : Optional.empty();
     double stated =
         first.verdict() == Verdict.UNEXPLAINED
-            ? besideARest(calibration.model(), unknown)
+            ? Constants.own().under(calibration.model()).besideARest(unknown)
             : unknown;
     return sure.flatMap(
             part ->
@@ -284,22 +285,14 @@ public final class Diagnoser {
       Strangers.Found found =
           new Strangers(given, new SetupLeave(given, calibration))
               .against(inquiry.best(), inquiry.worthNats, calibration.temperature());
-      all.put(Constants.STRANGERS_ODDS, found.odds());
+      all.put(LevelConstants.STRANGERS_ODDS, found.odds());
       what = found.what();
     }
-    double unknown = Constants.own().unknown(calibration.model(), all);
+    double unknown = Constants.own().under(calibration.model()).unknown(all);
     if (what.isEmpty() && unknown > 0.5) {
       what = Unknown.standsIn(given, inquiry.best());
     }
     return new Conclusion.Unnamed(unknown, all, what);
-  }
-
-  /**
-   * How probable it is where so much is left that nothing is explained, whether signs say so or
-   * not: a value at the end of a search, or twice the scatter that is expected.
-   */
-  private static double besideARest(SensorLaw.Model law, double unknown) {
-    return law == SensorLaw.Model.LEVEL ? Math.max(0.5, unknown) : Constants.own().most();
   }
 
   private static Weighed beside(Calibration calibration, CalibratedLog given, Weighed part) {
@@ -351,7 +344,7 @@ public final class Diagnoser {
         nextExperiment(given, sets, weighed, clumping),
         best,
         inquiry.calibration.setup(),
-        attempts(sets, weighed.probabilities(), Constants.own().temperature(law)),
+        attempts(sets, weighed.probabilities(), Constants.own().under(law).temperature()),
         told.signs,
         inquiry.calibration.modelError().map(ModelError::finding),
         List.of());

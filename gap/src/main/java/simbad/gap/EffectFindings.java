@@ -69,7 +69,7 @@ record EffectFindings(
   }
 
   private double namedRightly() {
-    return Constants.own().namedRightly(law);
+    return Constants.own().under(law).namedRightly();
   }
 
   /** That it is at work, and nothing without a name is what it stands in for. */

@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Predicate;
 import org.hipparchus.optim.InitialGuess;
 import org.hipparchus.optim.MaxEval;
 import org.hipparchus.optim.SimpleBounds;
@@ -16,6 +15,9 @@ import org.hipparchus.optim.univariate.BrentOptimizer;
 import org.hipparchus.optim.univariate.SearchInterval;
 import org.hipparchus.optim.univariate.UnivariateObjectiveFunction;
 import simbad.gap.unexplained.Constants;
+import simbad.gap.unexplained.LawConstants;
+import simbad.gap.unexplained.LevelConstants;
+import simbad.gap.unexplained.ThresholdConstants;
 
 /**
  * Most probable constants, given checked cases and the constants that were known before.
@@ -40,8 +42,6 @@ final class ConstantsFit {
   /** What the former share of right names counts for, in cases. */
   private static final double FORMER_CASES = 100;
 
-  private static final String MOST = "most";
-
   /** Under the level law; a unit of any sign may well mean so much in log odds. */
   private static final double LEVEL_SPREAD = 1;
 
@@ -53,27 +53,41 @@ final class ConstantsFit {
 
   /** Returns the constants that the cases make most probable. */
   Constants of(List<CheckedCase> cases) {
-    double[] fitted = regression(cases.stream().filter(one -> !one.isLevel()).toList());
     return new Constants(
-        former.least(),
-        most(fitted),
-        fitted[0],
-        weights(fitted),
-        levelWeights(cases.stream().filter(CheckedCase::isLevel).toList()),
-        temperature(cases, one -> !one.isLevel(), former.thresholdTemperature()),
-        temperature(cases, CheckedCase::isLevel, former.levelTemperature()),
-        namedRightly(cases, one -> !one.isLevel(), former.thresholdNamedRightly()),
-        namedRightly(cases, CheckedCase::isLevel, former.levelNamedRightly()));
+        threshold(cases.stream().filter(one -> !one.isLevel()).toList()),
+        level(cases.stream().filter(CheckedCase::isLevel).toList()));
   }
 
-  /**
-   * Returns the probability that something without a name is at work.
-   *
-   * @param constants by which signs count
-   * @param one case
-   */
-  static double unknown(Constants constants, CheckedCase one) {
-    return one.isLevel() ? constants.unknownByLevels(one.signs()) : constants.unknown(one.signs());
+  private ThresholdConstants threshold(List<CheckedCase> cases) {
+    ThresholdConstants fitted = with(regression(cases));
+    return new ThresholdConstants(
+        fitted.least(),
+        fitted.most(),
+        fitted.weights(),
+        temperature(cases, fitted.temperature()),
+        namedRightly(cases, fitted.namedRightly()));
+  }
+
+  /** Without a case, those that were known before. */
+  private LevelConstants level(List<CheckedCase> cases) {
+    LevelConstants before = former.level();
+    List<String> names = List.copyOf(before.weights().keySet());
+    return cases.isEmpty()
+        ? before
+        : new LevelConstants(
+            weights(
+                names,
+                Regression.fitted(
+                    names.size(),
+                    LEVEL_SPREAD,
+                    values -> logScore(with(weights(names, values)), cases))),
+            temperature(cases, before.temperature()),
+            namedRightly(cases, before.namedRightly()));
+  }
+
+  private LevelConstants with(Map<String, Double> levelWeights) {
+    return new LevelConstants(
+        levelWeights, former.level().temperature(), former.level().namedRightly());
   }
 
   /** What has no name but may be called by names, and was, needs no other word. */
@@ -82,69 +96,30 @@ final class ConstantsFit {
   }
 
   private double[] start() {
-    List<Double> values = new ArrayList<>(List.of(former.base()));
-    values.addAll(former.weights().values());
-    values.add(Math.log(former.most() / (1 - former.most())));
+    ThresholdConstants before = former.threshold();
+    List<Double> values = new ArrayList<>(before.weights().values());
+    values.add(Math.log(before.most() / (1 - before.most())));
     return values.stream().mapToDouble(value -> value).toArray();
   }
 
-  private static double most(double[] values) {
-    return 1 / (1 + Math.exp(-values[values.length - 1]));
-  }
-
-  private Map<String, Double> weights(double[] values) {
+  private static Map<String, Double> weights(Iterable<String> names, double... values) {
     Map<String, Double> weights = new LinkedHashMap<>();
-    int at = 1;
-    for (String name : former.weights().keySet()) {
+    int at = 0;
+    for (String name : names) {
       weights.put(name, values[at++]);
     }
     return weights;
   }
 
-  private Constants with(double[] values) {
-    return new Constants(
-        former.least(),
-        most(values),
-        values[0],
-        weights(values),
-        former.levelWeights(),
-        former.thresholdTemperature(),
-        former.levelTemperature(),
-        former.thresholdNamedRightly(),
-        former.levelNamedRightly());
-  }
-
-  /** Without a case, those that were known before. */
-  private Map<String, Double> levelWeights(List<CheckedCase> cases) {
-    if (cases.isEmpty()) {
-      return former.levelWeights();
-    }
-    return levelWeights(
-        Regression.fitted(
-            Constants.LEVEL_SIGNS.size(),
-            LEVEL_SPREAD,
-            values -> logScore(withLevel(levelWeights(values)), cases)));
-  }
-
-  private static Map<String, Double> levelWeights(double... values) {
-    Map<String, Double> weights = new LinkedHashMap<>();
-    for (int i = 0; i < values.length; i++) {
-      weights.put(Constants.LEVEL_SIGNS.get(i), values[i]);
-    }
-    return weights;
-  }
-
-  private Constants withLevel(Map<String, Double> weights) {
-    return new Constants(
-        former.least(),
-        former.most(),
-        former.base(),
-        former.weights(),
-        weights,
-        former.thresholdTemperature(),
-        former.levelTemperature(),
-        former.thresholdNamedRightly(),
-        former.levelNamedRightly());
+  /** Of weights, and of the log odds of the most that they may say. */
+  private ThresholdConstants with(double[] values) {
+    ThresholdConstants before = former.threshold();
+    return new ThresholdConstants(
+        before.least(),
+        1 / (1 + Math.exp(-values[values.length - 1])),
+        weights(before.weights().keySet(), values),
+        before.temperature(),
+        before.namedRightly());
   }
 
   private double[] regression(List<CheckedCase> cases) {
@@ -153,12 +128,9 @@ final class ConstantsFit {
         Arrays.stream(start).map(v -> Math.max(LEAST_SPREAD, SPREAD * Math.abs(v))).toArray();
     double[] low = new double[start.length];
     double[] high = new double[start.length];
-    List<String> names = new ArrayList<>(List.of("base"));
-    names.addAll(former.weights().keySet());
-    names.add(MOST);
     for (int i = 0; i < start.length; i++) {
-      // All others keep the sense that their name says.
-      boolean isFree = i == 0 || names.get(i).equals(MOST);
+      // A sign keeps the sense that its name says; the constant and the most may have any.
+      boolean isFree = i == 0 || i == start.length - 1;
       low[i] = start[i] - FURTHEST * spread[i];
       high[i] = start[i] + FURTHEST * spread[i];
       if (!isFree) {
@@ -186,18 +158,17 @@ final class ConstantsFit {
   }
 
   /** Returns the sum over cases of the log probability of what is so, natural. */
-  static double logScore(Constants constants, List<CheckedCase> cases) {
+  static double logScore(LawConstants constants, List<CheckedCase> cases) {
     double sum = 0;
     for (CheckedCase one : cases) {
-      double unknown = unknown(constants, one);
+      double unknown = constants.unknown(one.signs());
       sum += Math.log(isUnknown(one) ? unknown : 1 - unknown);
     }
     return sum;
   }
 
-  private static double temperature(
-      List<CheckedCase> all, Predicate<CheckedCase> law, double before) {
-    List<CheckedCase> cases = all.stream().filter(law).filter(one -> !one.hasNameless()).toList();
+  private static double temperature(List<CheckedCase> all, double before) {
+    List<CheckedCase> cases = all.stream().filter(one -> !one.hasNameless()).toList();
     double log =
         new BrentOptimizer(1e-4, 1e-4)
             .optimize(
@@ -233,10 +204,8 @@ final class ConstantsFit {
     return sum;
   }
 
-  private static double namedRightly(
-      List<CheckedCase> all, Predicate<CheckedCase> law, double before) {
-    List<CheckedCase> explained =
-        all.stream().filter(law).filter(CheckedCase::isExplained).toList();
+  private static double namedRightly(List<CheckedCase> cases, double before) {
+    List<CheckedCase> explained = cases.stream().filter(CheckedCase::isExplained).toList();
     long rightly = explained.stream().filter(CheckedCase::isNamedRightly).count();
     return (rightly + FORMER_CASES * before) / (explained.size() + FORMER_CASES);
   }

@@ -11,6 +11,9 @@ import java.util.List;
 import java.util.Locale;
 import simbad.gap.constants.FittedConstants;
 import simbad.gap.unexplained.Constants;
+import simbad.gap.unexplained.LawConstants;
+import simbad.gap.unexplained.ThresholdConstants;
+import simbad.sonar.scene.SensorLaw;
 
 /**
  * Fits the constants that decide to finished checks, and writes them with where they come from. A
@@ -22,8 +25,6 @@ public final class FitConstants {
 
   /** Of fewer cases nothing is learnt. */
   private static final int LEAST_CASES = 50;
-
-  private static final String UNKNOWN = "unknown";
 
   private FitConstants() {}
 
@@ -40,50 +41,55 @@ public final class FitConstants {
     List<String> checks = Arrays.asList(arguments).subList(2, arguments.length);
     ConstantsFile file = new ConstantsFile("simbad-constants/2");
     JsonNode known = FittedConstants.of(Constants.class);
-    for (boolean level : new boolean[] {false, true}) {
-      String law = level ? "level" : "threshold";
+    for (SensorLaw.Model law : SensorLaw.Model.values()) {
       List<CheckedCase> cases = new ArrayList<>();
       ConstantsFile.Origin origin =
           new ConstantsFile.Origin("benchmarks/fit-constants", arguments[1]);
       for (String check : checks) {
         List<CheckedCase> own =
-            CheckedCase.read(Path.of(check)).stream().filter(c -> c.isLevel() == level).toList();
+            CheckedCase.read(Path.of(check)).stream().filter(c -> isUnder(law, c)).toList();
         cases.addAll(own);
         origin.add(Path.of(check), own.size());
       }
       if (cases.size() < LEAST_CASES) {
         System.out.printf(
-            Locale.ROOT, "%s: %d cases, too few: it keeps its constants%n", law, cases.size());
-        file.root().set(law, known.path(law));
+            Locale.ROOT,
+            "%s: %d cases, too few: it keeps its constants%n",
+            law.word(),
+            cases.size());
+        file.root().set(law.word(), known.path(law.word()));
         continue;
       }
       cases.sort(Comparator.comparing(CheckedCase::name));
-      fit(file.root().putObject(law), origin, cases, level);
+      fit(file.root().putObject(law.word()), origin, cases, law);
     }
     file.write(Path.of(arguments[0]));
   }
 
+  private static boolean isUnder(SensorLaw.Model law, CheckedCase one) {
+    return one.isLevel() == (law == SensorLaw.Model.LEVEL);
+  }
+
   private static void fit(
-      ObjectNode law, ConstantsFile.Origin origin, List<CheckedCase> cases, boolean level) {
+      ObjectNode node, ConstantsFile.Origin origin, List<CheckedCase> cases, SensorLaw.Model law) {
     ConstantsFit fit = new ConstantsFit(Constants.own());
-    figures(origin.node().putObject("unknown_held_out"), cases, fit);
-    law.set("origin", origin.node());
-    Constants fitted = fit.of(cases);
-    ObjectNode unknown = law.putObject(UNKNOWN);
-    if (!level) {
-      unknown.put("least", fitted.least());
-      unknown.put("most", ConstantsFile.rounded(fitted.most()));
-      unknown.put("base", ConstantsFile.rounded(fitted.base()));
+    figures(origin.node().putObject("unknown_held_out"), cases, fit, law);
+    node.set("origin", origin.node());
+    LawConstants fitted = fit.of(cases).under(law);
+    ObjectNode unknown = node.putObject("unknown");
+    if (fitted instanceof ThresholdConstants bounded) {
+      unknown.put("least", bounded.least());
+      unknown.put("most", ConstantsFile.rounded(bounded.most()));
     }
-    ConstantsFile.put(unknown, level ? fitted.levelWeights() : fitted.weights());
-    double temperature = level ? fitted.levelTemperature() : fitted.thresholdTemperature();
-    law.put("temperature", ConstantsFile.rounded(temperature));
-    double named = level ? fitted.levelNamedRightly() : fitted.thresholdNamedRightly();
-    law.put("named_rightly", ConstantsFile.rounded(named));
+    ConstantsFile.put(unknown, fitted.weights());
+    node.put("temperature", ConstantsFile.rounded(fitted.temperature()));
+    node.put("named_rightly", ConstantsFile.rounded(fitted.namedRightly()));
   }
 
   /** How well it does on cases that it was not fitted on, beside the former constants. */
-  private static void figures(ObjectNode node, List<CheckedCase> all, ConstantsFit fit) {
+  private static void figures(
+      ObjectNode node, List<CheckedCase> all, ConstantsFit fit, SensorLaw.Model law) {
+    LawConstants former = Constants.own().under(law);
     double[] before = new double[all.size()];
     double[] after = new double[all.size()];
     for (int fold = 0; fold < FOLDS; fold++) {
@@ -93,10 +99,10 @@ public final class FitConstants {
           rest.add(all.get(i));
         }
       }
-      Constants fitted = fit.of(rest);
+      LawConstants fitted = fit.of(rest).under(law);
       for (int i = fold; i < all.size(); i += FOLDS) {
-        before[i] = ConstantsFit.unknown(Constants.own(), all.get(i));
-        after[i] = ConstantsFit.unknown(fitted, all.get(i));
+        before[i] = former.unknown(all.get(i).signs());
+        after[i] = fitted.unknown(all.get(i).signs());
       }
     }
     score(node.putObject("former"), all, before);

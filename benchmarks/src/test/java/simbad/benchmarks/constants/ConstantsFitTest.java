@@ -19,6 +19,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simbad.gap.unexplained.Constants;
+import simbad.gap.unexplained.ThresholdConstants;
 
 class ConstantsFitTest {
   private static final Set<String> GAIN = Set.of("gain");
@@ -51,43 +52,48 @@ class ConstantsFitTest {
   }
 
   private static double weight(Constants constants, String name) {
-    return Objects.requireNonNull(constants.weights().get(name), name);
+    return Objects.requireNonNull(constants.threshold().weights().get(name), name);
   }
 
   @Test
   void noCases_leaveWhatWasKnown() {
     Constants former = Constants.own();
     Constants fitted = new ConstantsFit(former).of(List.of());
-    assertEquals(former.base(), fitted.base(), 1e-3);
-    assertEquals(former.most(), fitted.most(), 1e-3);
-    former.weights().forEach((name, w) -> assertEquals(w, weight(fitted, name), 1e-3, name));
-    assertEquals(former.thresholdTemperature(), fitted.thresholdTemperature(), 1e-3);
-    assertEquals(former.thresholdNamedRightly(), fitted.thresholdNamedRightly(), 1e-12);
-    assertEquals(former.levelNamedRightly(), fitted.levelNamedRightly(), 1e-12);
+    assertEquals(weight(former, "base"), weight(fitted, "base"), 1e-3);
+    assertEquals(former.threshold().most(), fitted.threshold().most(), 1e-3);
+    former
+        .threshold()
+        .weights()
+        .forEach((name, w) -> assertEquals(w, weight(fitted, name), 1e-3, name));
+    assertEquals(former.threshold().temperature(), fitted.threshold().temperature(), 1e-3);
+    assertEquals(former.threshold().namedRightly(), fitted.threshold().namedRightly(), 1e-12);
+    assertEquals(former.level().namedRightly(), fitted.level().namedRightly(), 1e-12);
   }
 
   /** Drawn by base -2 and weight 1: two thousand cases outweigh what was believed before. */
   @Test
   void manyCases_bringTheirOwnWeights() {
     Random random = new Random(3);
-    Map<String, Double> weights = new LinkedHashMap<>(Constants.own().weights());
+    Map<String, Double> weights = new LinkedHashMap<>(Constants.own().threshold().weights());
     weights.put("misfit", 1.0);
+    weights.put("base", -2.0);
     Constants truth =
         new Constants(
-            0.005, 0.965, -2, weights, Constants.own().levelWeights(), 2, 2, 0.985, 0.985);
+            new ThresholdConstants(0.005, 0.965, weights, 2, 0.985), Constants.own().level());
     List<CheckedCase> cases = new ArrayList<>();
     for (int i = 0; i < 2000; i++) {
       double misfit = 4 * random.nextDouble();
-      boolean unknown = random.nextDouble() < truth.unknown(Map.of("misfit", misfit));
+      boolean unknown = random.nextDouble() < truth.threshold().unknown(Map.of("misfit", misfit));
       cases.add(signed(misfit, unknown));
     }
     Constants fitted = new ConstantsFit(Constants.own()).of(cases);
-    assertEquals(-2, fitted.base(), 0.3);
+    assertEquals(-2, weight(fitted, "base"), 0.3);
     assertEquals(1, weight(fitted, "misfit"), 0.15);
     double known = weight(Constants.own(), "stand_in");
     assertEquals(known, weight(fitted, "stand_in"), 0.01, "no case speaks of it");
     assertTrue(
-        ConstantsFit.logScore(fitted, cases) > ConstantsFit.logScore(Constants.own(), cases));
+        ConstantsFit.logScore(fitted.threshold(), cases)
+            > ConstantsFit.logScore(Constants.own().threshold(), cases));
   }
 
   /** Gain wins by 6 nats and is wrong one time in five: nats that say too much are cooled. */
@@ -99,10 +105,10 @@ class ConstantsFitTest {
     }
     Constants fitted = new ConstantsFit(Constants.own()).of(cases);
     // A fifth is exp(-6 / T) of the rest: T = 6 / ln 4 = 4.3, and a little of what was believed.
-    assertEquals(6 / Math.log(4), fitted.levelTemperature(), 0.05);
+    assertEquals(6 / Math.log(4), fitted.level().temperature(), 0.05);
     assertEquals(
-        Constants.own().thresholdTemperature(),
-        fitted.thresholdTemperature(),
+        Constants.own().threshold().temperature(),
+        fitted.threshold().temperature(),
         1e-3,
         "no case of that law");
   }
@@ -124,9 +130,11 @@ class ConstantsFitTest {
     assertEquals(1, levelWeight(fitted, "strangers_less_likely"), 0.2);
     assertEquals(0, levelWeight(fitted, "misfit"), 0.15);
     assertEquals(-1, levelWeight(fitted, "base"), 0.5);
-    assertEquals(Constants.own().base(), fitted.base(), 1e-3, "no case of the other law");
+    assertEquals(
+        weight(Constants.own(), "base"), weight(fitted, "base"), 1e-3, "no case of the other law");
     assertTrue(
-        ConstantsFit.logScore(fitted, cases) > ConstantsFit.logScore(Constants.own(), cases));
+        ConstantsFit.logScore(fitted.level(), cases)
+            > ConstantsFit.logScore(Constants.own().level(), cases));
   }
 
   private static CheckedCase strange(double misfit, double odds, boolean isUnknown) {
@@ -142,7 +150,7 @@ class ConstantsFitTest {
   }
 
   private static double levelWeight(Constants constants, String name) {
-    return Objects.requireNonNull(constants.levelWeights().get(name), name);
+    return Objects.requireNonNull(constants.level().weights().get(name), name);
   }
 
   /** All signs speak for it, and in three of four there was something: no more is said. */
@@ -153,7 +161,7 @@ class ConstantsFitTest {
       cases.add(signed(12, i % 4 != 0));
     }
     Constants fitted = new ConstantsFit(Constants.own()).of(cases);
-    assertEquals(0.75, fitted.unknown(Map.of("misfit", 12.0)), 0.02);
+    assertEquals(0.75, fitted.threshold().unknown(Map.of("misfit", 12.0)), 0.02);
   }
 
   @Test
@@ -219,10 +227,11 @@ class ConstantsFitTest {
     assertEquals(7, origin.at("/checks/0/order/seed").asInt());
     assertEquals(50, origin.at("/checks/0/cases").asInt());
     double score = origin.at("/unknown_held_out/former/mean_log_score").asDouble();
-    assertEquals(Math.log(1 - Constants.own().unknown(Map.of())), score, 1e-5);
+    assertEquals(Math.log(1 - Constants.own().threshold().unknown(Map.of())), score, 1e-5);
     Constants read = Constants.of(root);
-    assertEquals(Constants.own().weights().keySet(), read.weights().keySet());
-    assertEquals(Constants.own().levelWeights(), read.levelWeights(), "no case of it");
+    assertEquals(
+        Constants.own().threshold().weights().keySet(), read.threshold().weights().keySet());
+    assertEquals(Constants.own().level(), read.level(), "no case of it");
     assertTrue(root.at("/level/origin/date").isTextual());
     assertThrows(IllegalArgumentException.class, () -> FitConstants.main(new String[] {"x"}));
   }

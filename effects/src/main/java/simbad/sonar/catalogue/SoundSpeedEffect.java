@@ -67,11 +67,6 @@ public final class SoundSpeedEffect implements Definition {
 
   private static final double MOST_AIR_M_S = 371;
 
-  /** Beyond these the formula of absorption is not for. */
-  private static final double COLDEST_C = -40;
-
-  private static final double WARMEST_C = 60;
-  private static final double FREEZING_K = 273.15;
   private static final String AIR = "air";
   private static final String SPEED = "sound_speed_m_s";
   private static final String HUMIDITY = "humidity_percent";
@@ -148,16 +143,8 @@ public final class SoundSpeedEffect implements Definition {
 
   /** What air of one speed of sound takes more than that of another one, equally damp. */
   private static double addedDbPerM(double from, double to, double humidityPercent, double hz) {
-    return airOf(to, humidityPercent).absorptionDbPerM(hz)
-        - airOf(from, humidityPercent).absorptionDbPerM(hz);
-  }
-
-  private static Air airOf(double speed, double humidityPercent) {
-    return new Air(Math.max(COLDEST_C, Math.min(WARMEST_C, temperatureC(speed))), humidityPercent);
-  }
-
-  private static double temperatureC(double speed) {
-    return FREEZING_K * (speed * speed / (FREEZING_M_S * FREEZING_M_S) - 1);
+    return Air.nearest(to, humidityPercent).absorptionDbPerM(hz)
+        - Air.nearest(from, humidityPercent).absorptionDbPerM(hz);
   }
 
   /**

@@ -1,7 +1,6 @@
 package simbad.sonar.ping;
 
 import java.util.Arrays;
-import simbad.sonar.frame.Angles;
 import simbad.sonar.scene.Obstacle;
 
 /**
@@ -21,16 +20,13 @@ public final class NearField {
   /** Even bearings at which it is known, from 0 on. */
   private static final int BEARINGS = 144;
 
-  /** Distances to the centre at which it is known, metres; constant before and behind. */
-  private static final double[] DISTANCE_M = {
-    0.1, 0.14, 0.2, 0.28, 0.4, 0.56, 0.8, 1.13, 1.6, 2.26, 3.2, 4.53
-  };
+  private static final PolarGrid GRID = new PolarGrid(BEARINGS);
 
   private static final double LEAST_REFERENCE_M = 0.2;
 
   private final Obstacle obstacle;
-  private final double[] offCentreRad = new double[BEARINGS * DISTANCE_M.length];
-  private final double[] addedDb = new double[offCentreRad.length];
+  private final double[] offCentreRad = GRID.unknown();
+  private final double[] addedDb = GRID.unknown();
 
   /** Of the echo from the distance at which the strength is believed, by bearing. */
   private final double[] believedDb = new double[BEARINGS];
@@ -46,14 +42,7 @@ public final class NearField {
   public NearField(Obstacle obstacle, double wavenumberPerM) {
     this.obstacle = obstacle;
     outline = new OutlineEcho(obstacle.outline(), wavenumberPerM);
-    Arrays.fill(offCentreRad, Double.NaN);
-    Arrays.fill(addedDb, Double.NaN);
     Arrays.fill(believedDb, Double.NaN);
-  }
-
-  /** Returns the distances to the centre at which it is known, rising, metres. */
-  static double[] distancesM() {
-    return DISTANCE_M.clone();
   }
 
   /**
@@ -66,8 +55,7 @@ public final class NearField {
    */
   public double believedDb(double bearingRad) {
     double lostM = obstacle.detection().thresholdM(bearingRad);
-    double furthestM = DISTANCE_M[DISTANCE_M.length - 1];
-    double atM = Math.max(LEAST_REFERENCE_M, Math.min(furthestM, lostM));
+    double atM = Math.max(LEAST_REFERENCE_M, Math.min(GRID.furthestM(), lostM));
     return outline.echo(bearingRad, atM).levelDb();
   }
 
@@ -94,32 +82,16 @@ public final class NearField {
     return at(addedDb, bearingRad, distanceM);
   }
 
-  /** Straight between its values, over the bearing and over the distance. */
   private double at(double[] values, double bearingRad, double distanceM) {
-    double turn = bearingRad / Angles.TURN_RAD * BEARINGS;
-    int here = (int) turn % BEARINGS;
-    int next = (here + 1) % BEARINGS;
-    double share = turn - (int) turn;
-    int near = 0;
-    while (near < DISTANCE_M.length - 2 && distanceM > DISTANCE_M[near + 1]) {
-      near++;
-    }
-    double way = (distanceM - DISTANCE_M[near]) / (DISTANCE_M[near + 1] - DISTANCE_M[near]);
-    double first = between(value(values, here, near), value(values, next, near), share);
-    double second = between(value(values, here, near + 1), value(values, next, near + 1), share);
-    return between(first, second, Math.max(0, Math.min(1, way)));
-  }
-
-  private static double between(double from, double to, double share) {
-    return from + share * (to - from);
+    return GRID.at((bearing, distance) -> value(values, bearing, distance), bearingRad, distanceM);
   }
 
   private double value(double[] values, int bearing, int distance) {
-    int cell = bearing * DISTANCE_M.length + distance;
+    int cell = GRID.cell(bearing, distance);
     double known = values[cell];
     if (Double.isNaN(known)) {
-      double bearingRad = bearing * Angles.TURN_RAD / BEARINGS;
-      OutlineEcho.Echo echo = outline.echo(bearingRad, DISTANCE_M[distance]);
+      double bearingRad = GRID.bearingRad(bearing);
+      OutlineEcho.Echo echo = outline.echo(bearingRad, GRID.distanceM(distance));
       double added = echo.levelDb() - believedDb(bearing, bearingRad);
       offCentreRad[cell] = echo.offCentreRad();
       addedDb[cell] = Math.max(-MOST_DB, Math.min(MOST_DB, added));

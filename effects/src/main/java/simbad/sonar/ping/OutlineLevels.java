@@ -1,8 +1,6 @@
 package simbad.sonar.ping;
 
-import java.util.Arrays;
 import java.util.List;
-import simbad.sonar.frame.Angles;
 import simbad.sonar.frame.Point;
 import simbad.sonar.shape.Outline;
 
@@ -18,14 +16,13 @@ public final class OutlineLevels {
   /** A side of 10 cm has its first dip 2.5 degrees beside its normal. */
   private static final int BEARINGS = 288;
 
-  /** Metres to the origin of the outline's frame; constant before and behind. */
-  private static final double[] DISTANCE_M = NearField.distancesM();
+  private static final PolarGrid GRID = new PolarGrid(BEARINGS);
 
   private final Outline outline;
   private final double wavenumberPerM;
   private final OutlineEcho echo;
   private final boolean mirrored;
-  private final double[] levelDb = new double[BEARINGS * DISTANCE_M.length];
+  private final double[] levelDb = GRID.unknown();
 
   /**
    * Prepares them.
@@ -38,7 +35,6 @@ public final class OutlineLevels {
     this.wavenumberPerM = wavenumberPerM;
     echo = new OutlineEcho(outline, wavenumberPerM);
     mirrored = isMirrored(outline);
-    Arrays.fill(levelDb, Double.NaN);
   }
 
   /** Whether each corner has its mirror images beyond both axes, so that a quarter says all. */
@@ -70,22 +66,7 @@ public final class OutlineLevels {
    * @return decibels, of a piece of one metre that faces the sensor
    */
   public double levelDb(double bearingRad, double distanceM) {
-    double turn = bearingRad / Angles.TURN_RAD * BEARINGS;
-    int here = (int) turn % BEARINGS;
-    int next = (here + 1) % BEARINGS;
-    double share = turn - (int) turn;
-    int near = 0;
-    while (near < DISTANCE_M.length - 2 && distanceM > DISTANCE_M[near + 1]) {
-      near++;
-    }
-    double way = (distanceM - DISTANCE_M[near]) / (DISTANCE_M[near + 1] - DISTANCE_M[near]);
-    double first = between(value(here, near), value(next, near), share);
-    double second = between(value(here, near + 1), value(next, near + 1), share);
-    return between(first, second, Math.max(0, Math.min(1, way)));
-  }
-
-  private static double between(double from, double to, double share) {
-    return from + share * (to - from);
+    return GRID.at(this::value, bearingRad, distanceM);
   }
 
   /** The bearing that has the same level, and is the first to. */
@@ -96,12 +77,12 @@ public final class OutlineLevels {
 
   private double value(int asked, int distance) {
     int bearing = like(asked);
-    int cell = bearing * DISTANCE_M.length + distance;
+    int cell = GRID.cell(bearing, distance);
     double known = levelDb[cell];
     if (Double.isNaN(known)) {
-      double bearingRad = bearing * Angles.TURN_RAD / BEARINGS;
       double edgeM = 1 / (2 * wavenumberPerM);
-      double power = Math.pow(10, echo.levelDb(bearingRad, DISTANCE_M[distance]) / 10);
+      double power =
+          Math.pow(10, echo.levelDb(GRID.bearingRad(bearing), GRID.distanceM(distance)) / 10);
       known = 10 * Math.log10(power + edgeM * edgeM);
       levelDb[cell] = known;
     }

@@ -32,45 +32,18 @@ public final class Scenes {
 
   /** Returns a scene in which an obstacle, or all where none is named, is moved. */
   public static Scene placed(Scene scene, Optional<String> only, UnaryOperator<Placement> change) {
-    return changed(
-        scene,
-        only,
-        obstacle ->
-            new Obstacle(
-                obstacle.name(),
-                change.apply(obstacle.worldFromObstacle()),
-                obstacle.outline(),
-                obstacle.detection(),
-                obstacle.extent()));
+    return changed(scene, only, o -> o.with(change.apply(o.worldFromObstacle())));
   }
 
   /** Returns a scene in which an obstacle, or all where none is named, is heard otherwise. */
   public static Scene detected(
       Scene scene, Optional<String> only, UnaryOperator<Detection> change) {
-    return changed(
-        scene,
-        only,
-        obstacle ->
-            new Obstacle(
-                obstacle.name(),
-                obstacle.worldFromObstacle(),
-                obstacle.outline(),
-                change.apply(obstacle.detection()),
-                obstacle.extent()));
+    return changed(scene, only, o -> o.with(change.apply(o.detection())));
   }
 
   /** Returns a scene in which an obstacle, or all where none is named, has another outline. */
   public static Scene shaped(Scene scene, Optional<String> only, UnaryOperator<Outline> change) {
-    return changed(
-        scene,
-        only,
-        obstacle ->
-            new Obstacle(
-                obstacle.name(),
-                obstacle.worldFromObstacle(),
-                change.apply(obstacle.outline()),
-                obstacle.detection(),
-                obstacle.extent()));
+    return changed(scene, only, o -> o.with(change.apply(o.outline())));
   }
 
   /** A label that no obstacle has changes none. */

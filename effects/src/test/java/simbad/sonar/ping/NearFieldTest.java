@@ -78,7 +78,7 @@ class NearFieldTest {
     NearField post = field(1, corners);
     NearField same = field(1, back);
     for (double bearing = 0; bearing < 6.2; bearing += 0.31) {
-      for (double distance : NearField.distancesM()) {
+      for (double distance : PolarGrid.distancesM()) {
         assertEquals(0, post.offCentreRad(bearing, distance), Math.toRadians(0.3));
         assertEquals(post.addedDb(bearing, distance), same.addedDb(bearing, distance), 1e-9);
       }

@@ -220,7 +220,7 @@ public final class Calibration implements SetupDoubt {
    * are all a little wrong say too much, and more so where readings hang together.
    */
   public double temperature() {
-    return Constants.own().temperature(model()) * clumping;
+    return Constants.own().under(model()).temperature() * clumping;
   }
 
   /** Returns the same of where ranges lie in their distributions. */

@@ -97,11 +97,6 @@ public final class Strangers {
     public Found {
       Checks.number("odds", odds);
     }
-
-    /** Returns the probability of the named set against all of them, in (0, 1]. */
-    public double share() {
-      return 1 / (1 + odds);
-    }
   }
 
   /**

@@ -52,25 +52,25 @@ class StrangersTest {
 
   @Test
   void whereNothingChanged_nothingIsStrange() {
-    double share = found(LevelWorlds.truth(), Hypothesis.NONE).share();
-    assertTrue(share > 0.99, () -> "share " + share);
+    double odds = found(LevelWorlds.truth(), Hypothesis.NONE).odds();
+    assertTrue(odds < 1 / 99.0, () -> "odds " + odds);
   }
 
   @Test
   void echoesThatScatter_areNotNone_norDropout() {
     Hypothesis truth = with(new LevelScatter(0, 8));
     Strangers.Found none = found(truth, Hypothesis.NONE);
-    assertTrue(none.share() < 0.1, none::toString);
+    assertTrue(none.odds() > 9, none::toString);
     assertTrue(none.what().startsWith("echoes get stronger and weaker from ping to ping, by "));
     Strangers.Found dropout = found(truth, Hypothesis.NONE.and(DROPOUT, 0.2));
-    assertTrue(dropout.share() < 0.1, dropout::toString);
+    assertTrue(dropout.odds() > 9, dropout::toString);
   }
 
   @Test
   void strengthThatDrifts_isNotNone() {
     double durationS = 0.05 * 1000;
     Strangers.Found none = found(with(new LevelDrift(0, -4, -9, durationS)), Hypothesis.NONE);
-    assertTrue(none.share() < 0.1, none::toString);
+    assertTrue(none.odds() > 9, none::toString);
     assertTrue(none.what().startsWith("the strength of echoes drifts"), none::toString);
   }
 
@@ -78,11 +78,11 @@ class StrangersTest {
   void readingsThatSwing_areNotNone_norNoise() {
     Hypothesis truth = with(new RangeSwing(0.02, 0.01, 0.9));
     Strangers.Found none = found(truth, Hypothesis.NONE);
-    assertTrue(none.share() < 0.1, none::toString);
+    assertTrue(none.odds() > 9, none::toString);
     assertTrue(none.what().startsWith("readings swing to and fro by 2."), none::toString);
     assertTrue(none.what().endsWith("once in 0.90 s"), none::toString);
     Strangers.Found noise = found(truth, Hypothesis.NONE.and(NOISE, 0.015));
-    assertTrue(noise.share() < 0.1, noise::toString);
+    assertTrue(noise.odds() > 9, noise::toString);
   }
 
   /** Foam on one side of the post: no effect makes echoes fainter from there alone. */
@@ -97,12 +97,12 @@ class StrangersTest {
   void sideThatAnswersFaintly_isNotNone_norDropout() {
     Hypothesis truth = with(new SoftSide(12));
     Strangers.Found none = found(truth, Hypothesis.NONE);
-    assertTrue(none.share() < 0.1, none::toString);
+    assertTrue(none.odds() > 9, none::toString);
     assertTrue(
         none.what().matches("echoes are weaker .* at bearings of about 1[0-4]0 degrees"),
         none::toString);
     Strangers.Found dropout = found(truth, Hypothesis.NONE.and(DROPOUT, 0.2));
-    assertTrue(dropout.share() < 0.1, dropout::toString);
+    assertTrue(dropout.odds() > 9, dropout::toString);
   }
 
   /** A drift that stays, and a scatter of nothing about another mean, are gains: no strangers. */
@@ -110,7 +110,7 @@ class StrangersTest {
   void gainStays() {
     Form gain = Forms.find(Effect.GAIN, "level", LevelWorlds.POST, List.of("s")).orElseThrow();
     Strangers.Found found = found(LevelWorlds.truth().and(gain, -5), Hypothesis.NONE.and(gain, -5));
-    assertTrue(found.share() > 0.99, found::toString);
+    assertTrue(found.odds() < 1 / 99.0, found::toString);
     assertEquals("", found.what(), "nothing is said of what is not there");
   }
 
@@ -118,7 +118,7 @@ class StrangersTest {
   @Test
   void dropoutStays() {
     Hypothesis truth = LevelWorlds.truth().and(DROPOUT, 0.3);
-    double share = found(truth, Hypothesis.NONE.and(DROPOUT, 0.3)).share();
-    assertTrue(share > 0.95, () -> "share " + share);
+    double odds = found(truth, Hypothesis.NONE.and(DROPOUT, 0.3)).odds();
+    assertTrue(odds < 1 / 19.0, () -> "odds " + odds);
   }
 }

@@ -26,7 +26,7 @@ class UnknownTest {
   }
 
   private static double unknown(Signs signs) {
-    return Constants.own().unknown(signs.byName());
+    return Constants.own().threshold().unknown(signs.byName());
   }
 
   /** A detour with an offset against it blurs like noise: such a pair takes away little. */

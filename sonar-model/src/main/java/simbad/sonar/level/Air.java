@@ -33,6 +33,19 @@ public record Air(double temperatureC, double humidityPercent) {
     }
   }
 
+  /**
+   * Returns the air in which sound has a speed; the coldest or warmest that this is for where no
+   * air has it.
+   *
+   * @param soundSpeedMPerS metres per second, positive
+   * @param humidityPercent relative, in [0, 100]
+   */
+  public static Air nearest(double soundSpeedMPerS, double humidityPercent) {
+    double ratio = soundSpeedMPerS / SPEED_AT_ZERO_C;
+    double temperatureC = ZERO_C_IN_K * (ratio * ratio - 1);
+    return new Air(Math.max(COLDEST_C, Math.min(WARMEST_C, temperatureC)), humidityPercent);
+  }
+
   /** Returns the speed of sound in metres per second, 331.3 sqrt(1 + t / 273.15). */
   public double soundSpeedMPerS() {
     return SPEED_AT_ZERO_C * Math.sqrt(1 + temperatureC / ZERO_C_IN_K);

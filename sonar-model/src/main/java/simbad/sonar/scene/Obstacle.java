@@ -24,6 +24,21 @@ public record Obstacle(
     this(name, worldFromObstacle, outline, detection, VerticalExtent.ENDLESS);
   }
 
+  /** Returns the same in another place. */
+  public Obstacle with(Placement place) {
+    return new Obstacle(name, place, outline, detection, extent);
+  }
+
+  /** Returns the same with another cross-section. */
+  public Obstacle with(Outline other) {
+    return new Obstacle(name, worldFromObstacle, other, detection, extent);
+  }
+
+  /** Returns the same, heard otherwise. */
+  public Obstacle with(Detection other) {
+    return new Obstacle(name, worldFromObstacle, outline, other, extent);
+  }
+
   /** Returns its cross-section in the world. */
   public Outline worldOutline() {
     return outline.placed(worldFromObstacle);

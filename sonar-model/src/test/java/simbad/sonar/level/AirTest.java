@@ -35,6 +35,21 @@ class AirTest {
     assertEquals(dbPerKm, 1000 * Air.ROOM.absorptionDbPerM(frequencyHz), 0.01 * dbPerKm);
   }
 
+  @ParameterizedTest
+  @CsvSource({"-40", "-5.5", "0", "20", "60"})
+  void nearest_toTheSpeedOfAir_isThatAir(double temperatureC) {
+    Air air = Air.nearest(new Air(temperatureC, 35).soundSpeedMPerS(), 35);
+    assertEquals(temperatureC, air.temperatureC(), 1e-9);
+    assertEquals(35, air.humidityPercent());
+  }
+
+  @Test
+  void nearest_whereNoAirIsSoSlowOrFast_isTheColdestOrTheWarmest() {
+    assertEquals(new Air(-40, 50), Air.nearest(200, 50));
+    assertEquals(new Air(60, 50), Air.nearest(500, 50));
+    assertThrows(IllegalArgumentException.class, () -> Air.nearest(Double.NaN, 50));
+  }
+
   /** Found by looking at each degree and each percent. */
   @Test
   void mostAndLeast_areThoseOfAllAir() {
