@@ -96,6 +96,18 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
     return doubt.isEmpty() ? new Conclusion(Verdict.NONE, "", List.of()) : undecided(doubt);
   }
 
+  /**
+   * Concludes the same of a log in which no ping has an echo. What weakens echoes, loses them or
+   * stops listening too early then looks alike: that one of them fits, or none, says nothing.
+   */
+  Conclusion ofSilence() {
+    return verdict == Verdict.NONE
+        ? this
+        : undecided(
+            "no ping of this log has an echo, and echoes that are too weak, lost or not waited for"
+                + " look alike then");
+  }
+
   /** A table is read off the bearings that a half of the log has, and leaves those of the other. */
   private static boolean leavesMuch(Weighed weighed) {
     return !weighed.taken().hypothesis().hasTable() && weighed.gain().leavesMuch();

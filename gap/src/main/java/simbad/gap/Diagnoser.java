@@ -249,9 +249,11 @@ public final class Diagnoser {
     double unknown = unnamed.probability();
     double tieNats = TIE_NATS * calibration.clumping();
     List<Place> where = places(given, whole, blocks);
-    Conclusion first = Conclusion.of(whole, unnamed, doubtful(whole, open, where), blocks, tieNats);
+    Conclusion all = Conclusion.of(whole, unnamed, doubtful(whole, open, where), blocks, tieNats);
+    boolean isSilent = given.log().echoes() == 0;
+    Conclusion first = isSilent ? all.ofSilence() : all;
     Optional<Weighed> sure =
-        first.verdict() == Verdict.UNEXPLAINED || isTied(first, whole)
+        !isSilent && (first.verdict() == Verdict.UNEXPLAINED || isTied(first, whole))
             ? whole
                 .confirmed(inquiry.gains, inquiry.sets, inquiry.worthNats)
                 .map(part -> beside(calibration, given, part))

@@ -106,6 +106,15 @@ class ConclusionTest {
     assertEquals(Verdict.UNEXPLAINED, of(weighed(Hypothesis.NONE, 0.01, 0.01), 0.51).verdict());
   }
 
+  @Test
+  void withoutAnyEcho_nothingIsExplainedAndNothingCalledUnexplained() {
+    String why = "no ping of this log has an echo";
+    isUndecided(why, of(weighed(OFFSET, 0.01, 0.01), 0.1).ofSilence());
+    isUndecided(why, of(weighed(OFFSET, 0.01, 0.01), 0.9).ofSilence());
+    Conclusion nothing = of(weighed(Hypothesis.NONE, 0.01, 0.01), 0.1);
+    assertEquals(nothing, nothing.ofSilence());
+  }
+
   /** One of two effects is there as often as not: the other alone would be wrong as often. */
   @Test
   void whatIsHardlyLikely_isNotNamed() {

@@ -27,6 +27,7 @@ import simbad.sonar.format.ReadingsFile;
 import simbad.sonar.format.SceneFile;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.Echo;
+import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.Reading;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -150,6 +151,22 @@ class DiagnoserTest {
     assertEquals(Verdict.UNEXPLAINED, diagnosis.verdict());
     assertEquals(Effect.SOUND_SPEED, diagnosis.atBound().get(0).effect());
     assertTrue(diagnosis.reason().contains("is at the end of the range that was searched"));
+  }
+
+  /** A cable that is off, a dead amplifier, a target that was taken away: all read the same. */
+  @Test
+  void saysUndecidedWhereNoPingHasAnEcho() throws Exception {
+    DataSet heard = practice("p005");
+    List<ReadingRow> silent = new ArrayList<>();
+    for (ReadingRow row : heard.readings().subList(0, 300)) {
+      silent.add(new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), NoEcho.NO_ECHO));
+    }
+    Diagnosis diagnosis =
+        new Diagnoser(1, Set.of())
+            .diagnose(new DataSet("silent", heard.setup(), silent, List.of()));
+    assertEquals(Verdict.UNDECIDED, diagnosis.verdict());
+    assertTrue(diagnosis.reason().contains("no ping of this log has an echo"), diagnosis.reason());
+    assertTrue(diagnosis.gap().beforeCm() > 0, "the simulator hears something there");
   }
 
   @Test

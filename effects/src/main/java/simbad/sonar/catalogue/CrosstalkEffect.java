@@ -24,8 +24,8 @@ import simbad.sonar.scene.SensingSetup;
 
 /** Now and then a reading has nothing to do with the scene. */
 public final class CrosstalkEffect implements Definition {
-  /** "Now and then" is less than two times in five. */
-  private static final Parameter NOW_AND_THEN = Parameter.of("share", 0, 0, 0.4, 0.03, 0.1, 0.3);
+  /** A sonar that pings all the time is heard by most pings, but what all hear is the scene. */
+  private static final Parameter SHARE = Parameter.of("share", 0, 0, 0.9, 0.03, 0.1, 0.3);
 
   /** What comes from nearly the same range each time has a place. */
   private static final double LEAST_BAND_M = 0.3;
@@ -69,24 +69,19 @@ public final class CrosstalkEffect implements Definition {
     Parameter band = Parameter.of("band_m", most, LEAST_BAND_M, most, 0.5 * most, most);
     return List.of(
         Form.of(
-            effect(),
-            "any",
-            v -> new Crosstalk(v[0], v[1], v[1] + v[2], false),
-            NOW_AND_THEN,
-            low,
-            band),
+            effect(), "any", v -> new Crosstalk(v[0], v[1], v[1] + v[2], false), SHARE, low, band),
         Form.of(
             effect(),
             "silent",
             v -> new Crosstalk(v[0], v[1], v[1] + v[2], true),
-            NOW_AND_THEN,
+            SHARE,
             low,
             band),
         Form.of(
             effect(),
             "earlier",
             v -> new EarlyCrosstalk(v[0], v[1], v[1] + v[2]),
-            NOW_AND_THEN,
+            SHARE,
             low,
             band),
         walking(WALKING, most, Parameter.of("step_m", LEAST_STEP_M, LEAST_STEP_M, 1, 0.1)),
@@ -101,7 +96,7 @@ public final class CrosstalkEffect implements Definition {
         effect(),
         name,
         v -> new WalkingCrosstalk(v[0], v[1], v[2], v[3], v[4], v[5]),
-        NOW_AND_THEN,
+        SHARE,
         Parameter.of("low_m", 0, 0, 0.5, 0),
         Parameter.of("band_m", most, 0.5, 3 * most, most),
         step,
