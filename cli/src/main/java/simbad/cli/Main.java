@@ -12,6 +12,9 @@ import simbad.sonar.format.TemporaryFolder;
 
 /** The program: parses the command line, runs one command, ends with its exit status. */
 public final class Main {
+  /** Of Java's own pool of threads: how many there are. */
+  private static final String THREADS = "java.util.concurrent.ForkJoinPool.common.parallelism";
+
   private Main() {}
 
   /**
@@ -32,6 +35,10 @@ public final class Main {
     // Numbers and results look the same wherever the user lives.
     Locale.setDefault(Locale.ROOT);
     WindowsAllowed.noneUnlessAsked();
+    // One more than Java takes: a thread that waits for another's work cannot help with all of it.
+    if (System.getProperty(THREADS) == null) {
+      System.setProperty(THREADS, String.valueOf(Runtime.getRuntime().availableProcessors()));
+    }
     Ending tidying = Ending.with(TemporaryFolder::closeAll);
     PrintWriter out = utf8(FileDescriptor.out);
     int status = OwnClasses.areThere(err) ? run(out, err, arguments) : ExitStatus.BAD_INPUT;

@@ -2,6 +2,7 @@ package simbad.sonar.change;
 
 import java.util.Arrays;
 import simbad.sonar.check.Checks;
+import simbad.sonar.ping.Deviations;
 import simbad.sonar.ping.Mixture;
 import simbad.sonar.ping.MixtureChange;
 import simbad.sonar.ping.Moment;
@@ -57,7 +58,7 @@ public record GhostReading(
             left[part] -= chance;
           }
         }
-        double deviation = Math.hypot(spreadM, factor * before.deviationM(other));
+        double deviation = Deviations.together(spreadM, factor * before.deviationM(other));
         mixture.add(range, deviation, chance * taken);
       }
     }

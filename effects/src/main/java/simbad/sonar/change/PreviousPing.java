@@ -3,6 +3,7 @@ package simbad.sonar.change;
 import simbad.sonar.check.Checks;
 import simbad.sonar.ping.ArrivalChange;
 import simbad.sonar.ping.Arrivals;
+import simbad.sonar.ping.Deviations;
 import simbad.sonar.ping.Mixture;
 import simbad.sonar.ping.Moment;
 
@@ -36,7 +37,7 @@ public record PreviousPing(double share, double factor, double shiftM, double sp
     for (int part = 0; part < before.size(); part++) {
       double range = before.meanM(part) * factor - shiftM;
       if (range > LEAST_RANGE_M) {
-        double deviation = Math.hypot(spreadM, factor * before.deviationM(part));
+        double deviation = Deviations.together(spreadM, factor * before.deviationM(part));
         arrivals.add(range, deviation, share * before.share(part));
       }
     }

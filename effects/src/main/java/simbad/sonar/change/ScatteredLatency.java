@@ -1,6 +1,7 @@
 package simbad.sonar.change;
 
 import simbad.sonar.check.Checks;
+import simbad.sonar.ping.Deviations;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.Mixture;
 import simbad.sonar.ping.MixtureChange;
@@ -61,7 +62,7 @@ public record ScatteredLatency(PoseChange delay, double scatterPings)
   private static void scatter(double rangeM, double byM, Mixture mixture) {
     for (int part = 0; part < mixture.size(); part++) {
       if (mixture.meanM(part) == rangeM) {
-        mixture.move(part, rangeM, Math.hypot(mixture.deviationM(part), byM));
+        mixture.move(part, rangeM, Deviations.together(mixture.deviationM(part), byM));
       }
     }
   }

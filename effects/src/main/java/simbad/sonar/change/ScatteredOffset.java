@@ -1,6 +1,7 @@
 package simbad.sonar.change;
 
 import simbad.sonar.check.Checks;
+import simbad.sonar.ping.Deviations;
 import simbad.sonar.ping.RangeChange;
 
 /**
@@ -34,6 +35,6 @@ public record ScatteredOffset(RangeOffset offset, double share) implements Range
   @Override
   public double deviationM(double rangeM, double deviationM) {
     double added = share * offset.offsetM();
-    return added == 0 ? deviationM : Math.hypot(deviationM, added);
+    return added == 0 ? deviationM : Deviations.together(deviationM, added);
   }
 }

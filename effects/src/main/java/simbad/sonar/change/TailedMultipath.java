@@ -1,6 +1,7 @@
 package simbad.sonar.change;
 
 import simbad.sonar.check.Checks;
+import simbad.sonar.ping.Deviations;
 import simbad.sonar.ping.Mixture;
 import simbad.sonar.ping.MixtureChange;
 import simbad.sonar.ping.Moment;
@@ -61,7 +62,7 @@ public record TailedMultipath(double share, double meanExtraM) implements Mixtur
         mixture.addUpTo(
             most,
             mixture.meanM(part) + meanExtraM * MEAN[slice],
-            Math.hypot(mixture.deviationM(part), meanExtraM * DEVIATION[slice]),
+            Deviations.together(mixture.deviationM(part), meanExtraM * DEVIATION[slice]),
             share * (QUANTILES[slice + 1] - QUANTILES[slice]) * mixture.share(part));
       }
       mixture.scaleShare(part, 1 - share);

@@ -31,7 +31,7 @@ public record VerticalBeam(double heightM, double halfAngleRad, double softM)
 
   @Override
   public double meanM(double rangeM) {
-    return heightM == 0 ? rangeM : Math.hypot(rangeM, heightM);
+    return heightM == 0 ? rangeM : Math.sqrt(rangeM * rangeM + heightM * heightM);
   }
 
   /** The level way of a slanting one; 0 for one that is shorter than the height. */

@@ -17,6 +17,19 @@ public final class Arrivals {
     size = 0;
   }
 
+  /** Takes over what another list holds in the place of its own. */
+  public void set(Arrivals other) {
+    if (distanceM.length < other.size) {
+      distanceM = new double[other.distanceM.length];
+      deviationM = new double[distanceM.length];
+      probability = new double[distanceM.length];
+    }
+    size = other.size;
+    System.arraycopy(other.distanceM, 0, distanceM, 0, size);
+    System.arraycopy(other.deviationM, 0, deviationM, 0, size);
+    System.arraycopy(other.probability, 0, probability, 0, size);
+  }
+
   /**
    * Adds what may answer.
    *

@@ -185,9 +185,17 @@ public final class Mixture {
     if (size <= rank) {
       return 0;
     }
-    double[] sorted = Arrays.copyOf(share, size);
-    Arrays.sort(sorted);
-    return sorted[size - 1 - rank];
+    // The greatest shares, the greatest first.
+    double[] most = new double[rank + 1];
+    for (int part = 0; part < size; part++) {
+      double less = share[part];
+      for (int i = 0; i <= rank; i++) {
+        double own = most[i];
+        most[i] = Math.max(own, less);
+        less = Math.min(own, less);
+      }
+    }
+    return most[rank];
   }
 
   /**

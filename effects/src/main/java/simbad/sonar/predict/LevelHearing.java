@@ -8,6 +8,7 @@ import simbad.sonar.level.Decibels;
 import simbad.sonar.level.LevelLaw;
 import simbad.sonar.ping.Arrivals;
 import simbad.sonar.ping.Change;
+import simbad.sonar.ping.Deviations;
 import simbad.sonar.ping.EchoPath;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.LevelChange;
@@ -105,10 +106,10 @@ final class LevelHearing {
       grow();
     }
     double excess = geometry.excessDb(line);
-    double deviation = together(geometry.excessDeviationDb(line), moreScatterDb);
+    double deviation = Deviations.together(geometry.excessDeviationDb(line), moreScatterDb);
     for (LevelChange change : changes) {
       excess += change.addedDb(ears, geometry, line);
-      deviation = together(deviation, change.deviationDb(geometry, line));
+      deviation = Deviations.together(deviation, change.deviationDb(geometry, line));
     }
     distanceM[size] = geometry.nearestM(line);
     deviationDb[size] = deviation;
@@ -180,12 +181,8 @@ final class LevelHearing {
         continue;
       }
       double readM = ears.rangeScale() * distanceM[i] + addedM[i] + law.walkM().at(excess);
-      arrivals.add(readM, together(law.noiseM().at(excess), addedDeviationM[i]), chance);
+      arrivals.add(readM, Deviations.together(law.noiseM().at(excess), addedDeviationM[i]), chance);
     }
-  }
-
-  private static double together(double one, double other) {
-    return other == 0 ? one : Math.sqrt(one * one + other * other);
   }
 
   /** What echoes that came less than a pulse before add to one. */

@@ -43,7 +43,13 @@ final class Likelihood {
 
   private final boolean emptyOnesAreAlike;
 
-  /** The step that was read. */
+  /** Whether a burst takes the same share of all that may be read. */
+  private final boolean losesAlike;
+
+  /** How probable an echo was of the ping that was mixed last. */
+  private double mixed;
+
+  /** The step that was read last. */
   private double stepStartM;
 
   private double stepEndM;
@@ -60,6 +66,7 @@ final class Likelihood {
     pings = model.pings(geometry);
     memory = model.memory();
     emptyOnesAreAlike = pings.emptyOnesAreAlike();
+    losesAlike = pings.onlyRanges() && memory.hysteresis() == null;
   }
 
   /**
@@ -166,11 +173,20 @@ final class Likelihood {
       silent[inBurst][heard] = emptySilent[inBurst];
       return;
     }
-    mix(ping, inBurst, heard == 1);
-    silent[inBurst][heard] = Math.max(0, 1 - mixture.echoShare());
+    if (inBurst == 1 && losesAlike) {
+      lose(heard);
+    } else {
+      read(ping, inBurst, heard);
+    }
     if (known) {
       emptySilent[inBurst] = silent[inBurst][heard];
     }
+  }
+
+  private void read(int ping, int inBurst, int heard) {
+    mix(ping, inBurst, heard == 1);
+    mixed = mixture.echoShare();
+    silent[inBurst][heard] = Math.max(0, 1 - mixed);
     if (log.echo(ping)) {
       echo[inBurst][heard] = mixture.within(stepStartM, stepEndM);
       if (telling) {
@@ -180,6 +196,14 @@ final class Likelihood {
     if (memory.ghosts() && !memory.asRead() && log.echo(ping)) {
       all.merge(mixture, weight(inBurst, heard), 0);
     }
+  }
+
+  /** In a burst a ping reads what it reads outside, less often. */
+  private void lose(int heard) {
+    double kept = 1 - memory.lost(1);
+    silent[1][heard] = Math.max(0, 1 - kept * mixed);
+    echo[1][heard] = kept * echo[0][heard];
+    below[1][heard] = kept * below[0][heard];
   }
 
   /** How probable the states are that a mixture stands for. */
@@ -208,7 +232,11 @@ final class Likelihood {
     for (int source = 0; source < before.size(); source++) {
       one.clear();
       one.add(before.meanM(source), 0, 1);
-      pings.mix(ping, heard, one, lost, part);
+      if (source == 0 || memory.hysteresis() != null) {
+        pings.mix(ping, heard, one, lost, part);
+      } else {
+        pings.mixAgain(one, lost, part);
+      }
       mixture.merge(part, before.share(source), 0);
     }
   }
@@ -225,9 +253,7 @@ final class Likelihood {
       before.add(log.rangeM(previous), 0, 1);
       return;
     }
-    double low = model.stepStartM(log.rangeM(previous));
-    double high = model.stepEndM(log.rangeM(previous));
-    double total = all.within(low, high);
+    double total = explain();
     if (!(total > LEAST_EXPLAINED)) {
       if (!again) {
         before.clear();
@@ -235,10 +261,10 @@ final class Likelihood {
       }
       return;
     }
-    double least = Math.max(LEAST_SHARE, shareOfRank(SOURCES, low, high) / total);
+    double least = Math.max(LEAST_SHARE, one.shareOfRank(SOURCES) / total);
     before.clear();
     for (int i = 0; i < all.size(); i++) {
-      double share = all.within(i, low, high) / total;
+      double share = one.share(i) / total;
       if (share > least) {
         boolean known = all.halfWidthM(i) == 0;
         before.add(known ? all.meanM(i) : log.rangeM(previous), 0, share);
@@ -247,13 +273,16 @@ final class Likelihood {
     before.scaleShares(1 / before.echoShare());
   }
 
-  /** The share of a reading that comes from the part that so many others exceed. */
-  private double shareOfRank(int rank, double low, double high) {
+  /** Puts how well each part explains the last reading where there is room; returns the sum. */
+  private double explain() {
     one.clear();
+    double total = 0;
     for (int i = 0; i < all.size(); i++) {
-      one.add(0, 0, all.within(i, low, high));
+      double share = all.within(i, stepStartM, stepEndM);
+      one.add(0, 0, share);
+      total += share;
     }
-    return one.shareOfRank(rank);
+    return total;
   }
 
   private boolean repeatsReading(int ping) {

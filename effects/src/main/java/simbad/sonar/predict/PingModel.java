@@ -53,6 +53,10 @@ final class PingModel {
   private final boolean onlyRanges;
 
   private final Arrivals arrivals = new Arrivals();
+
+  /** What the obstacles alone answer of the ping that is mixed. */
+  private final Arrivals answers = new Arrivals();
+
   private final Mixture origin = new Mixture();
   private final Moment moment;
 
@@ -146,10 +150,34 @@ final class PingModel {
       boolean placed = ranged || !onlyRanges || arrivalChanges.length > 0;
       arrive(levels, ping, heardBefore, placed);
     }
+    if (arrivalChanges.length > 0) {
+      answers.set(arrivals);
+    }
+    addBeside(ping, before);
+  }
+
+  /** Adds what changes let arrive beside the obstacles' answers. */
+  private void addBeside(int ping, Mixture before) {
     moment.set(ping, fromOrigin ? origin(before) : before);
     for (ArrivalChange change : arrivalChanges) {
       change.add(moment, arrivals);
     }
+  }
+
+  /**
+   * Mixes what the ping that was mixed last may read had something else been read before: its
+   * obstacles answer the same, as long as what they answer hangs on no ping before.
+   *
+   * @param before what was read before; no part for a no-echo
+   * @param lost share of pings that are lost beside the losses of the changes
+   * @param into takes the mixture, in measured ranges
+   */
+  void mixAgain(Mixture before, double lost, Mixture into) {
+    if (arrivalChanges.length > 0) {
+      arrivals.set(answers);
+    }
+    addBeside(moment.ping(), before);
+    mix(lost, true, into);
   }
 
   /**

@@ -1,6 +1,7 @@
 package simbad.gap.calibrate;
 
 import java.util.List;
+import java.util.concurrent.ForkJoinTask;
 import java.util.stream.Stream;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fold;
@@ -65,12 +66,14 @@ public final class Laws {
     if (setup.sensor().law().model().isPresent() || !new Blocks(reference).canBeHeldOut()) {
       return List.of(new Law(Calibration.of(setup, reference), 0));
     }
+    ForkJoinTask<Double> gains =
+        ForkJoinTask.adapt(() -> new Rivals(setup, reference).gainedNats()).fork();
     List<Calibration> calibrated =
         Stream.of(SensorLaw.Model.THRESHOLD, SensorLaw.Model.LEVEL)
             .parallel()
             .map(law -> Calibration.of(setup.under(law), reference))
             .toList();
-    double gained = new Rivals(setup, reference).gainedNats();
+    double gained = gains.join();
     Law threshold = new Law(calibrated.get(0), 0);
     Law level = new Law(calibrated.get(1), gained);
     Law first = gained > 0 ? level : threshold;

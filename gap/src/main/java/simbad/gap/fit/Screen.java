@@ -117,16 +117,15 @@ public final class Screen {
 
   /** The best form, and those that may turn out to be it. */
   private List<Fit> bestOf(List<Form> forms) {
-    List<Fit> fits = new ArrayList<>();
-    for (Form form : forms) {
-      Fitter fitter = new Fitter(given, some);
-      Fit begun = begun(form, fitter);
-      if (fits.isEmpty()
-          || gainOfSome(fits.get(0)) >= CHANCE_NATS
-          || gainOfSome(begun) >= CHANCE_NATS) {
-        fits.add(approached(begun, fitter));
-      }
-    }
+    List<Begun> begun = forms.parallelStream().map(this::begun).toList();
+    Fit first = approached(begun.get(0));
+    boolean promising = gainOfSome(first) >= CHANCE_NATS;
+    List<Fit> fits = new ArrayList<>(List.of(first));
+    fits.addAll(
+        begun.subList(1, begun.size()).parallelStream()
+            .filter(other -> promising || gainOfSome(other.fit) >= CHANCE_NATS)
+            .map(this::approached)
+            .toList());
     fits.sort(Comparator.comparingDouble(fit -> -meritOfSome(fit)));
     double least = meritOfSome(fits.get(0)) - CLOSE_NATS;
     return fits.stream()
@@ -169,20 +168,28 @@ public final class Screen {
     return fit.logLikelihood() - base.logLikelihood();
   }
 
-  /** The best of a form's starts. */
-  private Fit begun(Form form, Fitter fitter) {
+  /**
+   * The best of a form's starts.
+   *
+   * @param fitter that knows the others
+   */
+  private record Begun(Fit fit, Fitter fitter) {}
+
+  private Begun begun(Form form) {
+    Fitter fitter = new Fitter(given, some);
     return Definitions.of(form.effect()).starts(form, clues).stream()
         .map(values -> base.hypothesis().and(form, values))
         .map(start -> new Fit(start, fitter.logLikelihood(start)))
         .max(Comparator.comparingDouble(Fit::logLikelihood))
+        .map(best -> new Begun(best, fitter))
         .orElseThrow();
   }
 
-  private Fit approached(Fit begun, Fitter fitter) {
-    Form form = added(begun);
+  private Fit approached(Begun begun) {
+    Form form = added(begun.fit);
     int most = 14 + 10 * form.parameters().size();
     return form.isTable()
-        ? begun
-        : fitter.approach(begun.hypothesis(), base.hypothesis().size(), most);
+        ? begun.fit
+        : begun.fitter.approach(begun.fit.hypothesis(), base.hypothesis().size(), most);
   }
 }

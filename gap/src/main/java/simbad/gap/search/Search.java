@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ForkJoinTask;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -277,12 +278,15 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
   @Override
   protected List<Fit> inPlaceOf(Fit set, Effect member) {
     Hypothesis rest = set.hypothesis().without(member);
-    keep(joint(new Fit(rest, set.logLikelihood())));
+    ForkJoinTask<Fit> alone =
+        ForkJoinTask.adapt(() -> joint(new Fit(rest, set.logLikelihood()))).fork();
     // Beside the values that they had beside it: alone they would do its work.
     Fit base = new Fitter(given, Fold.ALL).refine(rest, 0);
     // What gained little beside what soaked it up may gain most beside the other.
     boolean large = set.hypothesis().forms().size() > 2;
-    return grown(base, large ? promising(singles, rest) : forms);
+    List<Fit> grown = grown(base, large ? promising(singles, rest) : forms);
+    keep(alone.join());
+    return grown;
   }
 
   /**

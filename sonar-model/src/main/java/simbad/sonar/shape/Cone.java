@@ -8,6 +8,9 @@ public final class Cone {
   /** As a share of a point's distance: a point so near the border lies on it. */
   private static final double ROUNDING = 1e-12;
 
+  /** As a share of a distance: what is beyond by more is so whatever the rounding. */
+  private static final double MARGIN = 1e-9;
+
   private final double halfAngleRad;
   private final double cos;
   private final double sin;
@@ -48,21 +51,45 @@ public final class Cone {
   public double nearestM(
       Outline outline, double tipXM, double tipZM, double directionX, double directionZ) {
     double best = Double.POSITIVE_INFINITY;
+    // An edge whose ends lie further away has no point that is nearer than the best.
+    double far2 = Double.POSITIVE_INFINITY;
     int last = outline.size() - 1;
     double fromX = outline.xM(last) - tipXM;
     double fromZ = outline.zM(last) - tipZM;
     double fromAlong = fromX * directionX + fromZ * directionZ;
     double fromAcross = fromX * directionZ - fromZ * directionX;
+    boolean wasNear = true;
+    int wasBeyond = beyond(fromAlong, fromAcross);
     for (int i = 0; i <= last; i++) {
       double toX = outline.xM(i) - tipXM;
       double toZ = outline.zM(i) - tipZM;
       double along = toX * directionX + toZ * directionZ;
       double across = toX * directionZ - toZ * directionX;
-      best = Math.min(best, nearestOfEdgeM(fromAlong, fromAcross, along, across, best));
+      boolean near = along * along + across * across <= far2;
+      int beyond = beyond(along, across);
+      if ((wasNear || near) && (wasBeyond & beyond) == 0) {
+        double nearest = nearestOfEdgeM(fromAlong, fromAcross, along, across, best);
+        if (nearest < best) {
+          best = nearest;
+          double far = (best + outline.longestEdgeM() / 2) * (1 + MARGIN);
+          far2 = far * far;
+        }
+      }
       fromAlong = along;
       fromAcross = across;
+      wasNear = near;
+      wasBeyond = beyond;
     }
     return best;
+  }
+
+  /** Beyond which borders a point lies for sure, of a cone that is no wider than a half plane. */
+  private int beyond(double along, double across) {
+    if (halfAngleRad >= Math.PI / 2) {
+      return 0;
+    }
+    double inside = along * sin + MARGIN * (Math.abs(along) + Math.abs(across));
+    return (across * cos > inside ? 1 : 0) | (-across * cos > inside ? 2 : 0);
   }
 
   /**
@@ -142,6 +169,12 @@ public final class Cone {
   }
 
   private boolean contains(double along, double across) {
+    if (halfAngleRad < Math.PI / 2) {
+      double inside = along * sin - Math.abs(across) * cos;
+      if (Math.abs(inside) > MARGIN * (Math.abs(along) + Math.abs(across))) {
+        return inside > 0;
+      }
+    }
     double distance = Math.sqrt(along * along + across * across);
     return along >= cos * distance || onBorder(along, Math.abs(across), distance);
   }

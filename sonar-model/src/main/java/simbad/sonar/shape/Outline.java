@@ -15,10 +15,16 @@ import simbad.sonar.frame.Point;
 public final class Outline {
   private final double[] xM;
   private final double[] zM;
+  private final double longestEdgeM;
 
   private Outline(double[] xM, double[] zM) {
     this.xM = xM;
     this.zM = zM;
+    double longest = 0;
+    for (int i = 0, j = xM.length - 1; i < xM.length; j = i++) {
+      longest = Math.max(longest, Math.hypot(xM[i] - xM[j], zM[i] - zM[j]));
+    }
+    longestEdgeM = longest;
   }
 
   /**
@@ -99,11 +105,7 @@ public final class Outline {
 
   /** Returns the length of the longest edge in metres. */
   public double longestEdgeM() {
-    double longest = 0;
-    for (int i = 0, j = size() - 1; i < size(); j = i++) {
-      longest = Math.max(longest, Math.hypot(xM[i] - xM[j], zM[i] - zM[j]));
-    }
-    return longest;
+    return longestEdgeM;
   }
 
   /**

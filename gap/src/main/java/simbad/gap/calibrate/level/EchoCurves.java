@@ -1,6 +1,7 @@
 package simbad.gap.calibrate.level;
 
 import java.util.function.DoubleFunction;
+import java.util.stream.IntStream;
 
 /**
  * How likely each reading of a log is where the excess of what it hears is another: natural
@@ -19,12 +20,13 @@ public final class EchoCurves {
   /**
    * Asks how likely a log is.
    *
-   * @param logLikelihood of each reading where all excesses are more by some decibels
+   * @param logLikelihood of each reading where all excesses are more by some decibels; is asked by
+   *     several threads
    */
   public EchoCurves(DoubleFunction<double[]> logLikelihood) {
-    for (int i = 0; i < AT_DB.length; i++) {
-      value[i] = logLikelihood.apply(AT_DB[i]);
-    }
+    IntStream.range(0, AT_DB.length)
+        .parallel()
+        .forEach(i -> value[i] = logLikelihood.apply(AT_DB[i]));
   }
 
   int size() {
