@@ -19,15 +19,50 @@ public final class Arrivals {
 
   /** Takes over what another list holds in the place of its own. */
   public void set(Arrivals other) {
-    if (distanceM.length < other.size) {
-      distanceM = new double[other.distanceM.length];
-      deviationM = new double[distanceM.length];
-      probability = new double[distanceM.length];
+    take(other.distanceM, other.deviationM, other.probability, 0, other.size);
+  }
+
+  /**
+   * Takes over what stands in some arrays, the nearest first, in the place of its own.
+   *
+   * @param fromDistanceM metres
+   * @param fromDeviationM metres
+   * @param fromProbability that each answers
+   * @param first index of the first
+   * @param count how many
+   */
+  public void take(
+      double[] fromDistanceM,
+      double[] fromDeviationM,
+      double[] fromProbability,
+      int first,
+      int count) {
+    if (distanceM.length < count) {
+      distanceM = new double[count];
+      deviationM = new double[count];
+      probability = new double[count];
     }
-    size = other.size;
-    System.arraycopy(other.distanceM, 0, distanceM, 0, size);
-    System.arraycopy(other.deviationM, 0, deviationM, 0, size);
-    System.arraycopy(other.probability, 0, probability, 0, size);
+    size = count;
+    System.arraycopy(fromDistanceM, first, distanceM, 0, count);
+    System.arraycopy(fromDeviationM, first, deviationM, 0, count);
+    System.arraycopy(fromProbability, first, probability, 0, count);
+  }
+
+  /**
+   * Writes all into some arrays, the nearest first.
+   *
+   * @param intoDistanceM metres
+   * @param intoDeviationM metres
+   * @param intoProbability that each answers
+   * @param first index of the first
+   * @return how many there are
+   */
+  public int put(
+      double[] intoDistanceM, double[] intoDeviationM, double[] intoProbability, int first) {
+    System.arraycopy(distanceM, 0, intoDistanceM, first, size);
+    System.arraycopy(deviationM, 0, intoDeviationM, first, size);
+    System.arraycopy(probability, 0, intoProbability, first, size);
+    return size;
   }
 
   /**

@@ -141,7 +141,7 @@ public final class ChangedModel {
    * @param into takes a probability in [0, 1] for each ping
    */
   public void likelihood(Geometry geometry, double[] into) {
-    likelihood(geometry, into, null, null);
+    likelihood(geometry, into, null, null, null);
   }
 
   /**
@@ -151,10 +151,15 @@ public final class ChangedModel {
    * @param into takes a probability in [0, 1] for each ping
    * @param echoes takes that of any echo for each ping that read one; null if it is not asked for
    * @param only which pings are asked for, null for all; what is left for the others means nothing
+   * @param known what obstacles answer, from one model to the next; null to find all anew
    */
   public void likelihood(
-      Geometry geometry, double[] into, double @Nullable [] echoes, boolean @Nullable [] only) {
-    new Likelihood(this, geometry).into(into, echoes, only);
+      Geometry geometry,
+      double[] into,
+      double @Nullable [] echoes,
+      boolean @Nullable [] only,
+      @Nullable Answers known) {
+    new Likelihood(this, geometry, known).into(into, echoes, only);
   }
 
   /**
@@ -165,7 +170,7 @@ public final class ChangedModel {
    */
   public Expectation expectation(Geometry geometry) {
     Expectation expectation = new Expectation(geometry.log().size());
-    new Likelihood(this, geometry).into(expectation);
+    new Likelihood(this, geometry, null).into(expectation);
     return expectation;
   }
 
@@ -223,7 +228,11 @@ public final class ChangedModel {
   }
 
   PingModel pings(Geometry geometry) {
-    return new PingModel(geometry, sensor, changes);
+    return pings(geometry, null);
+  }
+
+  PingModel pings(Geometry geometry, @Nullable Answers known) {
+    return new PingModel(geometry, sensor, changes, known);
   }
 
   ReadingDistribution distribution(Mixture mixture) {

@@ -60,10 +60,10 @@ final class Likelihood {
   private HiddenState state = new HiddenState();
   private HiddenState next = new HiddenState();
 
-  Likelihood(ChangedModel model, Geometry geometry) {
+  Likelihood(ChangedModel model, Geometry geometry, @Nullable Answers known) {
     this.model = model;
     log = geometry.log();
-    pings = model.pings(geometry);
+    pings = model.pings(geometry, known);
     memory = model.memory();
     emptyOnesAreAlike = pings.emptyOnesAreAlike();
     losesAlike = pings.onlyRanges() && memory.hysteresis() == null;

@@ -52,6 +52,7 @@ final class PingModel {
   /** Whether what is done to the readings moves them, and leaves how many there are. */
   private final boolean onlyRanges;
 
+  private final @Nullable Answers known;
   private final Arrivals arrivals = new Arrivals();
 
   /** What the obstacles alone answer of the ping that is mixed. */
@@ -63,7 +64,23 @@ final class PingModel {
   /** By obstacle: how probable it is that the ping before heard it. */
   private final double[] heardShare;
 
-  PingModel(Geometry geometry, SonarSpec sensor, List<? extends Change> changes) {
+  /**
+   * Creates a model.
+   *
+   * @param geometry of the pings
+   * @param sensor its figures under the changes
+   * @param changes what is different in the world
+   * @param known what obstacles answer as far as another model has found it; null to find all anew
+   */
+  PingModel(
+      Geometry geometry,
+      SonarSpec sensor,
+      List<? extends Change> changes,
+      @Nullable Answers known) {
+    this.known = known;
+    if (known != null) {
+      known.under(geometry, changes);
+    }
     this.geometry = geometry;
     noiseM = sensor.rangeNoiseM();
     nominal = new NominalModel(sensor, new Scene(List.of()));
@@ -144,16 +161,25 @@ final class PingModel {
     if (hysteresis != null && heardBefore) {
       hear(ping, before);
     }
-    if (levels == null) {
-      arrive(ping, heardBefore);
-    } else {
-      boolean placed = ranged || !onlyRanges || arrivalChanges.length > 0;
-      arrive(levels, ping, heardBefore, placed);
+    boolean placed = ranged || !onlyRanges || arrivalChanges.length > 0;
+    if (known == null || hysteresis != null) {
+      answer(ping, heardBefore, placed);
+    } else if (!known.take(ping, placed, arrivals)) {
+      answer(ping, false, placed);
+      known.keep(ping, placed, arrivals);
     }
     if (arrivalChanges.length > 0) {
       answers.set(arrivals);
     }
     addBeside(ping, before);
+  }
+
+  private void answer(int ping, boolean heardBefore, boolean placed) {
+    if (levels == null) {
+      arrive(ping, heardBefore);
+    } else {
+      arrive(levels, ping, heardBefore, placed);
+    }
   }
 
   /** Adds what changes let arrive beside the obstacles' answers. */

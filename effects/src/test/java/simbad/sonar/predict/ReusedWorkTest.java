@@ -129,8 +129,8 @@ class ReusedWorkTest {
     Geometry again = model.geometryLike(model.geometryLike(known, only), only);
     double[] expected = new double[PINGS];
     double[] found = new double[PINGS];
-    model.likelihood(model.geometry(log), expected, null, only);
-    model.likelihood(model.looksBack() ? model.geometry(log) : again, found, null, only);
+    model.likelihood(model.geometry(log), expected, null, only, null);
+    model.likelihood(model.looksBack() ? model.geometry(log) : again, found, null, only, null);
     for (int ping = 0; ping < PINGS; ping++) {
       assertEquals(only[ping] ? expected[ping] : 0, only[ping] ? found[ping] : 0);
     }
@@ -171,16 +171,58 @@ class ReusedWorkTest {
     Geometry geometry = model.geometry(log);
     double[] all = new double[PINGS];
     double[] allEchoes = new double[PINGS];
-    model.likelihood(geometry, all, allEchoes, null);
+    model.likelihood(geometry, all, allEchoes, null, null);
     boolean[] only = some(random);
     double[] some = new double[PINGS];
     double[] someEchoes = new double[PINGS];
-    model.likelihood(geometry, some, someEchoes, only);
+    model.likelihood(geometry, some, someEchoes, only, null);
     for (int ping = 0; ping < PINGS; ping++) {
       if (only[ping]) {
         assertEquals(all[ping], some[ping], 0, model.changes().toString());
         assertEquals(log.echo(ping) ? allEchoes[ping] : 0, log.echo(ping) ? someEchoes[ping] : 0);
       }
     }
+  }
+
+  /** As a fit does: most models differ from the one before in one change, or in its values. */
+  @Property(tries = 800, seed = "20")
+  void answersThatOtherModelsFound_areThoseFoundAnew(@ForAll long seed) {
+    Random random = random(seed);
+    PingLog log = world(random);
+    Answers known = new Answers();
+    List<Change> changes = changes(random);
+    Geometry geometry = new ChangedModel(setup, changes).geometry(log);
+    for (int step = 0; step < 6; step++) {
+      ChangedModel model = new ChangedModel(setup, changes);
+      boolean[] only = random.nextBoolean() ? null : some(random);
+      double[] expected = new double[PINGS];
+      double[] expectedEchoes = new double[PINGS];
+      model.likelihood(geometry, expected, expectedEchoes, only, null);
+      double[] found = new double[PINGS];
+      double[] foundEchoes = new double[PINGS];
+      model.likelihood(geometry, found, foundEchoes, only, known);
+      assertArrayEquals(expected, found, 0, changes.toString());
+      assertArrayEquals(expectedEchoes, foundEchoes, 0, changes.toString());
+      List<Change> next = withAnotherLast(changes, random);
+      boolean looksElsewhere = !deciding(next).equals(deciding(changes));
+      geometry = looksElsewhere ? new ChangedModel(setup, next).geometry(log) : geometry;
+      changes = next;
+    }
+  }
+
+  private List<Change> withAnotherLast(List<Change> changes, Random random) {
+    int last = Math.max(law.size(), changes.size() - 1);
+    List<Change> next = new ArrayList<>(changes.subList(0, last));
+    List<Change> others = changes(random);
+    Change other = others.get(others.size() - 1);
+    // Of some kinds a model holds one.
+    if (next.stream().noneMatch(change -> change.getClass() == other.getClass())) {
+      next.add(other);
+    }
+    return next;
+  }
+
+  private static List<Change> deciding(List<Change> changes) {
+    return changes.stream().filter(Geometry::dependsOn).toList();
   }
 }

@@ -5,6 +5,7 @@ import org.jspecify.annotations.Nullable;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
+import simbad.sonar.predict.Answers;
 import simbad.sonar.predict.ChangedModel;
 import simbad.sonar.scene.SensingSetup;
 
@@ -131,7 +132,7 @@ public final class CalibratedLog {
    * @param into takes a finite value for each ping
    */
   public void logLikelihood(ChangedModel model, Geometry geometry, double[] into) {
-    logLikelihood(model, geometry, into, null);
+    logLikelihood(model, geometry, into, null, null);
   }
 
   /**
@@ -141,12 +142,17 @@ public final class CalibratedLog {
    * @param geometry of the log under it
    * @param into takes a finite value for each ping
    * @param only which pings are asked for, null for all; what is left for the others means nothing
+   * @param known what obstacles answer, from one model to the next; null to find all anew
    */
   void logLikelihood(
-      ChangedModel model, Geometry geometry, double[] into, boolean @Nullable [] only) {
+      ChangedModel model,
+      Geometry geometry,
+      double[] into,
+      boolean @Nullable [] only,
+      @Nullable Answers known) {
     boolean weighed = echoWeight != 1 || rangeWeight != 1;
     double[] echoes = weighed ? new double[into.length] : null;
-    model.likelihood(geometry, into, echoes, only);
+    model.likelihood(geometry, into, echoes, only, known);
     double silent = -1;
     double logSilent = 0;
     for (int i = 0; i < into.length; i++) {

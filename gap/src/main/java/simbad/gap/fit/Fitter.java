@@ -14,6 +14,7 @@ import org.hipparchus.optim.nonlinear.scalar.ObjectiveFunction;
 import org.hipparchus.optim.nonlinear.scalar.noderiv.NelderMeadSimplex;
 import org.hipparchus.optim.nonlinear.scalar.noderiv.SimplexOptimizer;
 import simbad.definition.Parameter;
+import simbad.sonar.predict.Answers;
 import simbad.sonar.predict.ChangedModel;
 
 /** Finds the values of a hypothesis that make the readings most probable. For one thread. */
@@ -31,6 +32,7 @@ public class Fitter {
   /** A simplex asks again of where it began, and of the same end of an interval. */
   private final Map<Hypothesis, Double> known = new HashMap<>();
 
+  private final Answers answers = new Answers();
   private final Geometries geometries;
 
   /** Of the pings that count alone. */
@@ -67,7 +69,7 @@ public class Fitter {
   private double computed(Hypothesis hypothesis) {
     ChangedModel model = given.model(hypothesis);
     Geometries looked = model.looksBack() ? geometries : counted;
-    given.logLikelihood(model, looked.of(model), row, counts);
+    given.logLikelihood(model, looked.of(model), row, counts, answers);
     double sum = 0;
     for (int i = 0; i < row.length; i++) {
       if (counts[i]) {
