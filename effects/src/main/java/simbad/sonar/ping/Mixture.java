@@ -137,8 +137,7 @@ public final class Mixture {
     int parts = moved == 0 ? 0 : size;
     for (int part = 0; part < parts; part++) {
       if (halfWidthM[part] == 0) {
-        double own = deviationM[part];
-        double deviation = addedM == 0 ? own : Math.sqrt(own * own + addedM * addedM);
+        double deviation = Deviations.together(deviationM[part], addedM);
         add(meanM[part] + byM, deviation, moved * share[part]);
         share[part] *= 1 - moved;
       }

@@ -9,6 +9,7 @@ import simbad.sonar.model.NominalModel;
 import simbad.sonar.ping.ArrivalChange;
 import simbad.sonar.ping.Arrivals;
 import simbad.sonar.ping.Change;
+import simbad.sonar.ping.Deviations;
 import simbad.sonar.ping.EchoChange;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.LossChange;
@@ -361,8 +362,7 @@ final class PingModel {
     }
     for (int part = 0; part < into.size(); part++) {
       double range = into.meanM(part);
-      double own = into.deviationM(part);
-      double deviation = own == 0 ? noiseM : Math.sqrt(own * own + noiseM * noiseM);
+      double deviation = Deviations.together(noiseM, into.deviationM(part));
       for (RangeChange change : rangesNow) {
         deviation = change.deviationM(range, deviation);
         range = change.meanM(range);
