@@ -24,7 +24,7 @@ import simbad.sonar.scene.SensingSetup;
 
 /** Now and then a reading has nothing to do with the scene. */
 public final class CrosstalkEffect implements Definition {
-  /** A sonar that pings all the time is heard by most pings, but what all hear is the scene. */
+  /** Most pings may hear a sonar that never rests; what all of them hear is no stranger. */
   private static final Parameter SHARE = Parameter.of("share", 0, 0, 0.9, 0.03, 0.1, 0.3);
 
   /** What comes from nearly the same range each time has a place. */

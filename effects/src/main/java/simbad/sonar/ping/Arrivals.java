@@ -17,11 +17,6 @@ public final class Arrivals {
     size = 0;
   }
 
-  /** Takes over what another list holds in the place of its own. */
-  public void set(Arrivals other) {
-    take(other.distanceM, other.deviationM, other.probability, 0, other.size);
-  }
-
   /**
    * Takes over what stands in some arrays, the nearest first, in the place of its own.
    *

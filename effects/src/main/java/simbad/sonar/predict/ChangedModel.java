@@ -141,7 +141,7 @@ public final class ChangedModel {
    * @param into takes a probability in [0, 1] for each ping
    */
   public void likelihood(Geometry geometry, double[] into) {
-    likelihood(geometry, into, null, null, null);
+    likelihood(geometry, into, null, null, new Answers());
   }
 
   /**
@@ -151,14 +151,14 @@ public final class ChangedModel {
    * @param into takes a probability in [0, 1] for each ping
    * @param echoes takes that of any echo for each ping that read one; null if it is not asked for
    * @param only which pings are asked for, null for all; what is left for the others means nothing
-   * @param known what obstacles answer, from one model to the next; null to find all anew
+   * @param known what obstacles answer, from one model to the next
    */
   public void likelihood(
       Geometry geometry,
       double[] into,
       double @Nullable [] echoes,
       boolean @Nullable [] only,
-      @Nullable Answers known) {
+      Answers known) {
     new Likelihood(this, geometry, known).into(into, echoes, only);
   }
 
@@ -170,7 +170,7 @@ public final class ChangedModel {
    */
   public Expectation expectation(Geometry geometry) {
     Expectation expectation = new Expectation(geometry.log().size());
-    new Likelihood(this, geometry, null).into(expectation);
+    new Likelihood(this, geometry, new Answers()).into(expectation);
     return expectation;
   }
 

@@ -60,7 +60,7 @@ final class Likelihood {
   private HiddenState state = new HiddenState();
   private HiddenState next = new HiddenState();
 
-  Likelihood(ChangedModel model, Geometry geometry, @Nullable Answers known) {
+  Likelihood(ChangedModel model, Geometry geometry, Answers known) {
     this.model = model;
     log = geometry.log();
     pings = model.pings(geometry, known);
@@ -232,11 +232,7 @@ final class Likelihood {
     for (int source = 0; source < before.size(); source++) {
       one.clear();
       one.add(before.meanM(source), 0, 1);
-      if (source == 0 || memory.hysteresis() != null) {
-        pings.mix(ping, heard, one, lost, part);
-      } else {
-        pings.mixAgain(one, lost, part);
-      }
+      pings.mix(ping, heard, one, lost, part);
       mixture.merge(part, before.share(source), 0);
     }
   }

@@ -56,9 +56,6 @@ final class PingModel {
   private final @Nullable Answers known;
   private final Arrivals arrivals = new Arrivals();
 
-  /** What the obstacles alone answer of the ping that is mixed. */
-  private final Arrivals answers = new Arrivals();
-
   private final Mixture origin = new Mixture();
   private final Moment moment;
 
@@ -169,10 +166,10 @@ final class PingModel {
       answer(ping, false, placed);
       known.keep(ping, placed, arrivals);
     }
-    if (arrivalChanges.length > 0) {
-      answers.set(arrivals);
+    moment.set(ping, fromOrigin ? origin(before) : before);
+    for (ArrivalChange change : arrivalChanges) {
+      change.add(moment, arrivals);
     }
-    addBeside(ping, before);
   }
 
   private void answer(int ping, boolean heardBefore, boolean placed) {
@@ -181,30 +178,6 @@ final class PingModel {
     } else {
       arrive(levels, ping, heardBefore, placed);
     }
-  }
-
-  /** Adds what changes let arrive beside the obstacles' answers. */
-  private void addBeside(int ping, Mixture before) {
-    moment.set(ping, fromOrigin ? origin(before) : before);
-    for (ArrivalChange change : arrivalChanges) {
-      change.add(moment, arrivals);
-    }
-  }
-
-  /**
-   * Mixes what the ping that was mixed last may read had something else been read before: its
-   * obstacles answer the same, as long as what they answer hangs on no ping before.
-   *
-   * @param before what was read before; no part for a no-echo
-   * @param lost share of pings that are lost beside the losses of the changes
-   * @param into takes the mixture, in measured ranges
-   */
-  void mixAgain(Mixture before, double lost, Mixture into) {
-    if (arrivalChanges.length > 0) {
-      arrivals.set(answers);
-    }
-    addBeside(moment.ping(), before);
-    mix(lost, true, into);
   }
 
   /**

@@ -129,8 +129,9 @@ class ReusedWorkTest {
     Geometry again = model.geometryLike(model.geometryLike(known, only), only);
     double[] expected = new double[PINGS];
     double[] found = new double[PINGS];
-    model.likelihood(model.geometry(log), expected, null, only, null);
-    model.likelihood(model.looksBack() ? model.geometry(log) : again, found, null, only, null);
+    model.likelihood(model.geometry(log), expected, null, only, new Answers());
+    model.likelihood(
+        model.looksBack() ? model.geometry(log) : again, found, null, only, new Answers());
     for (int ping = 0; ping < PINGS; ping++) {
       assertEquals(only[ping] ? expected[ping] : 0, only[ping] ? found[ping] : 0);
     }
@@ -171,11 +172,11 @@ class ReusedWorkTest {
     Geometry geometry = model.geometry(log);
     double[] all = new double[PINGS];
     double[] allEchoes = new double[PINGS];
-    model.likelihood(geometry, all, allEchoes, null, null);
+    model.likelihood(geometry, all, allEchoes, null, new Answers());
     boolean[] only = some(random);
     double[] some = new double[PINGS];
     double[] someEchoes = new double[PINGS];
-    model.likelihood(geometry, some, someEchoes, only, null);
+    model.likelihood(geometry, some, someEchoes, only, new Answers());
     for (int ping = 0; ping < PINGS; ping++) {
       if (only[ping]) {
         assertEquals(all[ping], some[ping], 0, model.changes().toString());
@@ -197,7 +198,7 @@ class ReusedWorkTest {
       boolean[] only = random.nextBoolean() ? null : some(random);
       double[] expected = new double[PINGS];
       double[] expectedEchoes = new double[PINGS];
-      model.likelihood(geometry, expected, expectedEchoes, only, null);
+      model.likelihood(geometry, expected, expectedEchoes, only, new Answers());
       double[] found = new double[PINGS];
       double[] foundEchoes = new double[PINGS];
       model.likelihood(geometry, found, foundEchoes, only, known);

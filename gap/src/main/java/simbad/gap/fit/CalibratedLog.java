@@ -132,7 +132,7 @@ public final class CalibratedLog {
    * @param into takes a finite value for each ping
    */
   public void logLikelihood(ChangedModel model, Geometry geometry, double[] into) {
-    logLikelihood(model, geometry, into, null, null);
+    logLikelihood(model, geometry, into, null, new Answers());
   }
 
   /**
@@ -142,14 +142,14 @@ public final class CalibratedLog {
    * @param geometry of the log under it
    * @param into takes a finite value for each ping
    * @param only which pings are asked for, null for all; what is left for the others means nothing
-   * @param known what obstacles answer, from one model to the next; null to find all anew
+   * @param known what obstacles answer, from one model to the next
    */
   void logLikelihood(
       ChangedModel model,
       Geometry geometry,
       double[] into,
       boolean @Nullable [] only,
-      @Nullable Answers known) {
+      Answers known) {
     boolean weighed = echoWeight != 1 || rangeWeight != 1;
     double[] echoes = weighed ? new double[into.length] : null;
     model.likelihood(geometry, into, echoes, only, known);
