@@ -105,7 +105,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
         ? this
         : undecided(
             "no ping of this log has an echo, and echoes that are too weak, lost or not waited for"
-                + " look alike then");
+                + " look alike then: look at the cable and at the target first");
   }
 
   /** A table is read off the bearings that a half of the log has, and leaves those of the other. */

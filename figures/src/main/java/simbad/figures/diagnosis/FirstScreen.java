@@ -65,9 +65,17 @@ final class FirstScreen {
         ": ",
         VerdictWords.meaning(finding.effect()),
         ". ",
+        remedy(finding));
+  }
+
+  /** What is not sure enough to be named is not sure enough to be acted upon. */
+  private Html remedy(EffectFinding finding) {
+    return Html.of(
         Html.strong("What to do:"),
         " ",
-        Remedies.of(finding, sensor),
+        diagnosis.verdict().namesEffects()
+            ? Remedies.of(finding, sensor)
+            : "nothing yet, since it is not sure",
         ".");
   }
 

@@ -145,6 +145,21 @@ class DiagnosisPageTest {
   }
 
   @Test
+  void whatToDo_waitsForAVerdictThatNames() {
+    GapFigures gap = Samples.explained(DATA).gap();
+    List<Effect> names = List.of(Effect.GAIN);
+    for (Verdict verdict : List.of(Verdict.EXPLAINED, Verdict.PARTLY)) {
+      String page = words(Samples.page(as(verdict, "why", names, gap), DATA));
+      assertTrue(page.contains("What to do: multiply all thresholds by 0.50"), page);
+    }
+    for (Verdict verdict : List.of(Verdict.UNEXPLAINED, Verdict.UNDECIDED)) {
+      String page = words(Samples.page(as(verdict, "why", names, gap), DATA));
+      assertTrue(page.contains("What to do: nothing yet, since it is not sure."), page);
+      assertFalse(page.contains("multiply all thresholds"), page);
+    }
+  }
+
+  @Test
   void explained_claimsNoMoreThanTheModelExpects() {
     String page = words(EXPLAINED);
     assertTrue(

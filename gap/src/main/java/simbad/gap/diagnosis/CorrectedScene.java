@@ -34,8 +34,7 @@ public record CorrectedScene(SensingSetup setup, List<Effect> corrected, List<Ef
     List<Effect> corrected = new ArrayList<>();
     List<Effect> elsewhere = new ArrayList<>();
     SensingSetup setup = stated;
-    Verdict verdict = diagnosis.verdict();
-    if (verdict == Verdict.EXPLAINED || verdict == Verdict.PARTLY) {
+    if (diagnosis.verdict().namesEffects()) {
       Hypothesis named = diagnosis.fitted();
       for (int i = 0; i < named.forms().size(); i++) {
         Form form = named.forms().get(i);

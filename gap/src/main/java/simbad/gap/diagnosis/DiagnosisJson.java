@@ -16,6 +16,7 @@ import simbad.definition.Effect;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.effect.Form;
+import simbad.sonar.scene.SonarSpec;
 
 /**
  * A diagnosis as the text of diagnosis.json, {@code format} "sonar-diagnosis/2", rounded to six
@@ -102,13 +103,7 @@ public final class DiagnosisJson {
     diagnosis.setupError().ifPresent(error -> setupError(root.putObject("model_error"), error));
     ArrayNode budget = root.putArray("budget");
     diagnosis.budget().forEach(entry -> budget(budget.addObject(), entry));
-    for (EffectFinding finding : diagnosis.effects()) {
-      ObjectNode node = root.withArray("effects").addObject();
-      effect(node, finding);
-      if (diagnosis.explanation().contains(finding.effect())) {
-        node.put("remedy", Remedies.of(finding, data.setup().sensor()));
-      }
-    }
+    effects(root.putArray("effects"), diagnosis, data.setup().sensor());
     ArrayNode where = root.putArray("where");
     diagnosis.where().forEach(place -> place(where.addObject(), place));
     ArrayNode undetectable = root.putArray("undetectable");
@@ -122,6 +117,17 @@ public final class DiagnosisJson {
     int heldOut = diagnosis.gap().rowsHeldOut();
     provenance(root.putObject("provenance"), heldOut, data, provenance);
     return root;
+  }
+
+  private static void effects(ArrayNode all, Diagnosis diagnosis, SonarSpec sensor) {
+    List<Effect> named = diagnosis.verdict().namesEffects() ? diagnosis.explanation() : List.of();
+    for (EffectFinding finding : diagnosis.effects()) {
+      ObjectNode node = all.addObject();
+      effect(node, finding);
+      if (named.contains(finding.effect())) {
+        node.put("remedy", Remedies.of(finding, sensor));
+      }
+    }
   }
 
   private static void verdicts(ObjectNode node, Diagnosis diagnosis) {

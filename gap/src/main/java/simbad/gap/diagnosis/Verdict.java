@@ -24,6 +24,11 @@ public enum Verdict {
     this.word = word;
   }
 
+  /** Returns whether effects are named with it, so that something can be done about them. */
+  public boolean namesEffects() {
+    return this == EXPLAINED || this == PARTLY;
+  }
+
   /** Returns the word as it stands in files. */
   public String word() {
     return word;

@@ -24,7 +24,7 @@ record Together(List<Shared> shared, Diagnosis sensing, MotionDiagnosis motion, 
     Set<String> names = new LinkedHashSet<>();
     shared.stream().filter(Shared::isOne).map(Shared::name).forEach(names::add);
     motion.findings().stream().map(MotionFinding::effect).forEach(names::add);
-    if (isConcluded(sensing.verdict())) {
+    if (sensing.verdict().namesEffects()) {
       sensing.explanation().stream()
           .filter(effect -> !isSharedOne(effect))
           .map(Effect::word)
@@ -40,10 +40,6 @@ record Together(List<Shared> shared, Diagnosis sensing, MotionDiagnosis motion, 
         sensing,
         motion,
         isHeard);
-  }
-
-  private static boolean isConcluded(Verdict verdict) {
-    return verdict == Verdict.EXPLAINED || verdict == Verdict.PARTLY;
   }
 
   /** What is heard of a cause that has its name from the motion. */

@@ -133,8 +133,7 @@ record MotionConclusion(
 
   /** Returns what is concluded to be at work. */
   List<MotionFinding> explanation() {
-    Verdict verdict = verdict();
-    return verdict == Verdict.EXPLAINED || verdict == Verdict.PARTLY ? named : List.of();
+    return verdict().namesEffects() ? named : List.of();
   }
 
   /**

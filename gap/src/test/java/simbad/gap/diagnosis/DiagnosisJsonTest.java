@@ -65,6 +65,16 @@ class DiagnosisJsonTest {
   }
 
   @Test
+  void aRemedy_isOfWhatIsNamed() {
+    for (Verdict verdict : Verdict.values()) {
+      ObjectNode tree =
+          DiagnosisJson.tree(Samples.diagnosis(verdict), Samples.DATA, Samples.PROVENANCE);
+      assertEquals(verdict.namesEffects(), tree.at("/effects/0").has("remedy"), verdict.word());
+      assertFalse(tree.at("/effects/1").has("remedy"));
+    }
+  }
+
+  @Test
   void text_isTheTree() throws IOException {
     String text = DiagnosisJson.text(Samples.diagnosis(), Samples.DATA, Samples.PROVENANCE);
     // Through text, because 1 and 1.0 are different nodes of one number.

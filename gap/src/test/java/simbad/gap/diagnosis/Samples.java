@@ -54,6 +54,10 @@ final class Samples {
   private Samples() {}
 
   static Diagnosis diagnosis() {
+    return diagnosis(Verdict.UNEXPLAINED);
+  }
+
+  static Diagnosis diagnosis(Verdict verdict) {
     Form offset = Forms.find(Effect.RANGE_OFFSET, "constant", SETUP, List.of("s")).orElseThrow();
     Form tails = SetupForms.find("tails", SETUP, List.of()).orElseThrow();
     Place.Condition bearing =
@@ -61,7 +65,7 @@ final class Samples {
             "bearing_deg", Optional.of(new Interval(10, 20.00000001)), Optional.empty());
     Place.Condition run = new Place.Condition("run", Optional.empty(), Optional.of("a"));
     return new Diagnosis(
-        Verdict.UNEXPLAINED,
+        verdict,
         "offset_m stands at the end",
         List.of(Effect.RANGE_OFFSET),
         findings(),
