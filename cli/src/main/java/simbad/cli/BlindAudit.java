@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 import simbad.experiments.blindcheck.AuditTally;
 import simbad.gap.diagnosis.DataSetFolder;
+import simbad.motion.format.MotionFolder;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TextFile;
 
@@ -30,6 +31,10 @@ record BlindAudit(Path world, Path target) {
     AuditTally tally = new AuditTally();
     try (Progress progress = Progress.of("auditing", cases.size())) {
       for (Path one : cases) {
+        if (MotionFolder.isOne(one)) {
+          throw DataFormatException.inFile(
+              one, "is a motion folder, but the audit that is counted is of readings");
+        }
         tally.add(new DataSetFolder(one).read(), truth(one.getFileName().toString()));
         progress.step();
       }

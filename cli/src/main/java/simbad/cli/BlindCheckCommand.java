@@ -55,7 +55,9 @@ final class BlindCheckCommand extends Subcommand {
   private static final String WAVE = "wave";
 
   /** Of the benchmark SRB-1, as blind-world calls them. */
-  private static final List<String> PARTS = List.of("L1", "L2", "L2w", "motion");
+  private static final String MOTION = "motion";
+
+  private static final List<String> PARTS = List.of("L1", "L2", "L2w", MOTION);
 
   @Option(
       names = "--out",
@@ -297,6 +299,9 @@ final class BlindCheckCommand extends Subcommand {
                 () ->
                     wrongUsage(
                         "--benchmark: '" + part + "', expected " + String.join(", ", PARTS)));
+    if (auditOnly && known.equals(MOTION)) {
+      throw wrongUsage("--audit-only: the audit that is counted is of readings, not of motion");
+    }
     if (practice != null && (first == null || seed != null)) {
       throw wrongUsage("--practice: expected --first with it, and no --seed");
     }
@@ -346,7 +351,7 @@ final class BlindCheckCommand extends Subcommand {
   private List<String> passedOn() {
     List<String> options = new ArrayList<>();
     if (motion) {
-      options.addAll(List.of("--level", "motion"));
+      options.addAll(List.of("--level", MOTION));
     }
     if (seconds != null) {
       options.addAll(List.of("--seconds", seconds));

@@ -9,6 +9,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.dataset.Mending;
 import simbad.gap.diagnosis.DataSetFolder;
+import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TextFile;
 import simbad.sonar.format.WholeFile;
 
@@ -109,6 +110,9 @@ final class DatasetMendCommand extends Subcommand {
       }
     }
     new DataSetFolder(set).require();
+    if (in.stream().noneMatch(name -> Files.exists(set.resolve(name)))) {
+      throw DataFormatException.inFile(set, "has no " + String.join(", ", in) + " to mend");
+    }
     try (StagedDirectory staged = StagedDirectory.beside(out)) {
       for (String name :
           List.of(DataSetFolder.SCENE, DataSetFolder.READINGS, DataSetFolder.REFERENCE)) {

@@ -8,7 +8,6 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.bag.BagMotion;
 import simbad.experiments.bag.Recording;
-import simbad.motion.format.MotionFolder;
 
 /** {@code simbad dataset motion bag}: a recording of ROS 2 as a motion folder. */
 @Command(
@@ -63,13 +62,7 @@ final class DatasetMotionBagCommand extends Subcommand {
             Optional.ofNullable(robotFrame),
             Optional.ofNullable(fixedFrame));
     BagMotion motion = BagMotion.of(Recording.read(bag), choice, "bag");
-    try (StagedDirectory staged = StagedDirectory.beside(out)) {
-      MotionFolder folder = new MotionFolder(staged.path());
-      folder.write(motion.data());
-      // What is written can be diagnosed, or is not left behind.
-      folder.read("bag");
-      staged.publish();
-    }
+    DatasetMotionCommand.publish(motion.data(), out);
     motion.notes().forEach(note -> out().println("read: " + note));
     out().println("written to " + out);
   }

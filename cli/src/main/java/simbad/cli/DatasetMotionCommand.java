@@ -1,11 +1,14 @@
 package simbad.cli;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import simbad.experiments.motion.MrclamLog;
+import simbad.motion.format.MotionData;
 import simbad.motion.format.MotionFolder;
+import simbad.sonar.format.DataFormatException;
 
 /** {@code simbad dataset motion}: motion folders out of others' logs. */
 @Command(
@@ -25,6 +28,16 @@ import simbad.motion.format.MotionFolder;
       "Example: simbad dataset motion mrclam my-odometry.txt my-track.txt --out my-robot"
     })
 final class DatasetMotionCommand extends CommandGroup {
+  /** Publishes a motion folder whole. */
+  static void publish(MotionData data, Path folder) throws IOException, DataFormatException {
+    try (StagedDirectory staged = StagedDirectory.beside(folder)) {
+      MotionFolder written = new MotionFolder(staged.path());
+      written.write(data);
+      // What is written can be diagnosed, or is not left behind.
+      written.read(data.name());
+      staged.publish();
+    }
+  }
 
   /** {@code simbad dataset motion mrclam}. */
   @Command(
@@ -54,13 +67,7 @@ final class DatasetMotionCommand extends CommandGroup {
 
     @Override
     protected void run() throws Exception {
-      try (StagedDirectory staged = StagedDirectory.beside(out)) {
-        MotionFolder folder = new MotionFolder(staged.path());
-        folder.write(MrclamLog.read(odometry, track, "log"));
-        // What is written can be diagnosed, or is not left behind.
-        folder.read("log");
-        staged.publish();
-      }
+      publish(MrclamLog.read(odometry, track, "log"), out);
       out().println("written to " + out);
     }
   }

@@ -11,7 +11,6 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import simbad.experiments.dataset.LogSettings;
 import simbad.experiments.dataset.MotionImport;
-import simbad.motion.format.MotionFolder;
 
 /**
  * {@code simbad dataset motion csv}: a person's log of a robot's motion. Picocli fills the fields
@@ -197,13 +196,7 @@ final class DatasetMotionCsvCommand extends Subcommand {
     Path commands = Path.of(files.get(0));
     Path track = Path.of(files.get(files.size() - 1));
     MotionImport.Made made = MotionImport.of(commands, track, said);
-    try (StagedDirectory staged = StagedDirectory.beside(out)) {
-      MotionFolder folder = new MotionFolder(staged.path());
-      folder.write(made.data());
-      // What is written can be diagnosed, or is not left behind.
-      folder.read("log");
-      staged.publish();
-    }
+    DatasetMotionCommand.publish(made.data(), out);
     made.assumptions().forEach(assumption -> out().println("assumed: " + assumption));
     out().println(made.summary());
     List<String> words = new ArrayList<>(List.of("./simbad", "dataset", "motion", "csv"));

@@ -43,7 +43,11 @@ final class DemoArgument {
                 Comparator.comparingInt(name -> SimilarWords.changes(plain(name), plain(argument))))
             .limit(SUGGESTIONS)
             .collect(Collectors.joining(", "));
-    return "'" + argument + "' is not a demo, did you mean " + nearest + "? --list shows all";
+    return "'"
+        + argument
+        + "' is not a demo, did you mean "
+        + nearest
+        + "? simbad demo --list shows all";
   }
 
   private static String plain(String name) {

@@ -1,7 +1,6 @@
 package simbad.cli;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -90,10 +89,7 @@ final class FidelityCommand extends Subcommand {
     SensorKind kind =
         SensorKind.read(sensor)
             .orElseThrow(() -> wrongUsage("--sensor: " + SensorArgument.unknown(sensor)));
-    List<ObstacleType> types = new ArrayList<>();
-    for (String obstacle : obstacles) {
-      types.add(ObstacleArgument.parse(obstacle));
-    }
+    List<ObstacleType> types = ObstacleArgument.distinct(obstacles);
     return new RunSettings(types, List.of(kind), drive.sonar(), speedMPerS, Optional.empty(), 1);
   }
 }

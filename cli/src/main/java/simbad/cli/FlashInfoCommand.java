@@ -2,14 +2,11 @@ package simbad.cli;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.Locale;
 import picocli.CommandLine.Command;
 import simbad.bench.board.BoardKit;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.format.Sha256;
 import simbad.sonar.format.TextFile;
 
 /** {@code simbad flash-info}: how to program a real board. */
@@ -22,7 +19,7 @@ final class FlashInfoCommand extends Subcommand {
   protected void run() throws IOException, DataFormatException {
     BoardKit kit = BoardKit.ofProject(ProjectFolder.find());
     String expected = TextFile.read(kit.programChecksum()).split(" ", 2)[0];
-    String found = sha256(kit.program());
+    String found = Sha256.hex(Files.readAllBytes(kit.program()));
     if (!found.equals(expected)) {
       throw new IOException(
           kit.program() + ": SHA-256 is " + found + ", expected " + expected + "; do not burn it");
@@ -55,14 +52,5 @@ final class FlashInfoCommand extends Subcommand {
             found,
             kit.program(),
             kit.program());
-  }
-
-  private static String sha256(Path file) throws IOException {
-    try {
-      return HexFormat.of()
-          .formatHex(MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(file)));
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException(e); // Every Java has it.
-    }
   }
 }

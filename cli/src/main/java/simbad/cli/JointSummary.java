@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import simbad.experiments.motion.JointFiles;
 import simbad.gap.audit.AuditFinding;
+import simbad.gap.diagnosis.AuditJson;
 import simbad.gap.joint.JointDiagnosis;
 
 /**
@@ -37,6 +38,7 @@ record JointSummary(JointFiles.Log log, JointDiagnosis diagnosis, Path folder)
   public String json() {
     ObjectNode node = new ObjectMapper().createObjectNode();
     node.put("dataset", log.data().name());
+    AuditJson.add(node.putArray("audit"), audit());
     node.put("verdict", diagnosis.verdict().word());
     diagnosis.explanation().forEach(node.putArray("explanation")::add);
     node.put("reason", diagnosis.reason());

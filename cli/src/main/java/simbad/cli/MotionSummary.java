@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.file.Path;
 import java.util.List;
 import simbad.gap.audit.AuditFinding;
+import simbad.gap.diagnosis.AuditJson;
 import simbad.gap.motion.MotionDiagnosis;
 import simbad.gap.motion.MotionFinding;
 
@@ -32,6 +33,7 @@ record MotionSummary(
   public String json() {
     ObjectNode node = new ObjectMapper().createObjectNode();
     node.put("dataset", dataset);
+    AuditJson.add(node.putArray("audit"), audit());
     node.put("verdict", diagnosis.verdict().word());
     diagnosis.findings().stream()
         .map(MotionFinding::effect)

@@ -3,8 +3,12 @@ package simbad.cli;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import simbad.obstacles.Catalogue;
 import simbad.obstacles.ObstacleFiles;
 import simbad.obstacles.ObstacleType;
@@ -39,6 +43,20 @@ final class ObstacleArgument {
       return ObstacleFiles.read(path(argument));
     }
     throw unknown(argument);
+  }
+
+  /** Obstacles no two of which have a name in common: results lie in folders that are called so. */
+  static List<ObstacleType> distinct(List<String> arguments) throws DataFormatException {
+    List<ObstacleType> types = new ArrayList<>();
+    Set<String> names = new HashSet<>();
+    for (String argument : arguments) {
+      ObstacleType type = parse(argument);
+      if (!names.add(type.name().toLowerCase(Locale.ROOT))) {
+        throw DataFormatException.inArgument("OBSTACLE", "two are called " + type.name());
+      }
+      types.add(type);
+    }
+    return types;
   }
 
   /** Tells whether an argument can be meant as a file or folder. */

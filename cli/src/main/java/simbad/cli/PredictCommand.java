@@ -12,7 +12,11 @@ import picocli.CommandLine.Parameters;
 import simbad.experiments.diagnosis.DiagnosisFolder;
 import simbad.experiments.diagnosis.Predictions;
 import simbad.experiments.motion.MotionPredictions;
+import simbad.gap.audit.AuditCheck;
+import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.DataSetFolder;
+import simbad.gap.motion.MotionAudit;
+import simbad.motion.MotionRun;
 import simbad.motion.forecast.MotionForecast;
 import simbad.motion.format.DiagnosedMotion;
 import simbad.motion.format.MotionFolder;
@@ -109,7 +113,15 @@ final class PredictCommand extends Subcommand {
             ? MotionForecast.believed(DiagnosedMotion.robot(diagnosis.resolve(MotionFolder.ROBOT)))
             : DiagnosedMotion.forecast(diagnosis);
     String name = new DataSetFolder(rows).name();
-    return MotionPredictions.text(forecast, new MotionFolder(rows).read(name).runs());
+    MotionFolder drive = new MotionFolder(rows);
+    List<MotionRun> runs = drive.read(name).runs();
+    List<AuditFinding> audit = MotionAudit.of(drive);
+    for (AuditFinding finding : audit) {
+      if (finding.refuses() && finding.check() == AuditCheck.TRACK_CLOCK) {
+        throw new AuditLines(rows, audit).complaint(finding);
+      }
+    }
+    return MotionPredictions.text(forecast, runs);
   }
 
   private void write(String text) throws IOException {

@@ -7,13 +7,11 @@ import java.lang.ProcessBuilder.Redirect;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.spi.ToolProvider;
 import java.util.stream.Stream;
+import simbad.sonar.format.Sha256;
 import simbad.sonar.format.WholeFile;
 
 /**
@@ -71,18 +69,12 @@ record ReleaseFiles(Path source, Path folder) {
   void sum() throws IOException {
     StringBuilder sums = new StringBuilder();
     for (String name : files(folder)) {
-      sums.append(sha256(folder.resolve(name))).append("  ").append(name).append('\n');
+      sums.append(Sha256.hex(Files.readAllBytes(folder.resolve(name))))
+          .append("  ")
+          .append(name)
+          .append('\n');
     }
     WholeFile.write(folder.resolve("SHA256SUMS"), sums.toString().getBytes(StandardCharsets.UTF_8));
-  }
-
-  private static String sha256(Path file) throws IOException {
-    try {
-      MessageDigest digest = MessageDigest.getInstance("SHA-256");
-      return HexFormat.of().formatHex(digest.digest(Files.readAllBytes(file)));
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java has SHA-256", e);
-    }
   }
 
   /** The names of the files below a folder, in order. */

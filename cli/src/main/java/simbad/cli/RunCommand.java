@@ -25,7 +25,6 @@ import simbad.experiments.run.RunResult;
 import simbad.experiments.run.RunSettings;
 import simbad.experiments.run.SensorKind;
 import simbad.figures.report.RunReport;
-import simbad.obstacles.ObstacleType;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TextFile;
 import simbad.sonar.frame.Point;
@@ -209,7 +208,8 @@ final class RunCommand extends Subcommand {
           "--turn-rate: " + turnRateRadPerS + " is not in [" + least + ", 2 pi] rad/s");
     }
     RunSettings settings =
-        new RunSettings(types(), kinds, drive.sonar(), speedMPerS, place, seed)
+        new RunSettings(
+                ObstacleArgument.distinct(obstacles), kinds, drive.sonar(), speedMPerS, place, seed)
             .at(new Pace(turnRateRadPerS, waitS));
     return keepsReadings ? settings.keepingReadings() : settings;
   }
@@ -233,19 +233,6 @@ final class RunCommand extends Subcommand {
       kinds.forEach(kind -> all.add(kind.on(moving)));
     }
     return all;
-  }
-
-  private List<ObstacleType> types() throws DataFormatException {
-    List<ObstacleType> types = new ArrayList<>();
-    Set<String> names = new LinkedHashSet<>();
-    for (String argument : obstacles) {
-      ObstacleType type = ObstacleArgument.parse(argument);
-      if (!names.add(type.name().toLowerCase(Locale.ROOT))) {
-        throw wrongUsage("OBSTACLE: two are called " + type.name());
-      }
-      types.add(type);
-    }
-    return types;
   }
 
   private Point point(String text) {

@@ -1,7 +1,6 @@
 package simbad.cli;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
@@ -10,8 +9,6 @@ import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.util.Comparator;
-import java.util.List;
 import java.util.stream.Stream;
 import simbad.sonar.format.Leftovers;
 
@@ -126,20 +123,8 @@ final class StagedDirectory implements AutoCloseable {
     discarded = true;
     // A command that is being interrupted may still write a file while the others go.
     for (int attempt = 0; open && attempt < 3; attempt++) {
-      open = !deletedStaging();
+      open = !Leftovers.delete(staging);
     }
     open = false;
-  }
-
-  private boolean deletedStaging() {
-    try (Stream<Path> entries = Files.walk(staging)) {
-      List<Path> deepestFirst = entries.sorted(Comparator.reverseOrder()).toList();
-      for (Path path : deepestFirst) {
-        Files.deleteIfExists(path);
-      }
-      return true;
-    } catch (IOException | UncheckedIOException e) {
-      return false;
-    }
   }
 }

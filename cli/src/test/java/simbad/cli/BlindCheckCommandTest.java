@@ -255,6 +255,7 @@ class BlindCheckCommandTest {
       delimiter = '|',
       value = {
         "--cases 0 | --cases: 0 is not in [1, 100000]",
+        "--benchmark motion --audit-only | --audit-only: the audit that is counted is of readings",
         "--cases many | --cases",
         "--reference 1.5 | --reference: 1.5 is not in [0, 1]",
         "--reference NaN | --reference: NaN is not in [0, 1]",

@@ -104,6 +104,27 @@ class DiagnoseAuditTest {
     assertTrue(page.contains("--scale 0.01"), page);
   }
 
+  /** What is to be mended is there, or nothing is written. */
+  @Test
+  void referenceThatIsNotThere_isNotMended() throws IOException {
+    Path set = spoilt("bench", fields -> fields);
+    Path copy = folder.resolve("copy");
+    Shell shell =
+        Shell.simbad(
+            "dataset",
+            "mend",
+            set.toString(),
+            "--out",
+            copy.toString(),
+            "--in",
+            "reference.csv",
+            "--scale",
+            "0.5");
+    assertEquals(2, shell.status());
+    assertTrue(shell.err().contains("has no reference.csv to mend"), shell.err());
+    assertFalse(Files.exists(copy));
+  }
+
   /** Inches: said first, and diagnosed all the same. */
   @Test
   void warned_isDiagnosed() throws IOException {

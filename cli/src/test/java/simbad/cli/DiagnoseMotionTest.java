@@ -190,6 +190,34 @@ class DiagnoseMotionTest {
     assertEquals(Files.readString(before), Files.readString(after));
   }
 
+  /** A track of the day's clock is no drive of 50 years. */
+  @Test
+  void trackOfAnotherClock_isNotForecast() throws IOException {
+    assertEquals(0, diagnose().status());
+    Path track = folder.resolve("short-ways/track.csv");
+    List<String> rows = new ArrayList<>(Files.readAllLines(track));
+    String[] last = rows.get(rows.size() - 1).split(",", -1);
+    last[1] = "1700000000";
+    rows.add(String.join(",", last));
+    Files.write(track, rows);
+    Shell shell = predict("diagnosed", folder.resolve("never.csv"));
+    assertEquals(2, shell.status());
+    assertTrue(shell.err().contains("track.csv:2: t_s: the track of run"), shell.err());
+  }
+
+  /** For programs too: what the audit found is told though it does not stop the fit. */
+  @Test
+  void audit_isInTheJsonLine() throws IOException {
+    Path track = folder.resolve("short-ways/track.csv");
+    List<String> rows = new ArrayList<>(Files.readAllLines(track));
+    String[] cells = rows.get(500).split(",", -1);
+    cells[2] = Double.toString(5 + Double.parseDouble(cells[2]));
+    rows.set(500, String.join(",", cells));
+    Files.write(track, rows);
+    JsonNode line = new ObjectMapper().readTree(diagnose("--json").out());
+    assertEquals("track-jump", line.at("/audit/0/check").asText(), line.toString());
+  }
+
   @Test
   void millimetres_areRefused_withTheLineAndWhatToDo() throws IOException {
     Path track = folder.resolve("short-ways/track.csv");

@@ -96,5 +96,8 @@ class FidelityCommandTest {
     assertEquals(2, Shell.simbad("fidelity", "round", "--speed", "0").status());
     assertEquals(2, Shell.simbad("fidelity", "round", "--sensor", "ear").status());
     assertEquals(2, Shell.simbad("fidelity", "nothing").status());
+    Shell twice = Shell.simbad("fidelity", "round", "round");
+    assertEquals(2, twice.status());
+    assertTrue(twice.err().contains("OBSTACLE: two are called round"), twice.err());
   }
 }

@@ -76,6 +76,9 @@ public final class LiveMotion {
     }
     wayM = 0;
     turnRad = 0;
+    if (durationS == 0) {
+      return;
+    }
     Command taken = taken(new Command(0, commandedMPerS, commandedRadPerS));
     ahead.add(new Piece(taken.speedMPerS(), taken.turnRadPerS(), durationS));
     double left = durationS;

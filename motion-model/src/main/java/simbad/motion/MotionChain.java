@@ -24,15 +24,6 @@ public record MotionChain(List<MotionChange> changes) {
     return new MotionChain(longer);
   }
 
-  /** Returns the command that the drive takes one for. */
-  public Command commanded(Command command) {
-    Command taken = command;
-    for (MotionChange change : changes) {
-      taken = change.commanded(taken);
-    }
-    return taken;
-  }
-
   /** Returns by how many seconds commands act late. */
   public double delayS() {
     double delay = 0;

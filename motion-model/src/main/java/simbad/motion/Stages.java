@@ -19,6 +19,7 @@ record Stages(MotionChange[] commands, MotionChange[] speeds, MotionChange[] tur
     static Own of(Class<?> type) {
       return new Own(
           has(type, "commanded", Command.class)
+              || has(type, "commanded", Command.class, Command.class)
               || has(type, "commandedSpeed", double.class)
               || has(type, "commandedTurn", double.class),
           has(type, "speed", double.class, double.class),

@@ -40,6 +40,26 @@ class LiveMotionTest {
     assertEquals(-0.7 * 0.05, motion.turnRad());
   }
 
+  /** No time, no motion, and nothing to remember: steps after it are those without it. */
+  @Test
+  void stepOfNoTime_changesNothing() {
+    for (MotionForm form : MotionForms.ALL) {
+      double[] values =
+          form.parameters().stream().mapToDouble(p -> p.within(p.neutral() + 0.2)).toArray();
+      LiveMotion one = live(form.change(values));
+      LiveMotion other = live(form.change(values));
+      for (int i = 0; i < 8; i++) {
+        other.step(-1, 2, 0);
+        assertEquals(0, other.wayM());
+        assertEquals(0, other.turnRad());
+        one.step(0.3, i, 0.05);
+        other.step(0.3, i, 0.05);
+        assertEquals(one.wayM(), other.wayM(), form.toString());
+        assertEquals(one.turnRad(), other.turnRad(), form.toString());
+      }
+    }
+  }
+
   @Test
   void scales_andBias_areThatMuch() {
     double[] way = second(live(change("speed-scale", 0.9), change("turn-bias", 0.1)), 1, 0.5);

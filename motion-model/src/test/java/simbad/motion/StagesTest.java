@@ -25,8 +25,12 @@ class StagesTest {
     Stages stages = Stages.of(chain);
 
     Held taken = Held.of(List.of(COMMAND)).taken(List.of(stages.commands()));
-    assertEquals(chain.commanded(COMMAND).speedMPerS(), taken.speed(0));
-    assertEquals(chain.commanded(COMMAND).turnRadPerS(), taken.turn(0));
+    Command expected = COMMAND;
+    for (MotionChange change : chain.changes()) {
+      expected = change.commanded(expected, Command.STAND);
+    }
+    assertEquals(expected.speedMPerS(), taken.speed(0));
+    assertEquals(expected.turnRadPerS(), taken.turn(0));
     assertEquals(chain.speed(0.31, 0), stages.speed(0.31, 0));
     assertEquals(chain.turn(-0.7, 0.31), stages.turn(-0.7, 0.31));
   }
@@ -47,6 +51,25 @@ class StagesTest {
     assertEquals(0, stages.commands().length);
     assertEquals(1, stages.speeds().length);
     assertEquals(0, stages.turns().length);
+  }
+
+  /** It may have only the method that knows the command before. */
+  @Test
+  void whatRemembers_isAsked() {
+    MotionChain chain = MotionChain.EXACT.with(new Rising());
+    assertEquals(1, Stages.of(chain).commands().length);
+  }
+
+  private record Rising() implements MotionChange {
+    @Override
+    public Command commanded(Command command, Command before) {
+      return command.speedMPerS() > before.speedMPerS() ? command : before;
+    }
+
+    @Override
+    public boolean remembers() {
+      return true;
+    }
   }
 
   private record Halving() implements MotionChange {

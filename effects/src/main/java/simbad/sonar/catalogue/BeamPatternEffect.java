@@ -9,7 +9,6 @@ import java.util.Locale;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.sonar.change.BeamPattern;
-import simbad.sonar.change.LevelAperture;
 import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
@@ -72,12 +71,7 @@ public final class BeamPatternEffect implements Definition {
 
   @Override
   public List<Form> levelForms(SensingSetup setup, List<String> sensors) {
-    return List.of(
-        Form.of(
-            effect(),
-            "aperture",
-            v -> new LevelAperture(v[0]),
-            Parameter.of("aperture_factor", 1, 0.3, 3, 0.6, 0.75, 0.9, 1.1, 1.3, 1.7)));
+    return List.of(BeamWidthEffect.aperture(effect()));
   }
 
   /** A taper that takes 6 % at the cone's edge; a tenth of a beam. */
@@ -92,13 +86,12 @@ public final class BeamPatternEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return values.has("aperture_factor")
-        ? text(
-            "make sensor.level.aperture_radius_m %.2f times as large",
-            values.value("aperture_factor"))
-        : text(
-            "give the sensor a beam pattern: off the axis thresholds are shorter, with a width of"
-                + " %.1f degrees",
-            values.value("width_deg"));
+    return BeamWidthEffect.ofAperture(values)
+        .orElseGet(
+            () ->
+                text(
+                    "give the sensor a beam pattern: off the axis thresholds are shorter, with a width of"
+                        + " %.1f degrees",
+                    values.value("width_deg")));
   }
 }

@@ -4,6 +4,7 @@ import static java.lang.Math.toRadians;
 import static simbad.sonar.effect.FittedValues.text;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
@@ -20,6 +21,9 @@ import simbad.sonar.scene.SensingSetup;
 
 /** The cone is wider or narrower than believed. */
 public final class BeamWidthEffect implements Definition {
+  private static final String APERTURE = "aperture";
+  private static final String FACTOR = "aperture_factor";
+
   @Override
   public Effect effect() {
     return Effect.BEAM_WIDTH;
@@ -58,12 +62,27 @@ public final class BeamWidthEffect implements Definition {
 
   @Override
   public List<Form> levelForms(SensingSetup setup, List<String> sensors) {
-    return List.of(
-        Form.of(
-            effect(),
-            "aperture",
-            v -> new LevelAperture(v[0]),
-            Parameter.of("aperture_factor", 1, 0.3, 3, 0.6, 0.75, 0.9, 1.1, 1.3, 1.7)));
+    return List.of(aperture(effect()));
+  }
+
+  /**
+   * Another size of the piston: under the level law both a beam's width and its pattern follow from
+   * it, so that no log tells the two apart.
+   */
+  static Form aperture(Effect effect) {
+    return Form.of(
+        effect,
+        APERTURE,
+        v -> new LevelAperture(v[0]),
+        Parameter.of(FACTOR, 1, 0.3, 3, 0.6, 0.75, 0.9, 1.1, 1.3, 1.7));
+  }
+
+  /** What to do about it; empty where something else was fitted. */
+  static Optional<String> ofAperture(FittedValues values) {
+    return values.has(FACTOR)
+        ? Optional.of(
+            text("make sensor.level.aperture_radius_m %.2f times as large", values.value(FACTOR)))
+        : Optional.empty();
   }
 
   /** A cone that is a degree off; a tenth of a beam. */
@@ -76,13 +95,13 @@ public final class BeamWidthEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
-    return values.has("aperture_factor")
-        ? text(
-            "make sensor.level.aperture_radius_m %.2f times as large",
-            values.value("aperture_factor"))
-        : text(
-            "set cone_half_angle_deg to %.1f",
-            Math.toDegrees(values.sensor().coneHalfAngleRad()) + values.value("added_deg"));
+    return ofAperture(values)
+        .orElseGet(
+            () ->
+                text(
+                    "set cone_half_angle_deg to %.1f",
+                    Math.toDegrees(values.sensor().coneHalfAngleRad())
+                        + values.value("added_deg")));
   }
 
   @Override

@@ -41,7 +41,8 @@ public record UnmodelledPost(
     double toZ = zM - geometry.zM(ping);
     double distance = Math.sqrt(toX * toX + toZ * toZ);
     double surface = distance - radiusM;
-    if (surface <= 0 || surface > Math.min(reachM, geometry.sensor().maxRangeM())) {
+    double farthest = Math.min(reachM, geometry.sensor().maxRangeM());
+    if (surface <= 0 || surface > farthest) {
       return;
     }
     double heading = geometry.headingRad(ping);
@@ -50,16 +51,16 @@ public record UnmodelledPost(
     if (facing >= Math.cos(Math.min(half, squareRad))) {
       arrivals.add(surface, 0, share);
     } else if (squareRad >= half) {
-      beside(Math.acos(Math.max(-1, facing)) - half, distance, arrivals);
+      beside(Math.acos(Math.max(-1, facing)) - half, distance, farthest, arrivals);
     }
   }
 
   /** Its axis is out of the cone: the cone's border may still meet it. */
-  private void beside(double offRad, double distance, Arrivals arrivals) {
+  private void beside(double offRad, double distance, double farthest, Arrivals arrivals) {
     double aside = distance * Math.sin(offRad);
     if (offRad < Math.PI / 2 && aside <= radiusM) {
       double range = distance * Math.cos(offRad) - Math.sqrt(radiusM * radiusM - aside * aside);
-      if (range <= reachM) {
+      if (range <= farthest) {
         arrivals.add(range, 0, share);
       }
     }

@@ -49,7 +49,7 @@ public final class Geometry {
 
   final double[] echoOffAxisRad;
 
-  /** Of lines under the level law: not a number until it is asked for. */
+  /** Of lines under the level law, each by itself: not a number until it is asked for. */
   final double[] excessDb;
 
   final double[] excessDeviationDb;
@@ -247,6 +247,9 @@ public final class Geometry {
     echoOffAxisRad[line] = Double.NaN;
     if (ears != null) {
       excessDb[line] = Double.NaN;
+      excessDeviationDb[line] = Double.NaN;
+      pathM[line] = Double.NaN;
+      pathDeviationM[line] = Double.NaN;
     }
   }
 
@@ -291,27 +294,32 @@ public final class Geometry {
   /** By how much an obstacle's echo exceeds the threshold under the level law, decibels. */
   public double excessDb(int line) {
     if (Double.isNaN(excessDb[line])) {
-      LevelEars known = Objects.requireNonNull(ears);
-      excessDeviationDb[line] = known.deviationDb(this, line);
-      pathM[line] = known.addedM(this, line);
-      pathDeviationM[line] = known.addedDeviationM(this, line);
-      excessDb[line] = known.excessDb(this, line);
+      excessDb[line] = Objects.requireNonNull(ears).excessDb(this, line);
     }
     return excessDb[line];
   }
 
-  /** How far that may be off, decibels; asked after {@link #excessDb}. */
+  /** How far that may be off, decibels. */
   public double excessDeviationDb(int line) {
+    if (Double.isNaN(excessDeviationDb[line])) {
+      excessDeviationDb[line] = Objects.requireNonNull(ears).deviationDb(this, line);
+    }
     return excessDeviationDb[line];
   }
 
-  /** By how much its echo comes from beyond its nearest point, metres; asked after the excess. */
+  /** By how much its echo comes from beyond its nearest point, metres. */
   public double pathM(int line) {
+    if (Double.isNaN(pathM[line])) {
+      pathM[line] = Objects.requireNonNull(ears).addedM(this, line);
+    }
     return pathM[line];
   }
 
-  /** How far that may be off, metres; asked after the excess. */
+  /** How far that may be off, metres. */
   public double pathDeviationM(int line) {
+    if (Double.isNaN(pathDeviationM[line])) {
+      pathDeviationM[line] = Objects.requireNonNull(ears).addedDeviationM(this, line);
+    }
     return pathDeviationM[line];
   }
 

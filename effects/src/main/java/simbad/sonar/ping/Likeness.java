@@ -92,7 +92,6 @@ final class Likeness {
   }
 
   private void takeSound(int line) {
-    // The excess first: another thread that computes it now writes it last.
     made.excessDb[line] = known.excessDb[line];
     made.excessDeviationDb[line] = known.excessDeviationDb[line];
     made.pathM[line] = known.pathM[line];

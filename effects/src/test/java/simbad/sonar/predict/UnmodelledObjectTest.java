@@ -100,4 +100,15 @@ class UnmodelledObjectTest {
     assertSilent(1, Pose.of(0, 0, Math.toRadians(12)), post(0.1, FAR, 10));
     assertSilent(0.2, Pose.of(0, 0, Math.toRadians(8)), post(0.1, FAR, 10));
   }
+
+  /** Its nearest point is within the sensor's range, but what the cone's border meets is not. */
+  @Test
+  void post_beside_isHeardAsFarAsTheSensorReaches() {
+    double most = EMPTY.sensor().maxRangeM();
+    double distance = most + 0.05;
+    Change post = new UnmodelledPost(distance, 0, 0.1, FAR, Math.PI / 2, 0.8);
+    double half = EMPTY.sensor().coneHalfAngleRad();
+    assertSilent(0.2, Pose.of(0, 0, half + Math.asin(0.05 / distance)), post);
+    assertSilent(1, Pose.of(0, 0, half + Math.asin(0.0999 / distance)), post);
+  }
 }

@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import simbad.gap.diagnosis.ForecastGap;
+import simbad.motion.forecast.PinballLoss;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.PingLog;
@@ -45,8 +46,8 @@ public final class Predictions {
   }
 
   private static String header() {
-    return IntStream.range(0, ForecastGap.QUANTILES)
-        .mapToObj(i -> String.format(Locale.ROOT, "q%02.0f", 100 * ForecastGap.level(i)))
+    return IntStream.range(0, PinballLoss.QUANTILES)
+        .mapToObj(i -> String.format(Locale.ROOT, "q%02.0f", 100 * PinballLoss.level(i)))
         .collect(Collectors.joining(","));
   }
 

@@ -7,7 +7,8 @@ import java.util.Locale;
 import java.util.StringJoiner;
 import simbad.motion.MotionRun;
 import simbad.motion.forecast.MotionForecast;
-import simbad.motion.forecast.Spread;
+import simbad.motion.forecast.PinballLoss;
+import simbad.sonar.format.CsvCell;
 
 /** Forecasts of motion as the text of a csv file: 19 quantiles of each component, by window. */
 public final class MotionPredictions {
@@ -29,8 +30,8 @@ public final class MotionPredictions {
   public static String text(MotionForecast forecast, List<MotionRun> runs) {
     StringJoiner header = new StringJoiner(",").add("run").add("t_s").add("horizon_s");
     for (String component : COMPONENTS) {
-      for (int q = 0; q < Spread.QUANTILES; q++) {
-        header.add(String.format(Locale.ROOT, "%s_q%02.0f", component, 100 * Spread.level(q)));
+      for (int q = 0; q < PinballLoss.QUANTILES; q++) {
+        header.add(String.format(Locale.ROOT, "%s_q%02.0f", component, 100 * PinballLoss.level(q)));
       }
     }
     StringBuilder text = new StringBuilder(header + "\n");
@@ -41,7 +42,7 @@ public final class MotionPredictions {
   }
 
   private static String line(MotionForecast.Row row) {
-    StringJoiner line = new StringJoiner(",").add(quoted(row.run()));
+    StringJoiner line = new StringJoiner(",").add(CsvCell.of(row.run()));
     line.add(plain(row.startS())).add(plain(row.horizonS()));
     for (int c = 0; c < COMPONENTS.length; c++) {
       for (double value : row.quantiles()[c]) {
@@ -54,11 +55,5 @@ public final class MotionPredictions {
   private static String plain(double value) {
     BigDecimal rounded = new BigDecimal(value).setScale(DECIMALS, RoundingMode.HALF_EVEN);
     return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();
-  }
-
-  /** A run's name is free text. */
-  private static String quoted(String name) {
-    boolean plain = name.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
-    return plain ? name : "\"" + name.replace("\"", "\"\"") + "\"";
   }
 }

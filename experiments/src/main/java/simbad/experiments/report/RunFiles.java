@@ -10,10 +10,7 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -25,6 +22,7 @@ import simbad.experiments.run.RunResult;
 import simbad.experiments.run.ShareGrid;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.obstacles.ObstacleType;
+import simbad.sonar.format.Sha256;
 import simbad.sonar.format.TableFile;
 import simbad.sonar.format.TextFile;
 import simbad.sonar.scene.SensingSetup;
@@ -65,7 +63,7 @@ public final class RunFiles {
       Path own = Files.createDirectory(folder.resolve(entry.getKey()));
       ObstacleType type = entry.getValue().get(0).type();
       TableFile.write(own.resolve("table.csv"), type.thresholds());
-      hashes.put(entry.getKey(), sha256(own.resolve("table.csv")));
+      hashes.put(entry.getKey(), Sha256.hex(Files.readAllBytes(own.resolve("table.csv"))));
       writeTraces(own.resolve("trace.csv"), entry.getValue());
       writeRadial(own.resolve("radial.csv"), entry.getValue());
       writeMap(own.resolve("map.csv"), entry.getValue());
@@ -118,15 +116,6 @@ public final class RunFiles {
                 .computeIfAbsent(result.type().name(), name -> new ArrayList<>())
                 .add(result));
     return byObstacle;
-  }
-
-  private static String sha256(Path file) throws IOException {
-    try {
-      byte[] hash = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(file));
-      return HexFormat.of().formatHex(hash);
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java has SHA-256", e);
-    }
   }
 
   private static void writeErrorsJson(

@@ -73,7 +73,7 @@ final class ClockCheck {
     back.forEach(
         (sequence, at) -> {
           int size = sizes.getOrDefault(sequence, 0);
-          if (size >= LEAST_ROWS && at.size() <= NOW_AND_THEN * size) {
+          if (size >= LEAST_ROWS && at.size() <= Math.max(1, NOW_AND_THEN * size)) {
             rows.addAll(at);
           }
         });

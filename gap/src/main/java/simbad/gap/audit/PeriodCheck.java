@@ -82,7 +82,7 @@ final class PeriodCheck {
     String what =
         "rows of a sensor are "
             + Say.number(medianS)
-            + " s apart before update_period_s = "
+            + " s apart, where update_period_s = "
             + Say.number(periodS)
             + more;
     return new AuditFinding(

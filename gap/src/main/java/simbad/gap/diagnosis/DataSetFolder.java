@@ -3,9 +3,6 @@ package simbad.gap.diagnosis;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,6 +10,7 @@ import java.util.Optional;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.ReadingsFile;
 import simbad.sonar.format.SceneFile;
+import simbad.sonar.format.Sha256;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SensorPoses;
 import simbad.sonar.sensing.ReadingRow;
@@ -119,17 +117,9 @@ public final class DataSetFolder {
     for (String name : FILES) {
       Path file = folder.resolve(name);
       if (Files.exists(file)) {
-        hashes.put(name, sha256(Files.readAllBytes(file)));
+        hashes.put(name, Sha256.hex(Files.readAllBytes(file)));
       }
     }
     return hashes;
-  }
-
-  private static String sha256(byte[] bytes) {
-    try {
-      return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java has SHA-256", e);
-    }
   }
 }

@@ -12,22 +12,10 @@ import simbad.sonar.sensing.Reading;
  * the continuous ranked probability score by quantiles (Gneiting and Raftery 2007, section 4.2).
  */
 public final class ForecastGap {
-  /** How many quantiles a prediction has. */
-  public static final int QUANTILES = 19;
-
   private static final double[] LEVELS =
-      IntStream.range(0, QUANTILES).mapToDouble(ForecastGap::level).toArray();
+      IntStream.range(0, PinballLoss.QUANTILES).mapToDouble(PinballLoss::level).toArray();
 
   private ForecastGap() {}
-
-  /**
-   * Returns the level of a quantile, from 0.05 to 0.95.
-   *
-   * @param index from 0 to 18
-   */
-  public static double level(int index) {
-    return (index + 1) / (QUANTILES + 1.0);
-  }
 
   /**
    * Returns the quantiles of a forecast in metres, rising.
@@ -57,11 +45,6 @@ public final class ForecastGap {
    * @param read what was read, metres; for no echo, the range that it counts as
    */
   public static double gapM(double[] quantilesM, double read) {
-    double loss = 0;
-    for (int i = 0; i < QUANTILES; i++) {
-      double beyond = read - quantilesM[i];
-      loss += PinballLoss.of(level(i), beyond);
-    }
-    return 2 * loss / QUANTILES;
+    return PinballLoss.crps(quantilesM, read);
   }
 }

@@ -20,6 +20,9 @@ public final class MotionAudit {
   /** Rows that stand within this time of each other are the same. */
   private static final double SAME_S = 1e-9;
 
+  /** No track goes on for days after the last command. */
+  private static final double LONGEST_S = 1e5;
+
   private static final double HOLE_S = 0.25;
   private static final double MOST_HOLES = 0.5;
   private static final int LISTED = 1000;
@@ -116,7 +119,10 @@ public final class MotionAudit {
       double begins = rows.get(0).value().timeS();
       double ends = rows.get(rows.size() - 1).value().timeS();
       double times = (ends - begins) / (last - first);
-      boolean apart = ends < first || (begins > last && begins - last > ends - begins);
+      boolean apart =
+          ends < first
+              || ends - last > LONGEST_S
+              || (begins > last && begins - last > ends - begins);
       if (apart || TrackCheck.near(times, 1000) || TrackCheck.near(times, 0.001)) {
         add(
             AuditCheck.TRACK_CLOCK,

@@ -10,6 +10,7 @@ import simbad.motion.MotionRun;
 import simbad.motion.Way;
 import simbad.motion.forecast.Exertion;
 import simbad.motion.forecast.MotionForecast;
+import simbad.motion.forecast.PinballLoss;
 import simbad.motion.forecast.Spread;
 import simbad.motion.forecast.Window;
 import simbad.motion.forecast.Windows;
@@ -70,10 +71,11 @@ final class MotionGap {
       Spread spread = spread(asked, own, others);
       for (int i = 0; i < own.length; i++) {
         for (int c = 0; fold(cut.get(i)) == fold && c < 3; c++) {
-          scoresBefore[i][c] = Spread.score(believed.at(asked[i], c), plain[i][c]);
+          scoresBefore[i][c] = PinballLoss.crps(believed.at(asked[i], c), plain[i][c]);
           double[] quantiles = spread.at(asked[i], c);
-          scoresAfter[i][c] = Spread.score(quantiles, own[i][c]);
-          boolean in = own[i][c] >= quantiles[0] && own[i][c] <= quantiles[Spread.QUANTILES - 1];
+          scoresAfter[i][c] = PinballLoss.crps(quantiles, own[i][c]);
+          boolean in =
+              own[i][c] >= quantiles[0] && own[i][c] <= quantiles[PinballLoss.QUANTILES - 1];
           inside[3 * h + c] += in ? 1.0 / own.length : 0;
         }
       }
@@ -156,7 +158,7 @@ final class MotionGap {
       for (int c = 0; c < 3; c++) {
         double own = 0;
         for (int i = 0; i < residuals.length; i++) {
-          own += Spread.score(spread.at(asked[i], c), residuals[i][c]);
+          own += PinballLoss.crps(spread.at(asked[i], c), residuals[i][c]);
         }
         sum += before[h][c] > 0 ? own / residuals.length / before[h][c] / 9 : 1.0 / 9;
       }
@@ -263,9 +265,9 @@ final class MotionGap {
   /** At a level the pinball loss of a right quantile is the density there. */
   private static double gaussian() {
     double sum = 0;
-    for (int q = 0; q < Spread.QUANTILES; q++) {
-      double deviate = NormalChance.deviate(Spread.level(q));
-      sum += 2 * Math.exp(-deviate * deviate / 2) / Math.sqrt(2 * Math.PI) / Spread.QUANTILES;
+    for (int q = 0; q < PinballLoss.QUANTILES; q++) {
+      double deviate = NormalChance.deviate(PinballLoss.level(q));
+      sum += 2 * Math.exp(-deviate * deviate / 2) / Math.sqrt(2 * Math.PI) / PinballLoss.QUANTILES;
     }
     return sum;
   }

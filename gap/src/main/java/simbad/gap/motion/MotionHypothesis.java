@@ -81,10 +81,6 @@ record MotionHypothesis(
     return new MotionHypothesis(base, shorter, left);
   }
 
-  MotionHypothesis withValues(double[] other) {
-    return new MotionHypothesis(base, forms, other);
-  }
-
   /** Returns the forms, each with its values. */
   List<FittedMotion> fitted() {
     return forms.stream().map(form -> new FittedMotion(form, values(form))).toList();

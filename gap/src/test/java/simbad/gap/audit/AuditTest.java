@@ -363,6 +363,7 @@ class AuditTest {
     AuditFinding found = only(Logs.BOARD, back);
     assertEquals(AuditCheck.CLOCK, found.check());
     assertEquals(List.of(100), found.rows());
+    assertEquals(AuditCheck.CLOCK, found(Logs.BOARD, back.subList(80, 120)).get(0).check());
     List<ReadingRow> shuffled = new ArrayList<>(LADDER);
     Collections.shuffle(shuffled, new Random(1));
     assertEquals(List.of(), found(Logs.BOARD, shuffled));

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import simbad.motion.forecast.PinballLoss;
 import simbad.sonar.model.Part;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.model.Report;
@@ -19,9 +20,9 @@ class ForecastGapTest {
 
   @Test
   void levels_areTwentieths() {
-    assertEquals(0.05, ForecastGap.level(0));
-    assertEquals(0.15, ForecastGap.level(2));
-    assertEquals(0.95, ForecastGap.level(18));
+    assertEquals(0.05, PinballLoss.level(0));
+    assertEquals(0.15, PinballLoss.level(2));
+    assertEquals(0.95, PinballLoss.level(18));
   }
 
   /** What is certain and comes has no gap; what comes 1 m beside it has one of 1 m: 2 x 0.5 x 1. */

@@ -100,6 +100,15 @@ class MotionAuditTest {
     assertTrue(told.refuses() && told.suggestion().contains("one clock"), told.what());
   }
 
+  /** One last pose by the clock of the day: nobody drove from 1970 on. */
+  @Test
+  void poseDaysAfterTheCommands_isRefused() {
+    List<TrackPose> track = new ArrayList<>(RUN.track());
+    track.add(new TrackPose(1.7e9, 1, 1, 0));
+    AuditFinding found = worst(RUN.commands(), track);
+    assertTrue(found.refuses() && found.suggestion().contains("one clock"), found.what());
+  }
+
   /** It goes straight on whatever turns it is told, but for a 57th: its heading is in degrees. */
   @Test
   void robotThatHardlyTurns_isBelieved() {

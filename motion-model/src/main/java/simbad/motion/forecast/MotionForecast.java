@@ -63,9 +63,9 @@ public record MotionForecast(MotionChain chain, List<Spread> spreads) {
   }
 
   private static double[] normal(double sigma) {
-    double[] quantiles = new double[Spread.QUANTILES];
+    double[] quantiles = new double[PinballLoss.QUANTILES];
     for (int q = 0; q < quantiles.length; q++) {
-      int off = q - Spread.QUANTILES / 2;
+      int off = q - PinballLoss.QUANTILES / 2;
       quantiles[q] = Math.signum(off) * DEVIATES[Math.abs(off)] * sigma * Math.sqrt(2);
     }
     return quantiles;

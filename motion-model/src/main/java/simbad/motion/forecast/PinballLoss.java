@@ -9,7 +9,19 @@ package simbad.motion.forecast;
  * 2007, section 4.2.
  */
 public final class PinballLoss {
+  /** So many quantiles make a forecast: q05 to q95. */
+  public static final int QUANTILES = 19;
+
   private PinballLoss() {}
+
+  /**
+   * Returns the level of a quantile of a forecast, from 0.05 to 0.95.
+   *
+   * @param index from 0 to 18
+   */
+  public static double level(int index) {
+    return (index + 1) / (QUANTILES + 1.0);
+  }
 
   /**
    * Returns the loss, in the unit of the value, at least 0.
@@ -19,5 +31,20 @@ public final class PinballLoss {
    */
   public static double of(double level, double beyond) {
     return beyond >= 0 ? level * beyond : (level - 1) * beyond;
+  }
+
+  /**
+   * Returns the CRPS of a forecast by its quantiles: twice their mean loss, in the unit of the
+   * value, at least 0.
+   *
+   * @param quantiles q05 to q95
+   * @param value that came
+   */
+  public static double crps(double[] quantiles, double value) {
+    double loss = 0;
+    for (int i = 0; i < QUANTILES; i++) {
+      loss += of(level(i), value - quantiles[i]);
+    }
+    return 2 * loss / QUANTILES;
   }
 }

@@ -14,9 +14,6 @@ import simbad.sonar.check.Checks;
  */
 @SuppressWarnings("ArrayRecordComponent") // Numbers, never compared.
 public record Spread(double[] limits, double[][][] quantiles) {
-  /** So many quantiles make a forecast. */
-  public static final int QUANTILES = 19;
-
   /** Fewer windows make no class of their own. */
   private static final int LEAST_IN_CLASS = 60;
 
@@ -35,11 +32,6 @@ public record Spread(double[] limits, double[][][] quantiles) {
       throw new IllegalArgumentException(
           quantiles.length + " classes do not fit " + limits.length + " limits");
     }
-  }
-
-  /** Returns the level of a quantile, in (0, 1). */
-  public static double level(int quantile) {
-    return (quantile + 1) * 0.05;
   }
 
   /** Returns a spread with one class. */
@@ -99,7 +91,7 @@ public record Spread(double[] limits, double[][][] quantiles) {
       double times = times(Arrays.stream(sizes).mapToDouble(size -> size[component]).toArray());
       for (int k = 0; k < wider.length; k++) {
         double[] own = spread.quantiles[k][c];
-        double centre = own[QUANTILES / 2];
+        double centre = own[PinballLoss.QUANTILES / 2];
         wider[k][c] = Arrays.stream(own).map(q -> centre + times * (q - centre)).toArray();
       }
     }
@@ -124,8 +116,9 @@ public record Spread(double[] limits, double[][][] quantiles) {
 
   /** How far a residual is from the median, over how far the outermost quantile is. */
   private static double size(double[] quantiles, double residual) {
-    double off = residual - quantiles[QUANTILES / 2];
-    double reach = quantiles[off < 0 ? 0 : QUANTILES - 1] - quantiles[QUANTILES / 2];
+    double off = residual - quantiles[PinballLoss.QUANTILES / 2];
+    double reach =
+        quantiles[off < 0 ? 0 : PinballLoss.QUANTILES - 1] - quantiles[PinballLoss.QUANTILES / 2];
     return reach == 0 ? 0 : off / reach;
   }
 
@@ -157,31 +150,17 @@ public record Spread(double[] limits, double[][][] quantiles) {
 
   /** Returns the quantiles q05 to q95 of numbers; zeros where there are none. */
   public static double[] quantiles(double[] values) {
-    double[] quantiles = new double[QUANTILES];
+    double[] quantiles = new double[PinballLoss.QUANTILES];
     double[] sorted = values.clone();
     Arrays.sort(sorted);
-    for (int q = 0; q < QUANTILES && sorted.length > 0; q++) {
+    for (int q = 0; q < PinballLoss.QUANTILES && sorted.length > 0; q++) {
       // As of an exchangeable next value: its rank is as likely below the first as between two.
-      double at = Math.max(0, Math.min(sorted.length - 1, level(q) * (sorted.length + 1) - 1));
+      double at =
+          Math.max(0, Math.min(sorted.length - 1, PinballLoss.level(q) * (sorted.length + 1) - 1));
       int low = (int) at;
       int high = Math.min(low + 1, sorted.length - 1);
       quantiles[q] = sorted[low] + (at - low) * (sorted[high] - sorted[low]);
     }
     return quantiles;
-  }
-
-  /**
-   * Returns the CRPS by quantiles: twice the mean {@link PinballLoss}.
-   *
-   * @param quantiles of what was expected
-   * @param residual the value
-   */
-  public static double score(double[] quantiles, double residual) {
-    double sum = 0;
-    for (int q = 0; q < QUANTILES; q++) {
-      double off = residual - quantiles[q];
-      sum += PinballLoss.of(level(q), off);
-    }
-    return 2 * sum / QUANTILES;
   }
 }

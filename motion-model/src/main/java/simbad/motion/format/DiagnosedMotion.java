@@ -18,6 +18,7 @@ import simbad.motion.effect.MotionForm;
 import simbad.motion.effect.MotionForms;
 import simbad.motion.effect.MotionParameter;
 import simbad.motion.forecast.MotionForecast;
+import simbad.motion.forecast.PinballLoss;
 import simbad.motion.forecast.Spread;
 import simbad.motion.forecast.Windows;
 import simbad.sonar.format.DataFormatException;
@@ -204,8 +205,8 @@ public final class DiagnosedMotion {
       }
       for (int k = 0; k < quantiles.length; k++) {
         quantiles[k][c] = numbers(classes.get(k));
-        if (quantiles[k][c].length != Spread.QUANTILES) {
-          throw classes.get(k).isNot("a list of " + Spread.QUANTILES + " quantiles");
+        if (quantiles[k][c].length != PinballLoss.QUANTILES) {
+          throw classes.get(k).isNot("a list of " + PinballLoss.QUANTILES + " quantiles");
         }
       }
     }

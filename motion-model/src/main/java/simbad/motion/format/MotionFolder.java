@@ -11,6 +11,7 @@ import simbad.motion.Command;
 import simbad.motion.MotionRun;
 import simbad.motion.Robot;
 import simbad.motion.TrackPose;
+import simbad.sonar.format.CsvCell;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.TextFile;
 
@@ -130,7 +131,7 @@ public final class MotionFolder {
   }
 
   private static void line(StringBuilder text, String run, double timeS, double... values) {
-    text.append(run).append(',').append(String.format(Locale.ROOT, "%.4f", timeS));
+    text.append(CsvCell.of(run)).append(',').append(String.format(Locale.ROOT, "%.4f", timeS));
     for (double value : values) {
       text.append(',').append(String.format(Locale.ROOT, "%.5f", value + 0.0));
     }

@@ -78,11 +78,11 @@ class ForecastTest {
 
   @Test
   void score_isTwiceTheMeanPinballLoss() {
-    double[] sure = new double[Spread.QUANTILES];
+    double[] sure = new double[PinballLoss.QUANTILES];
     // Levels 0.05 to 0.95 are 0.5 in the mean.
-    assertEquals(1, Spread.score(sure, 1), 1e-12);
-    assertEquals(1, Spread.score(sure, -1), 1e-12);
-    assertEquals(0, Spread.score(sure, 0));
+    assertEquals(1, PinballLoss.crps(sure, 1), 1e-12);
+    assertEquals(1, PinballLoss.crps(sure, -1), 1e-12);
+    assertEquals(0, PinballLoss.crps(sure, 0));
   }
 
   /** Of 0 to 98 the quantile at level p is 100 p - 1. */
@@ -96,7 +96,7 @@ class ForecastTest {
     assertEquals(4, quantiles[0], 1e-9);
     assertEquals(49, quantiles[9], 1e-9);
     assertEquals(94, quantiles[18], 1e-9);
-    assertArrayEquals(new double[Spread.QUANTILES], Spread.quantiles(new double[0]));
+    assertArrayEquals(new double[PinballLoss.QUANTILES], Spread.quantiles(new double[0]));
   }
 
   /** Two classes: what stands is exact, what is asked much is off by 1 to 60. */
@@ -169,7 +169,7 @@ class ForecastTest {
     }
     Spread own = Spread.of(exertions, residuals);
     Spread another = Spread.ofAnother(exertions, residuals);
-    int last = Spread.QUANTILES - 1;
+    int last = PinballLoss.QUANTILES - 1;
     assertEquals(1.6 / 0.9, another.at(0, 0)[last] / own.at(0, 0)[last], 0.05);
     // Halves that do not differ leave all as it is.
     assertEquals(own.at(0, 1)[last], another.at(0, 1)[last], 0.03);

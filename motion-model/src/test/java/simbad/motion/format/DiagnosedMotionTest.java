@@ -19,6 +19,7 @@ import simbad.motion.Robot;
 import simbad.motion.effect.FittedMotion;
 import simbad.motion.effect.MotionForms;
 import simbad.motion.forecast.MotionForecast;
+import simbad.motion.forecast.PinballLoss;
 import simbad.motion.forecast.Spread;
 import simbad.sonar.format.DataFormatException;
 
@@ -32,7 +33,7 @@ class DiagnosedMotionTest {
   private static List<Spread> spreads() {
     List<Spread> spreads = new ArrayList<>();
     for (int h = 0; h < 3; h++) {
-      double[][][] quantiles = new double[2][3][Spread.QUANTILES];
+      double[][][] quantiles = new double[2][3][PinballLoss.QUANTILES];
       quantiles[1][2][18] = 0.1 + h;
       spreads.add(new Spread(new double[] {0.25}, quantiles));
     }

@@ -40,6 +40,17 @@ class MotionFolderTest {
     assertEquals(0.5, run.track().get(0).headingRad(), 1e-6);
   }
 
+  /** A run's name is free text. */
+  @Test
+  void nameWithCommaAndQuotes_isReadAgain() throws IOException, DataFormatException {
+    String name = "lap 1, \"morning\"";
+    MotionRun run =
+        new MotionRun(name, List.of(new Command(0, 0.1, 0)), List.of(new TrackPose(0.5, 1, -2, 0)));
+    new MotionFolder(folder)
+        .write(new MotionData("m", Robot.EXACT_UNICYCLE, List.of(run), List.of()));
+    assertEquals(name, new MotionFolder(folder).read("m").runs().get(0).name());
+  }
+
   @Test
   void wheels_becomeSpeedAndTurn() throws IOException, DataFormatException {
     String robot =

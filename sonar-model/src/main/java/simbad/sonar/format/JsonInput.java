@@ -108,7 +108,7 @@ public final class JsonInput {
     if (!node.has(name)) {
       throw fault(name, "is missing");
     }
-    return new JsonInput(file, lines, pointer + "/" + name, node.get(name));
+    return new JsonInput(file, lines, below(name), node.get(name));
   }
 
   /** Returns the items of a field that is a list. */
@@ -236,7 +236,12 @@ public final class JsonInput {
   }
 
   private DataFormatException fault(String field, String problem) {
-    return DataFormatException.inField(file, line(pointer), name(pointer + "/" + field), problem);
+    return DataFormatException.inField(file, line(pointer), name(below(field)), problem);
+  }
+
+  /** A field's pointer (RFC 6901), which has other signs for the two that it needs itself. */
+  private String below(String field) {
+    return pointer + "/" + field.replace("~", "~0").replace("/", "~1");
   }
 
   private int line(String at) {
@@ -245,6 +250,8 @@ public final class JsonInput {
 
   /** As one would write it in code: sensor.name, obstacles.0.outline_m. */
   private static String name(String at) {
-    return at.isEmpty() ? "JSON" : at.substring(1).replace('/', '.');
+    return at.isEmpty()
+        ? "JSON"
+        : at.substring(1).replace('/', '.').replace("~1", "/").replace("~0", "~");
   }
 }

@@ -54,6 +54,18 @@ class SceneFileTest {
         "expected at most 10000");
   }
 
+  /** Names of ROS have slashes; a tilde is the other sign that a JSON pointer needs itself. */
+  @Test
+  void faultBelowANameWithSlashes_isNamedWithItsLine() throws Exception {
+    String scene =
+        Samples.scene()
+            .replace("sonar-gap/1", "sonar-gap/2")
+            .replace(
+                "\"no_echo_m\": 6.5,",
+                "\"no_echo_m\": 6.5, \"sensors\": {\n\"/us~left\": {\"x_m\": \"a\"}},");
+    check(scene, ":4:", "sensors./us~left.x_m", "\"a\" is not");
+  }
+
   @Test
   void scene_isRead_howeverItIsWritten() throws Exception {
     SensingSetup setup = SceneFile.read(Faults.file(directory, Samples.scene()));

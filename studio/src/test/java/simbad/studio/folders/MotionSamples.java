@@ -13,6 +13,7 @@ import simbad.motion.CommandReach;
 import simbad.motion.Robot;
 import simbad.motion.effect.FittedMotion;
 import simbad.motion.effect.MotionForms;
+import simbad.motion.forecast.PinballLoss;
 import simbad.motion.forecast.Spread;
 import simbad.motion.format.DiagnosedMotion;
 
@@ -106,7 +107,7 @@ final class MotionSamples {
         new FittedMotion(
             MotionForms.find("speed-scale", Robot.EXACT_UNICYCLE).orElseThrow(),
             new double[] {TRUE_SCALE});
-    Spread exact = Spread.one(new double[3][Spread.QUANTILES]);
+    Spread exact = Spread.one(new double[3][PinballLoss.QUANTILES]);
     Files.writeString(
         folder.resolve("motion.json"),
         DiagnosedMotion.text(List.of(slow), Collections.nCopies(3, exact), CommandReach.ANY));
