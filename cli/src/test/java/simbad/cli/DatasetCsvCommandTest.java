@@ -122,6 +122,30 @@ class DatasetCsvCommandTest {
         said.out());
   }
 
+  /** What stands beside the readings is a tape's distance by its name, or goes with them. */
+  @ParameterizedTest
+  @CsvSource({
+    "temp_c, false",
+    "sec, false",
+    "vcc, false",
+    "angle, false",
+    "nr, false",
+    "foo, true",
+    "cm, true"
+  })
+  void secondColumn_isTheDistanceWhereItMayBe(String name, boolean isTaken) throws Exception {
+    Shell said = type(name + ",distance_cm\n10,9.8\n20,19.7\n30,29.9\n", "");
+    assertEquals(isTaken ? 0 : 2, said.status(), said.err());
+    assertEquals(!isTaken, said.err().contains("--distance"), said.err());
+  }
+
+  @Test
+  void secondColumn_thatDoesNotGoWithTheReadings_isNoDistance() throws Exception {
+    Shell said = type("foo,distance_cm\n22,10.1\n21,19.7\n22,29.9\n23,19.8\n21,30.1\n", "");
+    assertEquals(2, said.status(), said.out());
+    assertTrue(said.err().contains("--distance"), said.err());
+  }
+
   /** No time is invented, what is assumed is said, and stands in the scene. */
   @Test
   void assumptions_areWritten() throws Exception {

@@ -14,8 +14,8 @@ import simbad.sonar.sensing.ReadingRow;
 
 /**
  * Rows that an audit found to be no reading of what stands there: stuck, held, or off by a timer's
- * byte, in a log without times. No effect with a memory can be asked for them, and any other that
- * took them up would be a wrong name.
+ * byte, in a log without times, or of a placement where nothing stood as it was written. No effect
+ * with a memory can be asked for them, and any other that took them up would be a wrong name.
  */
 final class LeftOut {
   private static final Set<AuditCheck> NO_READING =
@@ -35,10 +35,16 @@ final class LeftOut {
     audit.stream()
         .filter(finding -> finding.file() == AuditFinding.File.READINGS)
         .filter(finding -> finding.severity() == Severity.WARN)
-        .filter(finding -> NO_READING.contains(finding.check()))
-        .flatMap(finding -> finding.rows().stream())
-        .filter(row -> !data.readings().get(row).isTimed())
-        .forEach(rows::add);
+        .forEach(this::add);
+  }
+
+  private void add(AuditFinding finding) {
+    boolean misplaced = finding.check() == AuditCheck.MISPLACED;
+    if (misplaced || NO_READING.contains(finding.check())) {
+      finding.rows().stream()
+          .filter(row -> misplaced || !data.readings().get(row).isTimed())
+          .forEach(rows::add);
+    }
   }
 
   /** Returns the data set without them. */

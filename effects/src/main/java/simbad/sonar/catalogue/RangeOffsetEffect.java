@@ -5,18 +5,22 @@ import static simbad.sonar.effect.FittedValues.text;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.DoubleStream;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.definition.Trait;
 import simbad.sonar.change.GatedOffset;
 import simbad.sonar.change.RangeOffset;
 import simbad.sonar.change.ScatteredOffset;
+import simbad.sonar.effect.Clues;
 import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.effect.LogDesign;
+import simbad.sonar.effect.Modes;
 import simbad.sonar.effect.Probe;
+import simbad.sonar.effect.Tries;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
@@ -30,6 +34,9 @@ public final class RangeOffsetEffect implements Definition {
   private static final double MOST_SCATTER = 0.15;
 
   private static final double LEAST_SOFT_M = 0.002;
+
+  private static final double MODE_M = 0.02;
+  private static final int MODES = 2;
 
   @Override
   public Effect effect() {
@@ -69,6 +76,18 @@ public final class RangeOffsetEffect implements Definition {
     return forms;
   }
 
+  /** That by which most readings are beyond a distance, beside the usual ones. */
+  @Override
+  public List<double[]> starts(Form form, Clues clues) {
+    DoubleStream beyond =
+        clues.echoesInCone().mapToDouble(i -> clues.log().rangeM(i) - clues.nearestM(i));
+    List<List<Double>> tries = Tries.of(form);
+    List<Double> offsets = new ArrayList<>(tries.get(0));
+    offsets.addAll(Modes.of(beyond, MODE_M, MODES));
+    tries.set(0, offsets);
+    return Tries.combined(form, tries);
+  }
+
   /** 1 cm is what cheap sensors are specified to. */
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
@@ -80,6 +99,11 @@ public final class RangeOffsetEffect implements Definition {
   @Override
   public boolean canShow(Form form, LogDesign log) {
     return !log.isRepeated() || form.parameters().size() == 1;
+  }
+
+  @Override
+  public Set<Effect> twins(LogDesign log) {
+    return log.alikeInRange(effect());
   }
 
   @Override

@@ -210,6 +210,11 @@ public final class SoundSpeedEffect implements Definition {
   }
 
   @Override
+  public Set<Effect> twins(LogDesign log) {
+    return log.alikeInRange(effect());
+  }
+
+  @Override
   public String remedy(FittedValues values) {
     double speed = values.value(SPEED);
     double assumed = values.sensor().assumedSoundSpeedMPerS();

@@ -3,6 +3,7 @@ package simbad.sonar.catalogue;
 import static simbad.sonar.effect.FittedValues.text;
 
 import java.util.List;
+import java.util.Set;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.sonar.change.VerticalBeam;
@@ -10,6 +11,7 @@ import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.LogDesign;
 import simbad.sonar.effect.Probe;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
@@ -59,6 +61,11 @@ public final class VerticalBeamEffect implements Definition {
   public List<Probe> probes(SensingSetup setup, PingLog log) {
     return List.of(
         Probe.alone(Forms.find(effect(), "slant", setup, log.sensors()).orElseThrow(), 0, 0.1));
+  }
+
+  @Override
+  public Set<Effect> twins(LogDesign log) {
+    return log.alikeInRange(effect());
   }
 
   @Override

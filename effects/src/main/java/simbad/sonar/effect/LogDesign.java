@@ -3,7 +3,9 @@ package simbad.sonar.effect;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.IntStream;
+import simbad.definition.Effect;
 import simbad.sonar.check.Checks;
 import simbad.sonar.frame.Point;
 import simbad.sonar.ping.PingLog;
@@ -22,6 +24,7 @@ import simbad.sonar.scene.UniformDetection;
  *     was repeated
  * @param wayM how far sound goes and comes back between two pings, metres; 0 where there are none
  * @param round labels of the uniform obstacles that look the same from all sides
+ * @param isOfOneDistance whether all that could be heard is about as far away
  */
 public record LogDesign(
     SensingSetup setup,
@@ -29,11 +32,30 @@ public record LogDesign(
     boolean isRepeated,
     boolean isNoisier,
     double wayM,
-    Set<String> round) {
+    Set<String> round,
+    boolean isOfOneDistance) {
+  /**
+   * What makes a range too long by a share of it, by a length, or as from beside the axis. All do
+   * the same at one distance.
+   */
+  private static final Set<Effect> OF_THE_RANGE =
+      Set.of(Effect.SOUND_SPEED, Effect.RANGE_OFFSET, Effect.VERTICAL_BEAM);
+
   /** Checks the way and copies the set. */
   public LogDesign {
     Checks.number("wayM", wayM);
     round = Set.copyOf(round);
+  }
+
+  /**
+   * Returns what does to ranges what an effect does, where they are all of one distance.
+   *
+   * @param effect one that makes ranges longer or shorter
+   */
+  public Set<Effect> alikeInRange(Effect effect) {
+    Set<Effect> others = new TreeSet<>(OF_THE_RANGE);
+    others.remove(effect);
+    return isOfOneDistance ? others : Set.of();
   }
 
   /** Tells whether any reading has a time: without times nothing says which ping came before. */

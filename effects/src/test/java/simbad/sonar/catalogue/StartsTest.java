@@ -195,9 +195,9 @@ class StartsTest {
 
   @Test
   void whatALogCanShow_dependsOnHowItWasTaken() {
-    LogDesign drive = new LogDesign(SETUP, log(), false, true, 8, Set.of());
-    LogDesign ladder = new LogDesign(SETUP, log(), true, false, 0, Set.of("post"));
-    LogDesign slow = new LogDesign(SETUP, log(), false, true, 100, Set.of());
+    LogDesign drive = new LogDesign(SETUP, log(), false, true, 8, Set.of(), false);
+    LogDesign ladder = new LogDesign(SETUP, log(), true, false, 0, Set.of("post"), false);
+    LogDesign slow = new LogDesign(SETUP, log(), false, true, 100, Set.of(), false);
 
     assertFalse(canShow(Effect.PLACEMENT_ERROR, drive));
     assertTrue(canShow(Effect.PLACEMENT_ERROR, ladder));
@@ -220,7 +220,8 @@ class StartsTest {
     PingLog rarer = new PingLog(rows);
     PingLog often = new PingLog(rows.subList(0, 6));
     assertFalse(
-        canShow(Effect.NO_ECHO_CODE, new LogDesign(SETUP, rarer, false, true, 8, Set.of())));
-    assertTrue(canShow(Effect.NO_ECHO_CODE, new LogDesign(SETUP, often, false, true, 8, Set.of())));
+        canShow(Effect.NO_ECHO_CODE, new LogDesign(SETUP, rarer, false, true, 8, Set.of(), false)));
+    assertTrue(
+        canShow(Effect.NO_ECHO_CODE, new LogDesign(SETUP, often, false, true, 8, Set.of(), false)));
   }
 }

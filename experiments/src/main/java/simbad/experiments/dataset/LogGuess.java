@@ -23,7 +23,16 @@ final class LogGuess {
   private static final Pattern DISTANCE =
       Pattern.compile("(?i).*(dist|abstand|entfernung|distan).*");
 
+  /** What stands beside readings as well, and may grow as they do. */
+  private static final Pattern OTHER =
+      Pattern.compile(
+          "(?i).*(time|zeit|temp|volt|vcc|batt|angle|winkel|head|pan|servo|index|count).*|id|nr|no|n|i|t");
+
   private static final int SAMPLE = 100;
+
+  /** Of pairs of rows that differ, so many more in the same order than in the other. */
+  private static final double GOES_WITH = 0.7;
+
   private static final String[] POSES = {
     "distance", "x", "z", "y", "bearing", "target-x", "target-z", "target-y"
   };
@@ -130,7 +139,11 @@ final class LogGuess {
                             isNamed(DISTANCE, column)
                                 && !ranges.contains(column)
                                 && hasNumbers(column)));
-    boolean two = log.names().size() == 2 && ranges.size() == 1 && hasNumbers(1 - ranges.get(0));
+    boolean two =
+        log.names().size() == 2
+            && ranges.size() == 1
+            && hasNumbers(1 - ranges.get(0))
+            && mayBeDistance(1 - ranges.get(0), ranges.get(0));
     if (named.isPresent() || two) {
       int column = named.orElse(two ? 1 - ranges.get(0) : 0);
       assumptions.add("The true distances are in column " + shown(column) + " (--distance).");
@@ -140,6 +153,40 @@ final class LogGuess {
         "distance",
         "which column holds the true distance (or --x and --z for places, or a fixed one: 30cm)",
         log.shown());
+  }
+
+  /**
+   * Whether the one column beside the ranges may be what a tape says, and not a time or an angle.
+   */
+  private boolean mayBeDistance(int column, int range) {
+    Optional<Unit> unit = Unit.inName(log.names().get(column));
+    return log.isUnnamed()
+        || unit.map(is -> is.kind() == Unit.Kind.LENGTH)
+            .orElseGet(() -> !isNamed(OTHER, column) && goesWith(column, range));
+  }
+
+  /** Kendall's tau of two columns. */
+  private boolean goesWith(int one, int other) {
+    int pairs = 0;
+    int balance = 0;
+    int step = 1 + log.size() / SAMPLE;
+    for (int i = 0; i < log.size(); i += step) {
+      for (int j = 0; j < i; j += step) {
+        double order = order(one, i, j) * order(other, i, j);
+        pairs += order == 0 ? 0 : 1;
+        balance += (int) order;
+      }
+    }
+    return balance > GOES_WITH * pairs;
+  }
+
+  /** The sign of what a column grows by between two rows; 0 also where one has no number. */
+  private double order(int column, int row, int before) {
+    Optional<LogNumber> now = log.findNumber(row, column);
+    Optional<LogNumber> then = log.findNumber(before, column);
+    return now.isPresent() && then.isPresent()
+        ? Math.signum(now.get().value() - then.get().value())
+        : 0;
   }
 
   private String target(LogSettings settings) throws DataFormatException {

@@ -2,6 +2,7 @@ package simbad.gap.audit;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -90,7 +91,11 @@ public final class Audit {
       new WrapCheck(view).find().ifPresent(found::add);
     }
     found.addAll(new HeldCheck(mended).find());
-    new JumpCheck(mended, rest, rowsOf(repeated)).find().ifPresent(found::add);
+    List<AuditFinding> misplaced = new MisplacedCheck(mended, rest).find();
+    Set<Integer> told = new HashSet<>(rowsOf(repeated));
+    told.addAll(rowsOf(misplaced));
+    new JumpCheck(mended, rest, told).find().ifPresent(found::add);
+    found.addAll(misplaced);
     return found;
   }
 

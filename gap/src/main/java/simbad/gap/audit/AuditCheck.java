@@ -22,6 +22,8 @@ public enum AuditCheck {
   HELD("held", "range_m"),
   /** Single readings that are off by one and the same amount. */
   JUMP("jump", "range_m"),
+  /** A placement that is off the line of all others. */
+  MISPLACED("misplaced", "range_m"),
   /** Times that go back or stand twice. */
   CLOCK("clock", "t_s"),
   /** Times between pings that are not the sensor's. */

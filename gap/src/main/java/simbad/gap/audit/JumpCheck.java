@@ -155,7 +155,9 @@ final class JumpCheck {
             + " by the same "
             + Say.number(size)
             + " m"
-            + (isByte ? ": 256 us of flight, a timer's byte read while it turns over" : ""),
+            + (isByte
+                ? ", as by a timer's byte that is read while it turns over: 256 us of flight"
+                : ""),
         view.inFile(IntStream.of(hits)),
         isByte ? "read the timer's high byte again if the low byte was near its end" : "",
         "",

@@ -8,6 +8,7 @@ import simbad.definition.Effect;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.score.HeldOut.Scored;
 import simbad.gap.score.Probabilities;
+import simbad.sonar.ping.MemoryChange;
 
 /**
  * Effects that are at work beyond doubt, though something is left over beside them. A near clamp
@@ -55,22 +56,49 @@ public final class Confirmed {
   private Optional<Scored> sure(Scored set) {
     Hypothesis sure = set.hypothesis();
     for (Effect effect : set.hypothesis().effects()) {
-      sure = isSure(effect, set) ? sure : sure.without(effect);
+      boolean stays = isSure(effect, set) && (!isPlaced || isSureInTheBest(effect));
+      sure = stays ? sure : sure.without(effect);
     }
     Set<Effect> named = Set.copyOf(sure.effects());
     return named.isEmpty() ? Optional.empty() : find(named);
   }
 
+  /**
+   * Whether nothing speaks against an effect in the best set that has it. Where places are known to
+   * what takes up a little of anything, sets that are far worse count as well; but an effect that
+   * is superfluous beside what predicts best, or that has a rival there, would be sure in some set
+   * whose rivals were never fitted. What remembers the reading before knows the placement, and is
+   * no judge.
+   */
+  private boolean isSureInTheBest(Effect effect) {
+    return sets.stream()
+        .filter(set -> set.hypothesis().has(effect))
+        .filter(set -> !knowsThePingBefore(set.hypothesis()))
+        .max(Comparator.comparingDouble(Scored::heldOut))
+        .map(set -> gain(effect, set).orElse(worthNats) >= worthNats && !hasRival(effect, set))
+        .orElse(true);
+  }
+
+  private static boolean knowsThePingBefore(Hypothesis set) {
+    return set.has(Effect.PREVIOUS_PING)
+        || set.changes().stream().anyMatch(c -> c instanceof MemoryChange || c.looksBack());
+  }
+
   private boolean isSure(Effect effect, Scored set) {
-    Hypothesis rest = set.hypothesis().without(effect);
-    if (doubtful.contains(effect) || isAtBound(effect, set.hypothesis())) {
-      return false;
-    }
-    Optional<Scored> without = find(Set.copyOf(rest.effects()));
-    double sure = (1 + Probabilities.UNSEEN) * worthNats;
-    return without.isPresent()
-        && set.heldOut() - without.get().heldOut() > sure
-        && sets.stream().noneMatch(other -> isRival(other, effect, set));
+    return !doubtful.contains(effect)
+        && !isAtBound(effect, set.hypothesis())
+        && gain(effect, set).orElse(0.0) > (1 + Probabilities.UNSEEN) * worthNats
+        && !hasRival(effect, set);
+  }
+
+  /** What leaving it out costs, nats; empty if that was not fitted. */
+  private Optional<Double> gain(Effect effect, Scored set) {
+    return find(Set.copyOf(set.hypothesis().without(effect).effects()))
+        .map(without -> set.heldOut() - without.heldOut());
+  }
+
+  private boolean hasRival(Effect effect, Scored set) {
+    return sets.stream().anyMatch(other -> isRival(other, effect, set));
   }
 
   /**

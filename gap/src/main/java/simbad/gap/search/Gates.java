@@ -14,6 +14,8 @@ import simbad.gap.score.Placements;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.LogDesign;
+import simbad.sonar.effect.Modes;
+import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.ping.Scenes;
 import simbad.sonar.scene.Obstacle;
@@ -30,6 +32,12 @@ final class Gates {
   private static final int ROUND_CORNERS = 12;
 
   private static final double ROUND = 0.97;
+
+  /**
+   * A scale that is off by a tenth then differs from an offset by a hundredth of the distance: no
+   * more than a tape is.
+   */
+  private static final double ONE_DISTANCE = 0.1;
 
   private Gates() {}
 
@@ -60,7 +68,28 @@ final class Gates {
     boolean repeated = placements.areRepeated();
     boolean noisier = !repeated || PlacementScatter.isNoisier(given, placements);
     double wayM = medianPeriodS(given.log()) * setup.sensor().assumedSoundSpeedMPerS() / 2;
-    return new LogDesign(setup, given.log(), repeated, noisier, wayM, round(setup));
+    return new LogDesign(
+        setup, given.log(), repeated, noisier, wayM, round(setup), isOfOneDistance(given));
+  }
+
+  /** As the simulator believes it: nine of ten pings with something before them within a tenth. */
+  private static boolean isOfOneDistance(CalibratedLog given) {
+    Geometry believed = new Geometry(given.log(), given.setup(), List.of());
+    double[] nearest =
+        IntStream.range(0, believed.pings())
+            .mapToDouble(ping -> nearestM(believed, ping))
+            .filter(Double::isFinite)
+            .sorted()
+            .toArray();
+    return nearest.length > 0
+        && Modes.quantile(nearest, 0.95) < (1 + ONE_DISTANCE) * Modes.quantile(nearest, 0.05);
+  }
+
+  private static double nearestM(Geometry believed, int ping) {
+    return IntStream.range(0, believed.obstacles())
+        .mapToDouble(o -> believed.nearestM(ping * believed.obstacles() + o))
+        .min()
+        .orElse(Double.POSITIVE_INFINITY);
   }
 
   /** The obstacles that look the same from all sides. */

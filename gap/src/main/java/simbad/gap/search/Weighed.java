@@ -171,7 +171,11 @@ public record Weighed(
    */
   public Optional<Weighed> confirmed(GapGains gains, List<Scored> sets, double worthNats) {
     boolean isPlaced = new Placements(gains.given().log()).areRepeated();
-    return new Confirmed(sets, SOAK_UP, worthNats, isPlaced)
+    Set<Effect> doubtful = new TreeSet<>(SOAK_UP);
+    // Two others could stand for it, whatever the log reads.
+    Gates.twins(gains.given())
+        .forEach((effect, twins) -> doubtful.addAll(twins.size() > 1 ? Set.of(effect) : Set.of()));
+    return new Confirmed(sets, doubtful, worthNats, isPlaced)
         .best()
         .map(sure -> new Weighed(probabilities, sure, gains.of(sure.hypothesis()), enlarging))
         .filter(sure -> sure.gain.isWorthNaming());
