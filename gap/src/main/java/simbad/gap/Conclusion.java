@@ -38,7 +38,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
   private static final double SURELY_NOTHING = 0.1;
 
   /**
-   * A name is said where it, or a tie with it, is as probable as this: a wrong name costs four
+   * A name is said where it, or a tie with it, is as probable as this: a wrong name costs five
    * times what it costs to leave the log undecided.
    */
   private static final double SURE_NAME = 0.8;

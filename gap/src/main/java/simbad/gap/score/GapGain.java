@@ -26,7 +26,7 @@ public record GapGain(
 
   /**
    * What was rightly named took away 2.6 % or more, an effect in two nones 0.3 and 0.6 %
-   * (docs/method/gap.md).
+   * (docs/method/measurements.md).
    */
   private static final double LEAST_SHRINKAGE = 0.01;
 
@@ -36,7 +36,7 @@ public record GapGain(
   /**
    * By how much wider, in logarithms, the spread between logs is than that between blocks of one:
    * root 2 for what chance does to the other log, the rest for its other poses and for fitted
-   * values; measured on worlds of seeds 46 and 47 (docs/method/gap.md).
+   * values; measured on worlds of seeds 46 and 47 (docs/method/measurements.md).
    */
   private static final double OTHER_LOG = 2.1;
 

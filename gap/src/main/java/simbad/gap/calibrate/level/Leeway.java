@@ -22,7 +22,7 @@ import simbad.sonar.ping.Geometry;
  * and Hausman 1974).
  */
 public final class Leeway {
-  /** Half of what differs from one day to the next (docs/method/level-model.md). */
+  /** Half of what differs from one day to the next (docs/method/model-error.md). */
   private static final double DAYS_GAIN_DB = 0.15;
 
   private static final double DAYS_ABSORPTION_DB_PER_M = 0.05;
