@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Random;
 import java.util.stream.Collectors;
 import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
@@ -29,6 +30,8 @@ import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.DataSetFolder;
 import simbad.sonar.frame.Point;
 import simbad.sonar.model.NominalModel;
+import simbad.sonar.model.SightLine;
+import simbad.sonar.model.TransducerPose;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.Echo;
@@ -120,6 +123,53 @@ class DatasetCsvCommandTest {
                 "read 3 readings from 3 rows: 2 echoes at 0.098 to 0.197 m, 1 without echo;"
                     + " 3 places, 1 run, no times"),
         said.out());
+  }
+
+  /** Readings scatter beside a tape, and a tape does not beside readings. */
+  @Test
+  void exchangedColumns_areRefused_unlessSaid() throws Exception {
+    StringBuilder log = new StringBuilder("tape_cm,sensor_cm\n");
+    Random random = new Random(1);
+    for (int i = 0; i < 60; i++) {
+      double tape = 20 + 10 * (i / 6);
+      log.append(number(tape + 0.3 * random.nextGaussian())).append(',').append(tape).append('\n');
+    }
+    Shell said = type(log.toString(), "");
+    assertEquals(2, said.status(), said.out());
+    assertTrue(said.err().contains("are they exchanged?"), said.err());
+    assertEquals(0, type(log.toString(), "--range sensor_cm --distance tape_cm").status());
+    String right = log.toString().replace("tape_cm,sensor_cm", "sensor_cm,tape_cm");
+    assertEquals(0, type(right, "").status());
+  }
+
+  /** A ring of sensors pings once where the robot is; nobody put anything in place there. */
+  @Test
+  void ringOfSensors_hasNoPlacements() throws Exception {
+    StringBuilder log = new StringBuilder("t_s,x_m,y_m,heading_deg,left_cm,right_cm\n");
+    for (int i = 0; i < 5; i++) {
+      log.append(0.2 * i).append(',').append(0.1 * i).append(",0,90,50,60\n");
+    }
+    String ring =
+        "--range left_cm,right_cm --x x_m --y y_m --heading heading_deg --target board:1m@0,2m";
+    DataSet drive = read(log.toString(), ring + " --time t_s");
+    assertTrue(drive.readings().get(0).circumstances().placement().isEmpty());
+    DataSet untimed = read(log.toString(), ring);
+    assertTrue(untimed.readings().get(0).circumstances().placement().isPresent());
+  }
+
+  /** The sonar's greatest range counts from what is nearest, wherever the centre is. */
+  @Test
+  void wideTarget_isHeardAsFarAsTheSonarReaches() throws Exception {
+    DataSet set = read(LADDER, "--max-range 3m --target board:2m");
+    NominalModel model = new NominalModel(set.setup().sensor(), set.setup().scene());
+    SightLine line = new SightLine();
+    TransducerPose from = new TransducerPose();
+    from.aim(0.9, 2.98, Math.PI / 2);
+    model.trace(0, from, line);
+    double heard =
+        model.echoProbability(line.nearestM(), line.centreDistanceM(), line.thresholdM());
+    assertEquals(2.98, line.nearestM(), 0.03);
+    assertTrue(heard > 0.9, "heard with " + heard);
   }
 
   /** What stands beside the readings is a tape's distance by its name, or goes with them. */

@@ -95,7 +95,11 @@ public final class Diagnoser {
    */
   public Diagnosis diagnose(DataSet data, List<AuditFinding> audit) {
     LeftOut left = new LeftOut(data, audit);
-    return left.whole(diagnose(left.rest())).with(audit);
+    Diagnosis first = diagnose(left.rest());
+    // What turns or moves the cone has its border at other rows than the believed one.
+    LeftOut more = left.under(first.fitted());
+    Diagnosis whole = more == left ? first : diagnose(more.rest(), first.fitted());
+    return more.whole(whole).with(audit);
   }
 
   /**

@@ -7,21 +7,25 @@ import java.util.TreeSet;
 import simbad.gap.audit.AuditCheck;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.audit.Severity;
+import simbad.gap.audit.UncertainPoses;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Verdict;
+import simbad.gap.fit.Hypothesis;
 import simbad.sonar.sensing.ReadingRow;
 
 /**
  * Rows that an audit found to be no reading of what stands there: stuck, held, or off by a timer's
- * byte, in a log without times, or of a placement where nothing stood as it was written. No effect
- * with a memory can be asked for them, and any other that took them up would be a wrong name.
+ * byte, in a log without times, or of a placement where nothing stood as it was written; and rows
+ * of which nobody can say what the sensor hears. No effect with a memory can be asked for them, and
+ * any other that took them up would be a wrong name.
  */
 final class LeftOut {
   private static final Set<AuditCheck> NO_READING =
       Set.of(AuditCheck.STUCK, AuditCheck.HELD, AuditCheck.JUMP);
 
   private final DataSet data;
+  private final Set<Integer> wrong = new TreeSet<>();
   private final Set<Integer> rows = new TreeSet<>();
 
   /**
@@ -34,17 +38,38 @@ final class LeftOut {
     this.data = data;
     audit.stream()
         .filter(finding -> finding.file() == AuditFinding.File.READINGS)
-        .filter(finding -> finding.severity() == Severity.WARN)
-        .forEach(this::add);
+        .forEach(
+            finding -> {
+              if (finding.severity() == Severity.WARN && NO_READING.contains(finding.check())) {
+                finding.rows().stream()
+                    .filter(row -> !data.readings().get(row).isTimed())
+                    .forEach(wrong::add);
+              } else if (finding.check() == AuditCheck.MISPLACED) {
+                wrong.addAll(finding.rows());
+              } else if (finding.check() == AuditCheck.EDGE) {
+                rows.addAll(finding.rows());
+              }
+            });
+    rows.addAll(wrong);
   }
 
-  private void add(AuditFinding finding) {
-    boolean misplaced = finding.check() == AuditCheck.MISPLACED;
-    if (misplaced || NO_READING.contains(finding.check())) {
-      finding.rows().stream()
-          .filter(row -> misplaced || !data.readings().get(row).isTimed())
-          .forEach(rows::add);
-    }
+  private LeftOut(LeftOut known, Set<Integer> more) {
+    data = known.data;
+    wrong.addAll(known.wrong);
+    rows.addAll(known.rows);
+    rows.addAll(more);
+  }
+
+  /**
+   * Returns the same with rows of which nobody can say what the sensor hears if effects are at
+   * work; itself where all of them are left out already, or too many would be.
+   *
+   * @param effects that were found
+   */
+  LeftOut under(Hypothesis effects) {
+    Set<Integer> unsure = UncertainPoses.rows(data.setup(), data.readings(), effects.changes());
+    boolean many = 2 * unsure.size() > data.readings().size();
+    return many || rows.containsAll(unsure) ? this : new LeftOut(this, unsure);
   }
 
   /** Returns the data set without them. */
@@ -63,11 +88,11 @@ final class LeftOut {
 
   /** Returns what is said of the whole, from a diagnosis of the rest: with such rows never none. */
   Diagnosis whole(Diagnosis rest) {
-    return rows.isEmpty() || rest.verdict() != Verdict.NONE
+    return wrong.isEmpty() || rest.verdict() != Verdict.NONE
         ? rest
         : rest.undecided(
             "what the audit found is wrong with "
-                + rows.size()
+                + wrong.size()
                 + " of "
                 + data.readings().size()
                 + " readings; the others show no effect");

@@ -153,6 +153,29 @@ class LadderTest {
         Set.of(Effect.SOUND_SPEED, Effect.RANGE_OFFSET), Set.copyOf(diagnosis.explanation()));
   }
 
+  /** A tape that was misread once is no object beside the board, and no other placement's fault. */
+  @Test
+  void misreadTape_isSaid_andLeftOut() {
+    List<ReadingRow> rows =
+        Ladders.read((range, lot) -> Math.abs(range - 1) < 0.05 ? range - 0.09 : range, 1);
+    List<AuditFinding> found = audit(rows);
+    assertEquals(List.of(AuditCheck.MISPLACED), found.stream().map(AuditFinding::check).toList());
+    assertEquals(Ladders.READ, found.get(0).rows().size());
+    assertTrue(
+        found.get(0).what().matches(".*at 1 m, are [89].. cm too short.*"), found.get(0).what());
+    Diagnosis diagnosis =
+        new Diagnoser(1, Set.of())
+            .diagnose(new DataSet("ladder", Ladders.BOARD, rows, List.of()), found);
+    assertEquals(Verdict.UNDECIDED, diagnosis.verdict(), diagnosis.reason());
+    assertTrue(diagnosis.reason().contains("16 of 160 readings"), diagnosis.reason());
+  }
+
+  @Test
+  void offsetOfAHandsBreadth_isFound() {
+    Diagnosis diagnosis = explained((range, lot) -> range + 0.15, Effect.RANGE_OFFSET);
+    assertEquals(0.15, value(diagnosis, Effect.RANGE_OFFSET, "offset_m"), 0.005);
+  }
+
   /** Something without a name beside it: the factor stays named, and the rest is said. */
   @Test
   void factorBesideARest_isPartly() {

@@ -4,7 +4,9 @@ import static java.lang.Math.toRadians;
 import static simbad.sonar.effect.FittedValues.text;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import simbad.definition.Effect;
@@ -16,11 +18,15 @@ import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.effect.Probe;
+import simbad.sonar.frame.Placement;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 
 /** The sensor looks to one side of its believed heading. */
 public final class BeamMisalignmentEffect implements Definition {
+  private static final String ALL = "all";
+  private static final String ONLY = "only:";
+
   @Override
   public Effect effect() {
     return Effect.BEAM_MISALIGNMENT;
@@ -43,9 +49,9 @@ public final class BeamMisalignmentEffect implements Definition {
 
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
-    List<Form> forms = new ArrayList<>(List.of(turned("all", Optional.empty())));
+    List<Form> forms = new ArrayList<>(List.of(turned(ALL, Optional.empty())));
     if (sensors.size() > 1) {
-      sensors.forEach(sensor -> forms.add(turned("only:" + sensor, Optional.of(sensor))));
+      sensors.forEach(sensor -> forms.add(turned(ONLY + sensor, Optional.of(sensor))));
     }
     return forms;
   }
@@ -62,7 +68,20 @@ public final class BeamMisalignmentEffect implements Definition {
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
     return List.of(
-        Probe.alone(Forms.find(effect(), "all", setup, log.sensors()).orElseThrow(), 0, 1));
+        Probe.alone(Forms.find(effect(), ALL, setup, log.sensors()).orElseThrow(), 0, 1));
+  }
+
+  /** Where the readings carry the robot's pose, the mounts of its sensors say how they look. */
+  @Override
+  public Optional<SensingSetup> corrected(SensingSetup stated, Form form, double... values) {
+    Map<String, Placement> mounts = new LinkedHashMap<>(stated.details().robotFromSensor());
+    boolean all = form.name().equals(ALL);
+    mounts.replaceAll(
+        (sensor, mount) ->
+            all || form.name().equals(ONLY + sensor) ? mount.turned(toRadians(values[0])) : mount);
+    return mounts.equals(stated.details().robotFromSensor())
+        ? Optional.empty()
+        : Optional.of(stated.with(stated.details().mounted(mounts)));
   }
 
   /** A quarter of a degree on a protractor. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -15,6 +16,7 @@ import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.format.DataFormatException;
+import simbad.sonar.frame.Placement;
 import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.sensing.ReadingRow;
@@ -67,6 +69,33 @@ class CorrectedSceneTest {
     List<ReadingRow> rows = Logs.rows(golden, stated, new Random(5));
     List<ReadingDistribution> expected = Logs.forecast(stated, rows, List.of(form.with(values)));
     assertSame(expected, Logs.forecast(corrected, rows, List.of()), stated.sensor().maxRangeM());
+  }
+
+  /**
+   * A mount that is turned is turned in the scene; where the sensor's own pose is read, nothing.
+   */
+  @Test
+  void misalignedSensor_isMountedSo() throws DataFormatException {
+    SensingSetup bare = Logs.setup("two");
+    Form one =
+        Forms.find(Effect.BEAM_MISALIGNMENT, "only:left", bare, List.of("left", "right"))
+            .orElseThrow();
+    assertEquals(Optional.empty(), corrected(bare, one, 6));
+    Map<String, Placement> mounts =
+        Map.of("left", new Placement(0.1, 0, 1), "right", new Placement(0.1, 0, -1));
+    SensingSetup stated = bare.with(bare.details().mounted(mounts));
+    Map<String, Placement> only =
+        corrected(stated, one, 6).orElseThrow().details().robotFromSensor();
+    assertEquals(1 + Math.toRadians(6), turn(only, "left"), 1e-12);
+    assertEquals(-1, turn(only, "right"));
+    Form all = form(stated, "beam-misalignment", "all");
+    Map<String, Placement> both =
+        corrected(stated, all, -3).orElseThrow().details().robotFromSensor();
+    assertEquals(-1 - Math.toRadians(3), turn(both, "right"), 1e-12);
+  }
+
+  private static double turn(Map<String, Placement> mounts, String sensor) {
+    return mounts.getOrDefault(sensor, Placement.IDENTITY).turnRad();
   }
 
   @Test

@@ -28,6 +28,12 @@ final class LogGuess {
       Pattern.compile(
           "(?i).*(time|zeit|temp|volt|vcc|batt|angle|winkel|head|pan|servo|index|count).*|id|nr|no|n|i|t");
 
+  /** Of all rows, so many are like the two before in what was taken for the ranges. */
+  private static final double STAYS = 0.3;
+
+  /** Two of three steps of what scatters turn; one in four is out of the question for a cart. */
+  private static final double TURNS = 0.25;
+
   private static final int SAMPLE = 100;
 
   /** Of pairs of rows that differ, so many more in the same order than in the other. */
@@ -72,6 +78,9 @@ final class LogGuess {
     }
     if (Stream.of(POSES).noneMatch(settings::has)) {
       settings = settings.with("distance", distance(ranges));
+      if (!isRangeSaid && ranges.size() == 1) {
+        refuseExchanged(ranges.get(0), LogColumns.findAll(log, settings.find("distance").get()));
+      }
     }
     return settings.has("target") || settings.has("scene")
         ? settings
@@ -187,6 +196,38 @@ final class LogGuess {
     return now.isPresent() && then.isPresent()
         ? Math.signum(now.get().value() - then.get().value())
         : 0;
+  }
+
+  /**
+   * Refuses a guess where what was taken for the ranges stays the same again and again, while what
+   * was taken for the true distance goes up and down beside it: as readings do beside a tape.
+   */
+  private void refuseExchanged(int range, List<Integer> distances) throws DataFormatException {
+    if (distances.size() != 1) {
+      return;
+    }
+    int distance = distances.get(0);
+    int stays = 0;
+    int turns = 0;
+    for (int i = 2; i < log.size(); i++) {
+      boolean same = isSame(range, i, i - 1) && isSame(range, i - 1, i - 2);
+      stays += same ? 1 : 0;
+      turns += same && order(distance, i, i - 1) * order(distance, i - 1, i - 2) < 0 ? 1 : 0;
+    }
+    if (stays > STAYS * log.size() && turns > TURNS * stays) {
+      throw log.fault(
+          "column "
+              + shown(range)
+              + " stays the same while column "
+              + shown(distance)
+              + " goes up and down beside it; expected readings in the first and true distances in"
+              + " the second: are they exchanged? --range and --distance say which is which");
+    }
+  }
+
+  private boolean isSame(int column, int row, int before) {
+    Optional<LogNumber> now = log.findNumber(row, column);
+    return now.isPresent() && now.equals(log.findNumber(before, column));
   }
 
   private String target(LogSettings settings) throws DataFormatException {

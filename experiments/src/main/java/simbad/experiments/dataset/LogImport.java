@@ -21,6 +21,9 @@ import simbad.sonar.shape.Overlap;
 
 /** A person's log as a data set of the second format. */
 public final class LogImport {
+  /** So many widths of a soft edge beyond it, nothing is lost. */
+  private static final int EDGES = 10;
+
   private static final double GREATEST_S = 1e12;
 
   private final LogSettings settings;
@@ -228,7 +231,7 @@ public final class LogImport {
     SonarSpec spec = LogSonar.withResolution(sonar, resolutionM);
     List<Obstacle> obstacles = new ArrayList<>();
     for (Target target : targets) {
-      Obstacle obstacle = target.obstacle(detection(), spec.mountHeightM());
+      Obstacle obstacle = target.obstacle(detection(target), spec.mountHeightM());
       if (target.heightM().isPresent()) {
         assumptions.add("The target's middle is as high as the sonar.");
       }
@@ -263,7 +266,11 @@ public final class LogImport {
     return sigma;
   }
 
-  private Detection detection() throws DataFormatException {
+  /**
+   * Distances at which something is lost count from its centre, and the sonar's greatest range from
+   * its nearest point: so the first may be so much longer that only the second ends what is heard.
+   */
+  private Detection detection(Target target) throws DataFormatException {
     if (settings.has("detection")) {
       return Target.detection(settings.find("detection").orElse(""));
     }
@@ -271,7 +278,8 @@ public final class LogImport {
         "The target is heard from every side up to the sonar's greatest range of "
             + sonar.maxRangeM()
             + " m (--detection, --max-range).");
-    return new UniformDetection(sonar.maxRangeM());
+    double reachM = target.outline().reachM(0, 0) + EDGES * sonar.edgeWidthM();
+    return new UniformDetection(sonar.maxRangeM() + reachM);
   }
 
   private double resolutionM() throws DataFormatException {

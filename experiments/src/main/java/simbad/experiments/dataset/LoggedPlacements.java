@@ -12,6 +12,9 @@ import simbad.sonar.sensing.ReadingRow;
 
 /** What follows from several rows of a log: placements, and whether its times order them. */
 final class LoggedPlacements {
+  /** Readings of a sensor at one place, in the mean, from which on a timed log is of places. */
+  private static final int READ_AGAIN = 2;
+
   private LoggedPlacements() {}
 
   /** What must not have changed. */
@@ -51,16 +54,21 @@ final class LoggedPlacements {
         .findFirst();
   }
 
-  /** Names what neighbouring rows of equal poses share; rows that have a name keep theirs. */
+  /**
+   * Names what neighbouring rows of equal poses share; rows that have a name keep theirs. In a
+   * drive that has times each sensor pings once where the robot is: nothing was put in place there.
+   */
   static List<ReadingRow> named(List<ReadingRow> rows) {
     if (rows.isEmpty() || rows.get(0).circumstances().placement().isPresent()) {
       return rows;
     }
     List<ReadingRow> named = new ArrayList<>(rows.size());
+    Set<List<Object>> places = new HashSet<>();
     int number = 0;
     for (int i = 0; i < rows.size(); i++) {
       ReadingRow row = rows.get(i);
       number += i > 0 && Unmoved.of(rows.get(i - 1)).equals(Unmoved.of(row)) ? 0 : 1;
+      places.add(List.of(number, row.sensor()));
       Circumstances now = row.circumstances();
       named.add(
           row.at(
@@ -73,6 +81,7 @@ final class LoggedPlacements {
                   now.gapS(),
                   now.pauseS())));
     }
-    return number < rows.size() ? named : rows;
+    boolean again = rows.size() >= READ_AGAIN * places.size();
+    return number < rows.size() && (again || !rows.get(0).isTimed()) ? named : rows;
   }
 }

@@ -31,7 +31,7 @@ public final class DiagnosisReport {
    * @param diagnosis of it
    * @param provenance what it was made by
    * @return what is off of placements alone, a sentence each without its full stop; none where the
-   *     log was not taken place by place
+   *     log was not taken place by place along a line
    * @throws IOException if something cannot be written
    */
   public static List<String> write(
@@ -40,7 +40,7 @@ public final class DiagnosisReport {
     FittedModel model = DiagnosisFolder.write(folder, source, data, diagnosis, provenance);
     List<RowFinding> rows = rows(data, model, provenance);
     TextFile.write(folder.resolve(PAGE), DiagnosisPage.of(diagnosis, data, rows, provenance));
-    return LadderPart.offsets(data, rows).stream()
+    return LadderPart.of(data, rows).offsets().stream()
         .filter(PlacementOffset::isOff)
         .map(LadderPart::sentence)
         .toList();

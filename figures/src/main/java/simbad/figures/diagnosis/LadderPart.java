@@ -42,29 +42,32 @@ final class LadderPart {
     this.offsets = offsets;
   }
 
-  /**
-   * Returns how far each placement of a data set is off.
-   *
-   * @param data the rows
-   * @param rows all of them, in the order of their {@link PingLog}
-   * @return by distance; none where it was not taken place by place
-   */
-  static List<PlacementOffset> offsets(DataSet data, List<RowFinding> rows) {
-    return PlacementOffsets.of(
-        data.setup(),
-        new PingLog(data.readings()),
-        rows.stream().map(row -> metres(row.before())).toList(),
-        rows.stream().map(row -> metres(row.after())).toList());
-  }
-
   private static OptionalDouble metres(RowFinding.Fit fit) {
     OptionalDouble cm = fit.fromMeanCm();
     return cm.isEmpty() ? cm : OptionalDouble.of(cm.getAsDouble() / CM);
   }
 
-  /** Returns the part of a data set that is a ladder; of any other data set an empty one. */
+  /**
+   * Returns the part of a data set that is a ladder; of any other data set an empty one.
+   *
+   * @param data the rows
+   * @param rows all of them, in the order of their {@link PingLog}
+   */
   static LadderPart of(DataSet data, List<RowFinding> rows) {
-    return new LadderPart(rows, isOneLine(rows) ? offsets(data, rows) : List.of());
+    return new LadderPart(
+        rows,
+        isOneLine(rows)
+            ? PlacementOffsets.of(
+                data.setup(),
+                new PingLog(data.readings()),
+                rows.stream().map(row -> metres(row.before())).toList(),
+                rows.stream().map(row -> metres(row.after())).toList())
+            : List.of());
+  }
+
+  /** How far each placement is off, by distance; none where the data set is no ladder. */
+  List<PlacementOffset> offsets() {
+    return offsets;
   }
 
   private static boolean isOneLine(List<RowFinding> rows) {

@@ -36,8 +36,8 @@ final class ReferenceWords {
 
   private static String missing(List<ReadingRow> rows) {
     return "There is no reference. How far this set-up was off while the simulation was still"
-        + " trusted is not known, and counts as an effect here: of twelve physical sets none was"
-        + " answered rightly without one. "
+        + " trusted is not known, and counts as an effect here: of twelve physical sets that were"
+        + " taken all round obstacles none was answered rightly without one. "
         + enough(rows)
         + " of the same set-up from such a time, at many distances and bearings, would settle it.";
   }

@@ -96,6 +96,7 @@ public final class Audit {
     told.addAll(rowsOf(misplaced));
     new JumpCheck(mended, rest, told).find().ifPresent(found::add);
     found.addAll(misplaced);
+    EdgeCheck.of(view).ifPresent(found::add);
     return found;
   }
 

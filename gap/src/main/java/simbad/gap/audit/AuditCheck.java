@@ -22,6 +22,8 @@ public enum AuditCheck {
   HELD("held", "range_m"),
   /** Single readings that are off by one and the same amount. */
   JUMP("jump", "range_m"),
+  /** Poses at which nobody can say what is in the cone. */
+  EDGE("edge", "x_m, z_m, heading_deg"),
   /** A placement that is off the line of all others. */
   MISPLACED("misplaced", "range_m"),
   /** Times that go back or stand twice. */

@@ -20,7 +20,7 @@ import simbad.sonar.sensing.ReadingRow;
  */
 final class MisplacedCheck {
   /** A hand and a tape are off by less. */
-  private static final double LEAST_M = 0.03;
+  private static final double LEAST_M = AuditView.PLACE_M;
 
   /** In standard deviations of what placements are off by, from the median of all. */
   private static final double DEVIATIONS = 6;

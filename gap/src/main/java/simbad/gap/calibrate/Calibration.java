@@ -80,7 +80,7 @@ public final class Calibration implements SetupDoubt {
    * log itself says how far readings of one placement hang together.
    */
   public static Calibration none(SensingSetup setup, PingLog log) {
-    Hypothesis believed = Hypothesis.NONE;
+    Hypothesis believed = PoseScatter.believed(setup, log);
     if (setup.sensor().law().isLevel()) {
       Form law = LevelForms.law(setup);
       believed = believed.and(law, law.neutral());

@@ -18,6 +18,7 @@ import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Point;
+import simbad.sonar.frame.Pose;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
@@ -65,6 +66,29 @@ class GatesTest {
                   row.run(), row.sensor(), seconds * i, row.pose(), row.reading());
             })
         .toList();
+  }
+
+  /** A sensor that turns on its spot before a post: what makes it read 5 cm more may be any. */
+  @Test
+  void atOneDistance_scaleAndOffsetAndSlant_areOne() {
+    List<ReadingRow> drive = Worlds.poses(40, 0.3, 1.3, 1);
+    assertEquals(Set.of(), twins(drive, Effect.SOUND_SPEED));
+    List<ReadingRow> sweep =
+        IntStream.range(0, 40)
+            .mapToObj(
+                i ->
+                    new ReadingRow(
+                        "r", "s", i, Pose.of(0, 0.8, Math.toRadians(60 + i)), NoEcho.NO_ECHO))
+            .toList();
+    assertEquals(
+        Set.of(Effect.RANGE_OFFSET, Effect.VERTICAL_BEAM), twins(sweep, Effect.SOUND_SPEED));
+    assertEquals(
+        Set.of(Effect.SOUND_SPEED, Effect.VERTICAL_BEAM), twins(sweep, Effect.RANGE_OFFSET));
+    assertEquals(Set.of(), twins(sweep, Effect.GAIN));
+  }
+
+  private static Set<Effect> twins(List<ReadingRow> rows, Effect effect) {
+    return Gates.twins(Worlds.given(rows)).getOrDefault(effect, Set.of());
   }
 
   @Test

@@ -32,6 +32,11 @@ public record SensingSetup(SonarSpec sensor, Scene scene, double noEchoM, SetupD
     return new SensingSetup(sensor, other, noEchoM, details);
   }
 
+  /** Returns the same set-up with other details. */
+  public SensingSetup with(SetupDetails other) {
+    return new SensingSetup(sensor, scene, noEchoM, other);
+  }
+
   /** Returns the same set-up, believed to hear by a law. */
   public SensingSetup under(SensorLaw.Model model) {
     SensorLaw law = new SensorLaw(Optional.of(model), sensor.law().level());

@@ -36,4 +36,10 @@ public record SetupDetails(
     robotFromSensor = Collections.unmodifiableMap(new LinkedHashMap<>(robotFromSensor));
     assumptions = List.copyOf(assumptions);
   }
+
+  /** Returns the same with other mounts of the sensors. */
+  public SetupDetails mounted(Map<String, Placement> mounts) {
+    return new SetupDetails(
+        poseSigmaM, headingSigmaRad, mounts, temperatureCompensated, assumptions);
+  }
 }

@@ -1,0 +1,118 @@
+package simbad.gap.audit;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import simbad.gap.score.Placements;
+import simbad.sonar.frame.Pose;
+import simbad.sonar.ping.Change;
+import simbad.sonar.ping.Geometry;
+import simbad.sonar.ping.PingLog;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SetupDetails;
+import simbad.sonar.sensing.ReadingRow;
+
+/**
+ * Readings of a drive at whose poses, as well as they are said to be known, nobody can say what the
+ * sensor hears: something enters or leaves the cone, or another corner is the nearest.
+ *
+ * <p>A drive's poses are off by something else at each reading, and a cone's border is sharp: a
+ * model of exact poses takes what a third of a degree decides for an effect. Where things were put
+ * in place, a pose is off alike for many readings, which evidence allows for; a log without times
+ * counts as one of these.
+ */
+public final class UncertainPoses {
+  /** In standard deviations of the poses: 19 of 20 are nearer. */
+  private static final double DEVIATIONS = 2;
+
+  private final SensingSetup setup;
+  private final List<? extends Change> changes;
+
+  private UncertainPoses(SensingSetup setup, List<? extends Change> changes) {
+    this.setup = setup;
+    this.changes = changes;
+  }
+
+  /**
+   * Returns such rows.
+   *
+   * @param setup as the simulator believes it
+   * @param rows of the log
+   * @param changes of which those of poses, scene and cone count here
+   * @return indices of rows; none where poses are exact, or things were put in place
+   */
+  public static Set<Integer> rows(
+      SensingSetup setup, List<ReadingRow> rows, List<? extends Change> changes) {
+    SetupDetails details = setup.details();
+    double turn = DEVIATIONS * details.headingSigmaRad();
+    double move = DEVIATIONS * details.poseSigmaM();
+    boolean exact = turn == 0 && move == 0;
+    if (exact || new Placements(new PingLog(rows)).areRepeated()) {
+      return Set.of();
+    }
+    UncertainPoses poses = new UncertainPoses(setup, changes);
+    double[] straight = poses.expectedM(rows, 0, 0);
+    double[][] others = {
+      poses.expectedM(rows, turn, 0),
+      poses.expectedM(rows, -turn, 0),
+      poses.expectedM(rows, 0, move),
+      poses.expectedM(rows, 0, -move)
+    };
+    Set<Integer> unsure = new TreeSet<>();
+    for (int row = 0; row < straight.length; row++) {
+      for (double[] other : others) {
+        if (poses.differs(straight[row], other[row])) {
+          unsure.add(row);
+        }
+      }
+    }
+    return unsure;
+  }
+
+  private boolean differs(double one, double other) {
+    // By then the pose scatters a range as much as the sensor does, and unlike elsewhere.
+    double most = DEVIATIONS * Math.max(setup.sensor().rangeNoiseM(), setup.sensor().resolutionM());
+    return one != other && !(Math.abs(one - other) <= most);
+  }
+
+  /** By row, the nearest obstacle that is likelier heard than not; infinity for none. */
+  private double[] expectedM(List<ReadingRow> rows, double turnRad, double leftM) {
+    List<ReadingRow> moved = new ArrayList<>();
+    rows.forEach(row -> moved.add(row.at(moved(row.pose(), turnRad, leftM), row.circumstances())));
+    PingLog log = new PingLog(moved);
+    Geometry geometry = new Geometry(log, setup, changes);
+    double[] expected = new double[rows.size()];
+    for (int ping = 0; ping < log.size(); ping++) {
+      expected[log.row(ping)] = expectedM(geometry, ping);
+    }
+    return expected;
+  }
+
+  /** To the left, as the sensor looks: z grows down the page. */
+  private static Pose moved(Pose pose, double turnRad, double leftM) {
+    double heading = pose.heading().radians();
+    return Pose.of(
+        pose.position().xM() - Math.sin(heading) * leftM,
+        pose.position().zM() - Math.cos(heading) * leftM,
+        heading + turnRad);
+  }
+
+  private static double expectedM(Geometry geometry, int ping) {
+    double nearest = Double.POSITIVE_INFINITY;
+    int first = ping * geometry.obstacles();
+    for (int line = first; line < first + geometry.obstacles(); line++) {
+      boolean within = geometry.nearestM(line) <= geometry.sensor().maxRangeM();
+      if (within && geometry.nearestM(line) < nearest && isHeard(geometry, line)) {
+        nearest = geometry.nearestM(line);
+      }
+    }
+    return nearest;
+  }
+
+  private static boolean isHeard(Geometry geometry, int line) {
+    return geometry.ears() == null
+        ? geometry.centreDistanceM(line) <= geometry.thresholdM(line)
+        : geometry.excessDb(line) > 0;
+  }
+}

@@ -1,0 +1,114 @@
+package simbad.gap;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Random;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import simbad.definition.Effect;
+import simbad.gap.audit.Audit;
+import simbad.gap.audit.AuditCheck;
+import simbad.gap.audit.AuditFinding;
+import simbad.gap.diagnosis.DataSet;
+import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.Verdict;
+import simbad.gap.fit.Hypothesis;
+import simbad.gap.fixture.Worlds;
+import simbad.sonar.frame.Pose;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SetupDetails;
+import simbad.sonar.sensing.ReadingRow;
+
+/** Drives whose poses are off by 3 mm and half a degree, as their scenes say. */
+class UncertainPosesTest {
+  private static final int ROWS = 700;
+  private static final double SIGMA_M = 0.003;
+  private static final double SIGMA_RAD = Math.toRadians(0.5);
+  private static final SensingSetup SAID =
+      Worlds.POST.with(new SetupDetails(SIGMA_M, SIGMA_RAD, Map.of(), Optional.empty(), List.of()));
+
+  private static Pose turned(Pose pose, double byRad) {
+    return Pose.of(pose.position().xM(), pose.position().zM(), pose.heading().radians() + byRad);
+  }
+
+  /** The sensor looks past the post by up to 35 degrees, so that its cone of 20 ends on it. */
+  private static List<ReadingRow> drive(Hypothesis truth) {
+    Random random = new Random(5);
+    List<ReadingRow> poses = new ArrayList<>();
+    for (ReadingRow row : Worlds.poses(ROWS, 0.4, 1.3, 3)) {
+      Pose aside = turned(row.pose(), Math.toRadians(70) * (random.nextDouble() - 0.5));
+      poses.add(row.at(aside, row.circumstances()));
+    }
+    return Worlds.read(poses, truth, 4).stream()
+        .map(row -> row.at(believed(row.pose(), random), row.circumstances()))
+        .toList();
+  }
+
+  private static Pose believed(Pose pose, Random random) {
+    return Pose.of(
+        pose.position().xM() + SIGMA_M * random.nextGaussian(),
+        pose.position().zM() + SIGMA_M * random.nextGaussian(),
+        pose.heading().radians() + SIGMA_RAD * random.nextGaussian());
+  }
+
+  private static Diagnosis diagnosis(List<ReadingRow> rows) {
+    return new Diagnoser(1, Set.of())
+        .diagnose(new DataSet("drive", SAID, rows, List.of()), Audit.of(SAID, rows));
+  }
+
+  private static List<AuditFinding> edges(SensingSetup setup, List<ReadingRow> rows) {
+    return Audit.of(setup, rows).stream()
+        .filter(finding -> finding.check() == AuditCheck.EDGE)
+        .toList();
+  }
+
+  @Test
+  void whereTheConeEnds_nobodyKnows_andOnlyThere() {
+    List<ReadingRow> rows = drive(Hypothesis.NONE);
+    AuditFinding found = edges(SAID, rows).get(0);
+    assertTrue(found.rows().size() > 20 && found.rows().size() < ROWS / 5, found.what());
+    assertFalse(found.refuses());
+    for (int row : found.rows()) {
+      Pose pose = rows.get(row).pose();
+      double bearing = Math.atan2(pose.position().zM(), -pose.position().xM());
+      double aside = Math.IEEEremainder(pose.heading().radians() - bearing, 2 * Math.PI);
+      double half = Math.atan2(0.08, Math.hypot(pose.position().xM(), pose.position().zM()));
+      // The border of the cone, give or take the post's own width and the deviation.
+      double border = SAID.sensor().coneHalfAngleRad();
+      assertEquals(border, Math.abs(aside), half + 3 * SIGMA_RAD, "row " + row);
+    }
+    assertEquals(List.of(), edges(Worlds.POST, rows), "poses that are exact");
+  }
+
+  @Test
+  void placements_keepAllTheirRows() {
+    List<ReadingRow> placed = new ArrayList<>();
+    for (ReadingRow row : drive(Hypothesis.NONE).subList(0, 100)) {
+      for (int i = 0; i < 4; i++) {
+        placed.add(
+            new ReadingRow(
+                row.run(), row.sensor(), 4 * row.timeS() + 0.05 * i, row.pose(), row.reading()));
+      }
+    }
+    assertEquals(List.of(), edges(SAID, placed));
+  }
+
+  @Test
+  void driveInWhichNothingChanged_isNone() {
+    Diagnosis diagnosis = diagnosis(drive(Hypothesis.NONE));
+    assertEquals(Verdict.NONE, diagnosis.verdict(), diagnosis.reason());
+  }
+
+  @Test
+  void sensorThatIsTurned_isNamed() {
+    Diagnosis diagnosis = diagnosis(drive(Worlds.effect(Effect.BEAM_MISALIGNMENT, "all", 6)));
+    assertEquals(Verdict.EXPLAINED, diagnosis.verdict(), diagnosis.reason());
+    assertEquals(List.of(Effect.BEAM_MISALIGNMENT), diagnosis.explanation());
+  }
+}
