@@ -150,7 +150,8 @@ class DatasetCsvCommandTest {
       log.append(0.2 * i).append(',').append(0.1 * i).append(",0,90,50,60\n");
     }
     String ring =
-        "--range left_cm,right_cm --x x_m --y y_m --heading heading_deg --target board:1m@0,2m";
+        "--range left_cm,right_cm --x x_m --y y_m --heading heading_deg --target board:1m@0,2m"
+            + " --mount left_cm=0,-9cm,60deg --mount right_cm=0,9cm,-60deg";
     DataSet drive = read(log.toString(), ring + " --time t_s");
     assertTrue(drive.readings().get(0).circumstances().placement().isEmpty());
     DataSet untimed = read(log.toString(), ring);
@@ -489,7 +490,10 @@ class DatasetCsvCommandTest {
     Obstacle own =
         read(LADDER, "--target " + folder.resolve("own.csv")).setup().scene().obstacles().get(0);
     assertEquals(3, own.outline().size());
-    assertEquals(4, own.detection().greatestM(), "the sonar's reach");
+    // The sonar's reach, from its nearest point: its farthest corner and ten soft edges of 3 cm
+    // more.
+    double corner = Math.hypot(0.005, 0.005);
+    assertEquals(4 + corner + 0.3, own.detection().greatestM(), 1e-9);
   }
 
   /** What was written once can be brought in again, with its scene. */

@@ -26,7 +26,7 @@ final class LogGuess {
   /** What stands beside readings as well, and may grow as they do. */
   private static final Pattern OTHER =
       Pattern.compile(
-          "(?i).*(time|zeit|temp|volt|vcc|batt|angle|winkel|head|pan|servo|index|count).*|id|nr|no|n|i|t");
+          "(?i).*(time|zeit|temp|volt|vcc|batt|angle|winkel|head|pan|servo|index|count).*|id|nr|no|n|i|t|s|sec|ms|us|deg");
 
   /** Of all rows, so many are like the two before in what was taken for the ranges. */
   private static final double STAYS = 0.3;
