@@ -243,8 +243,8 @@ final class CsvOptions {
         paramLabel = "SENSOR=X,Z,TURN",
         description =
             "The places in the log are the robot's, and a sensor sits on it: forward, to "
-                + "the right, turned to the left, such as left=5cm,-8cm,90deg. Repeat it for "
-                + "each sensor.")
+                + "the right, turned to the left, such as left=5cm,-8cm,90deg. SENSOR is its "
+                + "column of ranges, or what stands in the column of --sensor. Repeat it for each.")
     private @Nullable List<String> mount;
 
     @Option(
@@ -266,8 +266,8 @@ final class CsvOptions {
         names = "--target",
         paramLabel = "SHAPE",
         description =
-            "board:1.2m, 'board:1.2m x 0.4m', round:30mm, square:25mm, a type (simbad "
-                + "table types) or the file of an outline. @X,Z,TURN after it says where it "
+            "board:1.2m, 'board:1.2m x 0.4m', round:30mm (its diameter), square:25mm, a type "
+                + "(simbad table types) or the file of an outline. @X,Z,TURN after it says where it "
                 + "stands. Default with --distance: board:1.2m.")
     private @Nullable List<String> target;
 

@@ -18,7 +18,13 @@ final class AuditSection {
     Html items = Page.listed(findings.stream().map(AuditSection::item).toList());
     Html mending =
         AuditWords.mendingCommand(dataset, findings)
-            .map(command -> Html.styled("p", "soft", "A mended copy: ", Html.code(command)))
+            .map(
+                command ->
+                    Html.styled(
+                        "p",
+                        "soft",
+                        "A mended copy (" + dataset + " stands for the folder of the data set): ",
+                        Html.code(command)))
             .orElse(Html.NONE);
     page.add(Page.panel("audit", "Problems in the data", items, mending));
   }
