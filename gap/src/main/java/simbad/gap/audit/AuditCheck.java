@@ -47,7 +47,9 @@ public enum AuditCheck {
   /** Poses that no robot gets to between two rows. */
   TRACK_JUMP("track-jump", "x_m, z_m, heading_deg"),
   /** A track that stands while the robot is told to go. */
-  TRACK_STILL("track-still", "x_m, z_m, heading_deg");
+  TRACK_STILL("track-still", "x_m, z_m, heading_deg"),
+  /** A track that does not go with its commands at all. */
+  TRACK_FOREIGN("track-foreign", "x_m, z_m, heading_deg");
 
   private final String word;
   private final String field;

@@ -61,6 +61,10 @@ public final class MotionAudit {
     if (!Audit.refuses(audit.findings)) {
       audit.findings.addAll(LagCheck.of(commands, track, isOneClock));
     }
+    // What is wrong with clocks or units looks like another drive, too.
+    if (!Audit.refuses(audit.findings)) {
+      audit.findings.addAll(FollowCheck.of(commands, track));
+    }
     audit.findings.sort(Comparator.comparing(AuditFinding::severity).reversed());
     return List.copyOf(audit.findings);
   }
