@@ -15,13 +15,17 @@ import simbad.gap.diagnosis.Verdict;
  * @param shadows effects of the most probable set that something without a name may account for
  * @param unknown something without a name
  * @param sure whether all that is named is sure
+ * @param gap that the most probable set leaves
+ * @param floor that scatter alone leaves
  */
 record MotionConclusion(
     List<MotionFinding> named,
     List<MotionFinding> noises,
     List<String> shadows,
     MotionUnknown unknown,
-    boolean sure) {
+    boolean sure,
+    double gap,
+    double floor) {
   /** An effect that is less probable, its ties counted, is not concluded. */
   private static final double SURE = 0.8;
 
@@ -30,6 +34,12 @@ record MotionConclusion(
 
   /** What may be the shadow of something without a name is no likelier than not. */
   private static final double EVEN = 0.5;
+
+  /**
+   * A gap of so many floors is no chance. Of 60 practice worlds (seed 785) no right none has more
+   * than 1.7.
+   */
+  private static final double LEFT = 2;
 
   /** Names that a wheel out of round goes by. */
   private static final Set<String> WHEELS = Set.of("wheel-scale", "wheel-asymmetry", "speed-scale");
@@ -75,7 +85,8 @@ record MotionConclusion(
     boolean alone = named.isEmpty();
     noises.stream().filter(one -> alone || one.probability() >= SURE_BESIDE).forEach(named::add);
     sure &= !alone || noises.stream().allMatch(one -> one.probability() >= SURE);
-    return new MotionConclusion(named, noises, shadows, unknown, sure);
+    double floor = told.gap().floor(odds.best().fit().noises());
+    return new MotionConclusion(named, noises, shadows, unknown, sure, told.gap().ratio(), floor);
   }
 
   /**
@@ -117,15 +128,30 @@ record MotionConclusion(
         : Optional.empty();
   }
 
+  /** Tells whether a gap is left, of a robot that is believed, that scatter does not make. */
+  private boolean isLeft() {
+    return LEFT * floor < 1;
+  }
+
+  private boolean shrinks() {
+    return gap < 1;
+  }
+
+  /** Tells whether what is believed foretells as well as what was found. */
+  boolean isAsBelieved() {
+    return !shrinks() || (named.isEmpty() && !unknown.isLikely());
+  }
+
   Verdict verdict() {
     boolean atBound =
         named.stream()
             .flatMap(finding -> finding.parameters().stream())
             .anyMatch(MotionFinding.Parameter::atBound);
-    if (named.isEmpty()) {
-      return unknown.isLikely() ? Verdict.UNEXPLAINED : Verdict.NONE;
+    boolean idle = sure && !shrinks();
+    if (named.isEmpty() || (idle && unknown.isLikely())) {
+      return unknown.isLikely() ? Verdict.UNEXPLAINED : isLeft() ? Verdict.UNDECIDED : Verdict.NONE;
     }
-    if (!sure) {
+    if (!sure || idle) {
       return Verdict.UNDECIDED;
     }
     return unknown.isLikely() || atBound ? Verdict.PARTLY : Verdict.EXPLAINED;
@@ -163,7 +189,7 @@ record MotionConclusion(
     return switch (verdict()) {
       case NONE -> "no gap beyond chance";
       case UNEXPLAINED -> "something that no named effect accounts for: " + unknown.words();
-      case UNDECIDED -> "this log cannot tell which effects are at work; the most likely: " + names;
+      case UNDECIDED -> undecided(names);
       case PARTLY ->
           names
               + ", and something else ("
@@ -172,5 +198,21 @@ record MotionConclusion(
               + shrinks;
       case EXPLAINED -> names + "; " + shrinks;
     };
+  }
+
+  private String undecided(String names) {
+    if (named.isEmpty()) {
+      return String.format(
+          Locale.ROOT,
+          "the gap is %.1f times what scatter alone leaves, and no effect takes it away",
+          1 / floor);
+    }
+    return sure
+        ? String.format(
+            Locale.ROOT,
+            "%s may be at work, but the gap does not shrink by it: it grows by %.1f %%",
+            names,
+            100 * (gap - 1))
+        : "this log cannot tell which effects are at work; the most likely: " + names;
   }
 }

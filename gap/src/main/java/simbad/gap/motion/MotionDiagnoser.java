@@ -201,7 +201,8 @@ public final class MotionDiagnoser {
     MotionConclusion conclusion = MotionConclusion.of(told, slip);
     Verdict verdict = conclusion.verdict();
     List<MotionFinding> explanation = conclusion.explanation();
-    MotionDiagnosis.Gap figures = figures(told.gap(), odds.best(), verdict);
+    boolean asBelieved = conclusion.isAsBelieved();
+    MotionDiagnosis.Gap figures = figures(told.gap(), odds.best(), asBelieved);
     Map<String, Double> signs = MotionSigns.of(conclusion, figures).byName();
     return new MotionDiagnosis(
         verdict,
@@ -215,10 +216,8 @@ public final class MotionDiagnoser {
         MotionPlaces.of(runs, told.gap()),
         new MotionUndetectables(told.given(), odds).among(MotionSearch.forms(data.robot()), use),
         next(odds, explanation),
-        fitted(base, odds.best()),
-        verdict == Verdict.NONE
-            ? base.nominal()
-            : MotionGap.forecast(runs, odds.best().hypothesis().chain()));
+        asBelieved ? base.shown() : fitted(base, odds.best()),
+        asBelieved ? base.nominal() : MotionGap.forecast(runs, odds.best().hypothesis().chain()));
   }
 
   private static List<FittedMotion> fitted(BelievedMotion base, ScoredMotion best) {
@@ -227,9 +226,8 @@ public final class MotionDiagnoser {
     return fitted;
   }
 
-  /** Without an effect the forecast stays what was believed. */
-  private MotionDiagnosis.Gap figures(MotionGap gap, ScoredMotion best, Verdict verdict) {
-    boolean none = verdict == Verdict.NONE;
+  /** Without an effect that shrinks the gap the forecast stays what was believed. */
+  private MotionDiagnosis.Gap figures(MotionGap gap, ScoredMotion best, boolean none) {
     double ratio = none ? 1 : gap.ratio();
     return new MotionDiagnosis.Gap(
         gap.windows(),
