@@ -5,13 +5,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.ToDoubleFunction;
 import simbad.gap.diagnosis.Verdict;
 
 /**
  * Which names are said, and how surely.
  *
  * @param named effects of the most probable set that are confirmed, and what scatters
- * @param noises that only scatter, said or not
+ * @param noises that only scatter, said or not, and what is too unsure to stand beside a stranger
  * @param shadows effects of the most probable set that something without a name may account for
  * @param unknown something without a name
  * @param sure whether all that is named is sure
@@ -126,6 +127,35 @@ record MotionConclusion(
     return named || told.gap().ratio() <= MotionDiagnoser.WORTH
         ? told.scatter().noise()
         : Optional.empty();
+  }
+
+  /**
+   * Returns what stays of a partly that says no name which is less probable than any other name.
+   *
+   * @param rightly how often such names are at work, by counting
+   * @param weights how probable a name is, its ties counted, among the sets
+   */
+  MotionConclusion doubting(double rightly, ToDoubleFunction<MotionFinding> weights) {
+    if (verdict() != Verdict.PARTLY) {
+      return this;
+    }
+    List<MotionFinding> kept = new ArrayList<>();
+    List<MotionFinding> weighed = new ArrayList<>(noises);
+    for (MotionFinding one : named) {
+      double weight =
+          noises.contains(one) ? one.probability() : Math.min(1, weights.applyAsDouble(one));
+      if (rightly * weight >= SURE) {
+        kept.add(one);
+      } else {
+        weighed.remove(one);
+        weighed.add(one.times(rightly));
+      }
+    }
+    // Without something that has no name, what is too unsure is all that there is to say.
+    return unknown.isLikely()
+        ? new MotionConclusion(kept, weighed, shadows, unknown, sure, gap, floor)
+        : new MotionConclusion(
+            named, noises, shadows, unknown, kept.size() == named.size(), gap, floor);
   }
 
   /** Tells whether a gap is left, of a robot that is believed, that scatter does not make. */

@@ -198,16 +198,18 @@ public final class MotionDiagnoser {
 
   private MotionDiagnosis concluded(BelievedMotion base, Told told, Optional<MotionFinding> slip) {
     Odds odds = told.odds();
-    MotionConclusion conclusion = MotionConclusion.of(told, slip);
-    Verdict verdict = conclusion.verdict();
-    List<MotionFinding> explanation = conclusion.explanation();
-    boolean asBelieved = conclusion.isAsBelieved();
+    MotionConclusion first = MotionConclusion.of(told, slip);
+    boolean asBelieved = first.isAsBelieved();
     MotionDiagnosis.Gap figures = figures(told.gap(), odds.best(), asBelieved);
-    Map<String, Double> signs = MotionSigns.of(conclusion, figures).byName();
+    Map<String, Double> signs = MotionSigns.of(first, figures).byName();
+    double rightly = constants.namedRightly(signs);
+    MotionConclusion conclusion =
+        first.doubting(rightly, one -> odds.ofAny(one.effect(), one.ties()));
+    List<MotionFinding> explanation = conclusion.explanation();
     return new MotionDiagnosis(
-        verdict,
+        conclusion.verdict(),
         conclusion.headline(figures.shrink()),
-        explanation.stream().map(one -> one.times(constants.namedRightly(signs))).toList(),
+        explanation.stream().map(one -> one.times(rightly)).toList(),
         conclusion.others(new Findings(odds).others(explanation)),
         constants.verdict(Verdict.UNEXPLAINED, signs),
         signs,

@@ -44,4 +44,18 @@ class MotionConclusionTest {
     assertEquals(Verdict.UNEXPLAINED, of(slip, SOMETHING, 1.013, 0.46).verdict());
     assertEquals(Verdict.PARTLY, of(slip, SOMETHING, 0.965, 0.22).verdict());
   }
+
+  @Test
+  void partly_saysNoNameThatIsLessProbableThanAnyOther() {
+    MotionConclusion partly = of(List.of(finding("saturation")), SOMETHING, 0.6, 0.25);
+    MotionConclusion doubted = partly.doubting(0.25, one -> 0.99);
+
+    assertEquals(Verdict.PARTLY, partly.doubting(0.85, one -> 0.99).verdict());
+    assertEquals(Verdict.UNEXPLAINED, doubted.verdict());
+    assertEquals(List.of(), doubted.explanation());
+    assertEquals(0.25 * 0.99, doubted.others(partly.named()).get(0).probability(), 1e-12);
+    assertEquals(
+        Verdict.EXPLAINED,
+        of(partly.named(), NOTHING, 0.6, 0.25).doubting(0.25, one -> 0.99).verdict());
+  }
 }
