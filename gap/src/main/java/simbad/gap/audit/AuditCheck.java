@@ -36,6 +36,8 @@ public enum AuditCheck {
   AXES("axes", "x_m, z_m, heading_deg"),
   /** Times of commands and track that do not belong together. */
   TRACK_CLOCK("track-clock", "t_s"),
+  /** Commands that no robot can do. */
+  COMMAND_UNIT("command-unit", "speed, turn"),
   /** Positions that are a multiple of what was commanded. */
   TRACK_UNIT("track-unit", "x_m, z_m"),
   /** A track in another frame, or a mirrored one. */

@@ -57,6 +57,7 @@ public final class MotionAudit {
     audit.order();
     audit.overlap();
     audit.holes();
+    audit.findings.addAll(CommandCheck.of(commands));
     audit.findings.addAll(new TrackCheck(commands, track).findings());
     if (!Audit.refuses(audit.findings)) {
       audit.findings.addAll(LagCheck.of(commands, track, isOneClock));

@@ -235,4 +235,35 @@ class MotionAuditTest {
         MotionAudit.of(Map.of("a", rows(one)), Map.of("a", rows(RUN.track())), true);
     assertTrue(findings.stream().noneMatch(AuditFinding::refuses), findings.toString());
   }
+
+  /** Millimetres in commands and track alike: nothing but their size tells it. */
+  @Test
+  void commandsThatNoRobotDoes_areRefused() {
+    List<TrackPose> track = RUN.track().stream().map(p -> pose(p, 1000, 1000, 1)).toList();
+    AuditFinding found = worst(faster(1000), track);
+
+    assertEquals("command-unit", found.check().word(), found.what());
+    assertTrue(found.refuses());
+    assertTrue(found.suggestion().contains("--place-unit"), found.suggestion());
+    assertEquals(AuditFinding.File.COMMANDS, found.file());
+  }
+
+  private static List<Command> faster(double times) {
+    return RUN.commands().stream()
+        .map(c -> new Command(c.timeS(), times * c.speedMPerS(), c.turnRadPerS()))
+        .toList();
+  }
+
+  /** A slip of the keyboard is no unit. */
+  @Test
+  void oneCommandThatNoRobotDoes_isWarnedOf() {
+    List<Command> told = new ArrayList<>(RUN.commands());
+    Command last = told.remove(told.size() - 1);
+    told.add(new Command(last.timeS(), 300, 0));
+    AuditFinding found = worst(told, RUN.track());
+
+    assertEquals("command-unit", found.check().word(), found.what());
+    assertEquals(Severity.WARN, found.severity());
+    assertEquals(List.of(told.size() - 1), found.rows());
+  }
 }
