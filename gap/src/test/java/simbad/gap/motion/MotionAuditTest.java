@@ -266,4 +266,12 @@ class MotionAuditTest {
     assertEquals(Severity.WARN, found.severity());
     assertEquals(List.of(told.size() - 1), found.rows());
   }
+
+  @Test
+  void posesInAWrongUnit_areNotJumpsToo() {
+    List<AuditFinding> findings = audit(p -> pose(p, 1000, 1000, 1));
+
+    assertEquals(
+        List.of("track-unit"), findings.stream().map(found -> found.check().word()).toList());
+  }
 }
