@@ -209,7 +209,7 @@ public final class MotionDiagnoser {
     return new MotionDiagnosis(
         conclusion.verdict(),
         conclusion.headline(figures.shrink()),
-        explanation.stream().map(one -> one.times(rightly)).toList(),
+        explanation.stream().map(one -> WheelRemedy.of(one.times(rightly), data.robot())).toList(),
         conclusion.others(new Findings(odds).others(explanation)),
         constants.verdict(Verdict.UNEXPLAINED, signs),
         signs,
