@@ -85,13 +85,9 @@ final class FollowCheck {
     return new AuditFinding(
         AuditCheck.TRACK_FOREIGN,
         AuditFinding.File.TRACK,
-        "the track of run '"
-            + run
-            + "' hardly follows the commands (correlation "
-            + alike
-            + "): is it of another drive?",
+        "the track of run '" + run + "' hardly follows the commands (correlation " + alike + ")",
         List.of(row),
-        "put commands and track of one drive together; clocks that differ by more than "
+        "is it of another drive? put commands and track of one drive together; clocks that differ by more than "
             + Math.round(Lags.MOST_LAG * Lags.STEP_S)
             + " s look like this too",
         "",

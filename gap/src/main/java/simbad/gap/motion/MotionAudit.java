@@ -57,8 +57,12 @@ public final class MotionAudit {
     audit.order();
     audit.overlap();
     audit.holes();
-    audit.findings.addAll(CommandCheck.of(commands));
     audit.findings.addAll(new TrackCheck(commands, track).findings());
+    // Where a unit is wrong, single commands are no slips.
+    boolean refused = Audit.refuses(audit.findings);
+    CommandCheck.of(commands).stream()
+        .filter(found -> found.refuses() || !refused)
+        .forEach(audit.findings::add);
     if (!Audit.refuses(audit.findings)) {
       audit.findings.addAll(LagCheck.of(commands, track, isOneClock));
     }

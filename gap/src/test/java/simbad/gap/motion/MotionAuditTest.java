@@ -201,6 +201,7 @@ class MotionAuditTest {
 
     assertEquals("track-foreign", found.check().word(), found.what());
     assertTrue(found.refuses());
+    assertTrue(found.suggestion().startsWith("is it of another drive?"), found.suggestion());
     assertTrue(
         found.what().matches(".*hardly follows the commands \\(correlation 0\\.[0-3] of speed, .*"),
         found.what());
@@ -265,6 +266,18 @@ class MotionAuditTest {
     assertEquals("command-unit", found.check().word(), found.what());
     assertEquals(Severity.WARN, found.severity());
     assertEquals(List.of(told.size() - 1), found.rows());
+  }
+
+  @Test
+  void turnsInAWrongUnit_areNotSlipsToo() {
+    List<Command> told = new ArrayList<>(commands(1, 180 / Math.PI));
+    Command last = told.remove(told.size() - 1);
+    told.add(new Command(last.timeS(), 0, 70));
+    List<AuditFinding> findings =
+        MotionAudit.of(Map.of("a", rows(told)), Map.of("a", rows(RUN.track())), true);
+
+    assertEquals(
+        List.of("track-heading"), findings.stream().map(found -> found.check().word()).toList());
   }
 
   @Test
