@@ -38,7 +38,7 @@ record MotionConclusion(
 
   /**
    * A gap of so many floors is no chance. Of 60 practice worlds (seed 785) no right none has more
-   * than 1.7.
+   * than 1.7, of 60 others (seed 786) one has 1.87.
    */
   private static final double LEFT = 2;
 
