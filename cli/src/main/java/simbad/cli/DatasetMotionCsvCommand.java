@@ -198,6 +198,7 @@ final class DatasetMotionCsvCommand extends Subcommand {
     MotionImport.Made made = MotionImport.of(commands, track, said);
     DatasetMotionCommand.publish(made.data(), out);
     made.assumptions().forEach(assumption -> out().println("assumed: " + assumption));
+    made.notes().forEach(note -> out().println("read: " + note));
     out().println(made.summary());
     List<String> words = new ArrayList<>(List.of("./simbad", "dataset", "motion", "csv"));
     words.addAll(files);

@@ -227,6 +227,7 @@ final class RunCommand extends Subcommand {
     List<SensorKind> all = new ArrayList<>(kinds);
     if (robot != null) {
       RobotKind moving = RobotKind.read(robot);
+      RobotKind.unchanged(robot).ifPresent(nothing -> err().println("note: --robot: " + nothing));
       moving
           .beyond(drive.speedMPerS(this), turnRateRadPerS)
           .ifPresent(beyond -> err().println("note: --robot: " + beyond));

@@ -127,6 +127,8 @@ class DatasetMotionCsvCommandTest {
     "--speed-unit, furlongs/s, --speed-unit",
     "--angle-unit, m, --angle-unit",
     "--left, v, --right",
+    "--track-sigma, -2mm, --track-sigma",
+    "--heading-sigma, -1deg, --heading-sigma",
     "--angle-positive, sideways, --angle-positive"
   })
   void whatIsWrong_isSaidInALine(String option, String value, String said) throws IOException {
@@ -149,5 +151,54 @@ class DatasetMotionCsvCommandTest {
     Shell shell = csv("bad", List.of(both));
     assertEquals(2, shell.status());
     assertTrue(shell.err().contains("bad.csv:5: v: 'fast'"), shell.err());
+  }
+
+  /** A known word with a unit behind it is known, too. */
+  @ParameterizedTest
+  @CsvSource({"yaw_deg, omega_rad_s, time_us", "theta [deg], yaw_rate (rad/s), stamp_us"})
+  void knownNamesWithUnits_needNoOption(String yaw, String omega, String time) throws Exception {
+    String both =
+        file(
+            "units.csv",
+            String.join(",", time, "speed_mm_s", omega, "x_m", "y_m", yaw),
+            (t, x, y, h) -> line(1e6 * t, 250.0, 0.5, x, y, Math.toDegrees(h)));
+    checkCircle(csv("units", List.of(both)), "units");
+  }
+
+  @Test
+  void posesThatWereLost_areLeftOut_andCounted() throws Exception {
+    String commands = file("commands.csv", "t_s,v_m_s,w_rad_s", (t, x, y, h) -> line(t, 0.25, 0.5));
+    String track =
+        file(
+            "track.csv",
+            "t_s,x_m,y_m,yaw_deg",
+            (t, x, y, h) ->
+                t == 0.3
+                    ? line(t, "NaN", "NaN", "NaN")
+                    : t == 0.5 ? line(t, "", "", "") : line(t, x, y, t == 0.7 ? "nan" : 0.0));
+    Shell shell = csv("lost", List.of(commands, track));
+    assertEquals(0, shell.status(), shell.err());
+    assertTrue(shell.out().contains("read: 3 rows have no pose"), shell.out());
+    assertTrue(shell.out().contains("read 61 commands and 58 poses in 1 run"), shell.out());
+    MotionRun run = new MotionFolder(folder.resolve("lost")).read("log").runs().get(0);
+    assertEquals(58, run.track().size());
+  }
+
+  @Test
+  void timesThatGoBackOrRepeat_areCounted() throws IOException {
+    String both =
+        file(
+            "back.csv",
+            "t,v,w,x,y,heading",
+            (t, x, y, h) ->
+                line(t == 3.0 ? 2.95 : t == 4.0 ? 1.05 : t == 5.0 ? 4.9 : t, 0.2, 0.0, x, y, h));
+    Shell shell = csv("back", List.of(both));
+    assertEquals(0, shell.status(), shell.err());
+    assertTrue(
+        shell.out().contains("read: 1 row of the track has an earlier time than the row before"),
+        shell.out());
+    assertTrue(
+        shell.out().contains("read: 1 row of the commands has the time of another row"),
+        shell.out());
   }
 }

@@ -130,7 +130,8 @@ class RobotRunTest {
   /** Of a log of slow bends nothing follows for turns on the spot; one line says so. */
   @Test
   void beyondTheLog_isSaid() throws IOException {
-    String robot = diagnosis("slow", "");
+    String robot =
+        diagnosis("slow", "{\"form\": \"speed-scale\", \"parameters\": {\"speed_factor\": 0.99}}");
     Path model = folder.resolve("slow/motion.json");
     String within = "\"commanded\": {\"max_speed_m_s\": 0.05, \"max_turn_rad_s\": 0.4}";
     Files.writeString(model, Files.readString(model).replace("\"forms\"", within + ",\n\"forms\""));
@@ -141,6 +142,17 @@ class RobotRunTest {
             + " asks for up to 0.0500 m/s and 6.28 rad/s: how the robot moves there is not known",
         shell.err().strip());
     assertEquals("", run("within", "--robot", robot, "--turn-rate", "0.4").err());
+  }
+
+  @Test
+  void diagnosisThatFoundNothing_isSaidToChangeNothing() throws IOException {
+    Shell shell = run("unchanged", "--robot", diagnosis("sound", ""));
+    checkDone(shell);
+    assertEquals(1, shell.err().lines().count(), shell.err());
+    assertTrue(
+        shell.err().startsWith("note: --robot: the diagnosis in ")
+            && shell.err().contains("nothing is applied"),
+        shell.err());
   }
 
   /** A robot that hardly turns drives away; the last line says what may help. */

@@ -2,11 +2,16 @@ package simbad.experiments.dataset;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
+import java.util.function.ToDoubleFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import simbad.motion.Command;
@@ -27,28 +32,18 @@ public final class MotionImport {
   private static final Pattern RATE =
       Pattern.compile("(m|cm|mm|in|ft|rad|deg|turn)\\s*[/_ ]\\s*s\\b");
 
-  private static final Map<String, List<String>> NAMES =
-      Map.ofEntries(
-          Map.entry("time", List.of("t_s", "t", "time", "time_s", "t_ms", "time_ms", "stamp")),
-          Map.entry("speed", List.of("v_m_s", "v", "speed", "linear", "vx", "v_cm_s", "v_mm_s")),
-          Map.entry(
-              "turn", List.of("w_rad_s", "w", "omega", "angular", "wz", "yaw_rate", "w_deg_s")),
-          Map.entry("left", List.of("left_m_s", "left", "vl", "v_left")),
-          Map.entry("right", List.of("right_m_s", "right", "vr", "v_right")),
-          Map.entry("x", List.of("x_m", "x", "x_mm", "x_cm")),
-          Map.entry("y", List.of("y_m", "y", "y_mm", "y_cm")),
-          Map.entry("z", List.of("z_m", "z", "z_mm", "z_cm")),
-          Map.entry(
-              "heading", List.of("heading_deg", "heading", "yaw", "theta", "phi", "heading_rad")),
-          Map.entry("run", List.of("run")));
-
   private static final Map<String, Double> ZEROS =
       Map.of("right", 0.0, "up", 90.0, "left", 180.0, "down", 270.0);
 
   private static final double GREATEST = 1e9;
+  private static final double GREATEST_SIGMA = 1e6;
+
+  /** What a tracker writes where it does not see the robot. */
+  private static final Set<String> UNSEEN = Set.of("", "nan", "-nan", "na", "n/a", "null", "none");
 
   private final LogSettings settings;
   private final Assumptions assumptions = new Assumptions();
+  private final Assumptions notes = new Assumptions();
 
   private MotionImport(LogSettings settings) {
     this.settings = settings;
@@ -59,12 +54,15 @@ public final class MotionImport {
    *
    * @param data the data
    * @param assumptions sentences, each once
+   * @param notes sentences on rows that are not as they should be, each once
    * @param summary what was read, in one line
    */
-  public record Made(MotionData data, List<String> assumptions, String summary) {
-    /** Copies the list. */
+  public record Made(
+      MotionData data, List<String> assumptions, List<String> notes, String summary) {
+    /** Copies the lists. */
     public Made {
       assumptions = List.copyOf(assumptions);
+      notes = List.copyOf(notes);
     }
   }
 
@@ -97,20 +95,65 @@ public final class MotionImport {
       }
       runs.add(new MotionRun(run.getKey(), ofRun, run.getValue()));
     }
-    double sigmaM = settings.findMeasure("track-sigma", Unit.Kind.LENGTH).orElse(0.001);
-    double sigmaDeg = settings.findMeasure("heading-sigma", Unit.Kind.ANGLE).orElse(0.1);
+    noteTimes("of the commands", commands.values(), Command::timeS);
+    noteTimes("of the track", track.values(), TrackPose::timeS);
+    String summary =
+        String.format(
+            "read %d commands and %d poses in %s",
+            told.size(),
+            track.values().stream().mapToInt(List::size).sum(),
+            Assumptions.counted(runs.size(), "run"));
+    MotionData data = new MotionData("log", robot(), runs, List.of());
+    return new Made(data, assumptions.sentences(), notes.sentences(), summary);
+  }
+
+  private Robot robot() throws DataFormatException {
+    double sigmaM = sigma("track-sigma", Unit.Kind.LENGTH, 0.001);
+    double sigmaDeg = sigma("heading-sigma", Unit.Kind.ANGLE, 0.1);
     assume("track-sigma", "The track is exact to a millimetre (--track-sigma).");
     assume("heading-sigma", "Its headings are exact to 0.1 degrees (--heading-sigma).");
     boolean separate = settings.word("clocks", "one", "separate").equals("separate");
     assume("clocks", "Commands and track have one clock (--clocks separate).");
-    Robot robot =
-        new Robot(false, 0, separate, sigmaM, Math.toRadians(sigmaDeg), MotionChain.EXACT);
-    String summary =
-        String.format(
-            "read %d commands and %d poses in %s",
-            told.size(), seen.size(), Assumptions.counted(runs.size(), "run"));
-    MotionData data = new MotionData("log", robot, runs, List.of());
-    return new Made(data, assumptions.sentences(), summary);
+    return new Robot(false, 0, separate, sigmaM, Math.toRadians(sigmaDeg), MotionChain.EXACT);
+  }
+
+  private double sigma(String option, Unit.Kind kind, double usual) throws DataFormatException {
+    double sigma = settings.findMeasure(option, kind).orElse(usual);
+    if (!(sigma >= 0 && sigma <= GREATEST_SIGMA)) {
+      throw LogSettings.fault(
+          option,
+          "'" + settings.find(option).orElse("") + "' is no deviation, expected one of at least 0");
+    }
+    return sigma;
+  }
+
+  /** Rows are sorted by time: a clock that was set back, or two recordings in one, show here. */
+  private <T> void noteTimes(String of, Collection<List<T>> runs, ToDoubleFunction<T> timeS) {
+    int back = 0;
+    int twice = 0;
+    for (List<T> run : runs) {
+      double[] times = run.stream().mapToDouble(timeS).toArray();
+      for (int i = 1; i < times.length; i++) {
+        back += times[i] < times[i - 1] ? 1 : 0;
+      }
+      twice += times.length - (int) Arrays.stream(times).distinct().count();
+    }
+    if (back > 0) {
+      notes.add(
+          Assumptions.counted(back, "row")
+              + " "
+              + of
+              + (back == 1 ? " has" : " have")
+              + " an earlier time than the row before; rows are sorted by time (--run).");
+    }
+    if (twice > 0) {
+      notes.add(
+          Assumptions.counted(twice, "row")
+              + " "
+              + of
+              + (twice == 1 ? " has" : " have")
+              + " the time of another row (--run).");
+    }
   }
 
   private String trackTime() {
@@ -125,6 +168,10 @@ public final class MotionImport {
 
   /** A column with what its numbers are multiplied by. */
   private record Column(LogTable log, int index, double times) {
+    boolean isUnseen(int row) {
+      return UNSEEN.contains(log.text(row, index).strip().toLowerCase(Locale.ROOT));
+    }
+
     double value(int row) throws DataFormatException {
       Optional<LogNumber> number = log.findNumber(row, index);
       double value = number.map(LogNumber::value).orElse(Double.NaN) * times;
@@ -139,15 +186,12 @@ public final class MotionImport {
     if (settings.has(option)) {
       return OptionalInt.of(LogColumns.require(log, settings.find(option).orElse("")));
     }
-    for (String name : NAMES.getOrDefault(option.replace("track-", ""), List.of())) {
-      OptionalInt found = LogColumns.find(log, name);
-      if (found.isPresent()) {
-        assumptions.add(
-            "'" + log.names().get(found.getAsInt()) + "' is the column for --" + option + ".");
-        return found;
-      }
+    OptionalInt found = MotionNames.find(log, option.replace("track-", ""));
+    if (found.isPresent()) {
+      assumptions.add(
+          "'" + log.names().get(found.getAsInt()) + "' is the column for --" + option + ".");
     }
-    return OptionalInt.empty();
+    return found;
   }
 
   private int require(LogTable log, String option) throws DataFormatException {
@@ -265,8 +309,10 @@ public final class MotionImport {
     assume("angle-positive", "Headings grow counter-clockwise (--angle-positive cw).");
     double zeroDeg = zeroDeg();
     Map<String, List<TrackPose>> track = new LinkedHashMap<>();
+    int unseen = 0;
     for (int row = 0; row < log.size(); row++) {
-      if (log.text(row, x.index()).isEmpty()) {
+      if (x.isUnseen(row) || y.isUnseen(row) || heading.isUnseen(row)) {
+        unseen++;
         continue;
       }
       double headingRad = Math.toRadians(zeroDeg + sign * heading.value(row));
@@ -276,7 +322,15 @@ public final class MotionImport {
           .add(new TrackPose(time.value(row) - startS, x.value(row), up, headingRad));
     }
     if (track.isEmpty()) {
-      throw log.fault("has no row with a place");
+      throw log.fault("has no row with a place and a heading");
+    }
+    if (unseen > 0) {
+      notes.add(
+          Assumptions.counted(unseen, "row")
+              + (unseen == 1 ? " has" : " have")
+              + " no pose (empty or NaN) and "
+              + (unseen == 1 ? "is" : "are")
+              + " left out of the track.");
     }
     return track;
   }

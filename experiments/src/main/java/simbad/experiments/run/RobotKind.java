@@ -67,6 +67,24 @@ public record RobotKind(String name, MotionChain motion, CommandReach reach) {
   }
 
   /**
+   * Says that nothing of a diagnosis moves the robot; empty where something does, and for a file.
+   *
+   * @param word as in {@link #read}
+   * @throws DataFormatException if a file is missing or wrong
+   */
+  public static Optional<String> unchanged(String word) throws DataFormatException {
+    Optional<String> diagnosed = DiagnosedFolder.in(word);
+    if (diagnosed.isEmpty() || DiagnosedMotion.changes(Path.of(diagnosed.get()))) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        "the diagnosis in "
+            + diagnosed.get()
+            + " found nothing that moves the robot otherwise: it drives as believed, and nothing is"
+            + " applied");
+  }
+
+  /**
    * Reads a robot as a diagnosis found it, which is called as the folder is.
    *
    * @param folder that a diagnosis of motion left

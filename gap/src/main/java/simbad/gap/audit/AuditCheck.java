@@ -38,6 +38,8 @@ public enum AuditCheck {
   AXES("axes", "x_m, z_m, heading_deg"),
   /** Times of commands and track that do not belong together. */
   TRACK_CLOCK("track-clock", "t_s"),
+  /** Commands that no robot can do. */
+  COMMAND_UNIT("command-unit", "speed, turn"),
   /** Positions that are a multiple of what was commanded. */
   TRACK_UNIT("track-unit", "x_m, z_m"),
   /** A track in another frame, or a mirrored one. */
@@ -49,7 +51,9 @@ public enum AuditCheck {
   /** Poses that no robot gets to between two rows. */
   TRACK_JUMP("track-jump", "x_m, z_m, heading_deg"),
   /** A track that stands while the robot is told to go. */
-  TRACK_STILL("track-still", "x_m, z_m, heading_deg");
+  TRACK_STILL("track-still", "x_m, z_m, heading_deg"),
+  /** A track that does not go with its commands at all. */
+  TRACK_FOREIGN("track-foreign", "x_m, z_m, heading_deg");
 
   private final String word;
   private final String field;

@@ -3,6 +3,7 @@ package simbad.gap.motion;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import simbad.motion.Command;
 import simbad.motion.TrackPose;
@@ -16,10 +17,11 @@ final class Lags {
   /** What a lag is rounded to at worst, seconds. */
   static final double STEP_S = 0.05;
 
-  private static final int MOST_LAG = 160;
+  /** The greatest lag that is tried, in steps. */
+  static final int MOST_LAG = 160;
 
   /** Speeds of a track are taken over so many steps, which is one of motion capture's noise. */
-  private static final int OVER = 4;
+  static final int OVER = 4;
 
   private static final double LEAST_PIECE_S = 15;
   private static final double MOST_PIECE_S = 60;
@@ -52,21 +54,54 @@ final class Lags {
    * @return pieces that tell a lag, in the order of time
    */
   static List<Piece> of(List<MotionRow<Command>> commands, List<MotionRow<TrackPose>> track) {
-    List<Command> told =
-        commands.stream()
-            .map(MotionRow::value)
-            .sorted(Comparator.comparingDouble(Command::timeS))
-            .toList();
-    List<MotionRow<TrackPose>> seen = MotionAudit.sorted(track);
-    return told.size() > 1 && seen.size() > 1 ? lay(told, seen) : List.of();
+    return Grid.of(commands, track).map(Lags::lay).orElse(List.of());
   }
 
-  private static List<Piece> lay(List<Command> told, List<MotionRow<TrackPose>> seen) {
-    double first = seen.get(0).value().timeS();
-    double last = seen.get(seen.size() - 1).value().timeS();
-    int steps = (int) Math.min(4e6, (last - first) / STEP_S);
-    double[][] asked = asked(told, first, steps);
-    double[][] did = did(seen, first, steps);
+  /**
+   * Speeds and turn rates of a run, step by step.
+   *
+   * @param seen the track in the order of time
+   * @param asked speed and turn rate that were asked for; NaN before the first command
+   * @param did the same as the track shows it; NaN in holes
+   * @param fast the speed whichever way the robot went
+   */
+  @SuppressWarnings("ArrayRecordComponent") // Never compared.
+  record Grid(List<MotionRow<TrackPose>> seen, double[][] asked, double[][] did, double[] fast) {
+    /** Lays a grid over a run, if it has two commands and two poses. */
+    static Optional<Grid> of(List<MotionRow<Command>> commands, List<MotionRow<TrackPose>> track) {
+      List<Command> told =
+          commands.stream()
+              .map(MotionRow::value)
+              .sorted(Comparator.comparingDouble(Command::timeS))
+              .toList();
+      List<MotionRow<TrackPose>> seen = MotionAudit.sorted(track);
+      if (told.size() < 2 || seen.size() < 2) {
+        return Optional.empty();
+      }
+      double first = seen.get(0).value().timeS();
+      double last = seen.get(seen.size() - 1).value().timeS();
+      int steps = (int) Math.min(4e6, (last - first) / STEP_S);
+      double[][] did = Lags.did(seen, first, steps);
+      return Optional.of(
+          new Grid(seen, Lags.asked(told, first, steps), new double[][] {did[0], did[1]}, did[2]));
+    }
+
+    double firstS() {
+      return seen.get(0).value().timeS();
+    }
+
+    double lastS() {
+      return seen.get(seen.size() - 1).value().timeS();
+    }
+  }
+
+  private static List<Piece> lay(Grid grid) {
+    List<MotionRow<TrackPose>> seen = grid.seen();
+    double first = grid.firstS();
+    double last = grid.lastS();
+    double[][] asked = grid.asked();
+    double[][] did = grid.did();
+    int steps = asked[0].length;
     double pieceS = Math.max(LEAST_PIECE_S, Math.min(MOST_PIECE_S, (last - first) / PIECES));
     int length = (int) (pieceS / STEP_S);
     List<Piece> pieces = new ArrayList<>();
@@ -102,9 +137,12 @@ final class Lags {
     return asked;
   }
 
-  /** The same as the track shows it, between poses that are near enough; NaN in holes. */
+  /**
+   * The same as the track shows it, between poses that are near enough, and the speed whichever way
+   * the robot went; NaN in holes.
+   */
   private static double[][] did(List<MotionRow<TrackPose>> seen, double first, int steps) {
-    double[][] did = new double[2][steps];
+    double[][] did = new double[3][steps];
     int from = 0;
     int to = 0;
     for (int i = 0; i < steps; i++) {
@@ -127,6 +165,7 @@ final class Lags {
       boolean wraps = Math.abs(b.headingRad() - a.headingRad()) > Math.PI;
       did[0][i] = near ? (wraps ? -way : way) / seconds : Double.NaN;
       did[1][i] = near ? turn / seconds : Double.NaN;
+      did[2][i] = near ? Math.hypot(b.xM() - a.xM(), b.yM() - a.yM()) / seconds : Double.NaN;
     }
     return did;
   }
@@ -171,7 +210,7 @@ final class Lags {
   }
 
   /** NaN where one of them stands still, or most of it was not seen. */
-  private static double correlation(double[] asked, double[] did, int from, int length, int lag) {
+  static double correlation(double[] asked, double[] did, int from, int length, int lag) {
     double n = 0;
     double x = 0;
     double y = 0;

@@ -58,8 +58,17 @@ public final class MotionAudit {
     audit.overlap();
     audit.holes();
     audit.findings.addAll(new TrackCheck(commands, track).findings());
+    // Where a unit is wrong, single commands are no slips.
+    boolean refused = Audit.refuses(audit.findings);
+    CommandCheck.of(commands).stream()
+        .filter(found -> found.refuses() || !refused)
+        .forEach(audit.findings::add);
     if (!Audit.refuses(audit.findings)) {
       audit.findings.addAll(LagCheck.of(commands, track, isOneClock));
+    }
+    // What is wrong with clocks or units looks like another drive, too.
+    if (!Audit.refuses(audit.findings)) {
+      audit.findings.addAll(FollowCheck.of(commands, track));
     }
     audit.findings.sort(Comparator.comparing(AuditFinding::severity).reversed());
     return List.copyOf(audit.findings);

@@ -5,23 +5,28 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.ToDoubleFunction;
 import simbad.gap.diagnosis.Verdict;
 
 /**
  * Which names are said, and how surely.
  *
  * @param named effects of the most probable set that are confirmed, and what scatters
- * @param noises that only scatter, said or not
+ * @param noises that only scatter, said or not, and what is too unsure to stand beside a stranger
  * @param shadows effects of the most probable set that something without a name may account for
  * @param unknown something without a name
  * @param sure whether all that is named is sure
+ * @param gap that the most probable set leaves
+ * @param floor that scatter alone leaves
  */
 record MotionConclusion(
     List<MotionFinding> named,
     List<MotionFinding> noises,
     List<String> shadows,
     MotionUnknown unknown,
-    boolean sure) {
+    boolean sure,
+    double gap,
+    double floor) {
   /** An effect that is less probable, its ties counted, is not concluded. */
   private static final double SURE = 0.8;
 
@@ -30,6 +35,12 @@ record MotionConclusion(
 
   /** What may be the shadow of something without a name is no likelier than not. */
   private static final double EVEN = 0.5;
+
+  /**
+   * A gap of so many floors is no chance. Of 60 practice worlds (seed 785) no right none has more
+   * than 1.7, of 60 others (seed 786) one has 1.87.
+   */
+  private static final double LEFT = 2;
 
   /** Names that a wheel out of round goes by. */
   private static final Set<String> WHEELS = Set.of("wheel-scale", "wheel-asymmetry", "speed-scale");
@@ -75,7 +86,8 @@ record MotionConclusion(
     boolean alone = named.isEmpty();
     noises.stream().filter(one -> alone || one.probability() >= SURE_BESIDE).forEach(named::add);
     sure &= !alone || noises.stream().allMatch(one -> one.probability() >= SURE);
-    return new MotionConclusion(named, noises, shadows, unknown, sure);
+    double floor = told.gap().floor(odds.best().fit().noises());
+    return new MotionConclusion(named, noises, shadows, unknown, sure, told.gap().ratio(), floor);
   }
 
   /**
@@ -117,15 +129,59 @@ record MotionConclusion(
         : Optional.empty();
   }
 
+  /**
+   * Returns what stays of a partly that says no name which is less probable than any other name.
+   *
+   * @param rightly how often such names are at work, by counting
+   * @param weights how probable a name is, its ties counted, among the sets
+   */
+  MotionConclusion doubting(double rightly, ToDoubleFunction<MotionFinding> weights) {
+    if (verdict() != Verdict.PARTLY) {
+      return this;
+    }
+    List<MotionFinding> kept = new ArrayList<>();
+    List<MotionFinding> weighed = new ArrayList<>(noises);
+    for (MotionFinding one : named) {
+      double weight =
+          noises.contains(one) ? one.probability() : Math.min(1, weights.applyAsDouble(one));
+      if (rightly * weight >= SURE) {
+        kept.add(one);
+      } else {
+        weighed.remove(one);
+        weighed.add(one.times(rightly));
+      }
+    }
+    // Without something that has no name, what is too unsure is all that there is to say.
+    return unknown.isLikely()
+        ? new MotionConclusion(kept, weighed, shadows, unknown, sure, gap, floor)
+        : new MotionConclusion(
+            named, noises, shadows, unknown, kept.size() == named.size(), gap, floor);
+  }
+
+  /** Tells whether a gap is left, of a robot that is believed, that scatter does not make. */
+  private boolean isLeft() {
+    return LEFT * floor < 1;
+  }
+
+  private boolean shrinks() {
+    return gap < 1;
+  }
+
+  /** Tells whether what is believed foretells as well as what was found. */
+  boolean isAsBelieved() {
+    return !shrinks() || (named.isEmpty() && !unknown.isLikely());
+  }
+
   Verdict verdict() {
     boolean atBound =
         named.stream()
             .flatMap(finding -> finding.parameters().stream())
             .anyMatch(MotionFinding.Parameter::atBound);
-    if (named.isEmpty()) {
-      return unknown.isLikely() ? Verdict.UNEXPLAINED : Verdict.NONE;
+    boolean idle = sure && !shrinks();
+    if (named.isEmpty() || (idle && unknown.isLikely())) {
+      return unknown.isLikely() ? Verdict.UNEXPLAINED : isLeft() ? Verdict.UNDECIDED : Verdict.NONE;
     }
-    if (!sure) {
+    if (!sure || idle) {
       return Verdict.UNDECIDED;
     }
     return unknown.isLikely() || atBound ? Verdict.PARTLY : Verdict.EXPLAINED;
@@ -163,7 +219,7 @@ record MotionConclusion(
     return switch (verdict()) {
       case NONE -> "no gap beyond chance";
       case UNEXPLAINED -> "something that no named effect accounts for: " + unknown.words();
-      case UNDECIDED -> "this log cannot tell which effects are at work; the most likely: " + names;
+      case UNDECIDED -> undecided(names);
       case PARTLY ->
           names
               + ", and something else ("
@@ -172,5 +228,21 @@ record MotionConclusion(
               + shrinks;
       case EXPLAINED -> names + "; " + shrinks;
     };
+  }
+
+  private String undecided(String names) {
+    if (named.isEmpty()) {
+      return String.format(
+          Locale.ROOT,
+          "the gap is %.1f times what scatter alone leaves, and no effect takes it away",
+          1 / floor);
+    }
+    return sure
+        ? String.format(
+            Locale.ROOT,
+            "%s may be at work, but the gap does not shrink by it: it grows by %.1f %%",
+            names,
+            100 * (gap - 1))
+        : "this log cannot tell which effects are at work; the most likely: " + names;
   }
 }

@@ -198,15 +198,18 @@ public final class MotionDiagnoser {
 
   private MotionDiagnosis concluded(BelievedMotion base, Told told, Optional<MotionFinding> slip) {
     Odds odds = told.odds();
-    MotionConclusion conclusion = MotionConclusion.of(told, slip);
-    Verdict verdict = conclusion.verdict();
+    MotionConclusion first = MotionConclusion.of(told, slip);
+    boolean asBelieved = first.isAsBelieved();
+    MotionDiagnosis.Gap figures = figures(told.gap(), odds.best(), asBelieved);
+    Map<String, Double> signs = MotionSigns.of(first, figures).byName();
+    double rightly = constants.namedRightly(signs);
+    MotionConclusion conclusion =
+        first.doubting(rightly, one -> odds.ofAny(one.effect(), one.ties()));
     List<MotionFinding> explanation = conclusion.explanation();
-    MotionDiagnosis.Gap figures = figures(told.gap(), odds.best(), verdict);
-    Map<String, Double> signs = MotionSigns.of(conclusion, figures).byName();
     return new MotionDiagnosis(
-        verdict,
+        conclusion.verdict(),
         conclusion.headline(figures.shrink()),
-        explanation.stream().map(one -> one.times(constants.namedRightly(signs))).toList(),
+        explanation.stream().map(one -> WheelRemedy.of(one.times(rightly), data.robot())).toList(),
         conclusion.others(new Findings(odds).others(explanation)),
         constants.verdict(Verdict.UNEXPLAINED, signs),
         signs,
@@ -215,10 +218,8 @@ public final class MotionDiagnoser {
         MotionPlaces.of(runs, told.gap()),
         new MotionUndetectables(told.given(), odds).among(MotionSearch.forms(data.robot()), use),
         next(odds, explanation),
-        fitted(base, odds.best()),
-        verdict == Verdict.NONE
-            ? base.nominal()
-            : MotionGap.forecast(runs, odds.best().hypothesis().chain()));
+        asBelieved ? base.shown() : fitted(base, odds.best()),
+        asBelieved ? base.nominal() : MotionGap.forecast(runs, odds.best().hypothesis().chain()));
   }
 
   private static List<FittedMotion> fitted(BelievedMotion base, ScoredMotion best) {
@@ -227,9 +228,8 @@ public final class MotionDiagnoser {
     return fitted;
   }
 
-  /** Without an effect the forecast stays what was believed. */
-  private MotionDiagnosis.Gap figures(MotionGap gap, ScoredMotion best, Verdict verdict) {
-    boolean none = verdict == Verdict.NONE;
+  /** Without an effect that shrinks the gap the forecast stays what was believed. */
+  private MotionDiagnosis.Gap figures(MotionGap gap, ScoredMotion best, boolean none) {
     double ratio = none ? 1 : gap.ratio();
     return new MotionDiagnosis.Gap(
         gap.windows(),

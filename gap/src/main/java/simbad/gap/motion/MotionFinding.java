@@ -39,6 +39,11 @@ public record MotionFinding(
     return new MotionFinding(effect, form, share * probability, parameters, ties, remedy);
   }
 
+  /** Returns the same with another remedy. */
+  MotionFinding with(String other) {
+    return new MotionFinding(effect, form, probability, parameters, ties, other);
+  }
+
   /**
    * A fitted number.
    *

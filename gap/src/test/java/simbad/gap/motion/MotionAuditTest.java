@@ -6,12 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.audit.Severity;
 import simbad.motion.Command;
@@ -116,8 +118,7 @@ class MotionAuditTest {
     drives.turnFactor = Math.PI / 180;
     MotionRun run = drives.data().runs().get(0);
 
-    List<AuditFinding> findings =
-        MotionAudit.of(Map.of("a", rows(run.commands())), Map.of("a", rows(run.track())), true);
+    List<AuditFinding> findings = auditOf(run);
     assertTrue(findings.stream().noneMatch(AuditFinding::refuses), findings.toString());
   }
 
@@ -186,5 +187,104 @@ class MotionAuditTest {
     mixed.add(first);
     assertEquals(
         List.of(), MotionAudit.of(Map.of("a", rows(mixed)), Map.of("a", rows(RUN.track())), true));
+  }
+
+  private static List<AuditFinding> auditOf(MotionRun run) {
+    return MotionAudit.of(Map.of("a", rows(run.commands())), Map.of("a", rows(run.track())), true);
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {5, 6, 7})
+  void trackOfAnotherDrive_isRefused(long seed) {
+    MotionRun other = new Drives(seed).data().runs().get(0);
+    AuditFinding found = worst(RUN.commands(), other.track());
+
+    assertEquals("track-foreign", found.check().word(), found.what());
+    assertTrue(found.refuses());
+    assertTrue(found.suggestion().startsWith("is it of another drive?"), found.suggestion());
+    assertTrue(
+        found.what().matches(".*hardly follows the commands \\(correlation 0\\.[0-3] of speed, .*"),
+        found.what());
+  }
+
+  static Stream<Consumer<Drives>> badRobots() {
+    return Stream.of(
+        drives -> drives.dropped = 0.5,
+        drives -> drives.lagS = 3,
+        drives -> drives.roughness = 0.3,
+        drives -> drives.mostSpeed = 0.03,
+        drives -> drives.turnFactor = 0,
+        // It stands still.
+        drives -> drives.deadSpeed = drives.deadTurn = 9,
+        drives -> drives.oneSpeed = true);
+  }
+
+  @ParameterizedTest
+  @MethodSource("badRobots")
+  void robotThatHardlyDoesWhatItIsTold_isBelieved(Consumer<Drives> change) {
+    Drives drives = new Drives(8);
+    change.accept(drives);
+    List<AuditFinding> findings = auditOf(drives.data().runs().get(0));
+    assertTrue(findings.stream().noneMatch(AuditFinding::refuses), findings.toString());
+  }
+
+  @Test
+  void robotThatIsToldOneSpeed_isBelieved() {
+    List<Command> one =
+        RUN.commands().stream().map(told -> new Command(told.timeS(), 0.2, 0)).toList();
+    List<AuditFinding> findings =
+        MotionAudit.of(Map.of("a", rows(one)), Map.of("a", rows(RUN.track())), true);
+    assertTrue(findings.stream().noneMatch(AuditFinding::refuses), findings.toString());
+  }
+
+  /** Millimetres in commands and track alike: nothing but their size tells it. */
+  @Test
+  void commandsThatNoRobotDoes_areRefused() {
+    List<TrackPose> track = RUN.track().stream().map(p -> pose(p, 1000, 1000, 1)).toList();
+    AuditFinding found = worst(faster(1000), track);
+
+    assertEquals("command-unit", found.check().word(), found.what());
+    assertTrue(found.refuses());
+    assertTrue(found.suggestion().contains("--place-unit"), found.suggestion());
+    assertEquals(AuditFinding.File.COMMANDS, found.file());
+  }
+
+  private static List<Command> faster(double times) {
+    return RUN.commands().stream()
+        .map(c -> new Command(c.timeS(), times * c.speedMPerS(), c.turnRadPerS()))
+        .toList();
+  }
+
+  /** A slip of the keyboard is no unit. */
+  @Test
+  void oneCommandThatNoRobotDoes_isWarnedOf() {
+    List<Command> told = new ArrayList<>(RUN.commands());
+    Command last = told.remove(told.size() - 1);
+    told.add(new Command(last.timeS(), 300, 0));
+    AuditFinding found = worst(told, RUN.track());
+
+    assertEquals("command-unit", found.check().word(), found.what());
+    assertEquals(Severity.WARN, found.severity());
+    assertEquals(List.of(told.size() - 1), found.rows());
+  }
+
+  @Test
+  void turnsInAWrongUnit_areNotSlipsToo() {
+    List<Command> told = new ArrayList<>(commands(1, 180 / Math.PI));
+    Command last = told.remove(told.size() - 1);
+    told.add(new Command(last.timeS(), 0, 70));
+    List<AuditFinding> findings =
+        MotionAudit.of(Map.of("a", rows(told)), Map.of("a", rows(RUN.track())), true);
+
+    assertEquals(
+        List.of("track-heading"), findings.stream().map(found -> found.check().word()).toList());
+  }
+
+  @Test
+  void posesInAWrongUnit_areNotJumpsToo() {
+    List<AuditFinding> findings = audit(p -> pose(p, 1000, 1000, 1));
+
+    assertEquals(
+        List.of("track-unit"), findings.stream().map(found -> found.check().word()).toList());
   }
 }

@@ -71,7 +71,7 @@ class MotionConstantsTest {
   void surerThanSure_countsAsSure() {
     MotionUnknown certain = new MotionUnknown(List.of(), 1);
     MotionConclusion conclusion =
-        new MotionConclusion(List.of(), List.of(), List.of(), certain, true);
+        new MotionConclusion(List.of(), List.of(), List.of(), certain, true, 0.8, 0.6);
     double[][] none = new double[3][3];
     MotionSigns signs =
         MotionSigns.of(

@@ -51,7 +51,21 @@ public final class DiagnosedMotion {
    * @throws DataFormatException naming file, line and field of the first fault
    */
   public static MotionChain read(Path folder) throws DataFormatException {
-    return mean(model(folder), RobotFile.read(folder.resolve(MotionFolder.ROBOT)));
+    return mean(model(folder), believedIn(folder));
+  }
+
+  /**
+   * Tells whether a robot moves otherwise than robot.json believes, by what a diagnosis left.
+   *
+   * @param folder with robot.json and motion.json
+   * @throws DataFormatException naming file, line and field of the first fault
+   */
+  public static boolean changes(Path folder) throws DataFormatException {
+    return read(folder).changes().size() > believedIn(folder).motion().changes().size();
+  }
+
+  private static Robot believedIn(Path folder) throws DataFormatException {
+    return RobotFile.read(folder.resolve(MotionFolder.ROBOT));
   }
 
   /**
