@@ -14,5 +14,9 @@ public enum Trait {
    */
   SOAKS_UP_PLACEMENTS,
   /** It takes up what nothing else explains, and is never sure beside such a rest. */
-  SOAKS_UP_A_REST
+  SOAKS_UP_A_REST,
+  /** It makes ranges longer or shorter; at one distance all that do are alike. */
+  MOVES_RANGES,
+  /** It knows what was read before, and so of readings of one placement what the next one is. */
+  KNOWS_THE_PING_BEFORE
 }

@@ -200,6 +200,6 @@ public final class PreviousPingEffect implements Definition {
 
   @Override
   public Set<Trait> traits() {
-    return Set.of(Trait.SOAKS_UP);
+    return Set.of(Trait.KNOWS_THE_PING_BEFORE, Trait.SOAKS_UP);
   }
 }

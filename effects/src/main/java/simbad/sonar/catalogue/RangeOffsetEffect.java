@@ -116,6 +116,6 @@ public final class RangeOffsetEffect implements Definition {
 
   @Override
   public Set<Trait> traits() {
-    return Set.of(Trait.LAW_OF_RANGES);
+    return Set.of(Trait.MOVES_RANGES, Trait.LAW_OF_RANGES);
   }
 }

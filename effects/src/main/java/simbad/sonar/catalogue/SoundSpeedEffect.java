@@ -263,6 +263,6 @@ public final class SoundSpeedEffect implements Definition {
 
   @Override
   public Set<Trait> traits() {
-    return Set.of(Trait.LAW_OF_RANGES);
+    return Set.of(Trait.MOVES_RANGES, Trait.LAW_OF_RANGES);
   }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Set;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
+import simbad.definition.Trait;
 import simbad.sonar.change.VerticalBeam;
 import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
@@ -74,5 +75,10 @@ public final class VerticalBeamEffect implements Definition {
         "bring sensor and target to one height: the echo comes from %.0f cm above or "
             + "below the axis",
         100 * values.value("height_m"));
+  }
+
+  @Override
+  public Set<Trait> traits() {
+    return Set.of(Trait.MOVES_RANGES);
   }
 }

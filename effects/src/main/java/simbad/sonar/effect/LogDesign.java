@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
+import simbad.definition.Trait;
 import simbad.sonar.check.Checks;
 import simbad.sonar.frame.Point;
 import simbad.sonar.ping.PingLog;
@@ -34,13 +35,6 @@ public record LogDesign(
     double wayM,
     Set<String> round,
     boolean isOfOneDistance) {
-  /**
-   * What makes a range too long by a share of it, by a length, or as from beside the axis. All do
-   * the same at one distance.
-   */
-  private static final Set<Effect> OF_THE_RANGE =
-      Set.of(Effect.SOUND_SPEED, Effect.RANGE_OFFSET, Effect.VERTICAL_BEAM);
-
   /** Checks the way and copies the set. */
   public LogDesign {
     Checks.number("wayM", wayM);
@@ -53,9 +47,12 @@ public record LogDesign(
    * @param effect one that makes ranges longer or shorter
    */
   public Set<Effect> alikeInRange(Effect effect) {
-    Set<Effect> others = new TreeSet<>(OF_THE_RANGE);
+    if (!isOfOneDistance) {
+      return Set.of();
+    }
+    Set<Effect> others = new TreeSet<>(Definitions.with(Trait.MOVES_RANGES));
     others.remove(effect);
-    return isOfOneDistance ? others : Set.of();
+    return others;
   }
 
   /** Tells whether any reading has a time: without times nothing says which ping came before. */

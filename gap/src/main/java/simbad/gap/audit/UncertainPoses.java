@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import simbad.gap.score.Placements;
+import simbad.gap.fit.Placements;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;

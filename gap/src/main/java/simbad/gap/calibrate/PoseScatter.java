@@ -3,7 +3,7 @@ package simbad.gap.calibrate;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import simbad.gap.fit.Hypothesis;
-import simbad.gap.score.Placements;
+import simbad.gap.fit.Placements;
 import simbad.sonar.catalogue.SetupForms;
 import simbad.sonar.effect.Form;
 import simbad.sonar.model.NominalModel;

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
 import simbad.gap.diagnosis.Interval;
+import simbad.gap.fit.Placements;
 import simbad.gap.fit.Robust;
-import simbad.gap.score.Placements;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 

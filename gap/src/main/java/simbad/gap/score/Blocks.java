@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import simbad.gap.fit.Fold;
+import simbad.gap.fit.Placements;
 import simbad.sonar.ping.PingLog;
 
 /**

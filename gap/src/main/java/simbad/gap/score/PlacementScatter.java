@@ -8,6 +8,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.fit.Placements;
 import simbad.gap.fit.Robust;
 import simbad.sonar.model.NominalModel;
 import simbad.sonar.model.TransducerPose;

@@ -5,9 +5,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import simbad.definition.Effect;
+import simbad.definition.Trait;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.score.HeldOut.Scored;
 import simbad.gap.score.Probabilities;
+import simbad.sonar.effect.Definitions;
 import simbad.sonar.ping.MemoryChange;
 
 /**
@@ -15,6 +17,8 @@ import simbad.sonar.ping.MemoryChange;
  * that every second reading shows is there, whatever else is.
  */
 public final class Confirmed {
+  private static final Set<Effect> KNOWING = Definitions.with(Trait.KNOWS_THE_PING_BEFORE);
+
   private final List<Scored> sets;
   private final Set<Effect> doubtful;
   private final double worthNats;
@@ -80,7 +84,7 @@ public final class Confirmed {
   }
 
   private static boolean knowsThePingBefore(Hypothesis set) {
-    return set.has(Effect.PREVIOUS_PING)
+    return set.effects().stream().anyMatch(KNOWING::contains)
         || set.changes().stream().anyMatch(c -> c instanceof MemoryChange || c.looksBack());
   }
 

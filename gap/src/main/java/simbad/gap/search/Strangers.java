@@ -15,7 +15,7 @@ import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
-import simbad.gap.score.Placements;
+import simbad.gap.fit.Placements;
 import simbad.gap.score.Probabilities;
 import simbad.gap.unexplained.SetupScores;
 import simbad.sonar.change.LevelDrift;

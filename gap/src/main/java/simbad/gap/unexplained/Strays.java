@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
-import simbad.gap.score.Placements;
+import simbad.gap.fit.Placements;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
 import simbad.sonar.ping.Geometry;

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simbad.gap.fit.CalibratedLog;
+import simbad.gap.fit.Placements;
 import simbad.gap.fixture.Ladders;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.frame.Pose;

@@ -1,4 +1,4 @@
-package simbad.gap.score;
+package simbad.gap.fit;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -73,7 +73,7 @@ public final class Placements {
   }
 
   /** Returns the pings of each placement, in the order of its number. */
-  List<int[]> pings() {
+  public List<int[]> pings() {
     int[] size = new int[count];
     Arrays.stream(placement).forEach(at -> size[at]++);
     List<int[]> pings = Arrays.stream(size).mapToObj(int[]::new).toList();
