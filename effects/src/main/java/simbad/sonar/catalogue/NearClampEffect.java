@@ -25,6 +25,9 @@ public final class NearClampEffect implements Definition {
   /** A limit may be a little less than what the scene believes to be the least range. */
   private static final double NEARLY = 0.8;
 
+  /** The greatest least range that data sheets state (MaxBotix HRXL-MaxSonar-WR: 0.5 m). */
+  private static final double MOST_M = 0.5;
+
   @Override
   public Effect effect() {
     return Effect.NEAR_CLAMP;
@@ -85,6 +88,12 @@ public final class NearClampEffect implements Definition {
             Forms.find(effect(), "clamp", setup, log.sensors()).orElseThrow(),
             0,
             Math.max(0.3, 1.5 * setup.sensor().minRangeM())));
+  }
+
+  /** Rangers are sold that report no less than 15 to 50 cm; none that ends beyond. */
+  @Override
+  public boolean isByDesign(Form form, double... values) {
+    return values[0] <= MOST_M;
   }
 
   /** A scene has no field for it. */

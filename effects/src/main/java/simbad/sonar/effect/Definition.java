@@ -129,6 +129,17 @@ public interface Definition {
   }
 
   /**
+   * Tells whether sensors are built so: what is found then is no stand-in for something else that
+   * the log cannot tell from it.
+   *
+   * @param form of this effect
+   * @param values that were fitted, in the units of files
+   */
+  default boolean isByDesign(Form form, double... values) {
+    return false;
+  }
+
+  /**
    * Tells whether the readings that a form takes to itself depend on what stands in front of the
    * sensor. Those that do not may come at any place, and say so when they are compared with it.
    */

@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.definition.Trait;
 import simbad.gap.fit.Hypothesis;
@@ -23,6 +24,7 @@ public final class Confirmed {
   private final Set<Effect> doubtful;
   private final double worthNats;
   private final boolean isPlaced;
+  private final boolean isJudged;
 
   /**
    * Creates a judge of sets.
@@ -32,12 +34,16 @@ public final class Confirmed {
    * @param worthNats what a further effect must gain to be as probable as its absence
    * @param isPlaced whether many readings are of one placement: what takes up a little of anything
    *     then knows each placement, and that it predicts better says nothing
+   * @param isDone whether the most probable set takes away most of the gap, or what moves ranges is
+   *     tied: what is superfluous beside what does the work does none of it
    */
-  Confirmed(List<Scored> sets, Set<Effect> doubtful, double worthNats, boolean isPlaced) {
+  Confirmed(
+      List<Scored> sets, Set<Effect> doubtful, double worthNats, boolean isPlaced, boolean isDone) {
     this.isPlaced = isPlaced;
     this.sets = List.copyOf(sets);
     this.doubtful = Set.copyOf(doubtful);
     this.worthNats = worthNats;
+    isJudged = isPlaced && isDone;
   }
 
   /**
@@ -60,7 +66,8 @@ public final class Confirmed {
   private Optional<Scored> sure(Scored set) {
     Hypothesis sure = set.hypothesis();
     for (Effect effect : set.hypothesis().effects()) {
-      boolean stays = isSure(effect, set) && (!isPlaced || isSureInTheBest(effect));
+      boolean stays =
+          isSure(effect, set) && (!isJudged || isByDesign(effect, set) || isSureInTheBest(effect));
       sure = stays ? sure : sure.without(effect);
     }
     Set<Effect> named = Set.copyOf(sure.effects());
@@ -81,6 +88,13 @@ public final class Confirmed {
         .max(Comparator.comparingDouble(Scored::heldOut))
         .map(set -> gain(effect, set).orElse(worthNats) >= worthNats && !hasRival(effect, set))
         .orElse(true);
+  }
+
+  private static boolean isByDesign(Effect effect, Scored set) {
+    Hypothesis all = set.hypothesis();
+    return IntStream.range(0, all.forms().size())
+        .filter(i -> all.forms().get(i).effect() == effect)
+        .anyMatch(i -> Definitions.of(effect).isByDesign(all.forms().get(i), all.valuesOf(i)));
   }
 
   private static boolean knowsThePingBefore(Hypothesis set) {

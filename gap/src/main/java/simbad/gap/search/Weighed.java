@@ -31,6 +31,9 @@ import simbad.sonar.effect.Definitions;
  */
 public record Weighed(
     Probabilities probabilities, Scored taken, GapGain gain, List<Scored> enlarging) {
+  /** A set that takes away so much of the gap does the work. */
+  private static final double MOST = 0.5;
+
   /** What takes up a little of anything, beside those that soak up where things were placed. */
   private static final Set<Effect> SOAK_UP = new TreeSet<>(PlainFamily.SOAK_UP_PLACEMENTS);
 
@@ -171,11 +174,14 @@ public record Weighed(
    */
   public Optional<Weighed> confirmed(GapGains gains, List<Scored> sets, double worthNats) {
     boolean isPlaced = new Placements(gains.given().log()).areRepeated();
-    Set<Effect> doubtful = new TreeSet<>(SOAK_UP);
     // Two others could stand for it, whatever the log reads.
+    Set<Effect> tied = new TreeSet<>();
     Gates.twins(gains.given())
-        .forEach((effect, twins) -> doubtful.addAll(twins.size() > 1 ? Set.of(effect) : Set.of()));
-    return new Confirmed(sets, doubtful, worthNats, isPlaced)
+        .forEach((effect, twins) -> tied.addAll(twins.size() > 1 ? Set.of(effect) : Set.of()));
+    Set<Effect> doubtful = new TreeSet<>(SOAK_UP);
+    doubtful.addAll(tied);
+    boolean isDone = gain.shrinkage() >= MOST || !tied.isEmpty();
+    return new Confirmed(sets, doubtful, worthNats, isPlaced, isDone)
         .best()
         .map(sure -> new Weighed(probabilities, sure, gains.of(sure.hypothesis()), enlarging))
         .filter(sure -> sure.gain.isWorthNaming());
