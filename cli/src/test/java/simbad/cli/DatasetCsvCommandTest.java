@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
@@ -156,6 +157,22 @@ class DatasetCsvCommandTest {
     assertTrue(drive.readings().get(0).circumstances().placement().isEmpty());
     DataSet untimed = read(log.toString(), ring);
     assertTrue(untimed.readings().get(0).circumstances().placement().isPresent());
+  }
+
+  /** A sensor has its column's name, with its unit or without; each needs a mount. */
+  @Test
+  void mounts_areFoundByTheColumnsNames() throws Exception {
+    String log = "t_s,x_m,y_m,heading_deg,left_cm,right [cm]\n0,0,0,90,50,60\n1,0.1,0,90,51,61\n";
+    String ring =
+        "--range 5,6 --range-unit cm --x x_m --y y_m --heading heading_deg --time t_s"
+            + " --target board:1m@0,2m --mount left=0,-9cm,60deg";
+    DataSet set = read(log, ring + " --mount right=0,9cm,-60deg");
+    assertEquals(
+        Set.of("left", "right"),
+        set.readings().stream().map(ReadingRow::sensor).collect(Collectors.toSet()));
+    Shell one = type(log, ring);
+    assertEquals(2, one.status(), one.out());
+    assertTrue(one.err().contains("column 'right [cm]' is a sensor without one"), one.err());
   }
 
   /** The sonar's greatest range counts from what is nearest, wherever the centre is. */

@@ -79,7 +79,7 @@ final class LogPlans {
   private List<LogRows.Range> ranges(LogTable log) throws DataFormatException {
     List<Integer> columns = LogColumns.list(log, settings.find("range").orElse(""));
     boolean mounted =
-        columns.stream().anyMatch(column -> mounts.containsKey(log.names().get(column)));
+        columns.stream().anyMatch(column -> mounts.containsKey(sensor(log.names().get(column))));
     boolean sensors =
         settings
             .word("wide", mounted ? "sensors" : "repeats", "sensors", "repeats")
@@ -93,11 +93,29 @@ final class LogPlans {
     String alone = mounts.size() == 1 ? mounts.keySet().iterator().next() : sonar.name();
     List<LogRows.Range> ranges = new ArrayList<>();
     for (int column : columns) {
-      String name = log.names().get(column);
+      String name = sensor(log.names().get(column));
+      if (sensors && !mounts.isEmpty() && !mounts.containsKey(name)) {
+        throw LogSettings.fault(
+            "mount",
+            "column '"
+                + name
+                + "' is a sensor without one, expected "
+                + name
+                + "=X,Z,TURN as well");
+      }
       ranges.add(
           new LogRows.Range(column, sensors ? OneLine.of(name, OneLine.LONGEST_NAME - 3) : alone));
     }
     return ranges;
+  }
+
+  /** A column is the sensor of its name, or of its name without the unit: front of front_cm. */
+  private String sensor(String column) {
+    if (mounts.containsKey(column) || Unit.inName(column).isEmpty()) {
+      return column;
+    }
+    String stem = column.strip().replaceFirst("[^\\p{L}\\d]+\\p{L}+[^\\p{L}\\d]*$", "");
+    return mounts.containsKey(stem) ? stem : column;
   }
 
   private Clock clock(LogTable log, LogFigures figures, int columns) throws DataFormatException {
