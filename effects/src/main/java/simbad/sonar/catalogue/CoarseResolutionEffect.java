@@ -6,8 +6,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
+import simbad.definition.Trait;
 import simbad.sonar.change.CoarseResolution;
 import simbad.sonar.effect.Clues;
 import simbad.sonar.effect.Definition;
@@ -83,5 +85,11 @@ public final class CoarseResolutionEffect implements Definition {
   @Override
   public String remedy(FittedValues values) {
     return text("set the sensor's resolution_m to %.4g", values.value("step_m"));
+  }
+
+  /** Steps as wide as readings of one distance scatter put them where they like. */
+  @Override
+  public Set<Trait> traits() {
+    return Set.of(Trait.MOVES_RANGES);
   }
 }

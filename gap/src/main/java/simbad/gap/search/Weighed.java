@@ -179,7 +179,7 @@ public record Weighed(
     Gates.twins(gains.given())
         .forEach((effect, twins) -> tied.addAll(twins.size() > 1 ? Set.of(effect) : Set.of()));
     Set<Effect> doubtful = new TreeSet<>(SOAK_UP);
-    doubtful.addAll(tied);
+    doubtful.addAll(tied.isEmpty() ? tied : Definitions.with(Trait.MOVES_RANGES));
     boolean isDone = gain.shrinkage() >= MOST || !tied.isEmpty();
     return new Confirmed(sets, doubtful, worthNats, isPlaced, isDone)
         .best()
