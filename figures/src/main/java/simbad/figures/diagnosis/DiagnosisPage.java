@@ -78,7 +78,7 @@ final class DiagnosisPage {
         Html.key("after"),
         " diagnosed model. The pictures show all rows, also those used for the fit. "
             + "The gaps above are from held-out rows only, which the fit never saw."
-            + (diagnosis.calibration().size() > 0
+            + (diagnosis.calibration().size() > 0 && !data.reference().isEmpty()
                 ? " They begin at the set-up as its reference shows it. The simulator as it is "
                     + "does not know the reference; the diagnosed model does."
                 : ""));
@@ -187,9 +187,12 @@ final class DiagnosisPage {
     new Tables(page).parameters(diagnosis);
     if (diagnosis.calibration().size() > 0) {
       page.say(
-          "Before the fit, the set-up was calibrated on the reference readings: ",
+          data.reference().isEmpty()
+              ? "Before the fit, the set-up was given what the scene says beside the sensor (its law"
+                  + " of hearing, how well poses are known): "
+              : "Before the fit, the set-up was calibrated on the reference readings: ",
           diagnosis.calibration().forms().size(),
-          " forms, in ",
+          diagnosis.calibration().forms().size() == 1 ? " form, in " : " forms, in ",
           DiagnosisJson.FILE,
           ".");
     }

@@ -48,7 +48,9 @@ final class ReferenceWords {
     boolean timed = last > first && rows.stream().allMatch(ReadingRow::isTimed);
     double minutes = (last - first) / rows.size() * ENOUGH_ROWS / SECONDS;
     return timed
-        ? "Some " + Numbers.fixed(Math.max(1, Math.ceil(minutes)), 0) + " minutes of readings"
+        ? minutes <= 1
+            ? "A minute of readings"
+            : "Some " + Numbers.fixed(Math.ceil(minutes), 0) + " minutes of readings"
         : ENOUGH_ROWS + " readings";
   }
 
