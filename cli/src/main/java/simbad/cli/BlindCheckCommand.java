@@ -54,9 +54,9 @@ final class BlindCheckCommand extends Subcommand {
   private static final double MOST_LIMIT_S = 1e6;
   private static final String WAVE = "wave";
 
-  /** Of the benchmark SRB-1, as blind-world calls them. */
   private static final String MOTION = "motion";
 
+  /** Of the benchmark SRB-1, as blind-world calls them. */
   private static final List<String> PARTS = List.of("L1", "L2", "L2w", MOTION);
 
   @Option(

@@ -117,6 +117,7 @@ final class PredictCommand extends Subcommand {
     List<MotionRun> runs = drive.read(name).runs();
     List<AuditFinding> audit = MotionAudit.of(drive);
     for (AuditFinding finding : audit) {
+      // Windows can be foretold of a track that is wrong in another way.
       if (finding.refuses() && finding.check() == AuditCheck.TRACK_CLOCK) {
         throw new AuditLines(rows, audit).complaint(finding);
       }

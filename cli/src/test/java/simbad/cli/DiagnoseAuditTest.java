@@ -79,6 +79,13 @@ class DiagnoseAuditTest {
     return Shell.simbad(words.toArray(String[]::new));
   }
 
+  private static Shell mend(Path set, Path copy, String... options) {
+    List<String> words =
+        new ArrayList<>(List.of("dataset", "mend", set.toString(), "--out", copy.toString()));
+    words.addAll(List.of(options));
+    return Shell.simbad(words.toArray(String[]::new));
+  }
+
   /** Centimetres as metres: no verdict, status 2, the line, the command; the other set goes on. */
   @Test
   void refused_isNotDiagnosed() throws IOException {
@@ -109,17 +116,7 @@ class DiagnoseAuditTest {
   void referenceThatIsNotThere_isNotMended() throws IOException {
     Path set = spoilt("bench", fields -> fields);
     Path copy = folder.resolve("copy");
-    Shell shell =
-        Shell.simbad(
-            "dataset",
-            "mend",
-            set.toString(),
-            "--out",
-            copy.toString(),
-            "--in",
-            "reference.csv",
-            "--scale",
-            "0.5");
+    Shell shell = mend(set, copy, "--in", "reference.csv", "--scale", "0.5");
     assertEquals(2, shell.status());
     assertTrue(shell.err().contains("has no reference.csv to mend"), shell.err());
     assertFalse(Files.exists(copy));
@@ -217,10 +214,7 @@ class DiagnoseAuditTest {
   })
   void mend_givesTheCleanSetBack(String fault, String options) throws Exception {
     Path set = spoilt("spoilt", spoiling(fault));
-    List<String> words = new ArrayList<>(List.of("dataset", "mend", set.toString()));
-    words.addAll(List.of("--out", out.toString()));
-    words.addAll(List.of(options.replace(";", ",").split(" ")));
-    Shell shell = Shell.simbad(words.toArray(String[]::new));
+    Shell shell = mend(set, out, options.replace(";", ",").split(" "));
     assertEquals(0, shell.status(), shell.err());
     List<ReadingRow> mended = ReadingsFile.read(out.resolve("readings.csv"));
     List<ReadingRow> rows = ReadingsFile.read(clean.resolve("readings.csv"));
@@ -255,12 +249,9 @@ class DiagnoseAuditTest {
         set.resolve("readings.csv"),
         head + "a,r,s,0,0,1,90,9\na,r,s,0,0,1,90,9\nb,r,s,1,0,1,90,5\n");
     Shell shell =
-        Shell.simbad(
-            "dataset",
-            "mend",
-            set.toString(),
-            "--out",
-            out.toString(),
+        mend(
+            set,
+            out,
             "--drop-duplicates",
             "--no-echo-above",
             "8",

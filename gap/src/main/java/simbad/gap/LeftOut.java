@@ -62,14 +62,13 @@ final class LeftOut {
 
   /**
    * Returns the same with rows of which nobody can say what the sensor hears if effects are at
-   * work; itself where all of them are left out already, or too many would be.
+   * work; itself where all of them are left out already.
    *
    * @param effects that were found
    */
   LeftOut under(Hypothesis effects) {
     Set<Integer> unsure = UncertainPoses.rows(data.setup(), data.readings(), effects.changes());
-    boolean many = 2 * unsure.size() > data.readings().size();
-    return many || rows.containsAll(unsure) ? this : new LeftOut(this, unsure);
+    return rows.containsAll(unsure) ? this : new LeftOut(this, unsure);
   }
 
   /** Returns the data set without them. */

@@ -138,21 +138,15 @@ public final class MotionImport {
       }
       twice += times.length - (int) Arrays.stream(times).distinct().count();
     }
-    if (back > 0) {
+    String all = "rows are sorted by time (--run).";
+    note(back, of, "an earlier time than the row before; " + all);
+    note(twice, of, "the time of another row (--run).");
+  }
+
+  private void note(int rows, String of, String have) {
+    if (rows > 0) {
       notes.add(
-          Assumptions.counted(back, "row")
-              + " "
-              + of
-              + (back == 1 ? " has" : " have")
-              + " an earlier time than the row before; rows are sorted by time (--run).");
-    }
-    if (twice > 0) {
-      notes.add(
-          Assumptions.counted(twice, "row")
-              + " "
-              + of
-              + (twice == 1 ? " has" : " have")
-              + " the time of another row (--run).");
+          Assumptions.counted(rows, "row") + " " + of + (rows == 1 ? " has " : " have ") + have);
     }
   }
 

@@ -48,7 +48,7 @@ final class MisplacedCheck {
     this.rest = rest;
   }
 
-  /** A placement: what its echoes are off by in the middle, and whether they agree on that. */
+  /** A placement, and what its echoes are off by in the middle. */
   private record Place(String label, double expectedM, List<Integer> rows, double offM) {}
 
   List<AuditFinding> find() {

@@ -26,6 +26,9 @@ public final class UncertainPoses {
   /** In standard deviations of the poses: 19 of 20 are nearer. */
   private static final double DEVIATIONS = 2;
 
+  /** If so many are, what is left would be too little of the log to speak for it. */
+  private static final double MOST_SHARE = 0.5;
+
   private final SensingSetup setup;
   private final List<? extends Change> changes;
 
@@ -40,7 +43,8 @@ public final class UncertainPoses {
    * @param setup as the simulator believes it
    * @param rows of the log
    * @param changes of which those of poses, scene and cone count here
-   * @return indices of rows; none where poses are exact, or things were put in place
+   * @return indices of rows; none where poses are exact, or things were put in place, or more than
+   *     half of all rows are such
    */
   public static Set<Integer> rows(
       SensingSetup setup, List<ReadingRow> rows, List<? extends Change> changes) {
@@ -67,7 +71,7 @@ public final class UncertainPoses {
         }
       }
     }
-    return unsure;
+    return unsure.size() > MOST_SHARE * rows.size() ? Set.of() : unsure;
   }
 
   private boolean differs(double one, double other) {

@@ -44,10 +44,7 @@ final class LogClues implements Clues {
     given.logLikelihood(model, geometry, logLikelihood);
     nearest = new double[log.size()];
     for (int ping = 0; ping < nearest.length; ping++) {
-      nearest[ping] = Double.POSITIVE_INFINITY;
-      for (int o = 0; o < geometry.obstacles(); o++) {
-        nearest[ping] = Math.min(nearest[ping], geometry.nearestM(ping * geometry.obstacles() + o));
-      }
+      nearest[ping] = Nearest.inConeM(geometry, ping);
     }
   }
 

@@ -5,13 +5,12 @@ import java.util.Arrays;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.stream.DoubleStream;
-import java.util.stream.IntStream;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.fit.Nearest;
 import simbad.gap.fit.Placements;
 import simbad.gap.fit.Robust;
 import simbad.sonar.model.NominalModel;
-import simbad.sonar.model.TransducerPose;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SetupDetails;
@@ -69,9 +68,9 @@ public final class PlacementScatter {
     double squares = 0;
     int count = 0;
     for (int[] pings : placements.pings()) {
-      double straight = nearestM(model, log, pings[0], 0);
+      double straight = Nearest.turnedM(model, log, pings[0], 0);
       for (double way : new double[] {-sigma, sigma}) {
-        double change = nearestM(model, log, pings[0], way) - straight;
+        double change = Nearest.turnedM(model, log, pings[0], way) - straight;
         // What leaves the cone altogether is a missed echo, no other range.
         if (Double.isFinite(change)) {
           squares += change * change;
@@ -80,16 +79,6 @@ public final class PlacementScatter {
       }
     }
     return count == 0 ? 0 : Math.sqrt(squares / count);
-  }
-
-  /** Infinity where nothing is in the cone. */
-  private static double nearestM(NominalModel model, PingLog log, int ping, double turnRad) {
-    TransducerPose from = new TransducerPose();
-    from.aim(log.xM(ping), log.zM(ping), log.headingRad(ping) + turnRad);
-    return IntStream.range(0, model.size())
-        .mapToDouble(target -> model.nearestM(target, from))
-        .min()
-        .orElse(Double.POSITIVE_INFINITY);
   }
 
   private static double clumping(CalibratedLog given, Placements placements, double leastM) {
@@ -116,12 +105,12 @@ public final class PlacementScatter {
     for (int[] pings : placements.pings()) {
       int[] heard =
           Arrays.stream(pings)
-              .filter(i -> log.echo(i) && Double.isFinite(nearestM(geometry, i)))
+              .filter(i -> log.echo(i) && Double.isFinite(Nearest.inConeM(geometry, i)))
               .toArray();
       if (heard.length > 1) {
         double[] ranges = Arrays.stream(heard).mapToDouble(log::rangeM).toArray();
         double middle = Robust.median(ranges);
-        placed.add(new double[] {nearestM(geometry, heard[0]), middle});
+        placed.add(new double[] {Nearest.inConeM(geometry, heard[0]), middle});
         squares += Arrays.stream(ranges).map(r -> (r - middle) * (r - middle)).sum();
         Arrays.stream(ranges).map(range -> Math.abs(range - middle)).forEach(within);
         rows += heard.length;
@@ -152,13 +141,5 @@ public final class PlacementScatter {
     double between = Math.max(leastM * leastM, found);
     double all = between + withinM * withinM;
     return all > 0 ? 1 + (each - 1) * between / all : 1;
-  }
-
-  private static double nearestM(Geometry geometry, int ping) {
-    int first = ping * geometry.obstacles();
-    return IntStream.range(first, first + geometry.obstacles())
-        .mapToDouble(geometry::nearestM)
-        .min()
-        .orElse(Double.POSITIVE_INFINITY);
   }
 }

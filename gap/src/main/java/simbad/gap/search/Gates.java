@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.gap.fit.CalibratedLog;
+import simbad.gap.fit.Nearest;
 import simbad.gap.fit.Placements;
 import simbad.gap.score.PlacementScatter;
 import simbad.sonar.effect.Definitions;
@@ -77,19 +78,12 @@ final class Gates {
     Geometry believed = new Geometry(given.log(), given.setup(), List.of());
     double[] nearest =
         IntStream.range(0, believed.pings())
-            .mapToDouble(ping -> nearestM(believed, ping))
+            .mapToDouble(ping -> Nearest.inConeM(believed, ping))
             .filter(Double::isFinite)
             .sorted()
             .toArray();
     return nearest.length > 0
         && Modes.quantile(nearest, 0.95) < (1 + ONE_DISTANCE) * Modes.quantile(nearest, 0.05);
-  }
-
-  private static double nearestM(Geometry believed, int ping) {
-    return IntStream.range(0, believed.obstacles())
-        .mapToDouble(o -> believed.nearestM(ping * believed.obstacles() + o))
-        .min()
-        .orElse(Double.POSITIVE_INFINITY);
   }
 
   /** The obstacles that look the same from all sides. */

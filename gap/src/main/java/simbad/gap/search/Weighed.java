@@ -175,12 +175,10 @@ public record Weighed(
   public Optional<Weighed> confirmed(GapGains gains, List<Scored> sets, double worthNats) {
     boolean isPlaced = new Placements(gains.given().log()).areRepeated();
     // Two others could stand for it, whatever the log reads.
-    Set<Effect> tied = new TreeSet<>();
-    Gates.twins(gains.given())
-        .forEach((effect, twins) -> tied.addAll(twins.size() > 1 ? Set.of(effect) : Set.of()));
+    boolean tied = Gates.twins(gains.given()).values().stream().anyMatch(one -> one.size() > 1);
     Set<Effect> doubtful = new TreeSet<>(SOAK_UP);
-    doubtful.addAll(tied.isEmpty() ? tied : Definitions.with(Trait.MOVES_RANGES));
-    boolean isDone = gain.shrinkage() >= MOST || !tied.isEmpty();
+    doubtful.addAll(tied ? Definitions.with(Trait.MOVES_RANGES) : Set.of());
+    boolean isDone = gain.shrinkage() >= MOST || tied;
     return new Confirmed(sets, doubtful, worthNats, isPlaced, isDone)
         .best()
         .map(sure -> new Weighed(probabilities, sure, gains.of(sure.hypothesis()), enlarging))

@@ -7,6 +7,7 @@ import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.fit.Nearest;
 import simbad.gap.fit.Placements;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
@@ -75,15 +76,7 @@ final class Strays {
     int[] some = IntStream.range(0, strays.length).filter(i -> i % stride == 0).toArray();
     return new Strays(
         IntStream.of(some).mapToDouble(i -> given.log().rangeM(strays[i])).toArray(),
-        IntStream.of(some).mapToDouble(i -> nearestM(geometry, strays[i])).toArray());
-  }
-
-  private static double nearestM(Geometry geometry, int ping) {
-    int first = ping * geometry.obstacles();
-    return IntStream.range(first, first + geometry.obstacles())
-        .mapToDouble(geometry::nearestM)
-        .min()
-        .orElse(Double.POSITIVE_INFINITY);
+        IntStream.of(some).mapToDouble(i -> Nearest.inConeM(geometry, strays[i])).toArray());
   }
 
   /** Returns whether they depend on what stands there, as crosstalk does not. */
