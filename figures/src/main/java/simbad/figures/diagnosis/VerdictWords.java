@@ -35,8 +35,15 @@ final class VerdictWords {
       case PARTLY -> partly(diagnosis);
       case UNEXPLAINED -> unexplained(diagnosis);
       case UNDECIDED ->
-          Html.of(Html.strong("These data cannot tell:"), " ", diagnosis.reason(), ".");
+          isOfATie(diagnosis)
+              ? Html.strong("T" + diagnosis.reason().substring(1) + ".")
+              : Html.of(Html.strong("These data cannot tell:"), " ", diagnosis.reason(), ".");
     };
+  }
+
+  /** Whether the reason is itself what these data cannot tell. */
+  private static boolean isOfATie(Diagnosis diagnosis) {
+    return diagnosis.reason().startsWith("these data cannot tell ");
   }
 
   private static Html explained(Diagnosis diagnosis) {
@@ -147,6 +154,9 @@ final class VerdictWords {
 
   private static List<String> ties(Diagnosis diagnosis) {
     List<String> ties = new ArrayList<>();
+    if (isOfATie(diagnosis)) {
+      return ties;
+    }
     for (EffectFinding finding : named(diagnosis)) {
       if (!finding.indistinguishableFrom().isEmpty()) {
         ties.add(

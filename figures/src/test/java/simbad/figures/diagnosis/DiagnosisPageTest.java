@@ -145,6 +145,18 @@ class DiagnosisPageTest {
   }
 
   @Test
+  void undecidedTie_isSaidOnce() {
+    GapFigures gap = Samples.explained(DATA).gap();
+    String reason = "these data cannot tell gain from absorption, latency";
+    Diagnosis tied = as(Verdict.UNDECIDED, reason, List.of(Effect.GAIN), gap);
+    String page = words(Samples.page(tied, DATA));
+    assertTrue(page.contains("These data cannot tell gain from absorption, latency."), page);
+    assertFalse(page.contains("cannot tell: these data"), page);
+    int first = page.indexOf("cannot tell gain");
+    assertEquals(first, page.lastIndexOf("cannot tell gain"), page);
+  }
+
+  @Test
   void whatToDo_waitsForAVerdictThatNames() {
     GapFigures gap = Samples.explained(DATA).gap();
     List<Effect> names = List.of(Effect.GAIN);

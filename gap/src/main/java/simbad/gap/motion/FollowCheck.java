@@ -24,7 +24,7 @@ final class FollowCheck {
   /**
    * Of 60 practice worlds of SRB-1 (seed 785) no run has less than 0.83 in what it follows better,
    * a robot that loses half of its commands 0.54; of 282 pairs of one's commands and another's
-   * track 97 in 100 have less.
+   * track 255 have less than 0.3, 279 less than 0.4.
    */
   private static final double FOLLOWS = 0.35;
 
