@@ -3,7 +3,7 @@ package simbad.gap.calibrate;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import simbad.gap.fit.Hypothesis;
-import simbad.gap.fit.Nearest;
+import simbad.gap.fit.NearestRange;
 import simbad.gap.fit.Placements;
 import simbad.sonar.catalogue.SetupForms;
 import simbad.sonar.effect.Form;
@@ -49,8 +49,8 @@ final class PoseScatter {
             .filter(log::echo)
             .mapToDouble(
                 ping ->
-                    Nearest.turnedM(model, log, ping, sigma) / 2
-                        - Nearest.turnedM(model, log, ping, -sigma) / 2)
+                    NearestRange.turnedM(model, log, ping, sigma) / 2
+                        - NearestRange.turnedM(model, log, ping, -sigma) / 2)
             .filter(change -> Math.abs(change) <= most)
             .map(change -> change * change)
             .toArray();

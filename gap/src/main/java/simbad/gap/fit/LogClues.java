@@ -44,7 +44,7 @@ final class LogClues implements Clues {
     given.logLikelihood(model, geometry, logLikelihood);
     nearest = new double[log.size()];
     for (int ping = 0; ping < nearest.length; ping++) {
-      nearest[ping] = Nearest.inConeM(geometry, ping);
+      nearest[ping] = NearestRange.inConeM(geometry, ping);
     }
   }
 

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
-import simbad.gap.fit.Nearest;
+import simbad.gap.fit.NearestRange;
 import simbad.gap.fit.Placements;
 import simbad.gap.fit.Robust;
 import simbad.sonar.model.NominalModel;
@@ -68,9 +68,9 @@ public final class PlacementScatter {
     double squares = 0;
     int count = 0;
     for (int[] pings : placements.pings()) {
-      double straight = Nearest.turnedM(model, log, pings[0], 0);
+      double straight = NearestRange.turnedM(model, log, pings[0], 0);
       for (double way : new double[] {-sigma, sigma}) {
-        double change = Nearest.turnedM(model, log, pings[0], way) - straight;
+        double change = NearestRange.turnedM(model, log, pings[0], way) - straight;
         // What leaves the cone altogether is a missed echo, no other range.
         if (Double.isFinite(change)) {
           squares += change * change;
@@ -105,12 +105,12 @@ public final class PlacementScatter {
     for (int[] pings : placements.pings()) {
       int[] heard =
           Arrays.stream(pings)
-              .filter(i -> log.echo(i) && Double.isFinite(Nearest.inConeM(geometry, i)))
+              .filter(i -> log.echo(i) && Double.isFinite(NearestRange.inConeM(geometry, i)))
               .toArray();
       if (heard.length > 1) {
         double[] ranges = Arrays.stream(heard).mapToDouble(log::rangeM).toArray();
         double middle = Robust.median(ranges);
-        placed.add(new double[] {Nearest.inConeM(geometry, heard[0]), middle});
+        placed.add(new double[] {NearestRange.inConeM(geometry, heard[0]), middle});
         squares += Arrays.stream(ranges).map(r -> (r - middle) * (r - middle)).sum();
         Arrays.stream(ranges).map(range -> Math.abs(range - middle)).forEach(within);
         rows += heard.length;

@@ -9,7 +9,7 @@ import java.util.TreeMap;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.gap.fit.CalibratedLog;
-import simbad.gap.fit.Nearest;
+import simbad.gap.fit.NearestRange;
 import simbad.gap.fit.Placements;
 import simbad.gap.score.PlacementScatter;
 import simbad.sonar.effect.Definitions;
@@ -78,7 +78,7 @@ final class Gates {
     Geometry believed = new Geometry(given.log(), given.setup(), List.of());
     double[] nearest =
         IntStream.range(0, believed.pings())
-            .mapToDouble(ping -> Nearest.inConeM(believed, ping))
+            .mapToDouble(ping -> NearestRange.inConeM(believed, ping))
             .filter(Double::isFinite)
             .sorted()
             .toArray();

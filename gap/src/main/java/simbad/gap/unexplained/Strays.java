@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
-import simbad.gap.fit.Nearest;
+import simbad.gap.fit.NearestRange;
 import simbad.gap.fit.Placements;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
@@ -76,7 +76,7 @@ final class Strays {
     int[] some = IntStream.range(0, strays.length).filter(i -> i % stride == 0).toArray();
     return new Strays(
         IntStream.of(some).mapToDouble(i -> given.log().rangeM(strays[i])).toArray(),
-        IntStream.of(some).mapToDouble(i -> Nearest.inConeM(geometry, strays[i])).toArray());
+        IntStream.of(some).mapToDouble(i -> NearestRange.inConeM(geometry, strays[i])).toArray());
   }
 
   /** Returns whether they depend on what stands there, as crosstalk does not. */

@@ -7,8 +7,8 @@ import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
 
 /** The distance to the nearest obstacle in the cone, heard or not. */
-public final class Nearest {
-  private Nearest() {}
+public final class NearestRange {
+  private NearestRange() {}
 
   /** Returns it for a ping of a geometry, metres; infinity where nothing is in the cone. */
   public static double inConeM(Geometry geometry, int ping) {
