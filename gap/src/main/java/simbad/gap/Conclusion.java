@@ -108,6 +108,27 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
                 + " look alike then: look at the cable and at the target first");
   }
 
+  /**
+   * Concludes the same where something more makes the readings plainly likelier, though it hardly
+   * shows in the gap: then they are neither nothing nor wholly explained.
+   *
+   * @param more what does
+   */
+  Conclusion beside(Weighed.Beside more) {
+    String why =
+        String.format(
+            Locale.ROOT,
+            "some readings are off as by %s (%.0f nats likelier with it); they are too few to show"
+                + " in the gap, but too many for chance",
+            more.effect(),
+            more.nats());
+    return switch (verdict) {
+      case NONE -> undecided(why);
+      case EXPLAINED -> new Conclusion(Verdict.PARTLY, why, List.of());
+      default -> this;
+    };
+  }
+
   /** A table is read off the bearings that a half of the log has, and leaves those of the other. */
   private static boolean leavesMuch(Weighed weighed) {
     return !weighed.taken().hypothesis().hasTable() && weighed.gain().leavesMuch();

@@ -255,7 +255,12 @@ public final class Diagnoser {
     List<Place> where = places(given, whole, blocks);
     Conclusion all = Conclusion.of(whole, unnamed, doubtful(whole, open, where), blocks, tieNats);
     boolean isSilent = given.log().echoes() == 0;
-    Conclusion first = isSilent ? all.ofSilence() : all;
+    Conclusion heard = isSilent ? all.ofSilence() : all;
+    Conclusion first =
+        whole
+            .beside(given, inquiry.sets, inquiry.worthNats, calibration.clumping())
+            .map(heard::beside)
+            .orElse(heard);
     Optional<Weighed> sure =
         !isSilent && (first.verdict() == Verdict.UNEXPLAINED || isTied(first, whole))
             ? whole

@@ -17,6 +17,7 @@ import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.LogDesign;
 import simbad.sonar.effect.Probe;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.ping.PingLog;
@@ -98,6 +99,11 @@ public final class BeamMisalignmentEffect implements Definition {
             "turn the sensor %.1f degrees to the %s",
             Math.abs(degrees), degrees > 0 ? "right" : "left")
         : "straighten the sensor that looks to one side";
+  }
+
+  @Override
+  public Set<Effect> twins(LogDesign log) {
+    return log.isOneBearing() ? Set.of(Effect.OBSTACLE_OFFSET) : Set.of();
   }
 
   @Override

@@ -13,6 +13,7 @@ import simbad.sonar.change.ObstacleOffset;
 import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
+import simbad.sonar.effect.LogDesign;
 import simbad.sonar.effect.Probe;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.ping.Scenes;
@@ -74,6 +75,11 @@ public final class ObstacleOffsetEffect implements Definition {
     return text(
         "move the obstacle by %+.3f m in x and %+.3f m in z",
         values.value("x_m"), values.value("z_m"));
+  }
+
+  @Override
+  public Set<Effect> twins(LogDesign log) {
+    return log.isOneBearing() ? Set.of(Effect.BEAM_MISALIGNMENT) : Set.of();
   }
 
   @Override

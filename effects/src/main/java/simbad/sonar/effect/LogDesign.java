@@ -35,6 +35,8 @@ public record LogDesign(
     double wayM,
     Set<String> round,
     boolean isOfOneDistance) {
+  private static final double SAME_PLACE_M = 0.001;
+
   /** Checks the way and copies the set. */
   public LogDesign {
     Checks.number("wayM", wayM);
@@ -92,6 +94,18 @@ public record LogDesign(
         .filter(obstacle -> obstacle.detection() instanceof UniformDetection)
         .map(Obstacle::worldFromObstacle)
         .allMatch(place -> spreadDeg(new Point(place.xM(), place.zM())) < leastDeg);
+  }
+
+  /**
+   * Tells whether a sensor stood at one place and looked around at one obstacle: whether that is
+   * aside of where it should be or the sensor turned is the same then.
+   */
+  public boolean isOneBearing() {
+    return setup.scene().obstacles().size() == 1
+        && IntStream.range(0, log.size())
+            .allMatch(
+                ping ->
+                    Math.hypot(log.xM(ping) - log.xM(0), log.zM(ping) - log.zM(0)) < SAME_PLACE_M);
   }
 
   /** Of the directions from a point to the sensors, from the first one. */

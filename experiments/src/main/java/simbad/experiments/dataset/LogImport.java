@@ -9,6 +9,7 @@ import simbad.obstacles.Catalogue;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.SceneFile;
 import simbad.sonar.frame.Placement;
+import simbad.sonar.frame.Point;
 import simbad.sonar.scene.Detection;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
@@ -25,6 +26,11 @@ public final class LogImport {
   private static final int EDGES = 10;
 
   private static final double GREATEST_S = 1e12;
+
+  /** A dead band of 10 microseconds, as data sheets of small servos have, of 11 for a degree. */
+  private static final double SERVO_DEG = 1;
+
+  private static final int SCAN_HEADINGS = 5;
 
   private final LogSettings settings;
   private final List<LogTable> logs;
@@ -163,7 +169,7 @@ public final class LogImport {
       throw logs.get(0).fault("no row is left to read" + why(taken));
     }
     List<ReadingRow> rows = rows(taken);
-    SensingSetup believed = scene.isPresent() ? scene.get() : setup(targets, mounts);
+    SensingSetup believed = scene.isPresent() ? scene.get() : setup(targets, mounts, rows);
     LogSummary summary = new LogSummary(logs, taken, rows, believed, settings);
     MadeDataSet data = new MadeDataSet(finished(believed), rows, taken.further());
     return new Made(data, again, summary.line(), summary.notes());
@@ -225,7 +231,8 @@ public final class LogImport {
     return named;
   }
 
-  private SensingSetup setup(List<Target> targets, Map<String, Placement> mounts)
+  private SensingSetup setup(
+      List<Target> targets, Map<String, Placement> mounts, List<ReadingRow> rows)
       throws DataFormatException {
     double resolutionM = resolutionM();
     SonarSpec spec = LogSonar.withResolution(sonar, resolutionM);
@@ -246,7 +253,7 @@ public final class LogImport {
     SetupDetails details =
         new SetupDetails(
             LogSonar.length(settings, "pose-sigma", 0).orElse(0.0),
-            Math.toRadians(sigmaDeg()),
+            Math.toRadians(sigmaDeg(mounts.isEmpty() && isScan(rows))),
             mounts,
             settings.has("compensated")
                 ? Optional.of(settings.word("compensated", "true", "false").equals("true"))
@@ -258,12 +265,27 @@ public final class LogImport {
     return new SensingSetup(spec, new Scene(obstacles), spec.maxRangeM(), details);
   }
 
-  private double sigmaDeg() throws DataFormatException {
-    double sigma = settings.findMeasure("heading-sigma", Unit.Kind.ANGLE).orElse(0.0);
+  /** Of a servo, where nothing else is said of a scan. */
+  private double sigmaDeg(boolean isScan) throws DataFormatException {
+    Optional<Double> said = settings.findMeasure("heading-sigma", Unit.Kind.ANGLE);
+    if (said.isEmpty() && isScan) {
+      assumptions.add(
+          "Headings are known to "
+              + SERVO_DEG
+              + " degree, as a hobby servo turns (--heading-sigma).");
+    }
+    double sigma = said.orElse(isScan ? SERVO_DEG : 0);
     if (!(sigma >= 0 && sigma <= 180)) {
       throw LogSettings.fault("heading-sigma", sigma + " degrees is not in [0, 180]");
     }
     return sigma;
+  }
+
+  /** Whether a sensor stood at one place and looked around. */
+  private static boolean isScan(List<ReadingRow> rows) {
+    Point first = rows.get(0).pose().position();
+    return rows.stream().allMatch(row -> row.pose().position().equals(first))
+        && rows.stream().map(row -> row.pose().heading()).distinct().count() >= SCAN_HEADINGS;
   }
 
   /**

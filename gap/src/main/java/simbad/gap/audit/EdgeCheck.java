@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.Set;
 import simbad.gap.audit.AuditFinding.File;
 
-/** Readings of a drive at poses at which nobody can say what is in the cone. */
+/** Readings at poses at which nobody can say what is in the cone. */
 final class EdgeCheck {
   private EdgeCheck() {}
 

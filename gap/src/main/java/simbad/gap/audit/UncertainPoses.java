@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import simbad.gap.fit.Placements;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
@@ -14,13 +13,11 @@ import simbad.sonar.scene.SetupDetails;
 import simbad.sonar.sensing.ReadingRow;
 
 /**
- * Readings of a drive at whose poses, as well as they are said to be known, nobody can say what the
- * sensor hears: something enters or leaves the cone, or another corner is the nearest.
+ * Readings at whose poses, as well as they are said to be known, nobody can say what the sensor
+ * hears: something enters or leaves the cone, or another corner is the nearest.
  *
- * <p>A drive's poses are off by something else at each reading, and a cone's border is sharp: a
- * model of exact poses takes what a third of a degree decides for an effect. Where things were put
- * in place, a pose is off alike for many readings, which evidence allows for; a log without times
- * counts as one of these.
+ * <p>A cone's border is sharp: a model of exact poses takes what a third of a degree decides for an
+ * effect.
  */
 public final class UncertainPoses {
   /** In standard deviations of the poses: 19 of 20 are nearer. */
@@ -43,8 +40,7 @@ public final class UncertainPoses {
    * @param setup as the simulator believes it
    * @param rows of the log
    * @param changes of which those of poses, scene and cone count here
-   * @return indices of rows; none where poses are exact, or things were put in place, or more than
-   *     half of all rows are such
+   * @return indices of rows; none where poses are exact, or more than half of all rows are such
    */
   public static Set<Integer> rows(
       SensingSetup setup, List<ReadingRow> rows, List<? extends Change> changes) {
@@ -52,7 +48,7 @@ public final class UncertainPoses {
     double turn = DEVIATIONS * details.headingSigmaRad();
     double move = DEVIATIONS * details.poseSigmaM();
     boolean exact = turn == 0 && move == 0;
-    if (exact || new Placements(new PingLog(rows)).areRepeated()) {
+    if (exact) {
       return Set.of();
     }
     UncertainPoses poses = new UncertainPoses(setup, changes);

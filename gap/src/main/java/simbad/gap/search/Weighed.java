@@ -1,11 +1,13 @@
 package simbad.gap.search;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import simbad.definition.Effect;
 import simbad.definition.Trait;
 import simbad.gap.fit.CalibratedLog;
@@ -34,10 +36,23 @@ public record Weighed(
   /** A set that takes away so much of the gap does the work. */
   private static final double MOST = 0.5;
 
+  /**
+   * In 72 logs with nothing changed no such effect gained as much as it must to be as probable as
+   * its absence (docs/method/measurements.md).
+   */
+  private static final double PLAINLY = 2;
+
+  /**
+   * What placements are off by makes readings scatter. Whatever else befalls single readings does
+   * not hang together by placements.
+   */
+  private static final Set<Effect> SCATTERS = new TreeSet<>(PlainFamily.SOAK_UP_PLACEMENTS);
+
   /** What takes up a little of anything, beside those that soak up where things were placed. */
   private static final Set<Effect> SOAK_UP = new TreeSet<>(PlainFamily.SOAK_UP_PLACEMENTS);
 
   static {
+    SCATTERS.addAll(Definitions.with(Trait.BESIDE_THE_LAW));
     SOAK_UP.addAll(Unknown.SOAK);
     SOAK_UP.addAll(Definitions.with(Trait.SOAKS_UP_A_REST));
   }
@@ -157,6 +172,47 @@ public record Weighed(
         taken,
         gain.beside(new GapGains(open).of(taken.hypothesis()).after()),
         enlarging);
+  }
+
+  /**
+   * An effect beside the set that is concluded upon.
+   *
+   * @param effect one that takes up a little of anything
+   * @param nats by how much likelier it makes readings that it was not fitted on
+   */
+  public record Beside(Effect effect, double nats) {}
+
+  /**
+   * Returns what makes the readings plainly likelier beside the set that is concluded upon, and yet
+   * is not named, since the quantiles of a forecast, and so the gap, see nothing of what befalls
+   * one reading in twenty. Empty where there is no such effect.
+   *
+   * @param given the log
+   * @param sets that were fitted
+   * @param worthNats what a further effect must gain to be as probable as its absence
+   * @param clumping by how much readings hang together, counted in it
+   */
+  public Optional<Beside> beside(
+      CalibratedLog given, List<Scored> sets, double worthNats, double clumping) {
+    boolean isPlaced = new Placements(given.log()).areRepeated();
+    Set<Effect> own = Set.copyOf(taken.hypothesis().effects());
+    return Unknown.SOAK.stream()
+        .filter(effect -> !own.contains(effect))
+        .flatMap(effect -> beside(effect, own, sets))
+        .filter(
+            beside -> {
+              boolean single = isPlaced && !SCATTERS.contains(beside.effect);
+              return beside.nats > PLAINLY * worthNats / (single ? clumping : 1);
+            })
+        .max(Comparator.comparingDouble(Beside::nats));
+  }
+
+  private Stream<Beside> beside(Effect effect, Set<Effect> own, List<Scored> sets) {
+    Set<Effect> more = new TreeSet<>(own);
+    more.add(effect);
+    return sets.stream()
+        .filter(set -> Set.copyOf(set.hypothesis().effects()).equals(more))
+        .map(set -> new Beside(effect, set.heldOut() - taken.heldOut()));
   }
 
   /** Returns the ties of an effect of the set that is concluded upon: what could stand for it. */
