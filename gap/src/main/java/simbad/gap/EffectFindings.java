@@ -54,7 +54,7 @@ record EffectFindings(
     weighed.probabilities().ofEffects().forEach((e, p) -> probability.put(e, stated(p)));
     Hypothesis best = weighed.taken().hypothesis();
     if (isPartly) {
-      best.effects().forEach(effect -> probability.put(effect, namedRightly()));
+      best.effects().forEach(effect -> share(effect, probability));
     }
     double[] deviations = deviations(best);
     List<EffectFinding> findings = new ArrayList<>();
@@ -66,6 +66,20 @@ record EffectFindings(
     }
     findings.sort(Comparator.comparingDouble(finding -> -finding.probability()));
     return findings;
+  }
+
+  /** What is sure shares it with what the log cannot tell from it as it was taken. */
+  private void share(Effect effect, Map<Effect, Double> probability) {
+    List<Effect> ties = ties(effect);
+    double each = namedRightly() / (1 + ties.size());
+    probability.put(effect, each);
+    ties.forEach(tied -> probability.put(tied, each));
+  }
+
+  /** Beside a rest only what has no rival is sure. */
+  private List<Effect> ties(Effect effect) {
+    double nats = isPartly ? Double.NEGATIVE_INFINITY : Diagnoser.TIE_NATS * clumping;
+    return weighed.tiesOf(effect, nats);
   }
 
   private double namedRightly() {
@@ -142,7 +156,7 @@ record EffectFindings(
         probability,
         Optional.of(form.name()),
         leaningOn(effect, fitted(form, best.valuesOf(at), own)),
-        isPartly ? List.of() : weighed.tiesOf(effect, Diagnoser.TIE_NATS * clumping));
+        ties(effect));
   }
 
   /** Of an effect that is not in the explanation: its values when it is fitted alone. */
@@ -153,11 +167,9 @@ record EffectFindings(
             .filter(set -> set.effects().equals(List.of(effect)))
             .findFirst();
     List<Effect> tied =
-        isPartly
-            ? List.of()
-            : weighed.taken().hypothesis().effects().stream()
-                .filter(in -> weighed.tiesOf(in, Diagnoser.TIE_NATS * clumping).contains(effect))
-                .toList();
+        weighed.taken().hypothesis().effects().stream()
+            .filter(in -> ties(in).contains(effect))
+            .toList();
     return new EffectFinding(
         effect,
         probability,

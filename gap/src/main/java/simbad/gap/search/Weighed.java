@@ -51,7 +51,14 @@ public record Weighed(
   /** What takes up a little of anything, beside those that soak up where things were placed. */
   private static final Set<Effect> SOAK_UP = new TreeSet<>(PlainFamily.SOAK_UP_PLACEMENTS);
 
+  /**
+   * What moves or turns something: where it does most of the work alone, it does more than
+   * placements are off by.
+   */
+  private static final Set<Effect> MOVES_THINGS = new TreeSet<>(PlainFamily.SOAK_UP_PLACEMENTS);
+
   static {
+    MOVES_THINGS.removeAll(Unknown.SOAK);
     SCATTERS.addAll(Definitions.with(Trait.BESIDE_THE_LAW));
     SOAK_UP.addAll(Unknown.SOAK);
     SOAK_UP.addAll(Definitions.with(Trait.SOAKS_UP_A_REST));
@@ -235,6 +242,10 @@ public record Weighed(
     Set<Effect> doubtful = new TreeSet<>(SOAK_UP);
     doubtful.addAll(tied ? Definitions.with(Trait.MOVES_RANGES) : Set.of());
     boolean isDone = gain.shrinkage() >= MOST || tied;
+    Set<Effect> all = Set.copyOf(taken.hypothesis().effects());
+    if (gain.shrinkage() >= MOST && all.size() == 1 && MOVES_THINGS.containsAll(all)) {
+      doubtful.removeAll(all);
+    }
     return new Confirmed(sets, doubtful, worthNats, isPlaced, isDone)
         .best()
         .map(sure -> new Weighed(probabilities, sure, gains.of(sure.hypothesis()), enlarging))
