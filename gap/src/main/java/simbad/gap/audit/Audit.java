@@ -68,7 +68,7 @@ public final class Audit {
     Optional<AuditFinding> axes = line.isPresent() ? Optional.empty() : new AxesCheck(view).find();
     axes.ifPresent(found::add);
     // Before poses are right, nothing of what follows can be told.
-    if (axes.isEmpty()) {
+    if (!refuses(found)) {
       found.addAll(ranges(view, units, line));
     }
     return found;

@@ -75,8 +75,7 @@ final class AxesCheck {
       boolean fits =
           share >= RIGHT
               && FEWER * (1 - share) <= 1 - share(asItStands)
-              && chance(asItStands, otherwise) < Tail.LEVEL / all.size()
-              && varies();
+              && chance(asItStands, otherwise) < Tail.LEVEL / all.size();
       if (fits) {
         if (share > best + ALIKE) {
           fitting.clear();
@@ -114,7 +113,7 @@ final class AxesCheck {
     return (double) count / of.length;
   }
 
-  /** Readings that hardly differ fit wherever something is near. */
+  /** Readings that hardly differ fit wherever something is near: no more than a guess then. */
   private boolean varies() {
     double[] sorted = IntStream.of(sample).mapToDouble(view::rangeM).sorted().toArray();
     double spread = sorted[3 * sorted.length / 4] - sorted[sorted.length / 4];
@@ -134,6 +133,7 @@ final class AxesCheck {
 
   private AuditFinding finding(boolean[] asItStands, List<Convention> fitting) {
     Convention first = fitting.get(0);
+    boolean sure = varies();
     String others =
         fitting.size() == 1
             ? ""
@@ -146,12 +146,13 @@ final class AxesCheck {
         "as the poses stand, "
             + Say.number(100 * share(asItStands))
             + " of 100 readings are of something in the cone: "
+            + (sure ? "" : "perhaps ")
             + first.words()
             + others,
         List.of(),
         "write poses as docs/guide/diagnose.md says: z down the page, degrees counter-clockwise from"
             + " +x",
         first.mend(),
-        Severity.REFUSE);
+        sure ? Severity.REFUSE : Severity.NOTE);
   }
 }

@@ -41,6 +41,7 @@ record Convention(String words, String mend, List<Step> steps) {
     all.addAll(List.of(flipZ.and(clockwise), flipX.and(clockwise), swap.and(clockwise)));
     all.add(swap.and(compass));
     all.add(flipZ.and(offset(180)));
+    all.add(clockwise.and(offset(180)));
     all.add(radians.and(clockwise).and(offset(90)));
     for (double unit : UNITS) {
       all.add(

@@ -144,8 +144,18 @@ final class JumpCheck {
   private AuditFinding finding(Jump jump, int... hits) {
     double size = Math.abs(jump.sizeM);
     double byteM = BYTE_S * view.sensor().assumedSoundSpeedMPerS() / 2;
-    double known = AuditView.AIR * byteM + windowM / Math.sqrt(hits.length);
-    boolean isByte = Math.abs(size - byteM) <= known;
+    double known = windowM / Math.sqrt(hits.length);
+    boolean isByte = Math.abs(size - byteM) <= AuditView.AIR * byteM + known;
+    boolean isDigit = jump.way().equals("short") && size > 1 - known && isWhole(size, known);
+    String like = "";
+    String mend = "";
+    if (isByte) {
+      like = ", as by a timer's byte that is read while it turns over: 256 us of flight";
+      mend = "read the timer's high byte again if the low byte was near its end";
+    } else if (isDigit) {
+      like = ", as when a number in centimetres or millimetres loses its first digit";
+      mend = "look at the line in the log, and wait for whole lines where they are read";
+    }
     return new AuditFinding(
         AuditCheck.JUMP,
         File.READINGS,
@@ -155,12 +165,15 @@ final class JumpCheck {
             + " by the same "
             + Say.number(size)
             + " m"
-            + (isByte
-                ? ", as by a timer's byte that is read while it turns over: 256 us of flight"
-                : ""),
+            + like,
         view.inFile(IntStream.of(hits)),
-        isByte ? "read the timer's high byte again if the low byte was near its end" : "",
+        mend,
         "",
         isByte ? Severity.WARN : Severity.NOTE);
+  }
+
+  /** Whether a size is a whole number of metres, as well as it is known. */
+  private static boolean isWhole(double sizeM, double knownM) {
+    return Math.abs(sizeM - Math.rint(sizeM)) <= knownM;
   }
 }
