@@ -85,6 +85,19 @@ class ConclusionTest {
   }
 
   @Test
+  void whatMakesReadingsPlainlyLikelier_isNeitherNothingNorExplained() {
+    Weighed.Beside more = new Weighed.Beside(Effect.CROSSTALK, 47.4);
+    isUndecided(
+        "off as by crosstalk (47 nats likelier with it)",
+        of(weighed(Hypothesis.NONE, 0.01, 0.01), 0.1).beside(more));
+    Conclusion named = of(weighed(OFFSET, 0.01, 0.01), 0.1).beside(more);
+    assertEquals(Verdict.PARTLY, named.verdict());
+    assertTrue(named.reason().contains("too many for chance"), named.reason());
+    Conclusion unexplained = of(weighed(OFFSET, 0.01, 0.01), 0.9);
+    assertEquals(unexplained, unexplained.beside(more));
+  }
+
+  @Test
   void oneBlock_isUndecidedWhateverFits() {
     Conclusion few =
         Conclusion.of(

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -141,6 +142,29 @@ class LadderTest {
     Diagnosis diagnosis =
         explained((range, lot) -> lot < 0.1 ? range + 1 : range, Effect.MULTIPATH);
     assertEquals(1, value(diagnosis, Effect.MULTIPATH, "extra_m"), 0.01);
+  }
+
+  private static Diagnosis ofNarrowLadder(Ladders.Fault fault) {
+    double[] distances = IntStream.rangeClosed(1, 18).mapToDouble(i -> 0.11 * i).toArray();
+    return diagnose(Ladders.untimed(Ladders.read(fault, distances, 12, Ladders.TAPE_M, 1)));
+  }
+
+  /** One in eight is 20 cm too short: hardly a quantile of the gap shows it. */
+  @Test
+  void crosstalkThatKeepsItsDistance_isNeitherNoneNorExplained() {
+    Diagnosis diagnosis =
+        ofNarrowLadder((range, lot) -> lot < 0.12 && range > 0.25 ? range - 0.2 : range);
+    assertEquals(
+        Verdict.UNDECIDED, diagnosis.verdict(), diagnosis.explanation() + diagnosis.reason());
+  }
+
+  /** Beside a scale that is named, readings that lost their first digit are said to be left. */
+  @Test
+  void lostDigits_areNotExplained() {
+    Diagnosis diagnosis =
+        ofNarrowLadder((range, lot) -> lot < 0.08 && range > 1 ? range % 1 : 0.97 * range);
+    assertEquals(Verdict.PARTLY, diagnosis.verdict(), diagnosis.explanation() + diagnosis.reason());
+    assertEquals(List.of(Effect.SOUND_SPEED), diagnosis.explanation());
   }
 
   /** When each reading was taken tells nothing of what neither remembers nor drifts. */

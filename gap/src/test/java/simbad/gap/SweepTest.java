@@ -2,24 +2,46 @@ package simbad.gap;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Random;
 import java.util.Set;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
+import simbad.gap.audit.Audit;
+import simbad.gap.audit.AuditCheck;
+import simbad.gap.audit.AuditFinding;
+import simbad.gap.audit.Severity;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
+import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Pose;
+import simbad.sonar.scene.Scene;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SetupDetails;
+import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.NoEcho;
+import simbad.sonar.sensing.Reading;
 import simbad.sonar.sensing.ReadingRow;
 
 /** A sensor on a servo, 80 cm before a post, that reads three times at every second degree. */
 class SweepTest {
   private static final int READ = 3;
+
+  /** Headings are known to a degree. */
+  private static final SensingSetup SERVO =
+      Worlds.POST.with(
+          new SetupDetails(0, Math.toRadians(1), Map.of(), Optional.empty(), List.of()));
 
   private static List<ReadingRow> sweep(Hypothesis truth) {
     List<ReadingRow> poses = new ArrayList<>();
@@ -34,14 +56,87 @@ class SweepTest {
   }
 
   private static Diagnosis diagnosis(Hypothesis truth) {
+    return diagnosis(Worlds.POST, sweep(truth));
+  }
+
+  private static Diagnosis diagnosis(SensingSetup said, List<ReadingRow> rows) {
     return new Diagnoser(1, Set.of())
-        .diagnose(new DataSet("sweep", Worlds.POST, sweep(truth), List.of()));
+        .diagnose(new DataSet("sweep", said, rows, List.of()), Audit.of(said, rows));
   }
 
   @Test
   void clean_isNone() {
     Diagnosis diagnosis = diagnosis(Hypothesis.NONE);
     assertEquals(Verdict.NONE, diagnosis.verdict(), diagnosis.reason());
+  }
+
+  /** The servo's middle is off by 8 degrees: that, or the post stands aside. */
+  @Test
+  void servoThatIsTurned_isTiedWithThePostsPlace() {
+    Diagnosis diagnosis =
+        diagnosis(SERVO, sweep(Worlds.effect(Effect.BEAM_MISALIGNMENT, "all", 8)));
+    assertEquals(Verdict.EXPLAINED, diagnosis.verdict(), diagnosis.reason());
+    EffectFinding named = diagnosis.effects().get(0);
+    Set<Effect> both = new TreeSet<>(named.indistinguishableFrom());
+    both.add(named.effect());
+    assertEquals(Set.of(Effect.BEAM_MISALIGNMENT, Effect.OBSTACLE_OFFSET), both);
+  }
+
+  /**
+   * The post stands aside, and one ping in forty hears a stranger: the post is named all the same.
+   */
+  @Test
+  void postAside_isNamedBesideStrangeEchoes() {
+    Random random = new Random(3);
+    List<ReadingRow> rows = new ArrayList<>();
+    for (ReadingRow row : sweep(Worlds.effect(Effect.OBSTACLE_OFFSET, "all", 0.15, 0))) {
+      Reading read = random.nextInt(40) > 0 ? row.reading() : new Echo(1 + random.nextDouble());
+      rows.add(
+          new ReadingRow(
+              row.run(), row.sensor(), row.timeS(), row.pose(), read, row.circumstances()));
+    }
+    Diagnosis diagnosis = diagnosis(Worlds.POST, rows);
+    assertTrue(diagnosis.verdict().namesEffects(), diagnosis.verdict() + " " + diagnosis.reason());
+    Effect first = diagnosis.effects().get(0).effect();
+    assertTrue(
+        Set.of(Effect.BEAM_MISALIGNMENT, Effect.OBSTACLE_OFFSET).contains(first), first.word());
+  }
+
+  /**
+   * A cone that is wider by 2 degrees than believed is no effect where headings may be so far off.
+   */
+  @Test
+  void edgeOfTheCone_isLeftOut_whereAServoTurns() {
+    List<ReadingRow> rows = sweep(Worlds.effect(Effect.BEAM_WIDTH, "cone", 1.5));
+    Diagnosis exact = diagnosis(Worlds.POST, rows);
+    Diagnosis diagnosis = diagnosis(SERVO, rows);
+    assertNotEquals(Verdict.NONE, exact.verdict());
+    assertEquals(Verdict.NONE, diagnosis.verdict(), diagnosis.reason());
+    assertEquals(
+        List.of(AuditCheck.EDGE), diagnosis.audit().stream().map(AuditFinding::check).toList());
+  }
+
+  /** Angles that count from the other end put the post where it is not: said, and not refused. */
+  @Test
+  void anglesTheOtherWayRound_areSuspected() {
+    List<ReadingRow> rows = new ArrayList<>();
+    for (ReadingRow row : sweep(Worlds.effect(Effect.OBSTACLE_OFFSET, "all", 0.4, 0))) {
+      Pose pose = Pose.of(0, 0, Math.PI - row.pose().heading().radians());
+      rows.add(row.at(pose, row.circumstances()));
+    }
+    SensingSetup believed =
+        new SensingSetup(
+            Worlds.POST.sensor(),
+            new Scene(
+                List.of(Worlds.POST.scene().obstacles().get(0).with(new Placement(0.4, -0.8, 0)))),
+            Worlds.POST.noEchoM());
+    AuditFinding axes =
+        Audit.of(believed, rows).stream()
+            .filter(one -> one.check() == AuditCheck.AXES)
+            .findFirst()
+            .orElseThrow();
+    assertEquals(Severity.NOTE, axes.severity());
+    assertTrue(axes.what().contains("perhaps headings turn clockwise"), axes.what());
   }
 
   /** A post that stands 15 cm further is no air of 100 degrees, and no sensor under a table. */

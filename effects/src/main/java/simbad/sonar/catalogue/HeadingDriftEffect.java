@@ -17,6 +17,7 @@ import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.LogDesign;
 import simbad.sonar.effect.Probe;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.ping.PingLog;
@@ -113,6 +114,12 @@ public final class HeadingDriftEffect implements Definition {
         ASYMMETRY,
         v -> new Reckoning(1, 1, 0, v[0], mounts),
         Parameter.of("turn_rad_per_m", 0, -1, 1, -0.15, -0.05, -0.02, 0.02, 0.05, 0.15));
+  }
+
+  /** One look past one obstacle does not tell a turn that grew from one that was always there. */
+  @Override
+  public boolean canShow(Form form, LogDesign log) {
+    return !log.isOnePass();
   }
 
   @Override

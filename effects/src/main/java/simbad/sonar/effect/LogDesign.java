@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.definition.Trait;
 import simbad.sonar.check.Checks;
+import simbad.sonar.frame.Angles;
 import simbad.sonar.frame.Point;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.ping.Scenes;
@@ -36,6 +37,7 @@ public record LogDesign(
     Set<String> round,
     boolean isOfOneDistance) {
   private static final double SAME_PLACE_M = 0.001;
+  private static final double STILL_RAD = Math.toRadians(0.1);
 
   /** Checks the way and copies the set. */
   public LogDesign {
@@ -106,6 +108,21 @@ public record LogDesign(
             .allMatch(
                 ping ->
                     Math.hypot(log.xM(ping) - log.xM(0), log.zM(ping) - log.zM(0)) < SAME_PLACE_M);
+  }
+
+  /**
+   * Tells whether that sensor looked past the obstacle once, always turning the same way and by no
+   * more than once round: heading and time go together then.
+   */
+  public boolean isOnePass() {
+    double left = 0;
+    double right = 0;
+    for (int ping = 1; ping < log.size(); ping++) {
+      double turn = Angles.signed(log.headingRad(ping) - log.headingRad(ping - 1));
+      left += Math.max(0, turn);
+      right += Math.max(0, -turn);
+    }
+    return isOneBearing() && Math.min(left, right) < STILL_RAD && left + right <= 2 * Math.PI;
   }
 
   /** Of the directions from a point to the sensors, from the first one. */

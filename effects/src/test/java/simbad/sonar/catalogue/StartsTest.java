@@ -210,6 +210,35 @@ class StartsTest {
     assertTrue(canShow(Effect.NO_ECHO_CODE, drive), "3.97 m is read twelve times");
   }
 
+  private static LogDesign looking(double zM, int... degrees) {
+    List<ReadingRow> rows = new ArrayList<>();
+    for (int i = 0; i < degrees.length; i++) {
+      Pose pose = Pose.of(-1, i * zM, Math.toRadians(degrees[i]));
+      rows.add(new ReadingRow("r", "s", i, pose, NoEcho.NO_ECHO));
+    }
+    return new LogDesign(SETUP, new PingLog(rows), false, true, 8, Set.of(), false);
+  }
+
+  /** A sensor that looks around: past an obstacle that is aside, or turned itself. */
+  @Test
+  void ofOnePlace_turnsAndPlacesAreAlike() {
+    LogDesign once = looking(0, 340, 350, 0, 0, 10);
+    LogDesign backAndForth = looking(0, 340, 0, 10, 0, 340);
+    LogDesign twiceRound = looking(0, 0, 120, 240, 0, 120, 240, 0);
+    LogDesign moving = looking(0.01, 340, 350, 0, 10);
+    for (LogDesign design : List.of(once, backAndForth, twiceRound)) {
+      assertEquals(
+          Set.of(Effect.BEAM_MISALIGNMENT), Definitions.of(Effect.OBSTACLE_OFFSET).twins(design));
+      assertEquals(
+          Set.of(Effect.OBSTACLE_OFFSET), Definitions.of(Effect.BEAM_MISALIGNMENT).twins(design));
+    }
+    assertEquals(Set.of(), Definitions.of(Effect.OBSTACLE_OFFSET).twins(moving));
+    assertFalse(canShow(Effect.HEADING_DRIFT, once));
+    assertTrue(canShow(Effect.HEADING_DRIFT, backAndForth));
+    assertTrue(canShow(Effect.HEADING_DRIFT, twiceRound));
+    assertTrue(canShow(Effect.HEADING_DRIFT, moving));
+  }
+
   @Test
   void aNumberForNothing_isReadAsOftenAsNothing() {
     List<ReadingRow> rows = new ArrayList<>();

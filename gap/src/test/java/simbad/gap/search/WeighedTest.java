@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
 import simbad.gap.fit.CalibratedLog;
@@ -58,6 +59,29 @@ class WeighedTest {
   void setThatLeavesTheGapAsItIs_isNotTaken() {
     Weighed weighed = weighed(shifted(0, 0), new Scored(offset(0), 500, 500));
     assertEquals(Hypothesis.NONE, weighed.taken().hypothesis());
+  }
+
+  /**
+   * What befalls single readings is told of from twice its cost on; not what it is beside another
+   * set, and not an object, which depends on the place.
+   */
+  @Test
+  void beside_isWhatGainsTwiceItsCost() {
+    CalibratedLog given = shifted(0, 0);
+    Hypothesis crosstalk = Worlds.effect(Effect.CROSSTALK, "any", 0.02, 0, 4);
+    Hypothesis post = Worlds.effect(Effect.UNMODELLED_OBJECT, "mirror", 1, 1, 0, 1, 1);
+    for (double nats : new double[] {19.9, 20.1}) {
+      List<Scored> sets =
+          List.of(
+              new Scored(Hypothesis.NONE, 0, 0),
+              new Scored(crosstalk, nats, nats),
+              new Scored(post, 30, 30));
+      Weighed weighed = Weighed.of(new GapGains(given), sets, Probabilities.COST_NATS, 1);
+      assertEquals(Hypothesis.NONE, weighed.taken().hypothesis());
+      assertEquals(
+          nats > 20 ? Optional.of(new Weighed.Beside(Effect.CROSSTALK, nats)) : Optional.empty(),
+          weighed.beside(given, sets, Probabilities.COST_NATS, 1));
+    }
   }
 
   @Test
