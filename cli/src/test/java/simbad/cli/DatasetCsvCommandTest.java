@@ -159,6 +159,26 @@ class DatasetCsvCommandTest {
     assertTrue(untimed.readings().get(0).circumstances().placement().isPresent());
   }
 
+  /** A servo's angle is known to a degree, unless it is said otherwise; a drive's is not asked. */
+  @Test
+  void headingsOfAScan_areKnownToADegree() throws Exception {
+    StringBuilder log = new StringBuilder("angle,x_m,cm\n");
+    for (int i = 0; i < 6; i++) {
+      log.append(70 + 10 * i).append(',').append(0.1 * i).append(",80\n");
+    }
+    String scan = "--range cm --heading angle --y 0cm --target round:6cm@0,-80cm ";
+    Shell said = type(log.toString(), scan + "--x 0cm");
+    assertEquals(0, said.status(), said.err());
+    assertEquals(1, sigmaDeg(last()), 1e-9);
+    assertTrue(said.out().contains("assumed: Headings are known to 1.0 degree"), said.out());
+    assertEquals(0, sigmaDeg(read(log.toString(), scan + "--x 0cm --heading-sigma 0deg")));
+    assertEquals(0, sigmaDeg(read(log.toString(), scan + "--x x_m")));
+  }
+
+  private static double sigmaDeg(DataSet set) {
+    return Math.toDegrees(set.setup().details().headingSigmaRad());
+  }
+
   /** A sensor has its column's name, with its unit or without; each needs a mount. */
   @Test
   void mounts_areFoundByTheColumnsNames() throws Exception {

@@ -57,6 +57,9 @@ record Unit(List<String> words, Kind kind, double times, double over) {
   private static final List<String> NO_UNIT_IN_NAMES = List.of("min", "turn", "turns");
   private static final int LONGEST_ABBREVIATION = 4;
 
+  /** No column is called so for anything else. */
+  private static final List<String> UNIT_ALONE = List.of("cm", "mm", "us", "ms");
+
   private static Unit of(Kind kind, double times, double over, String... words) {
     return new Unit(List.of(words), kind, times, over);
   }
@@ -72,7 +75,10 @@ record Unit(List<String> words, Kind kind, double times, double over) {
     List<String> words = Arrays.asList(column.strip().split("[^\\p{L}\\d\u00b0\"]+"));
     String last = words.isEmpty() ? "" : words.get(words.size() - 1);
     // A name such as s alone is a name; range_min and target_turn end with no unit.
-    boolean isUnit = words.size() > 1 || last.length() > LONGEST_ABBREVIATION;
+    boolean isUnit =
+        words.size() > 1
+            || last.length() > LONGEST_ABBREVIATION
+            || UNIT_ALONE.contains(last.toLowerCase(Locale.ROOT));
     return isUnit && !NO_UNIT_IN_NAMES.contains(last.toLowerCase(Locale.ROOT))
         ? find(last)
         : Optional.empty();
