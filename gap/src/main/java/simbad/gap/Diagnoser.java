@@ -268,7 +268,7 @@ public final class Diagnoser {
                 .map(part -> beside(calibration, given, part))
             : Optional.empty();
     double stated =
-        first.verdict() == Verdict.UNEXPLAINED
+        first.verdict() == Verdict.UNEXPLAINED || first.verdict() == Verdict.PARTLY
             ? Constants.own().under(calibration.model()).besideARest(unknown)
             : unknown;
     return sure.flatMap(

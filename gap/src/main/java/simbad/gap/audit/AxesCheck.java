@@ -75,7 +75,8 @@ final class AxesCheck {
       boolean fits =
           share >= RIGHT
               && FEWER * (1 - share) <= 1 - share(asItStands)
-              && chance(asItStands, otherwise) < Tail.LEVEL / all.size();
+              && chance(asItStands, otherwise) < Tail.LEVEL / all.size()
+              && (varies() || isOnePlace());
       if (fits) {
         if (share > best + ALIKE) {
           fitting.clear();
@@ -111,6 +112,12 @@ final class AxesCheck {
       count += one ? 1 : 0;
     }
     return (double) count / of.length;
+  }
+
+  /** Of one place only headings can be wrong: as they are read, all fits or nothing. */
+  private boolean isOnePlace() {
+    return IntStream.of(sample).mapToObj(i -> view.row(i).pose().position()).distinct().count()
+        == 1;
   }
 
   /** Readings that hardly differ fit wherever something is near: no more than a guess then. */
