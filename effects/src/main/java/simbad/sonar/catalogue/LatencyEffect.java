@@ -7,6 +7,7 @@ import java.util.Set;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.definition.Trait;
+import simbad.sonar.change.LatePose;
 import simbad.sonar.change.Latency;
 import simbad.sonar.change.PingDelay;
 import simbad.sonar.change.ScatteredLatency;
@@ -18,10 +19,15 @@ import simbad.sonar.effect.Probe;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 
-/** A reading belongs to an earlier pose. */
+/** A reading belongs to an earlier pose, or to a later one where poses come late. */
 public final class LatencyEffect implements Definition {
   private static final double MOST_DELAY_S = 5;
   private static final double MOST_PINGS = 30;
+
+  /** Where a robot goes from there is not known for longer. */
+  private static final double MOST_LATE_S = 1;
+
+  private static final String LATE = "pose_delay_s";
 
   @Override
   public Effect effect() {
@@ -30,12 +36,12 @@ public final class LatencyEffect implements Definition {
 
   @Override
   public String happens() {
-    return "a reading belongs to an earlier pose";
+    return "readings and poses are not of the same time";
   }
 
   @Override
   public String cause() {
-    return "a filter or a buffer, or readings that are stamped when they arrive";
+    return "a filter or a buffer, or readings or poses that are stamped when they arrive";
   }
 
   @Override
@@ -55,7 +61,12 @@ public final class LatencyEffect implements Definition {
             "scattered",
             v -> new ScatteredLatency(new Latency(v[0]), v[1]),
             delay,
-            Parameter.of("scatter_pings", 0, 0, 3, 0.2)));
+            Parameter.of("scatter_pings", 0, 0, 3, 0.2)),
+        Form.of(
+            effect(),
+            "poses",
+            v -> new LatePose(v[0]),
+            Parameter.of(LATE, 0, 0, MOST_LATE_S, 0.06, 0.15, 0.3, 0.6)));
   }
 
   /** 50 ms. */
@@ -67,6 +78,11 @@ public final class LatencyEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
+    if (values.has(LATE)) {
+      return text(
+          "stamp poses with the time at which they were so, which is %.3f s earlier",
+          values.value(LATE));
+    }
     String late =
         values.has("delay_s")
             ? text("%.3f s", values.value("delay_s"))

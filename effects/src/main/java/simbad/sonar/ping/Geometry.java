@@ -99,15 +99,10 @@ public final class Geometry {
       boolean @Nullable [] only) {
     this(log, log.size(), believed, changes);
     Likeness likeness = like == null ? null : new Likeness(like, this);
-    PoseTrack track = new PoseTrack(changes, "", 0);
+    LoggedPoses poses = new LoggedPoses(log, changes);
     TruePose pose = new TruePose();
     for (int ping = 0; ping < log.size(); ping++) {
-      if (log.sequenceStart(ping) == ping) {
-        String label = log.sensors().get(log.sensor(ping));
-        track = new PoseTrack(changes, label, log.runStartS(ping));
-      }
-      pose.set(log.xM(ping), log.zM(ping), log.headingRad(ping));
-      track.next(log.timeS(ping), pose);
+      poses.next(ping, pose);
       stand(ping, pose, log.timeS(ping) - log.firstS());
       if (only == null || only[ping]) {
         look(likeness, ping);

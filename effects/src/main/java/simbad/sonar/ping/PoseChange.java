@@ -14,6 +14,14 @@ public non-sealed interface PoseChange extends Change {
   int order();
 
   /**
+   * By how many seconds a believed pose is written late. Where a log says where the sensor was so
+   * much later, that pose is taken, and its track is left out; a track knows the past alone.
+   */
+  default double aheadS() {
+    return 0;
+  }
+
+  /**
    * Starts to follow one sensor through one run.
    *
    * @param sensor label of the sensor

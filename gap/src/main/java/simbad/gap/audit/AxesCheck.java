@@ -157,8 +157,10 @@ final class AxesCheck {
             + first.words()
             + others,
         List.of(),
-        "write poses as docs/guide/diagnose.md says: z down the page, degrees counter-clockwise from"
-            + " +x",
+        sure
+            ? "write poses as docs/guide/diagnose.md says: z down the page, degrees counter-clockwise"
+                + " from +x"
+            : "see whether the log fits after simbad dataset mend " + first.mend(),
         first.mend(),
         sure ? Severity.REFUSE : Severity.NOTE);
   }
