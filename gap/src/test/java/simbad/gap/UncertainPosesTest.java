@@ -17,12 +17,14 @@ import simbad.gap.audit.AuditCheck;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
+import simbad.gap.diagnosis.EffectFinding;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SetupDetails;
+import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
 
 /** Drives whose poses are off by 3 mm and half a degree, as their scenes say. */
@@ -108,6 +110,36 @@ class UncertainPosesTest {
   void driveInWhichNothingChanged_isNone() {
     Diagnosis diagnosis = diagnosis(drive(Hypothesis.NONE));
     assertEquals(Verdict.NONE, diagnosis.verdict(), diagnosis.reason());
+  }
+
+  /** A robot drives round the post, and a tracker tells where it was 0.3 s ago. */
+  @Test
+  void posesThatAreLate_areALatency() {
+    List<ReadingRow> way = new ArrayList<>();
+    for (int i = 0; i < ROWS; i++) {
+      double time = 0.05 * i;
+      double distance = 0.85 + 0.45 * Math.sin(0.9 * time);
+      double bearing = 0.4 * time;
+      double aside = 0.4 * Math.sin(1.7 * time);
+      Pose pose =
+          Pose.of(
+              distance * Math.cos(bearing),
+              -distance * Math.sin(bearing),
+              bearing + Math.PI + aside);
+      way.add(new ReadingRow("r", "s", time, pose, NoEcho.NO_ECHO));
+    }
+    List<ReadingRow> now = Worlds.read(way, Hypothesis.NONE, 4);
+    List<ReadingRow> late = new ArrayList<>();
+    for (int i = 6; i < ROWS; i++) {
+      late.add(now.get(i).at(now.get(i - 6).pose(), now.get(i).circumstances()));
+    }
+    Diagnosis diagnosis =
+        new Diagnoser(1, Set.of()).diagnose(new DataSet("drive", Worlds.POST, late, List.of()));
+    assertTrue(diagnosis.verdict().namesEffects(), diagnosis.verdict() + " " + diagnosis.reason());
+    EffectFinding first = diagnosis.effects().get(0);
+    assertEquals(Effect.LATENCY, first.effect());
+    assertEquals(Optional.of("poses"), first.form());
+    assertEquals(0.3, first.parameters().get(0).value(), 0.02);
   }
 
   @Test
