@@ -215,6 +215,13 @@ public record Weighed(
         .max(Comparator.comparingDouble(Beside::nats));
   }
 
+  private static boolean doesMostAlone(Effect effect, GapGains gains, List<Scored> sets) {
+    return sets.stream()
+        .map(Scored::hypothesis)
+        .filter(set -> set.effects().equals(List.of(effect)))
+        .anyMatch(alone -> gains.of(alone).shrinkage() >= MOST);
+  }
+
   private Stream<Beside> beside(Effect effect, Set<Effect> own, List<Scored> sets) {
     Set<Effect> more = new TreeSet<>(own);
     more.add(effect);
@@ -243,10 +250,10 @@ public record Weighed(
     Set<Effect> doubtful = new TreeSet<>(SOAK_UP);
     doubtful.addAll(tied ? Definitions.with(Trait.MOVES_RANGES) : Set.of());
     boolean isDone = gain.shrinkage() >= MOST || tied;
-    Set<Effect> all = Set.copyOf(taken.hypothesis().effects());
-    if (gain.shrinkage() >= MOST && all.size() == 1 && MOVES_THINGS.containsAll(all)) {
-      doubtful.removeAll(all);
-    }
+    taken.hypothesis().effects().stream()
+        .filter(MOVES_THINGS::contains)
+        .filter(effect -> doesMostAlone(effect, gains, sets))
+        .forEach(doubtful::remove);
     return new Confirmed(sets, doubtful, worthNats, isPlaced, isDone)
         .best()
         .map(sure -> new Weighed(probabilities, sure, gains.of(sure.hypothesis()), enlarging))
