@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
 import simbad.gap.audit.Audit;
@@ -21,6 +22,7 @@ import simbad.gap.audit.Severity;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
+import simbad.gap.diagnosis.Remedies;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
@@ -80,6 +82,13 @@ class SweepTest {
     Set<Effect> both = new TreeSet<>(named.indistinguishableFrom());
     both.add(named.effect());
     assertEquals(Set.of(Effect.BEAM_MISALIGNMENT, Effect.OBSTACLE_OFFSET), both);
+    List<EffectFinding> toActUpon = Remedies.toActUpon(diagnosis);
+    assertEquals(both, toActUpon.stream().map(EffectFinding::effect).collect(Collectors.toSet()));
+    assertEquals(diagnosis.explanation(), List.of(toActUpon.get(0).effect()));
+    for (EffectFinding one : toActUpon) {
+      String todo = Remedies.of(one, SERVO.sensor());
+      assertTrue(todo.matches("(move the obstacle|turn the sensor [5-9]\\.).*"), todo);
+    }
   }
 
   /**

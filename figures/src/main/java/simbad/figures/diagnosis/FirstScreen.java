@@ -2,6 +2,7 @@ package simbad.figures.diagnosis;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 import simbad.figures.page.AxisScale;
 import simbad.figures.page.Bars;
 import simbad.figures.page.Html;
@@ -74,9 +75,17 @@ final class FirstScreen {
         Html.strong("What to do:"),
         " ",
         diagnosis.verdict().namesEffects()
-            ? Remedies.of(finding, sensor)
+            ? Remedies.of(finding, sensor) + otherwise(finding)
             : "nothing yet, since it is not sure",
         ".");
+  }
+
+  /** What to do if it is what these data cannot tell from it. */
+  private String otherwise(EffectFinding finding) {
+    return Remedies.toActUpon(diagnosis).stream()
+        .filter(other -> finding.indistinguishableFrom().contains(other.effect()))
+        .map(other -> "; or, if it is " + other.effect() + ": " + Remedies.of(other, sensor))
+        .collect(Collectors.joining());
   }
 
   private Html shrinkage() {

@@ -53,7 +53,8 @@ class DiagnosisPageTest {
         "7.25 nats",
         "gain and latency 4990.0",
         "(1 of 528 pairs)",
-        "What to do: multiply all thresholds by 0.50, or restore the sensor's drive voltage.",
+        "What to do: multiply all thresholds by 0.50, or restore the sensor's drive voltage; or, if it"
+            + " is absorption: shorten the far thresholds",
         "gain 118.55 (100.00 to 130.00); not explained 8.75 (5.00 to 12.00); scatter (floor) 51.50",
         "program 1 &lt;b&gt;, seed 7",
         "3024 readings, no reference"

@@ -120,11 +120,11 @@ public final class DiagnosisJson {
   }
 
   private static void effects(ArrayNode all, Diagnosis diagnosis, SonarSpec sensor) {
-    List<Effect> named = diagnosis.verdict().namesEffects() ? diagnosis.explanation() : List.of();
+    List<EffectFinding> toActUpon = Remedies.toActUpon(diagnosis);
     for (EffectFinding finding : diagnosis.effects()) {
       ObjectNode node = all.addObject();
       effect(node, finding);
-      if (named.contains(finding.effect())) {
+      if (toActUpon.contains(finding)) {
         node.put("remedy", Remedies.of(finding, sensor));
       }
     }
