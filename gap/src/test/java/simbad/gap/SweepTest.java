@@ -152,6 +152,7 @@ class SweepTest {
   @Test
   void postThatStandsFurther_isNoFaultOfTheRange() {
     Diagnosis diagnosis = diagnosis(Worlds.effect(Effect.OBSTACLE_OFFSET, "all", 0, -0.15));
+    assertTrue(diagnosis.reason().contains("obstacle-offset"), diagnosis.reason());
     List<Effect> named = diagnosis.verdict().namesEffects() ? diagnosis.explanation() : List.of();
     for (Effect effect : List.of(Effect.SOUND_SPEED, Effect.RANGE_OFFSET, Effect.VERTICAL_BEAM)) {
       assertFalse(named.contains(effect), diagnosis.verdict() + " " + named);

@@ -84,6 +84,6 @@ public final class ObstacleOffsetEffect implements Definition {
 
   @Override
   public Set<Trait> traits() {
-    return Set.of(Trait.SOAKS_UP_PLACEMENTS);
+    return Set.of(Trait.SOAKS_UP_PLACEMENTS, Trait.MOVES_OBSTACLES);
   }
 }

@@ -46,7 +46,8 @@ public record LogDesign(
   }
 
   /**
-   * Returns what does to ranges what an effect does, where they are all of one distance.
+   * Returns what does to ranges what an effect does, where they are all of one distance; seen from
+   * one place an obstacle that is further away, too.
    *
    * @param effect one that makes ranges longer or shorter
    */
@@ -56,6 +57,9 @@ public record LogDesign(
     }
     Set<Effect> others = new TreeSet<>(Definitions.with(Trait.MOVES_RANGES));
     others.remove(effect);
+    if (isOneBearing()) {
+      others.addAll(Definitions.with(Trait.MOVES_OBSTACLES));
+    }
     return others;
   }
 

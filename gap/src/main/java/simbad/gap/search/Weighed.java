@@ -186,7 +186,12 @@ public record Weighed(
    * @param effect one that takes up a little of anything
    * @param nats by how much likelier it makes readings that it was not fitted on
    */
-  public record Beside(Effect effect, double nats) {}
+  public record Beside(Effect effect, double nats) {
+    /** Refuses what is no number. */
+    public Beside {
+      Checks.number("nats", nats);
+    }
+  }
 
   /**
    * Returns what makes the readings plainly likelier beside the set that is concluded upon, and yet

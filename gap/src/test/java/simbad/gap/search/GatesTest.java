@@ -81,10 +81,18 @@ class GatesTest {
                         "r", "s", i, Pose.of(0, 0.8, Math.toRadians(60 + i)), NoEcho.NO_ECHO))
             .toList();
     assertEquals(
-        Set.of(Effect.RANGE_OFFSET, Effect.VERTICAL_BEAM, Effect.COARSE_RESOLUTION),
+        Set.of(
+            Effect.RANGE_OFFSET,
+            Effect.VERTICAL_BEAM,
+            Effect.COARSE_RESOLUTION,
+            Effect.OBSTACLE_OFFSET),
         twins(sweep, Effect.SOUND_SPEED));
     assertEquals(
-        Set.of(Effect.SOUND_SPEED, Effect.VERTICAL_BEAM, Effect.COARSE_RESOLUTION),
+        Set.of(
+            Effect.SOUND_SPEED,
+            Effect.VERTICAL_BEAM,
+            Effect.COARSE_RESOLUTION,
+            Effect.OBSTACLE_OFFSET),
         twins(sweep, Effect.RANGE_OFFSET));
     assertEquals(Set.of(), twins(sweep, Effect.GAIN));
   }
