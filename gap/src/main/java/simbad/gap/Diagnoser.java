@@ -221,9 +221,10 @@ public final class Diagnoser {
     return Inquiry.of(given, calibration, worth, search);
   }
 
-  /** What is concluded, of which set, with the places of its gap. */
+  /** What is concluded, of which set, or of what of it is sure, with the places of its gap. */
   private record Told(
       Weighed weighed,
+      boolean isSure,
       List<Place> where,
       double unknown,
       Map<String, Double> signs,
@@ -254,32 +255,44 @@ public final class Diagnoser {
     double tieNats = TIE_NATS * calibration.clumping();
     List<Place> where = places(given, whole, blocks);
     Conclusion all = Conclusion.of(whole, unnamed, doubtful(whole, open, where), blocks, tieNats);
-    boolean isSilent = given.log().echoes() == 0;
-    Conclusion heard = isSilent ? all.ofSilence() : all;
-    Conclusion first =
-        whole
-            .beside(given, inquiry.sets, inquiry.worthNats, calibration.clumping())
-            .map(heard::beside)
-            .orElse(heard);
-    Optional<Weighed> sure =
-        !isSilent && (first.verdict() == Verdict.UNEXPLAINED || isTied(first, whole))
-            ? whole
-                .confirmed(inquiry.gains, inquiry.sets, inquiry.worthNats)
-                .map(part -> beside(calibration, given, part))
-            : Optional.empty();
+    Conclusion first = beside(inquiry, whole, given.log().echoes() == 0 ? all.ofSilence() : all);
     double stated =
         first.verdict() == Verdict.UNEXPLAINED || first.verdict() == Verdict.PARTLY
             ? Constants.own().under(calibration.model()).besideARest(unknown)
             : unknown;
-    return sure.flatMap(
+    return sure(inquiry, first, whole)
+        .flatMap(
             part ->
                 first
                     .partly(effects(part), whole, unnamed, tieNats)
                     .map(
                         told ->
                             new Told(
-                                part, places(given, part, blocks), stated, unnamed.signs(), told)))
-        .orElse(new Told(whole, where, stated, unnamed.signs(), first));
+                                part,
+                                true,
+                                places(given, part, blocks),
+                                stated,
+                                unnamed.signs(),
+                                told)))
+        .orElse(new Told(whole, false, where, stated, unnamed.signs(), first));
+  }
+
+  /** What makes the readings plainly likelier beside all of it is said. */
+  private static Conclusion beside(Inquiry inquiry, Weighed whole, Conclusion concluded) {
+    return whole
+        .beside(inquiry.given(), inquiry.sets, inquiry.worthNats, inquiry.calibration.clumping())
+        .map(concluded::beside)
+        .orElse(concluded);
+  }
+
+  /** What is sure where all of it is not. */
+  private static Optional<Weighed> sure(Inquiry inquiry, Conclusion concluded, Weighed whole) {
+    boolean isOpen = concluded.verdict() == Verdict.UNEXPLAINED || isTied(concluded, whole);
+    return inquiry.given().log().echoes() > 0 && isOpen
+        ? whole
+            .confirmed(inquiry.gains, inquiry.sets, inquiry.worthNats)
+            .map(part -> beside(inquiry.calibration, inquiry.given(), part))
+        : Optional.empty();
   }
 
   private static Set<Effect> effects(Weighed weighed) {
@@ -338,13 +351,14 @@ public final class Diagnoser {
     Weighed weighed = told.weighed;
     Verdict verdict = told.conclusion.verdict();
     Hypothesis best = weighed.taken().hypothesis();
-    boolean isPartly = verdict == Verdict.PARTLY;
+    // What stands beside a set that is whole is another thing, and speaks not against its names.
+    double against = verdict == Verdict.PARTLY ? 0 : told.unknown;
     SensorLaw.Model law = inquiry.calibration.model();
     return new Diagnosis(
         verdict,
         told.conclusion.reason(),
         best.effects(),
-        new EffectFindings(given, sets, weighed, told.unknown, law, clumping, isPartly).all(),
+        new EffectFindings(given, sets, weighed, against, law, clumping, told.isSure).all(),
         told.unknown,
         1 - weighed.probabilities().ofNone(),
         told.conclusion.atBound(),

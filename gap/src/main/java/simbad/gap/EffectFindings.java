@@ -36,7 +36,7 @@ import simbad.sonar.scene.SensorLaw;
  * @param unknown probability that something without a name is at work
  * @param law of hearing that was taken
  * @param clumping by which readings hang together
- * @param isPartly whether what is named stands beside something else
+ * @param isSure whether only what is sure beside something else is named
  */
 record EffectFindings(
     CalibratedLog given,
@@ -45,7 +45,7 @@ record EffectFindings(
     double unknown,
     SensorLaw.Model law,
     double clumping,
-    boolean isPartly) {
+    boolean isSure) {
   private static final double NORMAL_95 = 1.96;
 
   /** All of them, the most probable first. */
@@ -53,7 +53,7 @@ record EffectFindings(
     Map<Effect, Double> probability = new TreeMap<>();
     weighed.probabilities().ofEffects().forEach((e, p) -> probability.put(e, stated(p)));
     Hypothesis best = weighed.taken().hypothesis();
-    if (isPartly) {
+    if (isSure) {
       best.effects().forEach(effect -> share(effect, probability));
     }
     double[] deviations = deviations(best);
@@ -78,7 +78,7 @@ record EffectFindings(
 
   /** Beside a rest only what has no rival is sure. */
   private List<Effect> ties(Effect effect) {
-    double nats = isPartly ? Double.NEGATIVE_INFINITY : Diagnoser.TIE_NATS * clumping;
+    double nats = isSure ? Double.NEGATIVE_INFINITY : Diagnoser.TIE_NATS * clumping;
     return weighed.tiesOf(effect, nats);
   }
 
