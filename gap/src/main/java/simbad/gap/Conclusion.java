@@ -114,7 +114,7 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
    *
    * @param more what does
    */
-  Conclusion beside(Weighed.Beside more) {
+  Conclusion beside(Weighed.Unseen more) {
     String why =
         String.format(
             Locale.ROOT,

@@ -255,7 +255,8 @@ public final class Diagnoser {
     double tieNats = TIE_NATS * calibration.clumping();
     List<Place> where = places(given, whole, blocks);
     Conclusion all = Conclusion.of(whole, unnamed, doubtful(whole, open, where), blocks, tieNats);
-    Conclusion first = beside(inquiry, whole, given.log().echoes() == 0 ? all.ofSilence() : all);
+    Conclusion first =
+        withUnseen(inquiry, whole, given.log().echoes() == 0 ? all.ofSilence() : all);
     double stated =
         first.verdict() == Verdict.UNEXPLAINED || first.verdict() == Verdict.PARTLY
             ? Constants.own().under(calibration.model()).besideARest(unknown)
@@ -278,9 +279,9 @@ public final class Diagnoser {
   }
 
   /** What makes the readings plainly likelier beside all of it is said. */
-  private static Conclusion beside(Inquiry inquiry, Weighed whole, Conclusion concluded) {
+  private static Conclusion withUnseen(Inquiry inquiry, Weighed whole, Conclusion concluded) {
     return whole
-        .beside(inquiry.given(), inquiry.sets, inquiry.worthNats, inquiry.calibration.clumping())
+        .unseen(inquiry.given(), inquiry.sets, inquiry.worthNats, inquiry.calibration.clumping())
         .map(concluded::beside)
         .orElse(concluded);
   }

@@ -86,7 +86,7 @@ class ConclusionTest {
 
   @Test
   void whatMakesReadingsPlainlyLikelier_isNeitherNothingNorExplained() {
-    Weighed.Beside more = new Weighed.Beside(Effect.CROSSTALK, 47.4);
+    Weighed.Unseen more = new Weighed.Unseen(Effect.CROSSTALK, 47.4);
     isUndecided(
         "off as by crosstalk (47 nats likelier with it)",
         of(weighed(Hypothesis.NONE, 0.01, 0.01), 0.1).beside(more));

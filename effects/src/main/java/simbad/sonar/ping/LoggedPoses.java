@@ -68,13 +68,17 @@ final class LoggedPoses {
       at++;
     }
     if (!isSame(at, ping)) {
-      at = ping;
       return false;
     }
+    // So little later that the clock does not show it.
+    if (at == ping) {
+      put(ping, pose);
+      return true;
+    }
+    put(at - 1, before);
     put(at, after);
-    put(Math.max(ping, at - 1), before);
-    double gapS = log.timeS(at) - log.timeS(Math.max(ping, at - 1));
-    pose.setBetween(before, after, gapS > 0 ? 1 - (log.timeS(at) - then) / gapS : 1);
+    double gapS = log.timeS(at) - log.timeS(at - 1);
+    pose.setBetween(before, after, 1 - (log.timeS(at) - then) / gapS);
     return true;
   }
 

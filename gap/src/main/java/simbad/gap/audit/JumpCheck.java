@@ -146,7 +146,9 @@ final class JumpCheck {
     double byteM = BYTE_S * view.sensor().assumedSoundSpeedMPerS() / 2;
     double known = windowM / Math.sqrt(hits.length);
     boolean isByte = Math.abs(size - byteM) <= AuditView.AIR * byteM + known;
-    boolean isDigit = jump.way().equals("short") && size > 1 - known && isWhole(size, known);
+    double metres = Math.rint(size);
+    boolean isDigit =
+        !jump.eitherWay && jump.sizeM < 0 && metres >= 1 && Math.abs(size - metres) <= known;
     String like = "";
     String mend = "";
     if (isByte) {
@@ -170,10 +172,5 @@ final class JumpCheck {
         mend,
         "",
         isByte ? Severity.WARN : Severity.NOTE);
-  }
-
-  /** Whether a size is a whole number of metres, as well as it is known. */
-  private static boolean isWhole(double sizeM, double knownM) {
-    return Math.abs(sizeM - Math.rint(sizeM)) <= knownM;
   }
 }

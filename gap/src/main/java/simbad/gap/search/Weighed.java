@@ -181,14 +181,14 @@ public record Weighed(
   }
 
   /**
-   * An effect beside the set that is concluded upon.
+   * An effect beside the set that is concluded upon, which does not show in the gap.
    *
    * @param effect one that takes up a little of anything
    * @param nats by how much likelier it makes readings that it was not fitted on
    */
-  public record Beside(Effect effect, double nats) {
+  public record Unseen(Effect effect, double nats) {
     /** Refuses what is no number. */
-    public Beside {
+    public Unseen {
       Checks.number("nats", nats);
     }
   }
@@ -204,35 +204,28 @@ public record Weighed(
    * @param worthNats what a further effect must gain to be as probable as its absence
    * @param clumping by how much readings hang together, counted in it
    */
-  public Optional<Beside> beside(
+  public Optional<Unseen> unseen(
       CalibratedLog given, List<Scored> sets, double worthNats, double clumping) {
     boolean isPlaced = new Placements(given.log()).areRepeated();
     Set<Effect> own = Set.copyOf(taken.hypothesis().effects());
     return Unknown.SOAK.stream()
         .filter(effect -> !own.contains(effect))
         .filter(effect -> !PlainFamily.SOAK_UP_PLACEMENTS.contains(effect))
-        .flatMap(effect -> beside(effect, own, sets))
+        .flatMap(effect -> unseen(effect, own, sets))
         .filter(
-            beside -> {
-              boolean single = isPlaced && !SCATTERS.contains(beside.effect);
-              return beside.nats > PLAINLY * worthNats / (single ? clumping : 1);
+            unseen -> {
+              boolean single = isPlaced && !SCATTERS.contains(unseen.effect);
+              return unseen.nats > PLAINLY * worthNats / (single ? clumping : 1);
             })
-        .max(Comparator.comparingDouble(Beside::nats));
+        .max(Comparator.comparingDouble(Unseen::nats));
   }
 
-  private static boolean doesMostAlone(Effect effect, GapGains gains, List<Scored> sets) {
-    return sets.stream()
-        .map(Scored::hypothesis)
-        .filter(set -> set.effects().equals(List.of(effect)))
-        .anyMatch(alone -> gains.of(alone).shrinkage() >= MOST);
-  }
-
-  private Stream<Beside> beside(Effect effect, Set<Effect> own, List<Scored> sets) {
+  private Stream<Unseen> unseen(Effect effect, Set<Effect> own, List<Scored> sets) {
     Set<Effect> more = new TreeSet<>(own);
     more.add(effect);
     return sets.stream()
         .filter(set -> Set.copyOf(set.hypothesis().effects()).equals(more))
-        .map(set -> new Beside(effect, set.heldOut() - taken.heldOut()));
+        .map(set -> new Unseen(effect, set.heldOut() - taken.heldOut()));
   }
 
   /** Returns the ties of an effect of the set that is concluded upon: what could stand for it. */
@@ -263,5 +256,12 @@ public record Weighed(
         .best()
         .map(sure -> new Weighed(probabilities, sure, gains.of(sure.hypothesis()), enlarging))
         .filter(sure -> sure.gain.isWorthNaming());
+  }
+
+  private static boolean doesMostAlone(Effect effect, GapGains gains, List<Scored> sets) {
+    return sets.stream()
+        .map(Scored::hypothesis)
+        .filter(set -> set.effects().equals(List.of(effect)))
+        .anyMatch(alone -> gains.of(alone).shrinkage() >= MOST);
   }
 }

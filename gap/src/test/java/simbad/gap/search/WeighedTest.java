@@ -61,12 +61,9 @@ class WeighedTest {
     assertEquals(Hypothesis.NONE, weighed.taken().hypothesis());
   }
 
-  /**
-   * What befalls single readings is told of from twice its cost on; not what it is beside another
-   * set, and not an object, which depends on the place.
-   */
+  /** Of what befalls readings wherever they are; an object depends on the place. */
   @Test
-  void beside_isWhatGainsTwiceItsCost() {
+  void unseen_isWhatGainsTwiceItsCost() {
     CalibratedLog given = shifted(0, 0);
     Hypothesis crosstalk = Worlds.effect(Effect.CROSSTALK, "any", 0.02, 0, 4);
     Hypothesis post = Worlds.effect(Effect.UNMODELLED_OBJECT, "mirror", 1, 1, 0, 1, 1);
@@ -79,8 +76,8 @@ class WeighedTest {
       Weighed weighed = Weighed.of(new GapGains(given), sets, Probabilities.COST_NATS, 1);
       assertEquals(Hypothesis.NONE, weighed.taken().hypothesis());
       assertEquals(
-          nats > 20 ? Optional.of(new Weighed.Beside(Effect.CROSSTALK, nats)) : Optional.empty(),
-          weighed.beside(given, sets, Probabilities.COST_NATS, 1));
+          nats > 20 ? Optional.of(new Weighed.Unseen(Effect.CROSSTALK, nats)) : Optional.empty(),
+          weighed.unseen(given, sets, Probabilities.COST_NATS, 1));
     }
   }
 
