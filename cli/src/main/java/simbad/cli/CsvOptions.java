@@ -256,7 +256,9 @@ final class CsvOptions {
     @Option(
         names = "--heading-sigma",
         paramLabel = "ANGLE",
-        description = "Standard deviation of the headings.")
+        description =
+            "Standard deviation of the headings. Default: 1deg where the sensor stands and looks"
+                + " around, as on a servo, else 0.")
     private @Nullable String headingSigma;
   }
 

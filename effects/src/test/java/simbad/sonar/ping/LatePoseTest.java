@@ -88,6 +88,22 @@ class LatePoseTest {
     }
   }
 
+  /** So little later that a clock of seconds since 1970 does not show it. */
+  @Test
+  void lessThanTheClockShows_isNow() {
+    List<ReadingRow> rows = new ArrayList<>();
+    for (int i = 0; i < 5; i++) {
+      rows.add(new ReadingRow("run", "s", 1.7e9 + 0.1 * i, at(0.1 * i), NoEcho.NO_ECHO));
+    }
+    PingLog log = new PingLog(rows);
+    LoggedPoses poses = new LoggedPoses(log, List.of(new LatePose(1e-9)));
+    TruePose pose = new TruePose();
+    for (int ping = 0; ping < 5; ping++) {
+      poses.next(ping, pose);
+      isAt(0.1 * ping, pose, 1e-9);
+    }
+  }
+
   @Test
   void noTime_changesNothing_andLessIsRefused() {
     PingLog log = log(5);

@@ -68,7 +68,7 @@ public final class Audit {
     Optional<AuditFinding> axes = line.isPresent() ? Optional.empty() : new AxesCheck(view).find();
     axes.ifPresent(found::add);
     // Before poses are right, nothing of what follows can be told.
-    if (!refuses(found)) {
+    if (axes.filter(AuditFinding::refuses).isEmpty()) {
       found.addAll(ranges(view, units, line));
     }
     return found;

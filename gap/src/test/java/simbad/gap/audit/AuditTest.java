@@ -405,6 +405,21 @@ class AuditTest {
     assertEquals(isFound, has(AuditCheck.INSIDE, Logs.ROOM, rows));
   }
 
+  /** Whoever mends his places learns in the same breath that his ranges are wrong, too. */
+  @Test
+  void placesThatAreRefused_hideNoFaultOfTheRanges() {
+    List<ReadingRow> rows =
+        each(
+            DRIVE,
+            (i, row) ->
+                with(posed(row, Pose.of(0.001 * (i % 9), 0.001, 0)), new Echo(500 + 0.01 * i)));
+    assertTrue(
+        found(Logs.ROOM, rows).stream()
+            .anyMatch(one -> one.check() == AuditCheck.INSIDE && one.refuses()));
+    assertTrue(
+        found(Logs.ROOM, rows).stream().anyMatch(one -> one.check() == AuditCheck.RANGE_LIMIT));
+  }
+
   @Test
   void still_onlyWhereReadingsMove() {
     Pose pose = Pose.of(0, 1, Math.PI / 2);
