@@ -671,6 +671,19 @@ class DatasetCsvCommandTest {
     assertEquals("right", read(log, "--sensor sensor").readings().get(1).sensor());
   }
 
+  /** The ranges stand in no column that something else is said to be in. */
+  @Test
+  void columnOfAnotherOption_isNoRange() throws Exception {
+    String scan = " --x 0cm --y 0cm --target round:6cm@0,-80cm";
+    assertEquals("0.8 0.79", ranges(read("angle,cm\n90,80\n80,79\n", "--heading angle" + scan)));
+    assertEquals("0.8 0.79", ranges(read("cm,a\n80,90\n79,80\n", "--heading 2" + scan)));
+    Shell none = type("a,b\n90,80\n80,79\n", "--heading a --time b --time-unit s" + scan);
+    assertEquals(2, none.status());
+    assertTrue(none.err().contains("no column but those of other options"), none.err());
+    Shell unread = type("a,cm\n90,80\n80,79\n", "--pan a --distance cm --range cm");
+    assertEquals(2, unread.status(), unread.out());
+  }
+
   /** What cannot be guessed is asked for, in the order in which it is needed. */
   @Test
   void person_isAsked() throws Exception {

@@ -1,9 +1,11 @@
 package simbad.experiments.dataset;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -43,6 +45,20 @@ final class LogGuess {
     "distance", "x", "z", "y", "bearing", "target-x", "target-z", "target-y"
   };
 
+  /** What else may stand in a column that is not the ranges. */
+  private static final List<String> BESIDE =
+      List.of(
+          "heading",
+          "pan",
+          "target-turn",
+          "time",
+          "run",
+          "sensor",
+          "placement",
+          "temperature",
+          "gap-ms",
+          "pause-ms");
+
   private final LogTable log;
   private final Questions questions;
   private final Assumptions assumptions;
@@ -70,7 +86,7 @@ final class LogGuess {
     answered = said;
     isRangeSaid = settings.has("range");
     if (!isRangeSaid) {
-      settings = settings.with("range", range());
+      settings = settings.with("range", range(elsewhere(said)));
     }
     List<Integer> ranges = LogColumns.list(log, settings.find("range").orElseThrow());
     if (!settings.has("range-unit")) {
@@ -87,16 +103,30 @@ final class LogGuess {
         : settings.with("target", target(settings));
   }
 
-  private String range() throws DataFormatException {
-    List<Integer> numbers = columns(this::hasNumbers);
+  /** The columns that something said is to be found in. */
+  private Set<Integer> elsewhere(LogSettings said) {
+    Set<Integer> columns = new HashSet<>();
+    Stream.concat(Stream.of(POSES), BESIDE.stream())
+        .flatMap(option -> said.peek(option).stream())
+        .forEach(words -> columns.addAll(LogColumns.findAll(log, words)));
+    return columns;
+  }
+
+  private String range(Set<Integer> elsewhere) throws DataFormatException {
+    Test free = column -> !elsewhere.contains(column) && hasNumbers(column);
+    List<Integer> numbers = columns(free);
     if (numbers.isEmpty()) {
-      throw log.fault("no column holds numbers, expected ranges; found " + log.shown());
+      throw log.fault(
+          "no column"
+              + (elsewhere.isEmpty() ? "" : " but those of other options")
+              + " holds numbers, expected ranges; found "
+              + log.shown());
     }
     Optional<Integer> column =
-        only(at -> isNamed(RANGE, at) && !isNamed(TRUE, at) && hasNumbers(at))
+        only(at -> isNamed(RANGE, at) && !isNamed(TRUE, at) && free.holds(at))
             .or(() -> besideTheTrue(numbers))
-            .or(this::onlyNumbers)
-            .or(() -> only(at -> isNamed(DISTANCE, at) && !isNamed(TRUE, at) && hasNumbers(at)))
+            .or(() -> onlyNumbers(free))
+            .or(() -> only(at -> isNamed(DISTANCE, at) && !isNamed(TRUE, at) && free.holds(at)))
             .or(() -> only(at -> isNamed(RANGE, at) && !isNamed(TRUE, at)));
     if (column.isEmpty()) {
       return ask("range", "which column holds the sensor's readings", log.shown());
@@ -106,9 +136,9 @@ final class LogGuess {
   }
 
   /** The one column of numbers, where no other calls itself a range. */
-  private Optional<Integer> onlyNumbers() {
+  private Optional<Integer> onlyNumbers(Test free) {
     return columns(at -> isNamed(RANGE, at)).isEmpty()
-        ? only(at -> hasNumbers(at) && !isNamed(TRUE, at))
+        ? only(at -> free.holds(at) && !isNamed(TRUE, at))
         : Optional.empty();
   }
 

@@ -77,10 +77,15 @@ public final class LogSettings {
     return all.isEmpty() ? Optional.empty() : Optional.of(all.get(all.size() - 1));
   }
 
+  /** Returns all values of an option, which does not count as reading it. */
+  List<String> peek(String option) {
+    return values.getOrDefault(option, List.of());
+  }
+
   /** Returns all values of an option that may be given again. */
   List<String> all(String option) {
     read.add(option);
-    return values.getOrDefault(option, List.of());
+    return peek(option);
   }
 
   /**
