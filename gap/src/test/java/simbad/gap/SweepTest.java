@@ -26,6 +26,8 @@ import simbad.gap.diagnosis.Remedies;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
+import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.scene.Scene;
@@ -123,6 +125,58 @@ class SweepTest {
     assertEquals(Verdict.NONE, diagnosis.verdict(), diagnosis.reason());
     assertEquals(
         List.of(AuditCheck.EDGE), diagnosis.audit().stream().map(AuditFinding::check).toList());
+  }
+
+  /** Twice at every third degree; each angle is off by a degree more. */
+  private static List<ReadingRow> scattered(Hypothesis truth, long seed) {
+    Random random = new Random(seed);
+    List<ReadingRow> written = new ArrayList<>();
+    List<ReadingRow> real = new ArrayList<>();
+    for (int degrees = 0; degrees <= 180; degrees += 3) {
+      double off = random.nextGaussian();
+      for (int i = 0; i < 2; i++) {
+        double time = 0.1 * written.size();
+        Pose pose = Pose.of(0, 0.8, Math.toRadians(degrees));
+        written.add(new ReadingRow("sweep", "s", time, pose, NoEcho.NO_ECHO));
+        real.add(
+            new ReadingRow(
+                "sweep",
+                "s",
+                time,
+                Pose.of(0, 0.8, Math.toRadians(degrees + off)),
+                NoEcho.NO_ECHO));
+      }
+    }
+    List<ReadingRow> rows = new ArrayList<>();
+    for (ReadingRow row : Worlds.read(real, truth, seed)) {
+      rows.add(row.at(written.get(rows.size()).pose(), row.circumstances()));
+    }
+    return rows;
+  }
+
+  private static void assertTurned(Diagnosis diagnosis, Set<Effect> others) {
+    assertEquals(Verdict.EXPLAINED, diagnosis.verdict(), diagnosis.reason());
+    Set<Effect> named = new TreeSet<>(diagnosis.explanation());
+    assertTrue(named.removeAll(others) || others.isEmpty(), named.toString());
+    assertEquals(1, named.size(), named.toString());
+    assertTrue(
+        Set.of(Effect.BEAM_MISALIGNMENT, Effect.OBSTACLE_OFFSET).containsAll(named),
+        named.toString());
+  }
+
+  /** What a border at such angles decides does not outweigh all other readings. */
+  @Test
+  void turnedServo_isFound_whereItsAnglesScatter() {
+    Hypothesis turned = Worlds.effect(Effect.BEAM_MISALIGNMENT, "all", 10);
+    assertTurned(diagnosis(SERVO, scattered(turned, 3)), Set.of());
+  }
+
+  /** No object beside the post; and no cone that is as wide as all of the arc. */
+  @Test
+  void turnedServoWithAWiderCone_isFoundAsBoth() {
+    Form wider = Forms.find(Effect.BEAM_WIDTH, "cone", Worlds.POST, List.of("s")).orElseThrow();
+    Hypothesis truth = Worlds.effect(Effect.BEAM_MISALIGNMENT, "all", -20).and(wider, 12);
+    assertTurned(diagnosis(SERVO, scattered(truth, 2)), Set.of(Effect.BEAM_WIDTH));
   }
 
   /** Angles that count from the other end put the post where it is not: said, and not refused. */

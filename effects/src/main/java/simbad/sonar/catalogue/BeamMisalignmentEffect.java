@@ -13,6 +13,7 @@ import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.definition.Trait;
 import simbad.sonar.change.BeamMisalignment;
+import simbad.sonar.effect.Clues;
 import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
@@ -63,6 +64,13 @@ public final class BeamMisalignmentEffect implements Definition {
         name,
         v -> new BeamMisalignment(toRadians(v[0]), sensor),
         Parameter.of("turn_deg", 0, -30, 30, -12, -6, -3, 3, 6, 12));
+  }
+
+  @Override
+  public Optional<double[]> whereHeard(Form form, Clues.HeardArc arc) {
+    return form.name().equals(ALL)
+        ? Optional.of(new double[] {-Math.toDegrees(arc.turnRad())})
+        : Optional.empty();
   }
 
   /** An axis that is a degree off. */

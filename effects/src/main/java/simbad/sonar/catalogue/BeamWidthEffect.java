@@ -11,6 +11,7 @@ import simbad.definition.Parameter;
 import simbad.definition.Trait;
 import simbad.sonar.change.BeamWidth;
 import simbad.sonar.change.LevelAperture;
+import simbad.sonar.effect.Clues;
 import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
@@ -83,6 +84,13 @@ public final class BeamWidthEffect implements Definition {
         ? Optional.of(
             text("make sensor.level.aperture_radius_m %.2f times as large", values.value(FACTOR)))
         : Optional.empty();
+  }
+
+  @Override
+  public Optional<double[]> whereHeard(Form form, Clues.HeardArc arc) {
+    return form.name().equals(APERTURE)
+        ? Optional.empty()
+        : Optional.of(new double[] {Math.toDegrees(arc.widerRad())});
   }
 
   /** A cone that is a degree off; a tenth of a beam. */

@@ -15,6 +15,7 @@ import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
+import simbad.sonar.effect.LogDesign;
 import simbad.sonar.effect.Probe;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
@@ -67,6 +68,12 @@ public final class LatencyEffect implements Definition {
             "poses",
             v -> new LatePose(v[0]),
             Parameter.of(LATE, 0, 0, MOST_LATE_S, 0.06, 0.15, 0.3, 0.6)));
+  }
+
+  /** Of one pass past one obstacle, a servo that is read late looks like one that is turned. */
+  @Override
+  public boolean canShow(Form form, LogDesign log) {
+    return !log.isOnePass();
   }
 
   /** 50 ms. */

@@ -10,6 +10,7 @@ import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.definition.Trait;
 import simbad.sonar.change.ObstacleOffset;
+import simbad.sonar.effect.Clues;
 import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
@@ -21,6 +22,8 @@ import simbad.sonar.scene.SensingSetup;
 
 /** An obstacle stands elsewhere than believed. */
 public final class ObstacleOffsetEffect implements Definition {
+  private static final String ALL = "all";
+
   @Override
   public Effect effect() {
     return Effect.OBSTACLE_OFFSET;
@@ -38,7 +41,7 @@ public final class ObstacleOffsetEffect implements Definition {
 
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
-    List<Form> forms = new ArrayList<>(List.of(moved("all", Optional.empty())));
+    List<Form> forms = new ArrayList<>(List.of(moved(ALL, Optional.empty())));
     List<String> labels = Scenes.labels(setup.scene());
     if (labels.size() > 1) {
       labels.forEach(label -> forms.add(moved("only:" + label, Optional.of(label))));
@@ -53,6 +56,13 @@ public final class ObstacleOffsetEffect implements Definition {
         v -> new ObstacleOffset(v[0], v[1], only),
         Parameter.of("x_m", 0, -1, 1, -0.06, 0, 0.06),
         Parameter.of("z_m", 0, -1, 1, -0.06, 0, 0.06));
+  }
+
+  @Override
+  public Optional<double[]> whereHeard(Form form, Clues.HeardArc arc) {
+    return form.name().equals(ALL)
+        ? Optional.of(new double[] {arc.xM(), arc.zM()})
+        : Optional.empty();
   }
 
   /** 1 cm either way. */

@@ -1,6 +1,7 @@
 package simbad.sonar.effect;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import simbad.sonar.check.Checks;
@@ -75,4 +76,28 @@ public interface Clues {
 
   /** Returns the thresholds by bearing over the believed one, less 1, as a Fourier series. */
   double[] waves(int obstacle);
+
+  /**
+   * Over which headings a sensor that stood still heard its one obstacle.
+   *
+   * @param turnRad from the middle of the headings that were expected to that of those at which it
+   *     was heard, counter-clockwise
+   * @param widerRad by how much half of the arc is wider than expected
+   * @param xM by how much the obstacle would be elsewhere in x, as far away as believed
+   * @param zM the same in z
+   */
+  record HeardArc(double turnRad, double widerRad, double xM, double zM) {
+    /** Refuses what is no number. */
+    public HeardArc {
+      Checks.finite("turnRad", turnRad);
+      Checks.finite("widerRad", widerRad);
+      Checks.finite("xM", xM);
+      Checks.finite("zM", zM);
+    }
+  }
+
+  /** Returns that arc; empty where the sensor moved, or had several obstacles before it. */
+  default Optional<HeardArc> heardArc() {
+    return Optional.empty();
+  }
 }

@@ -1,5 +1,6 @@
 package simbad.sonar.effect;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -50,14 +51,32 @@ public interface Definition {
   }
 
   /**
-   * Returns values from which a fit starts: by default all combinations of the parameters' tries.
+   * Returns values from which a fit starts: by default all combinations of the parameters' tries,
+   * and what the arc says over which a lone obstacle was heard.
    *
    * @param form one of its forms
    * @param clues what the log shows that nothing explains yet
    * @return at least one set of values, each in its parameter's interval
    */
   default List<double[]> starts(Form form, Clues clues) {
-    return Tries.all(form);
+    List<double[]> starts = new ArrayList<>(Tries.all(form));
+    clues
+        .heardArc()
+        .flatMap(arc -> whereHeard(form, arc))
+        .ifPresent(values -> starts.add(Tries.within(form, values)));
+    return starts;
+  }
+
+  /**
+   * Returns the values with which a lone obstacle would be heard over an arc of headings, or over
+   * an arc of its width, from one place.
+   *
+   * @param form one of its forms
+   * @param arc over which it was heard
+   * @return one for each parameter, in its interval or not; empty for what has no say in it
+   */
+  default Optional<double[]> whereHeard(Form form, Clues.HeardArc arc) {
+    return Optional.empty();
   }
 
   /**

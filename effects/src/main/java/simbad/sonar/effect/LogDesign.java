@@ -36,7 +36,6 @@ public record LogDesign(
     double wayM,
     Set<String> round,
     boolean isOfOneDistance) {
-  private static final double SAME_PLACE_M = 0.001;
   private static final double STILL_RAD = Math.toRadians(0.1);
 
   /** Checks the way and copies the set. */
@@ -107,11 +106,7 @@ public record LogDesign(
    * aside of where it should be or the sensor turned is the same then.
    */
   public boolean isOneBearing() {
-    return setup.scene().obstacles().size() == 1
-        && IntStream.range(0, log.size())
-            .allMatch(
-                ping ->
-                    Math.hypot(log.xM(ping) - log.xM(0), log.zM(ping) - log.zM(0)) < SAME_PLACE_M);
+    return setup.scene().obstacles().size() == 1 && log.isOfOnePlace();
   }
 
   /**

@@ -16,6 +16,13 @@ public final class Tries {
     return tries;
   }
 
+  /** Returns values, each moved into its parameter's interval. */
+  public static double[] within(Form form, double... values) {
+    double[] moved = values.clone();
+    Arrays.setAll(moved, i -> form.parameters().get(i).clamp(values[i]));
+    return moved;
+  }
+
   /** Returns all combinations of a form's own tries. */
   public static List<double[]> all(Form form) {
     return combined(form, of(form));

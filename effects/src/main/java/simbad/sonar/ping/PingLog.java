@@ -21,6 +21,8 @@ import simbad.sonar.sensing.ReadingRow;
  * of rows changes nothing. Immutable, safe for use by several threads.
  */
 public final class PingLog {
+  private static final double SAME_PLACE_M = 0.001;
+
   /** Sums over rows without a time are taken in one order, whichever line comes first. */
   private static final Comparator<ReadingRow> UNTIMED =
       Comparator.<ReadingRow>comparingDouble(one -> one.pose().position().xM())
@@ -263,5 +265,11 @@ public final class PingLog {
       return 0;
     }
     return Math.hypot(xM[to] - xM[from], zM[to] - zM[from]) / (timeS[to] - timeS[from]);
+  }
+
+  /** Returns whether all pings were sent from one place, as far as poses are written. */
+  public boolean isOfOnePlace() {
+    return IntStream.range(0, size())
+        .allMatch(ping -> Math.hypot(xM[ping] - xM[0], zM[ping] - zM[0]) < SAME_PLACE_M);
   }
 }

@@ -234,7 +234,9 @@ class StartsTest {
     }
     assertEquals(Set.of(), Definitions.of(Effect.OBSTACLE_OFFSET).twins(moving));
     assertFalse(canShow(Effect.HEADING_DRIFT, once));
+    assertFalse(canShow(Effect.LATENCY, once));
     assertTrue(canShow(Effect.HEADING_DRIFT, backAndForth));
+    assertTrue(canShow(Effect.LATENCY, backAndForth));
     assertTrue(canShow(Effect.HEADING_DRIFT, twiceRound));
     assertTrue(canShow(Effect.HEADING_DRIFT, moving));
   }

@@ -1,7 +1,9 @@
 package simbad.gap.fit;
 
 import java.util.List;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
@@ -29,6 +31,8 @@ public final class CalibratedLog {
   /** Many sets of effects look from the same places. */
   private final Geometries geometries;
 
+  private final Optional<UnsureHeadings> headings;
+
   /** What a nat counts for: of whether there is an echo, and of where. */
   private final double echoWeight;
 
@@ -49,6 +53,7 @@ public final class CalibratedLog {
     rangeWeight = 1;
     plain = new Geometry(log, setup, calibration);
     geometries = new Geometries(plain, this.calibration);
+    headings = UnsureHeadings.of(setup, plain);
     broad = new double[log.size()];
     double resolution = setup.sensor().resolutionM();
     double step = resolution > 0 ? resolution : FINEST_STEP_M;
@@ -65,6 +70,7 @@ public final class CalibratedLog {
     broad = other.broad;
     plain = other.plain;
     geometries = other.geometries;
+    headings = other.headings;
     this.echoWeight = echoWeight;
     this.rangeWeight = rangeWeight;
   }
@@ -120,6 +126,18 @@ public final class CalibratedLog {
     return geometries.of(model);
   }
 
+  /**
+   * Computes what a hypothesis expects of each ping without looking at any reading, headings that
+   * are known to some degrees only counted in.
+   *
+   * @param model of the hypothesis
+   */
+  public List<ReadingDistribution> forecast(ChangedModel model) {
+    Geometry geometry = geometry(model);
+    List<ReadingDistribution> straight = model.forecast(geometry);
+    return headings.map(unsure -> unsure.average(model, geometry, straight)).orElse(straight);
+  }
+
   Geometries geometries() {
     return geometries;
   }
@@ -153,6 +171,7 @@ public final class CalibratedLog {
     boolean weighed = echoWeight != 1 || rangeWeight != 1;
     double[] echoes = weighed ? new double[into.length] : null;
     model.likelihood(geometry, into, echoes, only, known);
+    headings.ifPresent(unsure -> unsure.average(model, geometry, into, echoes, only));
     double silent = -1;
     double logSilent = 0;
     for (int i = 0; i < into.length; i++) {

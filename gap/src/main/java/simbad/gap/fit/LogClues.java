@@ -28,6 +28,7 @@ final class LogClues implements Clues {
   private final CalibratedLog given;
   private final Hypothesis hypothesis;
   private final Fold fold;
+  private final Optional<HeardArc> arc;
 
   LogClues(CalibratedLog given, Hypothesis hypothesis) {
     this(given, hypothesis, Fold.ALL);
@@ -46,6 +47,7 @@ final class LogClues implements Clues {
     for (int ping = 0; ping < nearest.length; ping++) {
       nearest[ping] = NearestRange.inConeM(geometry, ping);
     }
+    arc = ArcSearch.find(this);
   }
 
   /** Pings that count and have an obstacle in the cone. */
@@ -160,5 +162,10 @@ final class LogClues implements Clues {
   @Override
   public double[] waves(int obstacle) {
     return new TableSearch(this, obstacle).waves();
+  }
+
+  @Override
+  public Optional<HeardArc> heardArc() {
+    return arc;
   }
 }

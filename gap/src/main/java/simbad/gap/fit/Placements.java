@@ -16,6 +16,9 @@ import simbad.sonar.ping.PingLog;
  * them say of a tape no more than one does.
  */
 public final class Placements {
+  /** What a tape or a ruler may be off by, metres; placement-error is searched as far. */
+  public static final double MOST_OFF_M = 0.05;
+
   /** Readings of a placement, in the mean, from which on a log is one of things put in place. */
   private static final int READ_AGAIN = 2;
 

@@ -82,7 +82,7 @@ public final class Places {
     Geometry geometry = given.geometry(nominal);
     Places places = new Places(before, after, blocks);
     places.cover(Cuts.of(geometry));
-    return places.told(given, nominal.forecast(geometry));
+    return places.told(given, given.forecast(nominal));
   }
 
   /** Greedily: the best slice of what no earlier one covers. */

@@ -48,7 +48,7 @@ public final class GapMeter {
   /** Measures a hypothesis. */
   public Gaps measure(CalibratedLog given, Hypothesis hypothesis) {
     ChangedModel model = given.model(hypothesis);
-    List<ReadingDistribution> forecast = model.forecast(given.geometry(model));
+    List<ReadingDistribution> forecast = given.forecast(model);
     double[] observed = new double[log.size()];
     double[] expected = new double[log.size()];
     IntStream.range(0, log.size())

@@ -16,6 +16,12 @@ public final class PracticalSize {
   /** By how many standard errors an effect shrinks the gap of rows that the fit never saw. */
   private static final double SHOWN = 1.5;
 
+  /**
+   * A gap at two places of a log shrinks by 1.4 standard errors at most: blocks that have none
+   * count as well. What takes away so much of a gap that is plainly there shows in it all the same.
+   */
+  private static final double MOST = 0.5;
+
   private final GapGains gains;
   private final List<Scored> sets;
 
@@ -43,7 +49,7 @@ public final class PracticalSize {
       Optional<Scored> less = find(set.hypothesis().without(effect));
       if (less.isPresent()
           && set.heldOut() - less.get().heldOut() < nats
-          && shrinkage(less.get().hypothesis(), set.hypothesis()) < SHOWN) {
+          && !shows(less.get().hypothesis(), set.hypothesis())) {
         unseen.add(effect);
       }
     }
@@ -55,6 +61,12 @@ public final class PracticalSize {
     return sets.stream()
         .filter(set -> Set.copyOf(set.hypothesis().effects()).equals(effects))
         .findFirst();
+  }
+
+  private boolean shows(Hypothesis without, Hypothesis with) {
+    GapGain before = gains.of(without);
+    boolean isMost = before.leavesMuch() && gains.of(with).afterM() <= (1 - MOST) * before.afterM();
+    return isMost || shrinkage(without, with) >= SHOWN;
   }
 
   /** How much the gap shrinks from one hypothesis to another, in standard errors over blocks. */

@@ -16,6 +16,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.gap.calibrate.SetupLeave;
+import simbad.gap.fit.ArcSearch;
 import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
@@ -115,6 +116,7 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
     Fit nominal = new Fitter(given, Fold.ALL).refine(Hypothesis.NONE, 0);
     keep(nominal);
     List<Fit> starts = new ArrayList<>(new Screen(given, nominal).all(forms).values());
+    ArcSearch.starts(given, forms).forEach(this::offer);
     offered.forEach(set -> starts.add(joint(new Fit(set, nominal.logLikelihood()))));
     singles = best(starts);
     singles.forEach(this::keep);

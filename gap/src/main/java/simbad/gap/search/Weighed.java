@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import simbad.definition.Effect;
 import simbad.definition.Trait;
 import simbad.gap.fit.CalibratedLog;
+import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.Placements;
 import simbad.gap.score.GapGain;
 import simbad.gap.score.GapGains;
@@ -127,6 +128,9 @@ public record Weighed(
     Set<Effect> unseen = new TreeSet<>();
     if (new Placements(given.log()).areRepeated()) {
       unseen.addAll(PlainFamily.SOAK_UP_PLACEMENTS);
+      if (isBeyondPlacements(gains, sets)) {
+        unseen.removeAll(MOVES_THINGS);
+      }
     }
     Map<Effect, Set<Effect>> twins = Gates.twins(given);
     List<Scored> left = new ArrayList<>(candidates);
@@ -152,6 +156,24 @@ public record Weighed(
         enlarging.add(best);
       }
     }
+  }
+
+  /**
+   * Whether what predicts best without moving anything leaves more than placements are off by, so
+   * that what moves something does not just take up where things were put. What the simulator
+   * expects of scatter is the floor here: an effect may expect any scatter of its own.
+   */
+  private static boolean isBeyondPlacements(GapGains gains, List<Scored> sets) {
+    double floorM = gains.of(Hypothesis.NONE).floorM();
+    return sets.stream()
+        .filter(Weighed::movesNothing)
+        .max(Comparator.comparingDouble(Scored::heldOut))
+        .filter(set -> gains.of(set.hypothesis()).afterM() - floorM > Placements.MOST_OFF_M)
+        .isPresent();
+  }
+
+  private static boolean movesNothing(Scored set) {
+    return set.hypothesis().effects().stream().noneMatch(PlainFamily.SOAK_UP_PLACEMENTS::contains);
   }
 
   /** At an end of the search, while a set that is not says nearly as much. */

@@ -30,7 +30,7 @@ final class Foresight {
   static Foresight of(CalibratedLog given, Hypothesis hypothesis) {
     ChangedModel model = given.model(hypothesis);
     Geometry geometry = given.geometry(model);
-    List<ReadingDistribution> forecast = model.forecast(geometry);
+    List<ReadingDistribution> forecast = given.forecast(model);
     double[] expected =
         forecast.stream().mapToDouble(reading -> 1 - reading.noEchoProbability()).toArray();
     boolean[][] drawn =

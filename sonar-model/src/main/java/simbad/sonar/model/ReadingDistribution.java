@@ -50,6 +50,24 @@ public final class ReadingDistribution {
     return new ReadingDistribution(parts, resolutionM, Report.AS_MEASURED);
   }
 
+  /**
+   * Mixes distributions of one sensor's reading, of which one holds but nobody knows which.
+   *
+   * @param of at least one, with equal resolutions and ways of reporting
+   * @param shares how probable each is, at least 0, in all 1
+   */
+  public static ReadingDistribution mixture(List<ReadingDistribution> of, double... shares) {
+    List<Part> parts = new ArrayList<>();
+    for (int i = 0; i < shares.length; i++) {
+      double share = Checks.notNegative("share", shares[i]);
+      for (Part part : of.get(i).parts) {
+        parts.add(
+            new Part(part.meanM(), part.deviationM(), part.halfWidthM(), share * part.share()));
+      }
+    }
+    return new ReadingDistribution(parts, of.get(0).resolutionM, of.get(0).report);
+  }
+
   /** Returns the probability of no echo, in [0, 1]. */
   public double noEchoProbability() {
     return noEchoProbability;
