@@ -133,19 +133,16 @@ final class UnsureHeadings {
         sides.stream().map(side -> model.forecast(side.geometry)).toList();
     List<ReadingDistribution> mixed = new ArrayList<>(straight);
     for (int ping = 0; ping < mixed.size(); ping++) {
-      List<ReadingDistribution> all = new ArrayList<>(List.of(straight.get(ping)));
+      List<ReadingDistribution> others = new ArrayList<>();
       DoubleStream.Builder shares = DoubleStream.builder();
-      double rest = 1;
       for (int i = 0; i < there.size(); i++) {
         if (sides.get(i).differs[ping]) {
-          all.add(there.get(i).get(ping));
+          others.add(there.get(i).get(ping));
           shares.add(sides.get(i).weight);
-          rest -= sides.get(i).weight;
         }
       }
-      if (all.size() > 1) {
-        double[] weights = DoubleStream.concat(DoubleStream.of(rest), shares.build()).toArray();
-        mixed.set(ping, ReadingDistribution.mixture(all, weights));
+      if (!others.isEmpty()) {
+        mixed.set(ping, straight.get(ping).mixed(others, shares.build().toArray()));
       }
     }
     return mixed;

@@ -51,21 +51,27 @@ public final class ReadingDistribution {
   }
 
   /**
-   * Mixes distributions of one sensor's reading, of which one holds but nobody knows which.
+   * Returns what is read if one of several distributions holds, and nobody knows which.
    *
-   * @param of at least one, with equal resolutions and ways of reporting
-   * @param shares how probable each is, at least 0, in all 1
+   * @param others of the same sensor, with this one's resolution and way of reporting
+   * @param shares how probable each of the others is, at least 0 and in all at most 1; this one has
+   *     the rest
    */
-  public static ReadingDistribution mixture(List<ReadingDistribution> of, double... shares) {
-    List<Part> parts = new ArrayList<>();
+  public ReadingDistribution mixed(List<ReadingDistribution> others, double... shares) {
+    List<Part> mixed = new ArrayList<>();
+    double rest = 1;
     for (int i = 0; i < shares.length; i++) {
-      double share = Checks.notNegative("share", shares[i]);
-      for (Part part : of.get(i).parts) {
-        parts.add(
-            new Part(part.meanM(), part.deviationM(), part.halfWidthM(), share * part.share()));
-      }
+      rest -= Checks.notNegative("share", shares[i]);
+      others.get(i).addParts(shares[i], mixed);
     }
-    return new ReadingDistribution(parts, of.get(0).resolutionM, of.get(0).report);
+    addParts(Checks.notNegative("share of the first", rest), mixed);
+    return new ReadingDistribution(mixed, resolutionM, report);
+  }
+
+  private void addParts(double share, List<Part> into) {
+    for (Part part : parts) {
+      into.add(new Part(part.meanM(), part.deviationM(), part.halfWidthM(), share * part.share()));
+    }
   }
 
   /** Returns the probability of no echo, in [0, 1]. */

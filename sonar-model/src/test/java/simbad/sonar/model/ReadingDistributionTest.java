@@ -226,4 +226,21 @@ class ReadingDistributionTest {
         assertThrows(IllegalStateException.class, () -> of(0.01, 0).probabilityOfStep(1));
     assertTrue(String.valueOf(refused.getMessage()).contains("resolutionM = 0"));
   }
+
+  /** A half that hears at 1 m, a quarter at 2 m, and a quarter that hears nothing. */
+  @Test
+  void mixture_isTheMeanOfItsParts() {
+    ReadingDistribution near = of(0.01, 0, sight(1, 0.9));
+    ReadingDistribution far = of(0.01, 0, sight(2, 0.8));
+    ReadingDistribution silent = of(0.01, 0);
+    ReadingDistribution mixed = near.mixed(List.of(far, silent), 0.25, 0.25);
+    for (double rangeM : new double[] {0.5, 0.99, 1, 1.5, 2.01, 3}) {
+      assertEquals(
+          0.5 * near.echoUpTo(rangeM) + 0.25 * far.echoUpTo(rangeM), mixed.echoUpTo(rangeM), 1e-12);
+    }
+    assertEquals(1 - 0.5 * 0.9 - 0.25 * 0.8, mixed.noEchoProbability(), 1e-12);
+    assertEquals(near.noEchoProbability(), near.mixed(List.of()).noEchoProbability());
+    assertThrows(IllegalArgumentException.class, () -> near.mixed(List.of(far, silent), 0.75, 0.5));
+    assertThrows(IllegalArgumentException.class, () -> near.mixed(List.of(far), Double.NaN));
+  }
 }
