@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import simbad.gap.fit.Placements;
 import simbad.gap.fit.Robust;
 import simbad.sonar.model.NominalModel;
 import simbad.sonar.model.SightLine;
@@ -31,7 +32,7 @@ final class AuditView {
   static final double AIR = 0.07;
 
   /** So far a sensor or an obstacle may stand from where it is believed, in metres. */
-  static final double PLACE_M = 0.05;
+  static final double PLACE_M = Placements.MOST_OFF_M;
 
   /** Scatter beyond this many standard deviations is none: one reading in a thousand million. */
   static final double DEVIATIONS = 6;

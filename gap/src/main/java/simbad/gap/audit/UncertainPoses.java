@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import simbad.gap.fit.NearestRange;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
@@ -62,18 +63,13 @@ public final class UncertainPoses {
     Set<Integer> unsure = new TreeSet<>();
     for (int row = 0; row < straight.length; row++) {
       for (double[] other : others) {
-        if (poses.differs(straight[row], other[row])) {
+        // By then the pose scatters a range as much as the sensor does, and unlike elsewhere.
+        if (NearestRange.isAnother(setup.sensor(), straight[row], other[row])) {
           unsure.add(row);
         }
       }
     }
     return unsure.size() > MOST_SHARE * rows.size() ? Set.of() : unsure;
-  }
-
-  private boolean differs(double one, double other) {
-    // By then the pose scatters a range as much as the sensor does, and unlike elsewhere.
-    double most = DEVIATIONS * Math.max(setup.sensor().rangeNoiseM(), setup.sensor().resolutionM());
-    return one != other && !(Math.abs(one - other) <= most);
   }
 
   /** By row, the nearest obstacle that is likelier heard than not; infinity for none. */

@@ -5,10 +5,29 @@ import simbad.sonar.model.NominalModel;
 import simbad.sonar.model.TransducerPose;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
+import simbad.sonar.scene.SonarSpec;
 
 /** The distance to the nearest obstacle in the cone, heard or not. */
 public final class NearestRange {
+  /**
+   * A range that differs by so many standard deviations of the sensor, or steps, is another one.
+   */
+  private static final double DEVIATIONS = 2;
+
   private NearestRange() {}
+
+  /**
+   * Tells whether two poses see something else: one of them nothing, or ranges that differ by more
+   * than the sensor scatters.
+   *
+   * @param sensor that looks
+   * @param oneM what is nearest from one pose, metres; infinity for nothing
+   * @param otherM the same from the other
+   */
+  public static boolean isAnother(SonarSpec sensor, double oneM, double otherM) {
+    double most = DEVIATIONS * Math.max(sensor.rangeNoiseM(), sensor.resolutionM());
+    return oneM != otherM && !(Math.abs(oneM - otherM) <= most);
+  }
 
   /** Returns it for a ping of a geometry, metres; infinity where nothing is in the cone. */
   public static double inConeM(Geometry geometry, int ping) {

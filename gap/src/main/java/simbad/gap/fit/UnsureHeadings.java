@@ -34,9 +34,6 @@ final class UnsureHeadings {
     0.01125741132772069, 0.2220759220056126, 0.2220759220056126, 0.01125741132772069
   };
 
-  /** A range that differs by so many standard deviations of the sensor is another one. */
-  private static final double DEVIATIONS = 2;
-
   private final SensingSetup setup;
   private final double sigmaRad;
 
@@ -179,14 +176,11 @@ final class UnsureHeadings {
     return sides;
   }
 
-  private boolean[] differs(Geometry straight, Geometry turned) {
-    double most =
-        DEVIATIONS * Math.max(straight.sensor().rangeNoiseM(), straight.sensor().resolutionM());
+  private static boolean[] differs(Geometry straight, Geometry turned) {
     boolean[] differs = new boolean[straight.log().size()];
     for (int line = 0; line < differs.length * straight.obstacles(); line++) {
-      double one = straight.nearestM(line);
-      double other = turned.nearestM(line);
-      differs[line / straight.obstacles()] |= one != other && !(Math.abs(one - other) <= most);
+      differs[line / straight.obstacles()] |=
+          NearestRange.isAnother(straight.sensor(), straight.nearestM(line), turned.nearestM(line));
     }
     return differs;
   }
