@@ -14,13 +14,16 @@ class EchoCurvesTest {
     return Math.log(0.002 + 0.996 * Erf.erfc(-decibels / Math.sqrt(2)) / 2);
   }
 
-  /** A reading that was heard at 1 dB, and one that no level moves. */
-  private static final EchoCurves CURVES =
+  /**
+   * A reading that was heard at 1 dB, and one that no level moves. Not static: the threads that ask
+   * the law would wait for this class, and this class for them.
+   */
+  private final EchoCurves curves =
       new EchoCurves(decibels -> new double[] {read(1 + decibels), -0.5});
 
-  private static double[] at(double decibels) {
+  private double[] at(double decibels) {
     double[] into = new double[3];
-    CURVES.at(0, decibels, into);
+    curves.at(0, decibels, into);
     return into;
   }
 
@@ -63,7 +66,7 @@ class EchoCurvesTest {
 
   @Test
   void whatNoLevelMovesIsFlat() {
-    assertTrue(CURVES.isFlat(1));
-    assertFalse(CURVES.isFlat(0));
+    assertTrue(curves.isFlat(1));
+    assertFalse(curves.isFlat(0));
   }
 }
