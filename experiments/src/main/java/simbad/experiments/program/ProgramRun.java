@@ -47,6 +47,7 @@ public final class ProgramRun implements StepListener {
   private final @Nullable Pictures pictures;
   private final Queue<Runnable> events = new ConcurrentLinkedQueue<>();
   private volatile @Nullable Thread main;
+  private volatile boolean mainMadeWorld;
 
   private ProgramRun(RunPlan plan, @Nullable Pictures pictures) {
     this.plan = plan;
@@ -186,10 +187,16 @@ public final class ProgramRun implements StepListener {
     }
   }
 
-  /** A main may leave it to a thread of its own to make the world. */
+  /**
+   * A main may leave it to a thread of its own to make the world, and to show it or to step it. A
+   * world that is made is not yet shown.
+   */
   private void awaitWorld(ThreadGroup group) throws InterruptedException {
     long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
-    while (numbers.isEmpty() && group.activeCount() > 0 && System.nanoTime() < end) {
+    while (!mainMadeWorld
+        && shown.isEmpty()
+        && group.activeCount() > 0
+        && System.nanoTime() < end) {
       Thread.sleep(LOOK_MS);
     }
   }
@@ -250,6 +257,9 @@ public final class ProgramRun implements StepListener {
 
   @Override
   public void made(Simulator simulator, World world) {
+    if (Thread.currentThread() == main) {
+      mainMadeWorld = true;
+    }
     numbers.put(simulator, numbers.size() + 1);
     record(simulator, 0);
   }

@@ -232,6 +232,27 @@ class ProgramRunTest {
     assertEquals(100, last.step());
   }
 
+  /** What a thread does between making its world and stepping it may take time. */
+  @Test
+  void worldThatAThreadStepsItself_isStepped() throws Exception {
+    PoseTrace.Row last =
+        lastRow(
+            "ThreadedBatch",
+            """
+            public class ThreadedBatch {
+              public static void main(String[] args) {
+                new Thread(() -> {
+                  Simbatch batch = new Simbatch(Driver.world(new Driver()), false);
+                  try { Thread.sleep(300); } catch (InterruptedException e) { return; }
+                  batch.reset();
+                  for (int i = 0; i < 100; i++) batch.step();
+                }).start();
+              }
+            }
+            """);
+    assertEquals(100, last.step());
+  }
+
   /** It says what came out after its last step, in each of its worlds. */
   @Test
   void batchProgram_goesOnAfterItsLastStep() throws Exception {
