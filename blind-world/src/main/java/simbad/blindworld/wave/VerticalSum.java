@@ -1,5 +1,7 @@
 package simbad.blindworld.wave;
 
+import java.util.Arrays;
+
 /**
  * The sum over a target's height of what a point at a horizontal distance sends back: directivity
  * in the vertical out and back, and the phase k z^2 / distance of the longer way. For a target
@@ -15,21 +17,31 @@ final class VerticalSum {
   /** Further up or down than so many times the distance nothing is sent. */
   private static final double STEEPEST = 1.2;
 
+  private final Upright upright;
+  private final Medium medium;
   private final double perStep;
+
+  /** NaN until somebody asks: a great distance needs thousands of slices. */
   private final double[] re = new double[STEPS + 2];
+
   private final double[] im = new double[STEPS + 2];
 
   VerticalSum(Upright upright, Medium medium) {
+    this.upright = upright;
+    this.medium = medium;
     perStep = Math.log(FURTHEST_M / NEAREST_M) / STEPS;
-    for (int i = 0; i < re.length; i++) {
-      double distanceM = NEAREST_M * Math.exp(i * perStep);
-      Complex sum = sum(upright, medium, distanceM);
+    Arrays.fill(re, Double.NaN);
+  }
+
+  private void know(int i) {
+    if (Double.isNaN(re[i])) {
+      Complex sum = sum(NEAREST_M * Math.exp(i * perStep));
       re[i] = sum.re();
       im[i] = sum.im();
     }
   }
 
-  private static Complex sum(Upright upright, Medium medium, double distanceM) {
+  private Complex sum(double distanceM) {
     double from = Math.max(upright.bottomM(), -STEEPEST * distanceM);
     double to = Math.min(upright.topM(), STEEPEST * distanceM);
     int slices = (int) Math.ceil(Math.max(0, to - from) / SLICE_M);
@@ -63,6 +75,8 @@ final class VerticalSum {
     double place = place(distanceM);
     int i = (int) place;
     double share = place - i;
+    know(i);
+    know(i + 1);
     return new Complex(re[i] + share * (re[i + 1] - re[i]), im[i] + share * (im[i + 1] - im[i]));
   }
 }
