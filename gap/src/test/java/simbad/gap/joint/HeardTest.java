@@ -85,6 +85,18 @@ class HeardTest {
     assertTrue(shift.deviation() < 0.002, shift::toString);
   }
 
+  /** From far away no search finds half a metre; where it was found it is known. */
+  @Test
+  void value_isKeptWhereItWasFound() {
+    Hypothesis far = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.5);
+    DataSet data =
+        new DataSet(
+            "post", Worlds.POST, Worlds.read(Worlds.poses(200, 0.3, 1.3, 3), far, 4), List.of());
+    Estimate shift = new Heard(data, found(far)).estimate(SHIFTS, -0.8);
+    assertEquals(0.5, shift.value(), 0.003);
+    assertTrue(shift.deviation() < 0.002, shift::toString);
+  }
+
   @Test
   void with_putsTheValueInItsPlace() {
     Hypothesis with = Heard.with(BOTH, LOSES, 0.2);
