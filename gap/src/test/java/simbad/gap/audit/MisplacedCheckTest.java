@@ -139,7 +139,10 @@ class MisplacedCheckTest {
         rows.set(8 + i, new ReadingRow("r", "s", row.timeS(), row.pose(), echo));
       }
       assertEquals(expected[k], !found(Logs.BOARD, rows).isEmpty(), "case " + k);
-      for (int i = 10; i < 12; i++) {
+      ReadingRow last = rows.get(11);
+      rows.set(11, new ReadingRow("r", "s", last.timeS(), last.pose(), NoEcho.NO_ECHO));
+      assertEquals(1, found(Logs.BOARD, rows).size(), "two or more of three, case " + k);
+      for (int i = 10; i < 11; i++) {
         ReadingRow row = rows.get(i);
         rows.set(i, new ReadingRow("r", "s", row.timeS(), row.pose(), NoEcho.NO_ECHO));
       }
@@ -219,6 +222,17 @@ class MisplacedCheckTest {
         assertEquals(unsure[i], found.contains(i), side * aside[i] + " m");
       }
     }
+  }
+
+  /** From 2 m the post is heard in no direction: its corners leave the cone at 21.47 degrees. */
+  @Test
+  void whatIsNotHeard_isNeverUnsure() {
+    List<ReadingRow> rows = new ArrayList<>(List.of(look(0, 90), look(0, 91), look(0, 113)));
+    for (double turn : new double[] {21, 22}) {
+      Pose far = Pose.of(0, 2, Math.toRadians(90 + turn));
+      rows.add(new ReadingRow("r", "s", 0, far, NoEcho.NO_ECHO));
+    }
+    assertEquals(Set.of(2), UncertainPoses.rows(known(0, 1), rows, List.of()));
   }
 
   /** What a finding says of them is a note, with their rows. */
