@@ -144,6 +144,24 @@ class ClueSearchesTest {
                 && s[3] < widest);
   }
 
+  /** As far as all but one in fifty of its echoes came, and 5 cm more; as wide as was seen. */
+  @Test
+  void face_reachesAsFarAsItsEchoesCame() {
+    Hypothesis truth =
+        Worlds.effect(Effect.UNMODELLED_OBJECT, "face", 1.5, 0.3, 177, 0.6, 0.95, 30, 2);
+    LogClues clues = clues(lookingRound(), truth);
+    double[] ranges = clues.strangeEchoes().mapToDouble(clues.log()::rangeM).sorted().toArray();
+    double farthest = ranges[(int) Math.rint(0.98 * (ranges.length - 1))];
+    List<double[]> starts = new FaceSearch(clues).starts(truth.forms().get(0));
+    double[] first = starts.get(0);
+    assertEquals(farthest + 0.05, first[6], 0.02);
+    assertEquals(0.95, first[4]);
+    // Seven squares with the width that was seen, then as wide as a room.
+    assertEquals(List.of(8.0, 12.0), List.of(first[5], starts.get(1)[5]));
+    assertEquals(first[3], starts.get(6)[3]);
+    assertEquals(8, starts.get(7)[3]);
+  }
+
   @Test
   void face_withoutAnyStrangeEcho_startsAnywhere() {
     Form form =

@@ -88,6 +88,25 @@ class PostSearchTest {
     assertTrue(starts.stream().anyMatch(s -> s[3] == 4));
   }
 
+  /** Of the echoes of the post all but one in fifty, and half a cell of 6 cm more. */
+  @Test
+  void reach_isHalfACellBeyondTheEchoes() {
+    Hypothesis truth =
+        Worlds.effect(Effect.UNMODELLED_OBJECT, "post", 0.9, -0.6, 0.05, 1.5, 0.95, 90);
+    LogClues clues = clues(truth);
+    double[] ranges = clues.strangeEchoes().mapToDouble(clues.log()::rangeM).sorted().toArray();
+    double expected = ranges[(int) Math.rint(0.98 * (ranges.length - 1))] + 0.03;
+    List<double[]> starts = new PostSearch(clues, 4).starts();
+    double[] own =
+        starts.stream()
+            .filter(s -> s[3] < 4 && Math.hypot(s[0] - 0.9, s[1] + 0.6) < 0.01)
+            .findFirst()
+            .orElseThrow();
+    assertEquals(expected, own[3], 0.02);
+    assertEquals(0.05, own[2], 0.01, "the radius that drew them");
+    assertEquals(0.95, own[4]);
+  }
+
   @Test
   void starts_withoutAnyStrangeEcho_areOne() {
     List<ReadingRow> silent = lookingRound().subList(0, 5);

@@ -72,4 +72,41 @@ class TableSearchTest {
     double[] found = new TableSearch(new LogClues(Worlds.given(rows), Hypothesis.NONE), 0).waves();
     assertArrayEquals(series, found, 0.03);
   }
+
+  /**
+   * Half a metre before the post a miss has 2 % if it is heard and all if it is not; by a
+   * thousandth it is anything, of which 30 % are misses. An echo from elsewhere is neither.
+   */
+  @Test
+  void reading_isAMixtureOfHeardAndNot() {
+    List<ReadingRow> rows = new ArrayList<>();
+    for (Reading read : List.of(NoEcho.NO_ECHO, new Echo(0.45), new Echo(3))) {
+      Pose pose = Pose.of(0, 0.5, Math.PI / 2);
+      rows.add(new ReadingRow("r", "s", 0.1 * rows.size(), pose, read));
+    }
+    Hearing hearing = new Hearing(new LogClues(Worlds.given(rows), Hypothesis.NONE), List.of(), 0);
+    double heard = 0.999 * 0.02 + 3e-4;
+    double silent = 0.999 + 3e-4;
+    for (double chance : new double[] {0, 0.25, 1}) {
+      assertEquals(
+          Math.log(chance * heard + (1 - chance) * silent), hearing.logLikelihood(0, chance), 1e-9);
+    }
+    double stray = Math.log(1e-3 * 0.7 * 0.01 / 4);
+    assertEquals(stray, hearing.logLikelihood(1, 0), 1e-6);
+    assertEquals(stray, hearing.logLikelihood(2, 0.5), 1e-6);
+    double certain = Math.exp(hearing.logLikelihood(1, 1));
+    assertEquals(0.5 * certain, Math.exp(hearing.logLikelihood(1, 0.5)), 1e-5);
+  }
+
+  /** Whether anybody looked from the other side changes nothing of what was seen from one. */
+  @Test
+  void bearings_areReadByThemselves() {
+    List<ReadingRow> half =
+        grid(-1, 0).stream().filter(row -> row.pose().position().xM() < 0).toList();
+    LogClues clues = new LogClues(Worlds.given(half), Hypothesis.NONE);
+    double[] table = new TableSearch(clues, 0).table();
+    for (int bearing = 38; bearing < 71; bearing++) {
+      assertEquals(0.17, table[bearing], SPACING_M, "bearing " + 5 * bearing);
+    }
+  }
 }

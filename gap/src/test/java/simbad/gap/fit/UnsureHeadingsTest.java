@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.frame.Pose;
+import simbad.sonar.model.ReadingDistribution;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SetupDetails;
@@ -45,14 +46,7 @@ class UnsureHeadingsTest {
   /** Readings of a post in front, seen from headings that differ from those written. */
   private static double[] logLikelihood(
       double sigmaRad, Hypothesis hypothesis, double turnRad, double secondX) {
-    List<ReadingRow> read = Worlds.read(scan(0, secondX), Hypothesis.NONE, 5);
-    List<ReadingRow> rows = new ArrayList<>();
-    List<ReadingRow> poses = scan(turnRad, secondX);
-    for (int i = 0; i < read.size(); i++) {
-      rows.add(read.get(i).at(poses.get(i).pose(), read.get(i).circumstances()));
-    }
-    return new CalibratedLog(known(sigmaRad), List.of(), new PingLog(rows))
-        .logLikelihood(hypothesis);
+    return given(sigmaRad, turnRad, secondX).logLikelihood(hypothesis);
   }
 
   @Test
@@ -81,6 +75,55 @@ class UnsureHeadingsTest {
       }
       assertTrue(averaged >= 6, hypothesis + ": " + averaged);
     }
+  }
+
+  /** Whether there is an echo at all, by itself, and what is forecast, are means as well. */
+  @Test
+  void echoesAndForecasts_areMeansOverHeadings() {
+    double inner = (7 + 2 * Math.sqrt(10)) / 60;
+    double outer = (7 - 2 * Math.sqrt(10)) / 60;
+    double[] at = {-OUTER, -INNER, 0, INNER, OUTER};
+    double[] weight = {outer, inner, 8.0 / 15, inner, outer};
+    double[] echo = new double[81];
+    double[] silent = new double[81];
+    for (int k = 0; k < at.length; k++) {
+      List<ReadingDistribution> exact = forecast(0, at[k] * SIGMA);
+      for (int i = 0; i < 81; i++) {
+        silent[i] += weight[k] * exact.get(i).noEchoProbability();
+        echo[i] += weight[k] * (1 - exact.get(i).noEchoProbability());
+      }
+    }
+    List<ReadingDistribution> straight = forecast(0, 0);
+    List<ReadingDistribution> found = forecast(SIGMA, 0);
+    CalibratedLog given = given(SIGMA, 0, 0);
+    // Where it is heard counts for nothing here.
+    double[] heard = given.divided(1, 1e12).logLikelihood(Hypothesis.NONE);
+    int averaged = 0;
+    for (int i = 0; i < 81; i++) {
+      double own = found.get(i).noEchoProbability();
+      boolean isMean = Math.abs(own - straight.get(i).noEchoProbability()) > 1e-9;
+      averaged += isMean ? 1 : 0;
+      assertEquals(isMean ? silent[i] : straight.get(i).noEchoProbability(), own, 1e-9);
+      if (isMean && given.log().echo(i)) {
+        assertEquals(Math.log(0.999 * echo[i] + 1e-3 * 0.7), heard[i], 1e-6);
+      }
+    }
+    assertTrue(averaged >= 6, averaged + " of 81");
+  }
+
+  private static CalibratedLog given(double sigmaRad, double turnRad, double secondX) {
+    List<ReadingRow> read = Worlds.read(scan(0, secondX), Hypothesis.NONE, 5);
+    List<ReadingRow> poses = scan(turnRad, secondX);
+    List<ReadingRow> rows = new ArrayList<>();
+    for (int i = 0; i < read.size(); i++) {
+      rows.add(read.get(i).at(poses.get(i).pose(), read.get(i).circumstances()));
+    }
+    return new CalibratedLog(known(sigmaRad), List.of(), new PingLog(rows));
+  }
+
+  private static List<ReadingDistribution> forecast(double sigmaRad, double turnRad) {
+    CalibratedLog given = given(sigmaRad, turnRad, 0);
+    return given.forecast(given.model(Hypothesis.NONE));
   }
 
   /** Two degrees beyond the border cost a little, twelve what they cost before. */

@@ -69,4 +69,52 @@ class ScanTest {
   void noExcess_isNowhere() {
     assertTrue(scan(i -> false).best(BOTH).isEmpty());
   }
+
+  /** Fifteen pings are a place, fourteen are none. */
+  @Test
+  void slice_hasFifteenPings() {
+    assertTrue(scan(i -> i < 15, i -> i < 15).best(new Scan.Cut(ALL, List.of(ONE))).isPresent());
+    assertTrue(scan(i -> i < 14, i -> i < 14).best(new Scan.Cut(ALL, List.of(ONE))).isEmpty());
+  }
+
+  private static Scan scan(IntPredicate off, IntPredicate counts) {
+    double[] excess =
+        IntStream.range(0, SIDE * SIDE).mapToDouble(i -> off.test(i) ? 1 : 0).toArray();
+    return new Scan(excess, counts);
+  }
+
+  /** A tenth more for a name, which adjoins no other: 1.1 * 20 * 20 / 20. */
+  @Test
+  void name_isWorthATenthMore_andStandsAlone() {
+    List<String> names = IntStream.range(0, SIDE).mapToObj(i -> "n" + i).toList();
+    Axis named = Axis.named("name", SIDE * SIDE, names, i -> i / SIDE);
+    Scan.Found found =
+        scan(i -> isWithin(i / SIDE, 5, 7)).best(new Scan.Cut(ALL, List.of(named))).orElseThrow();
+    assertEquals(List.of(new Slice.Range(named, 5, 6)), found.slice().ranges());
+    assertEquals(22, found.merit(), 1e-9);
+  }
+
+  /** Within a slice, and of the pings that count, alone. */
+  @Test
+  void whatIsOutside_isNotLookedAt() {
+    Slice within = ALL.and(new Slice.Range(OTHER, 0, 10));
+    Scan.Found found =
+        scan(i -> i / SIDE == 5, i -> i / SIDE != 5 || i % SIDE != 0)
+            .best(new Scan.Cut(within, List.of(ONE)))
+            .orElseThrow();
+    // Nine pings of ten are too few; with ten of a step beside them 9 squared over 19.
+    assertEquals(81 / 19.0, found.merit(), 1e-9);
+    Scan.Found two =
+        scan(i -> isWithin(i / SIDE, 5, 7)).best(new Scan.Cut(within, List.of(ONE))).orElseThrow();
+    assertEquals(
+        List.of(new Slice.Range(OTHER, 0, 10), new Slice.Range(ONE, 5, 7)), two.slice().ranges());
+    assertEquals(20, two.merit(), 1e-9);
+  }
+
+  /** Where pings read less than expected there is no excess, however even. */
+  @Test
+  void shortfall_isNoExcess() {
+    double[] less = IntStream.range(0, SIDE * SIDE).mapToDouble(i -> -1).toArray();
+    assertTrue(new Scan(less, i -> true).best(new Scan.Cut(ALL, List.of(ONE))).isEmpty());
+  }
 }

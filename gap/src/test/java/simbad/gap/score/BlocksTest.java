@@ -1,7 +1,9 @@
 package simbad.gap.score;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -60,6 +62,21 @@ class BlocksTest {
   void run_hasTwelvePiecesAtMost() {
     assertEquals(13, new Blocks(log(2000, 0)).count());
     assertEquals(2, new Blocks(log(49, 0)).count());
+  }
+
+  /** Two blocks, and twice the 25 rows of one: of a single run nothing can be held out. */
+  @Test
+  void fiftyRowsOfTwoBlocks_canBeHeldOut() {
+    assertFalse(new Blocks(log(19, 0)).canBeHeldOut());
+    assertTrue(new Blocks(log(20, 0)).canBeHeldOut());
+    List<ReadingRow> one = new ArrayList<>();
+    for (int i = 0; i < 49; i++) {
+      add(one, "one", "left", 0.1 * i);
+    }
+    assertFalse(new Blocks(new PingLog(one)).canBeHeldOut());
+    add(one, "one", "left", 4.9);
+    assertTrue(new Blocks(new PingLog(one)).canBeHeldOut());
+    assertFalse(new Blocks(new PingLog(List.of())).canBeHeldOut());
   }
 
   @Test

@@ -81,6 +81,17 @@ class ProbabilitiesTest {
         1 / (1 + Math.exp(0.25)), alike.ofEffects().getOrDefault(Effect.HEADING_DRIFT, 0.0), 1e-12);
   }
 
+  /** What is not of none is of one of them. */
+  @Test
+  void noneAndAny_areAllThereIs() {
+    Probabilities four =
+        new Probabilities(
+            List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -85.5)), 10, 2, Set.of());
+    assertEquals(1 / (1 + Math.exp(2)), four.ofNone(), 1e-12);
+    assertEquals(1, four.ofNone() + four.ofAny(Set.of(Effect.GAIN)), 1e-12);
+    assertEquals(0, four.ofAny(Set.of(Effect.DROPOUT)), 1e-12);
+  }
+
   @Test
   void tiesAreWhatCouldStandInItsPlace() {
     Probabilities close =

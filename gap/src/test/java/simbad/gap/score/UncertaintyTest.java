@@ -14,6 +14,9 @@ import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
+import simbad.sonar.ping.PingLog;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.sensing.ReadingRow;
 
 class UncertaintyTest {
   private static final double OFFSET_M = 0.04;
@@ -71,5 +74,38 @@ class UncertaintyTest {
     double[] deviations = new Uncertainty(given(OFFSET, 600, 3), 1).deviations(none);
     assertTrue(deviations[0] < 0.002, "deviation " + deviations[0]);
     assertTrue(Double.isInfinite(deviations[2]) && Double.isInfinite(deviations[3]));
+  }
+
+  /** Readings that scatter by 5 mm tell a shift to 5 mm over the root of their number. */
+  @Test
+  void deviation_isThatOfAMean() {
+    SensingSetup fine =
+        new SensingSetup(
+            Worlds.POST.sensor().withResolution(0), Worlds.POST.scene(), Worlds.POST.noEchoM());
+    for (int rows : new int[] {100, 400}) {
+      List<ReadingRow> read = Worlds.read(fine, Worlds.poses(rows, 0.3, 0.9, 4), OFFSET, 5);
+      CalibratedLog given = new CalibratedLog(fine, List.of(), new PingLog(read));
+      double expected = 0.005 / Math.sqrt(given.log().echoes());
+      assertEquals(expected, new Uncertainty(given, 1).deviations(OFFSET)[0], 0.03 * expected);
+    }
+  }
+
+  /** Beside a scale a shift is known less well than alone. */
+  @Test
+  void valuesThatHangTogether_areKnownLessWell() {
+    CalibratedLog given = given(OFFSET, 400, 6);
+    double alone = new Uncertainty(given, 1).deviations(OFFSET)[0];
+    Hypothesis both = and(OFFSET, Effect.SOUND_SPEED, "scale", 343);
+    double[] deviations = new Uncertainty(given, 1).deviations(both);
+    // Distances between 0.3 and 1.5 m: their mean over their spread is 0.9 / 0.35, so that the
+    // shift is known worse by the root of 1 + 2.6 squared, about 2.8.
+    assertEquals(2.8, deviations[0] / alone, 0.5);
+    // A scale is known to the scatter over the root of the number and the spread.
+    assertEquals(alone / 0.35 * 343, deviations[1], 0.2 * alone / 0.35 * 343);
+  }
+
+  @Test
+  void nothing_hasNoDeviations() {
+    assertEquals(0, new Uncertainty(given(OFFSET, 50, 7), 1).deviations(Hypothesis.NONE).length);
   }
 }

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 /** Sets of letters, each worth what a table says; what the table lacks is worth nothing. */
@@ -17,6 +18,7 @@ class ForwardSearchTest {
 
   private static final class Letters extends ForwardSearch<String, String, String> {
     private final Map<String, Double> table;
+    private String settlesTo = "";
 
     Letters(Map<String, Double> table) {
       super(WORTH);
@@ -26,6 +28,10 @@ class ForwardSearchTest {
     String run() {
       keep("");
       return built("", grown(""));
+    }
+
+    @Nullable String kept(String... letters) {
+      return fits().get(Set.of(letters));
     }
 
     Set<Set<String>> met() {
@@ -65,7 +71,7 @@ class ForwardSearchTest {
 
     @Override
     protected String settled(String set) {
-      return set;
+      return settlesTo.isEmpty() ? set : settlesTo;
     }
 
     @Override
@@ -97,5 +103,29 @@ class ForwardSearchTest {
   void built_isNoLargerThanItMayBe() {
     Letters search = new Letters(Map.of("a", 20.0, "ab", 40.0, "abc", 60.0, "abcd", 90.0));
     assertEquals("abc", search.run());
+  }
+
+  /** Two that have the same letters in another order are one set: the better one stays. */
+  @Test
+  void keep_takesTheBetterOfOneSet() {
+    Letters search = new Letters(Map.of("ab", 5.0, "ba", 7.0));
+    search.keep("ab");
+    search.keep("ba");
+    assertEquals("ba", search.kept("a", "b"));
+    search.keep("ab");
+    assertEquals("ba", search.kept("a", "b"));
+    Letters alike = new Letters(Map.of("ab", 5.0, "ba", 5.0));
+    alike.keep("ba");
+    alike.keep("ab");
+    assertEquals("ba", alike.kept("a", "b"), "of equal ones the first");
+    assertEquals(List.of("ba", "ab", "c"), search.best(List.of("c", "ab", "ba")));
+  }
+
+  /** What is added must be worth it beyond what the set had become, not before. */
+  @Test
+  void built_settlesBeforeItBuilds() {
+    Letters search = new Letters(Map.of("a", 20.0, "ab", 26.0, "abc", 30.0));
+    search.settlesTo = "d";
+    assertEquals("d", search.run(), "nothing was worth it beside what it settled to");
   }
 }

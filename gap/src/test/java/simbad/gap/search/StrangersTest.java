@@ -38,11 +38,15 @@ class StrangersTest {
 
   /** Asks of a log in which something was changed. */
   private static Strangers.Found found(Hypothesis truth, Hypothesis named) {
+    return found(truth, named, WORTH_NATS);
+  }
+
+  private static Strangers.Found found(Hypothesis truth, Hypothesis named, double worthNats) {
     CalibratedLog given =
         CALIBRATION.given(
             LevelWorlds.POST,
             new PingLog(Worlds.read(LevelWorlds.POST, LevelWorlds.poses(1000, 47), truth, 48)));
-    return new Strangers(given, new SetupLeave(given, CALIBRATION)).against(named, WORTH_NATS, 1);
+    return new Strangers(given, new SetupLeave(given, CALIBRATION)).against(named, worthNats, 1);
   }
 
   private static Hypothesis with(Change change) {
@@ -120,5 +124,19 @@ class StrangersTest {
     Hypothesis truth = LevelWorlds.truth().and(DROPOUT, 0.3);
     double odds = found(truth, Hypothesis.NONE.and(DROPOUT, 0.3)).odds();
     assertTrue(odds < 1 / 19.0, () -> "odds " + odds);
+  }
+
+  /**
+   * Whatever a further effect has to gain: in the place of what is no matter of levels a stranger
+   * does not have to gain it, beside all and in the place of a gain it has to.
+   */
+  @Test
+  void strangerInTheirPlace_paysForLevelsAlone() {
+    Hypothesis truth = with(new LevelScatter(0, 8));
+    Strangers.Found dropout = found(truth, Hypothesis.NONE.and(DROPOUT, 0.2), 1e5);
+    assertTrue(dropout.odds() > 9, dropout::toString);
+    Form gain = Forms.find(Effect.GAIN, "level", LevelWorlds.POST, List.of("s")).orElseThrow();
+    assertEquals(0, found(truth, Hypothesis.NONE.and(gain, -1), 1e5).odds());
+    assertEquals(0, found(truth, Hypothesis.NONE, 1e5).odds());
   }
 }

@@ -1,9 +1,11 @@
 package simbad.gap.search;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -142,5 +144,69 @@ class WeighedTest {
     assertEquals(List.of(), weighed.enlarging());
     assertEquals(set, weighed.probabilities().best());
     assertTrue(weighed.gain().afterM() < 0.5 * weighed.gain().beforeM());
+  }
+
+  private static Optional<Weighed> confirmed(CalibratedLog given, Scored... others) {
+    List<Scored> sets = new ArrayList<>(List.of(others));
+    sets.add(new Scored(Hypothesis.NONE, 0, 0));
+    GapGains gains = new GapGains(given);
+    return Weighed.of(gains, sets, Probabilities.COST_NATS, 1)
+        .confirmed(gains, sets, Probabilities.COST_NATS);
+  }
+
+  @Test
+  void whatIsSure_isConfirmedWithItsOwnGain() {
+    Scored set = new Scored(offset(0.1), 500, 500);
+    Weighed sure = confirmed(shifted(0.1, 0.1), set).orElseThrow();
+    assertEquals(set, sure.taken());
+    assertTrue(sure.gain().afterM() < 0.5 * sure.gain().beforeM());
+    assertTrue(
+        confirmed(shifted(0, 0), new Scored(offset(0), 500, 500)).isEmpty(),
+        "it leaves the gap as it was");
+    assertTrue(
+        confirmed(shifted(0.1, 0.1), new Scored(offset(0.1), 49, 49)).isEmpty(),
+        "five times its cost is asked");
+  }
+
+  /** What takes up a little of anything is never sure, however much of the gap it takes away. */
+  @Test
+  void noise_isNeverConfirmed() {
+    Hypothesis noise = Worlds.effect(Effect.RANGE_NOISE, "constant", 0.1);
+    CalibratedLog given = Worlds.given(Worlds.read(Worlds.poses(150, 0.3, 1.3, 5), noise, 6));
+    Scored set = new Scored(noise, 500, 500);
+    assertEquals(set, weighed(given, set).taken());
+    assertTrue(confirmed(given, set).isEmpty());
+  }
+
+  /** A post that stands elsewhere is sure where that alone takes away half of the gap. */
+  @Test
+  void whatMovesThings_isConfirmed_whereItDoesMostAlone() {
+    Hypothesis moved = Worlds.effect(Effect.OBSTACLE_OFFSET, "all", 0.2, 0);
+    Scored set = new Scored(moved, 500, 500);
+    List<ReadingRow> poses = Worlds.poses(150, 0.3, 1.3, 5);
+    CalibratedLog alone = Worlds.given(Worlds.read(poses, moved, 6));
+    assertTrue(new GapGains(alone).of(moved).shrinkage() > 0.5);
+    assertEquals(set, confirmed(alone, set).orElseThrow().taken());
+    Hypothesis lost = Worlds.effect(Effect.DROPOUT, "single", 0.5);
+    Hypothesis both = moved.and(lost.forms().get(0), 0.5);
+    CalibratedLog beside = Worlds.given(Worlds.read(poses, both, 6));
+    GapGain gain = new GapGains(beside).of(moved);
+    assertTrue(gain.isWorthNaming() && gain.shrinkage() < 0.5, () -> "" + gain.shrinkage());
+    assertTrue(confirmed(beside, set).isEmpty());
+  }
+
+  /** Nothing is left beside the same set-up, and a moved one has its own gap. */
+  @Test
+  void beside_takesTheGapOfTheSetUpThatMoved() {
+    CalibratedLog given = shifted(0.1, 0.1);
+    Weighed weighed = weighed(given, new Scored(offset(0.1), 500, 500));
+    assertSame(weighed, weighed.beside(given, given));
+    CalibratedLog open = given.calibrated(offset(0.02).changes());
+    Weighed moved = weighed.beside(given, open);
+    assertEquals(weighed.gain().after(), moved.gain().after());
+    double left = new GapGains(open).of(offset(0.1)).afterM();
+    assertEquals(
+        left, Arrays.stream(moved.gain().open().observedM()).average().orElseThrow(), 1e-12);
+    assertEquals(weighed.taken(), moved.taken());
   }
 }
