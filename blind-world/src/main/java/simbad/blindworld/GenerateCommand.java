@@ -134,8 +134,9 @@ final class GenerateCommand {
     List<String> names = text.isEmpty() ? List.of() : List.of(text.split(",", -1));
     Set<String> strange = worlds.unknownAmong(names);
     if (!strange.isEmpty()) {
+      boolean areNames = strange.stream().allMatch(worlds::contains);
       throw new FormatException(
-          "--effects: no such effect: "
+          (areNames ? "--effects: not in worlds of this kind: " : "--effects: no such effect: ")
               + String.join(", ", strange)
               + KNOWN
               + " or "

@@ -75,11 +75,22 @@ public final class Vocabulary {
           .flatMap(List::stream)
           .toList();
 
+  private static final List<Form> FURTHER = FurtherForms.all();
+
   private Vocabulary() {}
 
   /** The names of the vocabulary that have a form here, sorted: the 26 of its first version. */
   public static List<String> names() {
     return FORMS.stream().map(Form::effect).distinct().filter(n -> contains(n)).sorted().toList();
+  }
+
+  /** The names of its second version that have a form here, sorted: drawn where asked for. */
+  public static List<String> further() {
+    return FURTHER.stream().map(Form::effect).distinct().sorted().toList();
+  }
+
+  private static Stream<Form> formsOf(String name) {
+    return Stream.concat(FORMS.stream(), FURTHER.stream()).filter(f -> f.effect().equals(name));
   }
 
   /** The names of changes that the vocabulary does not cover, sorted. */
@@ -106,7 +117,7 @@ public final class Vocabulary {
 
   /** The labels of the forms of an effect. */
   public static List<String> forms(String name) {
-    return FORMS.stream().filter(f -> f.effect().equals(name)).map(Form::label).toList();
+    return formsOf(name).map(Form::label).toList();
   }
 
   /** True when at least one form of the effect can be put in. */
@@ -115,9 +126,7 @@ public final class Vocabulary {
   }
 
   private static List<Form> applying(String name, Circumstances circumstances) {
-    return FORMS.stream()
-        .filter(f -> f.effect().equals(name) && f.applies().test(circumstances))
-        .toList();
+    return formsOf(name).filter(f -> f.applies().test(circumstances)).toList();
   }
 
   /** An effect in one of the forms that apply, drawn by chance. */
@@ -136,7 +145,8 @@ public final class Vocabulary {
 
   /** The effects in the order in which they act on a ping. */
   public static List<Effect> inOrder(List<Effect> effects) {
-    List<String> order = FORMS.stream().map(Form::effect).distinct().toList();
+    List<String> order =
+        Stream.concat(FORMS.stream(), FURTHER.stream()).map(Form::effect).distinct().toList();
     return effects.stream().sorted(Comparator.comparingInt(e -> order.indexOf(e.name()))).toList();
   }
 }

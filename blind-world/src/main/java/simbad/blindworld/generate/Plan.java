@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Random;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 
 /**
  * Which cases there will be, before any is drawn: kinds in the asked shares, effects evenly, in
@@ -38,7 +39,7 @@ public final class Plan {
     List<List<String>> contents = new ArrayList<>();
     List<Kind> kinds = new ArrayList<>();
     Worlds worlds = order.worlds();
-    Wheel inside = wheel(order, worlds.names(), random);
+    Wheel inside = wheel(order, inside(order), random);
     Wheel outside = wheel(order, worlds.outside(), random);
     // Drawn last, so that orders without it keep their bytes.
     Wheel withheld = new Wheel(order.withheld(), withheldChance(order, random));
@@ -128,7 +129,7 @@ public final class Plan {
 
   /** Three effects, the first of which is given. */
   static List<String> otherTriple(Order order, String first, SplittableRandom random) {
-    Wheel wheel = wheel(order, order.worlds().names(), random);
+    Wheel wheel = wheel(order, inside(order), random);
     List<String> two = otherPair(order, first, random);
     String third = wheel.next();
     for (int tries = 0; !areFair(two, third, order.worlds()); tries++) {
@@ -160,12 +161,17 @@ public final class Plan {
 
   /** A pair of an effect with any other that is fair beside it. */
   static List<String> otherPair(Order order, String first, SplittableRandom random) {
-    Wheel wheel = wheel(order, order.worlds().names(), random);
+    Wheel wheel = wheel(order, inside(order), random);
     String second = wheel.next();
     while (!order.worlds().isFairPair(first, second)) {
       second = wheel.next();
     }
     return List.of(first, second);
+  }
+
+  private static List<String> inside(Order order) {
+    List<String> further = order.effects().isEmpty() ? List.of() : order.worlds().further();
+    return Stream.concat(order.worlds().names().stream(), further.stream()).toList();
   }
 
   private static Wheel wheel(Order order, List<String> all, SplittableRandom random) {

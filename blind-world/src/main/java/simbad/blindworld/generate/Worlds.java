@@ -27,13 +27,18 @@ public enum Worlds {
     return mix;
   }
 
-  /** The vocabulary's names that can be put in, sorted. */
+  /** The vocabulary's names that are put in where nobody asks for any, sorted. */
   public List<String> names() {
     return switch (this) {
       case EQUATIONS -> Vocabulary.names();
       case WAVE -> WaveVocabulary.names();
       case MOTION -> MotionVocabulary.names();
     };
+  }
+
+  /** The vocabulary's names that are put in only where somebody asks for them, sorted. */
+  public List<String> further() {
+    return this == EQUATIONS ? Vocabulary.further() : List.of();
   }
 
   /** The names of what the vocabulary does not cover, sorted. */
@@ -61,6 +66,7 @@ public enum Worlds {
   public Set<String> unknownAmong(List<String> names) {
     Set<String> strange = new TreeSet<>(names);
     strange.removeAll(names());
+    strange.removeAll(further());
     strange.removeAll(outside());
     return strange;
   }
