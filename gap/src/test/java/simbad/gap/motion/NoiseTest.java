@@ -122,10 +122,12 @@ class NoiseTest {
       assertTrue(density(given, found.withLogs(logs), residuals) <= most + 1e-6);
     }
     assertTrue(most > density(given, new Noise(1e-4, 0.05, 3), residuals));
-    // From a noise that is a little off it comes as high, the shape unchanged.
+    // From a noise that is a little off it comes nearly as high, the shape unchanged: its last step
+    // is 0.15.
     Noise off = new Noise(found.tracker(), 0.03, found.freedom());
     Noise near = NoiseFit.near(given, new double[][] {residuals}, new Noise[] {off})[0];
-    assertEquals(most, density(given, near, residuals), 1);
+    assertEquals(most, density(given, near, residuals), 400 * 0.075 * 0.075);
+    assertTrue(density(given, near, residuals) > density(given, off, residuals) + 10);
     assertEquals(found.freedom(), near.freedom(), 0);
   }
 
