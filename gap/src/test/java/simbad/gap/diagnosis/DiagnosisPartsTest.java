@@ -13,8 +13,12 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
+import simbad.gap.audit.AuditCheck;
+import simbad.gap.audit.AuditFinding;
+import simbad.gap.audit.Severity;
 import simbad.gap.fit.Hypothesis;
 import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.effect.Form;
@@ -201,5 +205,91 @@ class DiagnosisPartsTest {
     assertEquals(0, root.at("/provenance/rows/held_out").asInt());
     assertEquals(7, root.at("/provenance/seed").asInt());
     assertFalse(root.has("verdict"));
+  }
+
+  /** Rows are counted from 1, and no more than twenty of them listed. */
+  @Test
+  void whatAnAuditFoundIsSaid() {
+    List<Integer> rows = IntStream.range(4, 30).boxed().toList();
+    AuditFinding plain =
+        new AuditFinding(
+            AuditCheck.UNIT,
+            AuditFinding.File.READINGS,
+            "too far",
+            rows,
+            "divide by 100",
+            "",
+            Severity.WARN);
+    AuditFinding mended =
+        new AuditFinding(
+            AuditCheck.PILE,
+            AuditFinding.File.REFERENCE,
+            "piled up",
+            List.of(),
+            "leave out",
+            "left out",
+            Severity.NOTE);
+    JsonNode audit =
+        DiagnosisJson.tree(EXPLAINED.with(List.of(plain, mended)), Samples.DATA, Samples.PROVENANCE)
+            .get("audit");
+
+    assertEquals(2, audit.size());
+    assertEquals("unit", audit.at("/0/check").asText());
+    assertEquals("warn", audit.at("/0/severity").asText());
+    assertEquals("readings.csv", audit.at("/0/file").asText());
+    assertEquals("too far", audit.at("/0/what").asText());
+    assertEquals(26, audit.at("/0/rows").asInt());
+    assertEquals(20, audit.at("/0/first_rows").size());
+    assertEquals(5, audit.at("/0/first_rows/0").asInt());
+    assertEquals("divide by 100", audit.at("/0/suggestion").asText());
+    assertFalse(audit.get(0).has("mend"));
+    assertEquals("left out", audit.at("/1/mend").asText());
+    assertEquals(0, audit.at("/1/first_rows").size());
+  }
+
+  private static EffectFinding finding(Effect effect, boolean fitted, Effect... ties) {
+    Optional<String> form = fitted ? Optional.of("one") : Optional.empty();
+    return new EffectFinding(effect, 0.5, form, List.of(), List.of(ties));
+  }
+
+  private static List<Effect> toActUpon(List<Effect> named, EffectFinding... findings) {
+    Diagnosis d = EXPLAINED;
+    Diagnosis other =
+        new Diagnosis(
+            d.verdict(),
+            d.reason(),
+            named,
+            List.of(findings),
+            d.unknownProbability(),
+            d.namedProbability(),
+            d.atBound(),
+            d.gap(),
+            d.budget(),
+            d.where(),
+            d.undetectable(),
+            d.nextExperiment(),
+            d.fitted(),
+            d.calibration(),
+            d.tried(),
+            d.signs(),
+            d.setupError(),
+            d.audit());
+    return Remedies.toActUpon(other).stream().map(EffectFinding::effect).toList();
+  }
+
+  /** What cannot be told from the only name may be done as well, if it was fitted. */
+  @Test
+  void aTieOfTheOnlyNameIsToBeActedUponToo() {
+    EffectFinding named = finding(Effect.GAIN, true, Effect.DROPOUT, Effect.LATENCY);
+    EffectFinding tied = finding(Effect.DROPOUT, true);
+    EffectFinding unfitted = finding(Effect.LATENCY, false);
+    EffectFinding stranger = finding(Effect.RANGE_OFFSET, true);
+
+    assertEquals(
+        List.of(Effect.GAIN, Effect.DROPOUT),
+        toActUpon(List.of(Effect.GAIN), stranger, tied, unfitted, named));
+    assertEquals(
+        List.of(Effect.RANGE_OFFSET, Effect.GAIN),
+        toActUpon(List.of(Effect.GAIN, Effect.RANGE_OFFSET), stranger, tied, unfitted, named));
   }
 }
