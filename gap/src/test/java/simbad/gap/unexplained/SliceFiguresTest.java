@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -13,6 +15,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.IntPredicate;
 import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
 import simbad.gap.calibrate.level.Leeway;
@@ -306,5 +309,90 @@ class SliceFiguresTest {
     assertEquals(List.of("z", "a"), List.copyOf(LawConstants.copy(weights).keySet()));
     weights.put("b", Double.POSITIVE_INFINITY);
     assertThrows(IllegalArgumentException.class, () -> LawConstants.copy(weights));
+  }
+
+  private static int[] bins(List<ReadingRow> rows, String axis) {
+    CalibratedLog given = Worlds.given(rows);
+    Axis cut =
+        new Slicing(given.log(), given.geometry(given.model(Hypothesis.NONE)))
+            .all().stream().filter(one -> one.variable().equals(axis)).findFirst().orElseThrow();
+    return IntStream.range(0, rows.size()).map(cut::bin).toArray();
+  }
+
+  /** Readings that rise from ping to ping: each is cut by the one before, the first by none. */
+  @Test
+  void aReadingIsCutByTheOneBefore() {
+    List<ReadingRow> rows = new ArrayList<>();
+    for (int i = 0; i < 13; i++) {
+      Pose pose = Pose.of(0, 0.5, Math.PI / 2);
+      rows.add(
+          new ReadingRow(
+              "a", "s", 0.1 * i, pose, i == 12 ? NoEcho.NO_ECHO : new Echo(0.3 + 0.01 * i)));
+    }
+    // Twelve readings in six slices.
+    assertArrayEquals(
+        new int[] {-1, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5}, bins(rows, "reading before"));
+    assertArrayEquals(
+        new int[] {-1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}, bins(rows, "echo before"));
+    assertArrayEquals(new int[] {0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0}, bins(rows, "parity"));
+  }
+
+  /** After silence there is no reading before, and no echo. */
+  @Test
+  void silenceIsNoReadingBefore() {
+    List<ReadingRow> rows = rows(4, 4, i -> i % 2 == 0);
+
+    assertArrayEquals(new int[] {-1, 1, 0, 1, -1, 1, 0, 1}, bins(rows, "echo before"));
+    int[] before = bins(rows, "reading before");
+    assertEquals(-1, before[2]);
+    assertEquals(-1, before[4]);
+    assertTrue(before[1] >= 0);
+  }
+
+  private static ObjectNode law(double from, List<String> signs) {
+    ObjectNode law = new ObjectMapper().createObjectNode();
+    law.put("temperature", from);
+    law.put("named_rightly", 0.9);
+    ObjectNode unknown = law.putObject("unknown");
+    unknown.put("least", 0.01).put("most", 0.7).put("base", -from);
+    for (int i = 0; i < signs.size(); i++) {
+      unknown.put(signs.get(i), from + i);
+    }
+    return law;
+  }
+
+  @Test
+  void constantsAreReadByTheirNames() {
+    List<String> ofThresholds = List.copyOf(Signs.NONE.byName().keySet());
+    ObjectNode root = new ObjectMapper().createObjectNode();
+    root.put("format", "simbad-constants/2");
+    root.set("threshold", law(2, ofThresholds));
+    root.set("level", law(3, LevelConstants.SIGNS));
+    Constants read = Constants.of(root);
+
+    assertEquals(2, read.threshold().temperature(), 0);
+    assertEquals(0.01, read.threshold().least(), 0);
+    assertEquals(0.7, read.threshold().most(), 0);
+    assertEquals(0.9, read.level().namedRightly(), 0);
+    assertEquals(3, read.level().temperature(), 0);
+    List<Double> weights = new ArrayList<>(List.of(-3.0));
+    for (int i = 0; i < LevelConstants.SIGNS.size(); i++) {
+      weights.add(3.0 + i);
+    }
+    assertEquals(weights, List.copyOf(read.level().weights().values()));
+    assertEquals(9, read.threshold().weights().size());
+    assertEquals(2.0, read.threshold().weights().get(ofThresholds.get(0)));
+  }
+
+  /** Three effects are many, two are not. */
+  @Test
+  void moreThanTwoAreMany() {
+    Hypothesis two =
+        Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.03)
+            .and(Worlds.effect(Effect.DROPOUT, "single", 0.1).forms().get(0), 0.1);
+    Hypothesis three = two.and(Worlds.effect(Effect.GAIN, "factor", 0.9).forms().get(0), 0.9);
+
+    assertEquals(false, Unknown.signs(0, gain(0.08), 1, two, Worlds.POST.scene()).many());
+    assertTrue(Unknown.signs(0, gain(0.08), 1, three, Worlds.POST.scene()).many());
   }
 }
