@@ -395,4 +395,18 @@ class SliceFiguresTest {
     assertEquals(false, Unknown.signs(0, gain(0.08), 1, two, Worlds.POST.scene()).many());
     assertTrue(Unknown.signs(0, gain(0.08), 1, three, Worlds.POST.scene()).many());
   }
+
+  /** Two runs of 16 pings: eight slices of four, two of each run. */
+  @Test
+  void timeInARunBeginsAnewWithEachRun() {
+    int[] bins = bins(rows(16, 16, i -> true), "time in run");
+
+    assertEquals(0, bins[0]);
+    assertEquals(0, bins[16]);
+    assertEquals(7, bins[15]);
+    assertEquals(7, bins[31]);
+    for (int i = 1; i < 16; i++) {
+      assertTrue(bins[i] >= bins[i - 1]);
+    }
+  }
 }
