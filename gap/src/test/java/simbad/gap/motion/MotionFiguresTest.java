@@ -218,6 +218,7 @@ class MotionFiguresTest {
     Events late = events(drives -> drives.unsteadyS = 0.3);
 
     assertTrue(late.late() > 5 && late.late() > 3 * late.other(), late::toString);
+    assertEquals(late.shorter(), late.slips().size());
   }
 
   /** A gap that shrinks from 1 to 0.4 shrinks by 0.6. */
