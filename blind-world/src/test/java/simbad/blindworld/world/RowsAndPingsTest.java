@@ -19,15 +19,16 @@ class RowsAndPingsTest {
   }
 
   /** Two transducers in one run and one in another, not in the order of time. */
-  private static final Recording MIXED =
-      new Recording(
-          List.of(
-              row("a", "s", 1, 0, 0),
-              row("a", "t", 1, 0, 0),
-              row("b", "s", 0, 0, 0),
-              row("a", "s", 0.5, 1, 0.5),
-              row("a", "t", 4, 0, 0),
-              row("a", "s", 1.2, 0.5, -0.5)));
+  private static Recording mixed() {
+    return new Recording(
+        List.of(
+            row("a", "s", 1, 0, 0),
+            row("a", "t", 1, 0, 0),
+            row("b", "s", 0, 0, 0),
+            row("a", "s", 0.5, 1, 0.5),
+            row("a", "t", 4, 0, 0),
+            row("a", "s", 1.2, 0.5, -0.5)));
+  }
 
   @Test
   void tracks_areByRunAndTransducer_inTheOrderOfTime() {
@@ -36,18 +37,18 @@ class RowsAndPingsTest {
             new Track("a", "s", List.of(3, 0, 5)),
             new Track("a", "t", List.of(1, 4)),
             new Track("b", "s", List.of(2))),
-        MIXED.tracks());
-    assertEquals(List.of("s", "t"), MIXED.sensors());
-    assertEquals(6, MIXED.size());
-    assertEquals(1.2, MIXED.tS(5));
-    assertEquals(new Pose(1, 0, 0.5), MIXED.pose(3));
+        mixed().tracks());
+    assertEquals(List.of("s", "t"), mixed().sensors());
+    assertEquals(6, mixed().size());
+    assertEquals(1.2, mixed().tS(5));
+    assertEquals(new Pose(1, 0, 0.5), mixed().pose(3));
   }
 
   /** Steps of 0.5, 0.2 and 3 s; the longest track goes from 1 to 4 s. */
   @Test
   void times_areThoseOfTheTracks() {
-    assertEquals(0.5, MIXED.periodS(), NEAR);
-    assertEquals(3, MIXED.longestS());
+    assertEquals(0.5, mixed().periodS(), NEAR);
+    assertEquals(3, mixed().longestS());
     Recording single = new Recording(List.of(row("a", "s", 7, 0, 0)));
     assertEquals(0, single.periodS());
     assertEquals(0, single.longestS());
@@ -57,7 +58,7 @@ class RowsAndPingsTest {
   /** A ping takes the speed of the step that begins with it; the last, of the one that ends. */
   @Test
   void motions_areDifferencesAlongATrack() {
-    List<Ping.Motion> motions = Motions.of(MIXED);
+    List<Ping.Motion> motions = Motions.of(mixed());
     // From 1 m at 0.5 s to 0 at 1 s, turning from 0.5 to 0 rad; then 0.5 m and -0.5 rad in 0.2 s.
     assertEquals(2, motions.get(3).speedMPerS(), NEAR);
     assertEquals(-1, motions.get(3).turnRadPerS(), NEAR);
@@ -94,7 +95,7 @@ class RowsAndPingsTest {
   @Test
   void ping_knowsTheTwoNearestThatAreHeard() {
     List<Sight> sights = List.of(sight(0, 3), sight(1, 1), sight(2, 2), sight(3, 0.5));
-    Ping ping = new Ping(MIXED, new FixedChance(0.5), 4);
+    Ping ping = new Ping(mixed(), new FixedChance(0.5), 4);
     assertEquals(1, ping.nearest(sights, new boolean[] {true, true, true, false}));
     assertEquals(2, ping.secondM());
     assertEquals(3, ping.nearest(sights, new boolean[] {true, false, false, false}));
@@ -107,7 +108,7 @@ class RowsAndPingsTest {
   @Test
   void ping_remembersTheOneBeforeOfItsTrack() {
     FixedChance chance = new FixedChance(0.5);
-    Ping ping = new Ping(MIXED, chance, 2);
+    Ping ping = new Ping(mixed(), chance, 2);
     List<Sight> sights = List.of(sight(0, 3), sight(1, 1));
     ping.begin(3, 0, new Pose(7, 8, 9), new Ping.Motion(1, 2));
     assertEquals(3, ping.row());
@@ -138,11 +139,11 @@ class RowsAndPingsTest {
   void changeOfNothing_leavesAll() {
     Change nothing = new Change() {};
     List<Pose> poses = List.of(new Pose(1, 2, 3));
-    assertEquals(poses, nothing.poses(MIXED, poses, new FixedChance(0.5)));
+    assertEquals(poses, nothing.poses(mixed(), poses, new FixedChance(0.5)));
     assertFalse(nothing.restless());
     assertEquals(List.of(), nothing.bodies(List.of()));
     assertEquals(new Beam(1, 2), nothing.beam("s", new Beam(1, 2)));
-    Hearing hearing = nothing.hearing(MIXED, MIXED.tracks().get(0), 1);
+    Hearing hearing = nothing.hearing(mixed(), mixed().tracks().get(0), 1);
     double[] same = {
       hearing.thresholdM(1, sight(0, 1), AnyPing.FIRST),
       hearing.echoM(2, AnyPing.FIRST),
