@@ -219,6 +219,30 @@ class RecordedDesignsTest {
     assertWithin(2.5, 3.4, furthest);
   }
 
+  /** Poses round one obstacle that would be in or at another one are left out. */
+  @Test
+  void bench_keepsOffEveryObstacle() {
+    Obstacle one = scene().obstacles().get(0);
+    Point place = new Point(CENTRE.xM() + 0.5, CENTRE.zM());
+    Obstacle other = new Obstacle("p", place, 0, one.outline(), Shadow.uniform(1.2));
+    Scene two = new Scene(5, scene().sensor(), List.of(one, other));
+    double nearest = 9;
+    Set<Boolean> sides = new HashSet<>();
+    for (int seed = 0; seed < 40; seed++) {
+      SplittableRandom random = new SplittableRandom(seed);
+      Recording recording = Design.draw("bench", random).record(two, 500, random);
+      assertEquals(500, recording.size());
+      for (Row row : recording.rows()) {
+        Pose pose = row.pose();
+        double away = Math.hypot(pose.xM() - place.xM(), pose.zM() - place.zM());
+        nearest = Math.min(nearest, Math.min(away, away(pose)));
+        sides.add(away < away(pose));
+      }
+    }
+    assertWithin(RADIUS_M + 0.05 - ROUNDED_M, RADIUS_M + 0.06, nearest);
+    assertEquals(Set.of(true, false), sides);
+  }
+
   private record Driven(Design design, Recording recording, int transducers) {}
 
   private static Driven drive(long seed) {

@@ -183,11 +183,12 @@ class ScoringTextTest {
     cases.add(new Graded(truth("b", false, "gain"), some(Verdict.EXPLAINED, 0.1, "gain")));
     cases.add(new Graded(truth("c", false, "gain"), some(Verdict.EXPLAINED, 0.1, "latency")));
     cases.add(new Graded(truth("d", false, "gain"), some(Verdict.PARTLY, 0.1, "gain")));
+    cases.add(new Graded(truth("e", false, "wrap"), some(Verdict.EXPLAINED, 0.1, "wrap")));
     assertEquals(1, new Scores(cases).auroc(), NEAR);
     String unknown = String.valueOf(new Scores(cases).json().get("unknown"));
-    assertTrue(unknown.startsWith("{unknown_cases=1, known_cases=3, auroc=1.0,"), unknown);
-    // One of the three.
-    assertTrue(unknown.contains("open_auc=0.333333"), unknown);
+    assertTrue(unknown.startsWith("{unknown_cases=1, known_cases=4, auroc=1.0,"), unknown);
+    // Two of the four.
+    assertTrue(unknown.contains("open_auc=0.5"), unknown);
   }
 
   private static Optional<Answer> some(Verdict verdict, double unknown, String... names) {
