@@ -99,7 +99,7 @@ public record JsonObject(String where, Map<String, Object> fields) {
 
   /** True when a field is a list with a null in it. */
   public boolean hasNull(String name) throws FormatException {
-    return field(name, List.class, "a list").contains(null);
+    return field(name, List.class, "a list").contains(JsonReader.NULL);
   }
 
   /** A field's list of numbers. */

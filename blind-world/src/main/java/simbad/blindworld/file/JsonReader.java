@@ -36,17 +36,10 @@ public final class JsonReader {
   }
 
   private FormatException wrong(String expected) {
-    long line = 1 + text.substring(0, Math.min(at, text.length())).lines().count();
+    long line = 1 + text.chars().limit(at).filter(c -> c == '\n').count();
     String found = at < text.length() ? "'" + text.charAt(at) + "'" : "the end of the file";
-    boolean onFirst = text.lastIndexOf('\n', Math.max(0, at - 1)) < 0;
     return new FormatException(
-        file
-            + ", line "
-            + (onFirst ? 1 : line - 1)
-            + ": found "
-            + found
-            + ", expected "
-            + expected);
+        file + ", line " + line + ": found " + found + ", expected " + expected);
   }
 
   private void blanks() {

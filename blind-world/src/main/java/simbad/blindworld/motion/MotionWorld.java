@@ -57,7 +57,8 @@ public final class MotionWorld {
   /** What a simulator that believes this does. */
   private static List<MotionChange> believed(Robot.Beliefs beliefs) {
     List<MotionChange> own = new ArrayList<>();
-    if (beliefs.maxSpeedMPerS() < Double.POSITIVE_INFINITY) {
+    double least = Math.min(beliefs.maxSpeedMPerS(), beliefs.maxTurnRadPerS());
+    if (least < Double.POSITIVE_INFINITY) {
       own.add(
           MotionChange.commands(
               s ->

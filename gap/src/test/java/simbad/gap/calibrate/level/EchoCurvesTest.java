@@ -69,4 +69,32 @@ class EchoCurvesTest {
     assertTrue(curves.isFlat(1));
     assertFalse(curves.isFlat(0));
   }
+
+  /** A parabola is met exactly where it does not turn: -(x - 9)² / 2 and its derivatives. */
+  @Test
+  void aParabolaIsMetExactly() {
+    EchoCurves parabola = new EchoCurves(x -> new double[] {-(x - 9) * (x - 9) / 2});
+    double[] into = new double[3];
+    for (double at : new double[] {-8, -5.2, -1, 0, 0.4, 2, 3.9, 5}) {
+      parabola.at(0, at, into);
+      assertEquals(-(at - 9) * (at - 9) / 2, into[0], 1e-9, "at " + at);
+      assertEquals(9 - at, into[1], 1e-9, "slope at " + at);
+      assertEquals(-1, into[2], 1e-9, "bend at " + at);
+    }
+  }
+
+  /** On either side of the knots the reading is as likely as at the last of them. */
+  @Test
+  void beyondEitherEndNothingChanges() {
+    assertEquals(read(-13), at(-30)[0], 1e-12);
+    assertEquals(read(15), at(30)[0], 1e-12);
+    assertEquals(0, at(-30)[1]);
+    assertEquals(0, at(-30)[2]);
+    assertEquals(0, at(30)[2]);
+  }
+
+  @Test
+  void eachReadingHasItsCurve() {
+    assertEquals(2, curves.size());
+  }
 }

@@ -60,4 +60,43 @@ class LevelMoveTest {
 
     assertTrue(move(new double[] {0.01, 1}, cliff, 0).climb() >= 0);
   }
+
+  /** Before it moves, n readings tell n beside the 1 of the prior: the root of 1 / (n + 1). */
+  @Test
+  void whatReadingsTellIsTakenFromWhatWasOpen() {
+    assertEquals(
+        -Math.log(5) / 2,
+        move(new double[] {1, 1}, normal(3, 3, 3, 3), 0, 0, 0, 0).logShare(),
+        1e-9);
+    assertEquals(
+        -Math.log(2 * 1.5) / 2, move(new double[] {1, 2}, normal(3, 3), 0, 1).logShare(), 1e-9);
+    assertEquals(0, move(new double[] {1, 1}, normal(3)).logShare(), 1e-12);
+  }
+
+  /** Where a curve bends upwards it tells nothing of how surely a value is known. */
+  @Test
+  void whatBendsUpwardsTellsNothing() {
+    EchoCurves up = new EchoCurves(decibels -> new double[] {decibels * decibels / 2});
+
+    assertEquals(0, move(new double[] {1}, up, 0).logShare(), 1e-12);
+  }
+
+  /** Two values that pull together, one of them known twice as well; the first has no row. */
+  @Test
+  void valuesFollowTheirSlopes() {
+    LevelMove move =
+        new LevelMove(
+            MatrixUtils.createRealDiagonalMatrix(new double[] {1, 1, 4}),
+            List.of(new LevelMove.Row(0, new int[] {1, 2}, new double[] {1, -2})),
+            normal(3));
+    double nats = move.climb();
+
+    // v = 1 + 4 / 4; along (1, -2 / 4) by 3 / (1 + v).
+    assertEquals(9.0 * 2 / 3 / 2, nats, 0.05);
+    double[] values = move.valuesFrom(1);
+    assertEquals(2, values.length);
+    assertEquals(-0.5, values[1] / values[0], 1e-9);
+    assertEquals(move.shiftsDb()[0], values[0] - 2 * values[1], 1e-12);
+    assertEquals(0, move.valuesFrom(0)[0], 0);
+  }
 }
