@@ -96,6 +96,7 @@ class EveryFormTest {
 
   static Stream<List<String>> forms() {
     List<String> names = new ArrayList<>(Vocabulary.names());
+    names.addAll(Vocabulary.further());
     names.addAll(Vocabulary.outside());
     return names.stream()
         .flatMap(name -> Vocabulary.forms(name).stream().map(label -> List.of(name, label)));

@@ -102,6 +102,20 @@ class PlanAndOrderTest {
     assertEquals(plan, Plan.of(order(40, mix, 0.25, List.of(), Worlds.EQUATIONS)));
   }
 
+  /** Names of the vocabulary's second version come where they are asked for, and only there. */
+  @Test
+  void furtherNames_comeWhereAskedFor() {
+    Map<Kind, Double> singles = Map.of(Kind.SINGLE, 1.0);
+    List<String> wanted = List.of("wrap", "gain");
+    List<Plan.Assignment> asked = Plan.of(order(8, singles, 0, wanted, Worlds.EQUATIONS));
+    assertEquals(4, asked.stream().filter(one -> one.names().equals(List.of("wrap"))).count());
+    assertEquals(4, asked.stream().filter(one -> one.names().equals(List.of("gain"))).count());
+    List<Plan.Assignment> usual = Plan.of(order(60, singles, 0, List.of(), Worlds.EQUATIONS));
+    assertTrue(usual.stream().noneMatch(one -> Vocabulary.further().containsAll(one.names())));
+    assertEquals(Set.of(), Worlds.EQUATIONS.unknownAmong(wanted));
+    assertEquals(Set.of("wrap"), Worlds.WAVE.unknownAmong(wanted));
+  }
+
   private static boolean isKnown(String name) {
     return Vocabulary.contains(name) && !List.of("dropout", "wrap").contains(name);
   }
