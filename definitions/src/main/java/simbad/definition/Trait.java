@@ -17,6 +17,10 @@ public enum Trait {
   SOAKS_UP_A_REST,
   /** It makes ranges longer or shorter; at one distance all that do are alike. */
   MOVES_RANGES,
+  /**
+   * It makes ranges longer or shorter by what is not their length: an echo's level, or the time.
+   */
+  MOVES_SOME_RANGES,
   /** It puts an obstacle elsewhere: seen from one place, further away is as longer ranges. */
   MOVES_OBSTACLES,
   /** It knows what was read before, and so of readings of one placement what the next one is. */

@@ -110,6 +110,6 @@ public final class RangeDriftEffect implements Definition {
 
   @Override
   public Set<Trait> traits() {
-    return Set.of(Trait.SOAKS_UP_PLACEMENTS);
+    return Set.of(Trait.SOAKS_UP_PLACEMENTS, Trait.MOVES_SOME_RANGES);
   }
 }

@@ -3,8 +3,10 @@ package simbad.sonar.catalogue;
 import static simbad.sonar.effect.FittedValues.text;
 
 import java.util.List;
+import java.util.Set;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
+import simbad.definition.Trait;
 import simbad.sonar.change.RangeWalk;
 import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
@@ -40,8 +42,9 @@ public final class RangeWalkEffect implements Definition {
   }
 
   /**
-   * Where echoes are decided by thresholds the distance stands for the level. A slow fall with the
-   * level would be a scale of the ranges there.
+   * Where echoes are decided by thresholds the distance stands for the level. An envelope that
+   * rises straight reaches a level 1/e sooner with every 20 log10(e) = 8.7 dB; one that falls with
+   * 17.4 dB would be a scale of the ranges there.
    */
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
@@ -51,7 +54,7 @@ public final class RangeWalkEffect implements Definition {
             BY_DISTANCE,
             v -> new RangeWalk(v[0], v[1]),
             AT_EDGE,
-            Parameter.of("fall_db", 4, 1, 8, 3, 6).asClosed()));
+            Parameter.of("fall_db", 4, 1, 10, 3, 6).asClosed()));
   }
 
   @Override
@@ -77,6 +80,11 @@ public final class RangeWalkEffect implements Definition {
   @Override
   public List<Probe> probes(SensingSetup setup, PingLog log) {
     return List.of(Probe.tried(Forms.of(this, setup, log.sensors()).get(0), 0, 0.01));
+  }
+
+  @Override
+  public Set<Trait> traits() {
+    return Set.of(Trait.MOVES_SOME_RANGES);
   }
 
   @Override

@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.definition.Trait;
@@ -19,6 +20,8 @@ import simbad.sonar.ping.MemoryChange;
  */
 public final class Confirmed {
   private static final Set<Effect> KNOWING = Definitions.with(Trait.KNOWS_THE_PING_BEFORE);
+
+  private static final Set<Effect> MOVING = moving();
 
   private final List<Scored> sets;
   private final Set<Effect> doubtful;
@@ -44,6 +47,12 @@ public final class Confirmed {
     this.doubtful = Set.copyOf(doubtful);
     this.worthNats = worthNats;
     isJudged = isPlaced && isDone;
+  }
+
+  private static Set<Effect> moving() {
+    Set<Effect> moving = new TreeSet<>(Definitions.with(Trait.MOVES_RANGES));
+    moving.addAll(Definitions.with(Trait.MOVES_SOME_RANGES));
+    return moving;
   }
 
   /**
@@ -105,6 +114,7 @@ public final class Confirmed {
   private boolean isSure(Effect effect, Scored set) {
     return !doubtful.contains(effect)
         && !isAtBound(effect, set.hypothesis())
+        && !makesUpForAnother(effect, set.hypothesis())
         && gain(effect, set).orElse(0.0) > (1 + Probabilities.UNSEEN) * worthNats
         && !hasRival(effect, set);
   }
@@ -145,6 +155,16 @@ public final class Confirmed {
       alone = other == effect ? alone : alone.without(other);
     }
     return alone.isAtBound();
+  }
+
+  /**
+   * Whether another effect on the ranges stands at an end of the search: what that one cannot do,
+   * this one makes up for, and its value says nothing.
+   */
+  private static boolean makesUpForAnother(Effect effect, Hypothesis set) {
+    return MOVING.contains(effect)
+        && set.effects().stream()
+            .anyMatch(other -> other != effect && MOVING.contains(other) && isAtBound(other, set));
   }
 
   private Optional<Scored> find(Set<Effect> effects) {

@@ -74,6 +74,19 @@ class ConfirmedTest {
             .best());
   }
 
+  /** A speed beside an offset that wants to be larger than any: it is what the offset leaves. */
+  @Test
+  void whatMovesRanges_isNotSureBesideAnotherThatStandsAtAnEnd() {
+    Hypothesis far = Worlds.effect(Effect.RANGE_OFFSET, "constant", 1);
+    Hypothesis near = Worlds.effect(Effect.RANGE_OFFSET, "constant", 0.1);
+    Hypothesis speed = Worlds.effect(Effect.SOUND_SPEED, "scale", 340);
+    assertEquals(
+        List.of(), sure(NONE, scored(150, speed, far), scored(60, speed), scored(60, far)));
+    assertEquals(
+        List.of(Effect.SOUND_SPEED, Effect.RANGE_OFFSET),
+        sure(NONE, scored(150, speed, near), scored(60, speed), scored(60, near)));
+  }
+
   /** Beside what is sure something takes up the rest: it is not named. */
   @Test
   void whatIsNotSureBesideIt_isLeftOut() {
