@@ -6,19 +6,22 @@ import java.util.Set;
 import java.util.TreeSet;
 import simbad.gap.audit.AuditCheck;
 import simbad.gap.audit.AuditFinding;
+import simbad.gap.audit.NumbersForNoEcho;
 import simbad.gap.audit.Severity;
 import simbad.gap.audit.UncertainPoses;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fit.Hypothesis;
+import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
 
 /**
  * Rows that an audit found to be no reading of what stands there: stuck, held, or off by a timer's
  * byte, in a log without times, or of a placement where nothing stood as it was written; and rows
  * of which nobody can say what the sensor hears. No effect with a memory can be asked for them, and
- * any other that took them up would be a wrong name.
+ * any other that took them up would be a wrong name. Numbers that only stand for no echo are read
+ * as none.
  */
 final class LeftOut {
   private static final Set<AuditCheck> NO_READING =
@@ -27,6 +30,7 @@ final class LeftOut {
   private final DataSet data;
   private final Set<Integer> wrong = new TreeSet<>();
   private final Set<Integer> rows = new TreeSet<>();
+  private final Set<Integer> silent = new TreeSet<>();
 
   /**
    * Finds them.
@@ -51,6 +55,7 @@ final class LeftOut {
               }
             });
     rows.addAll(wrong);
+    silent.addAll(NumbersForNoEcho.rows(data.setup(), data.readings(), audit));
   }
 
   private LeftOut(LeftOut known, Set<Integer> more) {
@@ -58,6 +63,7 @@ final class LeftOut {
     wrong.addAll(known.wrong);
     rows.addAll(known.rows);
     rows.addAll(more);
+    silent.addAll(known.silent);
   }
 
   /**
@@ -71,15 +77,16 @@ final class LeftOut {
     return rows.containsAll(unsure) ? this : new LeftOut(this, unsure);
   }
 
-  /** Returns the data set without them. */
+  /** Returns the data set without them, and with no echo where a number stood for it. */
   DataSet rest() {
-    if (rows.isEmpty()) {
+    if (rows.isEmpty() && silent.isEmpty()) {
       return data;
     }
     List<ReadingRow> kept = new ArrayList<>();
     for (int row = 0; row < data.readings().size(); row++) {
       if (!rows.contains(row)) {
-        kept.add(data.readings().get(row));
+        ReadingRow read = data.readings().get(row);
+        kept.add(silent.contains(row) ? read.reading(NoEcho.NO_ECHO) : read);
       }
     }
     return new DataSet(data.name(), data.setup(), kept, data.reference());
@@ -87,13 +94,19 @@ final class LeftOut {
 
   /** Returns what is said of the whole, from a diagnosis of the rest: with such rows never none. */
   Diagnosis whole(Diagnosis rest) {
-    return wrong.isEmpty() || rest.verdict() != Verdict.NONE
-        ? rest
-        : rest.undecided(
-            "what the audit found is wrong with "
+    if (rest.verdict() != Verdict.NONE || (wrong.isEmpty() && silent.isEmpty())) {
+      return rest;
+    }
+    String of = " of " + data.readings().size() + " readings";
+    return rest.undecided(
+        wrong.isEmpty()
+            ? silent.size()
+                + of
+                + " are a number that stands for no echo; taken as that, no effect"
+                + " shows"
+            : "what the audit found is wrong with "
                 + wrong.size()
-                + " of "
-                + data.readings().size()
-                + " readings; the others show no effect");
+                + of
+                + "; the others show no effect");
   }
 }

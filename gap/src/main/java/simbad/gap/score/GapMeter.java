@@ -1,6 +1,5 @@
 package simbad.gap.score;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import simbad.gap.diagnosis.ForecastGap;
@@ -16,11 +15,6 @@ import simbad.sonar.predict.ChangedModel;
  */
 public final class GapMeter {
   private static final int FLOOR_POINTS = 12;
-  private static final double LEAST = 1e-6;
-
-  /** Further than any echo: quantiles below it are those of the echoes alone. */
-  private static final double BEYOND_M = 1e4;
-
   private final PingLog log;
   private final double noEchoM;
 
@@ -58,23 +52,11 @@ public final class GapMeter {
               double[] quantiles = ForecastGap.quantilesM(forecast.get(ping), noEchoM);
               double read = log.echo(ping) ? log.rangeM(ping) : noEchoM;
               observed[ping] = ForecastGap.gapM(quantiles, read);
-              expected[ping] = expected(forecast.get(ping), quantiles);
+              expected[ping] =
+                  forecast
+                      .get(ping)
+                      .expected(range -> ForecastGap.gapM(quantiles, range), noEchoM, FLOOR_POINTS);
             });
     return new Gaps(observed, expected);
-  }
-
-  private double expected(ReadingDistribution forecast, double[] quantiles) {
-    double silent = forecast.noEchoProbability();
-    double sum = silent * ForecastGap.gapM(quantiles, noEchoM);
-    double each = (1 - silent) / FLOOR_POINTS;
-    // Echoes and misses apart: a rare one of either costs much and would fall between quantiles.
-    if (each > LEAST) {
-      double[] levels = new double[FLOOR_POINTS];
-      Arrays.setAll(levels, i -> (i + 0.5) * each);
-      for (double read : forecast.quantilesM(levels, BEYOND_M)) {
-        sum += each * ForecastGap.gapM(quantiles, read);
-      }
-    }
-    return sum;
   }
 }

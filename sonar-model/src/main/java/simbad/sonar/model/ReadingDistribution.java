@@ -1,7 +1,9 @@
 package simbad.sonar.model;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.function.DoubleUnaryOperator;
 import java.util.random.RandomGenerator;
 import simbad.sonar.check.Checks;
 import simbad.sonar.sensing.Echo;
@@ -15,6 +17,11 @@ import simbad.sonar.sensing.Reading;
  * <p>A reading that noise would take below 0 is 0. Immutable.
  */
 public final class ReadingDistribution {
+  /** Further than any echo: quantiles below it are those of the echoes alone. */
+  private static final double BEYOND_M = 1e4;
+
+  private static final double LEAST_SHARE = 1e-6;
+
   private final Part[] parts;
   private final double noEchoProbability;
   private final double resolutionM;
@@ -72,6 +79,43 @@ public final class ReadingDistribution {
     for (Part part : parts) {
       into.add(new Part(part.meanM(), part.deviationM(), part.halfWidthM(), share * part.share()));
     }
+  }
+
+  /**
+   * Returns the expectation of a figure of the reading. Single ranges that may come for sure, such
+   * as a number for "no echo", count each by itself, and so does no echo; what is spread is taken
+   * at the middles of equal shares.
+   *
+   * @param figure of a range, metres
+   * @param noEchoM the range that a no-echo counts as, metres
+   * @param shares how many, at least 1
+   */
+  public double expected(DoubleUnaryOperator figure, double noEchoM, int shares) {
+    double sum = noEchoProbability * figure.applyAsDouble(noEchoM);
+    List<Part> spread = new ArrayList<>();
+    double spreadShare = 0;
+    for (Part part : parts) {
+      if (part.isPoint()) {
+        double rangeM = Math.max(0, roundedDown(report.reported(part.meanM())));
+        sum += part.share() * figure.applyAsDouble(rangeM);
+      } else {
+        spread.add(part);
+        spreadShare += part.share();
+      }
+    }
+    double each = spreadShare / shares;
+    if (each > LEAST_SHARE) {
+      double[] levels = new double[shares];
+      Arrays.setAll(levels, i -> (i + 0.5) * each);
+      ReadingDistribution others =
+          spread.size() == parts.length
+              ? this
+              : new ReadingDistribution(spread, resolutionM, report);
+      for (double rangeM : others.quantilesM(levels, BEYOND_M)) {
+        sum += each * figure.applyAsDouble(rangeM);
+      }
+    }
+    return sum;
   }
 
   /** Returns the probability of no echo, in [0, 1]. */

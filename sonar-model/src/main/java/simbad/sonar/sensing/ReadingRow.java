@@ -36,6 +36,11 @@ public record ReadingRow(
     return circumstances.isTimed();
   }
 
+  /** Returns the same row with another reading. */
+  public ReadingRow reading(Reading other) {
+    return new ReadingRow(run, sensor, timeS, pose, other, circumstances);
+  }
+
   /** Returns the same reading at another pose, under other circumstances. */
   public ReadingRow at(Pose other, Circumstances there) {
     return new ReadingRow(run, sensor, timeS, other, reading, there);

@@ -243,4 +243,18 @@ class ReadingDistributionTest {
     assertThrows(IllegalArgumentException.class, () -> near.mixed(List.of(far, silent), 0.75, 0.5));
     assertThrows(IllegalArgumentException.class, () -> near.mixed(List.of(far), Double.NaN));
   }
+
+  /** Three in a hundred read 0, nine in ten 1 m or some steps beside it, the rest nothing. */
+  @Test
+  void expectation_countsSingleRanges_eachByItself() {
+    List<Part> parts = List.of(new Part(0, 0, 0, 0.03), new Part(1, 0.02, 0, 0.9));
+    ReadingDistribution given = new ReadingDistribution(parts, 0.01, Report.AS_MEASURED);
+    assertEquals(0.03, given.expected(range -> range < 0.5 ? 1 : 0, 4, 12), 1e-12);
+    assertEquals(0.9, given.expected(range -> range > 0.5 && range < 3 ? 1 : 0, 4, 12), 1e-12);
+    assertEquals(0.07, given.expected(range -> range == 4 ? 1 : 0, 4, 12), 1e-12);
+    // Rounded down, a range is half a step less on average.
+    assertEquals(0.9 * 0.995 + 0.07 * 4, given.expected(range -> range, 4, 12), 1e-3);
+    assertEquals(
+        4, new ReadingDistribution(List.of(), 0, Report.AS_MEASURED).expected(r -> r, 4, 1));
+  }
 }
