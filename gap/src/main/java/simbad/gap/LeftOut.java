@@ -31,6 +31,7 @@ final class LeftOut {
   private final Set<Integer> wrong = new TreeSet<>();
   private final Set<Integer> rows = new TreeSet<>();
   private final Set<Integer> silent = new TreeSet<>();
+  private final Set<Integer> silentBefore = new TreeSet<>();
 
   /**
    * Finds them.
@@ -55,7 +56,10 @@ final class LeftOut {
               }
             });
     rows.addAll(wrong);
-    silent.addAll(NumbersForNoEcho.rows(data.setup(), data.readings(), audit));
+    silent.addAll(
+        NumbersForNoEcho.rows(data.setup(), data.readings(), audit, AuditFinding.File.READINGS));
+    silentBefore.addAll(
+        NumbersForNoEcho.rows(data.setup(), data.reference(), audit, AuditFinding.File.REFERENCE));
   }
 
   private LeftOut(LeftOut known, Set<Integer> more) {
@@ -64,6 +68,7 @@ final class LeftOut {
     rows.addAll(known.rows);
     rows.addAll(more);
     silent.addAll(known.silent);
+    silentBefore.addAll(known.silentBefore);
   }
 
   /**
@@ -79,22 +84,32 @@ final class LeftOut {
 
   /** Returns the data set without them, and with no echo where a number stood for it. */
   DataSet rest() {
-    if (rows.isEmpty() && silent.isEmpty()) {
+    if (rows.isEmpty() && silent.isEmpty() && silentBefore.isEmpty()) {
       return data;
     }
     List<ReadingRow> kept = new ArrayList<>();
-    for (int row = 0; row < data.readings().size(); row++) {
+    List<ReadingRow> read = heard(data.readings(), silent);
+    for (int row = 0; row < read.size(); row++) {
       if (!rows.contains(row)) {
-        ReadingRow read = data.readings().get(row);
-        kept.add(silent.contains(row) ? read.reading(NoEcho.NO_ECHO) : read);
+        kept.add(read.get(row));
       }
     }
-    return new DataSet(data.name(), data.setup(), kept, data.reference());
+    return new DataSet(data.name(), data.setup(), kept, heard(data.reference(), silentBefore));
   }
 
-  /** Returns what is said of the whole, from a diagnosis of the rest: with such rows never none. */
+  private static List<ReadingRow> heard(List<ReadingRow> read, Set<Integer> numbers) {
+    List<ReadingRow> heard = new ArrayList<>(read);
+    numbers.forEach(row -> heard.set(row, read.get(row).reading(NoEcho.NO_ECHO)));
+    return heard;
+  }
+
+  /**
+   * Returns what is said of the whole, from a diagnosis of the rest: with such rows never none. A
+   * number for no echo that the reference has, too, belongs to the set-up.
+   */
   Diagnosis whole(Diagnosis rest) {
-    if (rest.verdict() != Verdict.NONE || (wrong.isEmpty() && silent.isEmpty())) {
+    boolean isNew = !silent.isEmpty() && silentBefore.isEmpty();
+    if (rest.verdict() != Verdict.NONE || (wrong.isEmpty() && !isNew)) {
       return rest;
     }
     String of = " of " + data.readings().size() + " readings";

@@ -44,6 +44,10 @@ class SilentNumbersTest {
     return Audit.of(SETUP, rows, List.of());
   }
 
+  private static Set<Integer> numbers(List<ReadingRow> rows) {
+    return NumbersForNoEcho.rows(SETUP, rows, audit(rows), AuditFinding.File.READINGS);
+  }
+
   private static Diagnosis diagnosis(List<ReadingRow> rows) {
     return new Diagnoser(1, Set.of())
         .diagnose(new DataSet("log", SETUP, rows, List.of()), audit(rows));
@@ -78,14 +82,33 @@ class SilentNumbersTest {
   void otherNumbers_andLostEchoes_areLeftToTheEffects() {
     List<ReadingRow> rows = read(Hypothesis.NONE);
     List<ReadingRow> nought = written(rows, 0);
-    assertEquals(Set.of(), NumbersForNoEcho.rows(SETUP, nought, audit(nought)));
-    assertEquals(Set.of(), NumbersForNoEcho.rows(SETUP, rows, audit(rows)));
+    assertEquals(Set.of(), numbers(nought));
+    assertEquals(Set.of(), numbers(rows));
     List<ReadingRow> lost = new ArrayList<>();
     List<ReadingRow> near = Worlds.read(Worlds.poses(ROWS, 0.3, 1.2, 13), Hypothesis.NONE, 14);
     for (int i = 0; i < near.size(); i++) {
       lost.add(i % 5 == 0 ? near.get(i).reading(new Echo(4)) : near.get(i));
     }
     assertTrue(!audit(lost).isEmpty(), "the audit finds it");
-    assertEquals(Set.of(), NumbersForNoEcho.rows(SETUP, lost, audit(lost)));
+    assertEquals(Set.of(), numbers(lost));
+  }
+
+  /** What the driver wrote while the simulation was trusted belongs to the set-up. */
+  @Test
+  void numbersThatTheReferenceHasToo_areNone() {
+    List<ReadingRow> rows = read(Hypothesis.NONE);
+    List<ReadingRow> before = Worlds.read(Worlds.poses(ROWS, 0.3, 2.7, 15), Hypothesis.NONE, 16);
+    Diagnosis plain = diagnosis(rows, before);
+    assertEquals(Verdict.NONE, plain.verdict(), plain.reason());
+    Diagnosis numbered = diagnosis(written(rows, 4), written(before, 4));
+    assertEquals(Verdict.NONE, numbered.verdict(), numbered.reason());
+    assertEquals(plain.gap(), numbered.gap());
+    assertEquals(
+        Verdict.UNDECIDED, diagnosis(written(rows, 4), before).verdict(), "the driver is new");
+  }
+
+  private static Diagnosis diagnosis(List<ReadingRow> rows, List<ReadingRow> before) {
+    return new Diagnoser(1, Set.of())
+        .diagnose(new DataSet("log", SETUP, rows, before), Audit.of(SETUP, rows, before));
   }
 }

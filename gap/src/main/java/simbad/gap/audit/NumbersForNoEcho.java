@@ -23,16 +23,17 @@ public final class NumbersForNoEcho {
    * Returns such rows.
    *
    * @param setup as the simulator believes it
-   * @param rows of the log
-   * @param audit of it
+   * @param rows of the log, or of its reference
+   * @param audit of the log
+   * @param file which of the two these rows are
    * @return indices of rows; none where no such number was found, or where most of these pings
    *     should have an echo: what is lost there is a gap, which an effect has to explain
    */
   public static Set<Integer> rows(
-      SensingSetup setup, List<ReadingRow> rows, List<AuditFinding> audit) {
+      SensingSetup setup, List<ReadingRow> rows, List<AuditFinding> audit, AuditFinding.File file) {
     boolean found =
         audit.stream()
-            .filter(finding -> finding.file() == AuditFinding.File.READINGS)
+            .filter(finding -> finding.file() == file)
             .filter(finding -> finding.check() == AuditCheck.NO_ECHO_CODE)
             .flatMap(finding -> finding.rows().stream())
             .anyMatch(row -> isOne(setup, rows.get(row)));
