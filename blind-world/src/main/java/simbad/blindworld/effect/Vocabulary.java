@@ -77,6 +77,8 @@ public final class Vocabulary {
 
   private static final List<Form> FURTHER = FurtherForms.all();
 
+  private static final List<Form> ALL = Stream.concat(FORMS.stream(), FURTHER.stream()).toList();
+
   private Vocabulary() {}
 
   /** The names of the vocabulary that have a form here, sorted: the 26 of its first version. */
@@ -90,7 +92,7 @@ public final class Vocabulary {
   }
 
   private static Stream<Form> formsOf(String name) {
-    return Stream.concat(FORMS.stream(), FURTHER.stream()).filter(f -> f.effect().equals(name));
+    return ALL.stream().filter(f -> f.effect().equals(name));
   }
 
   /** The names of changes that the vocabulary does not cover, sorted. */
@@ -145,8 +147,7 @@ public final class Vocabulary {
 
   /** The effects in the order in which they act on a ping. */
   public static List<Effect> inOrder(List<Effect> effects) {
-    List<String> order =
-        Stream.concat(FORMS.stream(), FURTHER.stream()).map(Form::effect).distinct().toList();
+    List<String> order = ALL.stream().map(Form::effect).distinct().toList();
     return effects.stream().sorted(Comparator.comparingInt(e -> order.indexOf(e.name()))).toList();
   }
 }

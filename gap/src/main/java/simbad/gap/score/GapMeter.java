@@ -15,6 +15,7 @@ import simbad.sonar.predict.ChangedModel;
  */
 public final class GapMeter {
   private static final int FLOOR_POINTS = 12;
+
   private final PingLog log;
   private final double noEchoM;
 

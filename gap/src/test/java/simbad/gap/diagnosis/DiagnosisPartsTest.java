@@ -36,12 +36,20 @@ class DiagnosisPartsTest {
   }
 
   private static Diagnosis with(Hypothesis calibration, Optional<SetupError> error) {
+    return with(EXPLAINED.explanation(), EXPLAINED.effects(), calibration, error);
+  }
+
+  private static Diagnosis with(
+      List<Effect> named,
+      List<EffectFinding> findings,
+      Hypothesis calibration,
+      Optional<SetupError> error) {
     Diagnosis d = EXPLAINED;
     return new Diagnosis(
         d.verdict(),
         d.reason(),
-        d.explanation(),
-        d.effects(),
+        named,
+        findings,
         d.unknownProbability(),
         d.namedProbability(),
         d.atBound(),
@@ -253,27 +261,8 @@ class DiagnosisPartsTest {
   }
 
   private static List<Effect> toActUpon(List<Effect> named, EffectFinding... findings) {
-    Diagnosis d = EXPLAINED;
     Diagnosis other =
-        new Diagnosis(
-            d.verdict(),
-            d.reason(),
-            named,
-            List.of(findings),
-            d.unknownProbability(),
-            d.namedProbability(),
-            d.atBound(),
-            d.gap(),
-            d.budget(),
-            d.where(),
-            d.undetectable(),
-            d.nextExperiment(),
-            d.fitted(),
-            d.calibration(),
-            d.tried(),
-            d.signs(),
-            d.setupError(),
-            d.audit());
+        with(named, List.of(findings), EXPLAINED.calibration(), EXPLAINED.setupError());
     return Remedies.toActUpon(other).stream().map(EffectFinding::effect).toList();
   }
 

@@ -4,15 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Estimate;
-import simbad.gap.diagnosis.GapFigures;
-import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
@@ -33,25 +29,7 @@ class HeardTest {
           "post", Worlds.POST, Worlds.read(Worlds.poses(400, 0.3, 1.3, 1), BOTH, 2), List.of());
 
   private static Diagnosis found(Hypothesis fitted) {
-    return new Diagnosis(
-        Verdict.EXPLAINED,
-        "",
-        fitted.effects(),
-        List.of(),
-        0,
-        1,
-        List.of(),
-        new GapFigures(2, 3, 1.5, 1, 0.5, new Interval(0.4, 0.6)),
-        List.of(),
-        List.of(),
-        List.of(),
-        Optional.empty(),
-        fitted,
-        Hypothesis.NONE,
-        List.of(),
-        Map.of(),
-        Optional.empty(),
-        List.of());
+    return SensingHalf.of(Verdict.EXPLAINED, 0, fitted.effects(), fitted);
   }
 
   private static Estimate estimate(Hypothesis fitted, Form form, double offered) {

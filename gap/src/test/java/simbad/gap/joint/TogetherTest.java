@@ -10,7 +10,6 @@ import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Estimate;
-import simbad.gap.diagnosis.GapFigures;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fit.Hypothesis;
@@ -24,25 +23,7 @@ class TogetherTest {
   private static final Estimate LARGER = new Estimate(1.05, 0.001);
 
   private static Diagnosis sensing(Verdict verdict, Effect... named) {
-    return new Diagnosis(
-        verdict,
-        "",
-        List.of(named),
-        List.of(),
-        0.2,
-        0.5,
-        List.of(),
-        new GapFigures(2, 3, 1.5, 1, 0.5, new Interval(0.4, 0.6)),
-        List.of(),
-        List.of(),
-        List.of(),
-        Optional.empty(),
-        Hypothesis.NONE,
-        Hypothesis.NONE,
-        List.of(),
-        Map.of(),
-        Optional.empty(),
-        List.of());
+    return SensingHalf.of(verdict, 0.2, List.of(named), Hypothesis.NONE);
   }
 
   private static MotionDiagnosis motion(int windows, Verdict verdict, String... named) {

@@ -11,7 +11,6 @@ import org.hipparchus.linear.MatrixUtils;
 import org.hipparchus.linear.RealMatrix;
 import org.junit.jupiter.api.Test;
 import simbad.gap.fixture.LevelWorlds;
-import simbad.sonar.catalogue.LevelForms;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.ping.Geometry;
@@ -62,13 +61,7 @@ class OpenSetupTest {
       targets.add(new Believed(LevelWorlds.POST.scene().obstacles().get(0), SENSOR));
     }
     Layout layout = new Layout(targets);
-    Predictor predictor =
-        new Predictor(layout, SENSOR.levelLaw(), targets, LevelForms.wavenumberPerM(SENSOR));
-    double[] values = new double[layout.size()];
-    values[0] = 1.5;
-    values[1] = 1;
-    values[layout.aperture()] = Math.log(LevelForms.APERTURE_M);
-    predictor.set(values);
+    Predictor predictor = LevelPosts.predictor(targets);
     Ranges none = Ranges.of(predictor, List.of(), targets, SENSOR);
     Ranges known = new Ranges(1, none.byLevel(), none.nearM(), none.byBearing(), tiny(10));
     return Leeway.of(

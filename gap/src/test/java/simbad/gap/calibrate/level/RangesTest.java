@@ -113,21 +113,9 @@ class RangesTest {
     assertArrayEquals(new double[] {2, 1, 0, 0, 0, 0, 0, 0, 0, 0}, Ranges.row(2, -5), EXACT);
   }
 
-  private static Predictor predictor(List<Believed> targets) {
-    Layout layout = new Layout(targets);
-    Predictor predictor =
-        new Predictor(layout, SENSOR.levelLaw(), targets, LevelForms.wavenumberPerM(SENSOR));
-    double[] values = new double[layout.size()];
-    values[0] = 1.5;
-    values[1] = 1;
-    values[layout.aperture()] = Math.log(LevelForms.APERTURE_M);
-    predictor.set(values);
-    return predictor;
-  }
-
   private static Ranges ranges(int targets, List<Trials.Trial> trials) {
     List<Believed> all = Collections.nCopies(targets, POST);
-    return Ranges.of(predictor(all), trials, all, SENSOR);
+    return Ranges.of(LevelPosts.predictor(all), trials, all, SENSOR);
   }
 
   /**
@@ -184,7 +172,7 @@ class RangesTest {
   void shareBearingAndNearnessAreFoundTogether() {
     List<Trials.Trial> trials = grid(0);
     Ranges found = ranges(1, trials);
-    Predictor predictor = predictor(List.of(POST));
+    Predictor predictor = LevelPosts.predictor(List.of(POST));
     for (Trials.Trial trial : trials) {
       assertEquals(trial.beyondM(), foretold(found, predictor, trial), 8e-4, trial.toString());
     }
