@@ -134,10 +134,17 @@ final class GenerateCommand {
     List<String> names = text.isEmpty() ? List.of() : List.of(text.split(",", -1));
     Set<String> strange = worlds.unknownAmong(names);
     if (!strange.isEmpty()) {
-      boolean areNames = strange.stream().allMatch(worlds::contains);
+      String given = String.join(", ", strange);
+      if (strange.stream().allMatch(worlds::contains)) {
+        throw new FormatException(
+            "--effects: "
+                + given
+                + ": these worlds cannot have it; expected one of "
+                + String.join(", ", worlds.all()));
+      }
       throw new FormatException(
-          (areNames ? "--effects: not in worlds of this kind: " : "--effects: no such effect: ")
-              + String.join(", ", strange)
+          "--effects: no such effect: "
+              + given
               + KNOWN
               + " or "
               + String.join(", ", worlds.outside()));

@@ -524,6 +524,13 @@ class BlindCheckTest {
         "magic",
         "--out",
         NOWHERE);
+    check(
+        "--effects: placement-error: these worlds cannot have it; expected one of absorption, ",
+        "generate",
+        "--effects",
+        "placement-error",
+        "--out",
+        NOWHERE);
     check("--withheld: no such effect: wind", "generate", "--withheld", "wind", "--out", NOWHERE);
     checkMix("gain makes a fair pair with none", "gain", "single:1,pair:1");
     checkMix("none is of the vocabulary", "speed-loss", "single:1");

@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.Random;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
-import java.util.stream.Stream;
 
 /**
  * Which cases there will be, before any is drawn: kinds in the asked shares, effects evenly, in
@@ -170,8 +169,7 @@ public final class Plan {
   }
 
   private static List<String> inside(Order order) {
-    List<String> further = order.effects().isEmpty() ? List.of() : order.worlds().further();
-    return Stream.concat(order.worlds().names().stream(), further.stream()).toList();
+    return order.effects().isEmpty() ? order.worlds().names() : order.worlds().all();
   }
 
   private static Wheel wheel(Order order, List<String> all, SplittableRandom random) {

@@ -3,6 +3,7 @@ package simbad.blindworld.generate;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import simbad.blindworld.effect.Vocabulary;
 import simbad.blindworld.motionchange.MotionVocabulary;
 import simbad.blindworld.wavechange.WaveVocabulary;
@@ -36,9 +37,10 @@ public enum Worlds {
     };
   }
 
-  /** The vocabulary's names that are put in only where somebody asks for them, sorted. */
-  public List<String> further() {
-    return this == EQUATIONS ? Vocabulary.further() : List.of();
+  /** The same, and then the names that are put in only where somebody asks for them. */
+  public List<String> all() {
+    List<String> further = this == EQUATIONS ? Vocabulary.further() : List.of();
+    return Stream.concat(names().stream(), further.stream()).toList();
   }
 
   /** The names of what the vocabulary does not cover, sorted. */
@@ -65,8 +67,7 @@ public enum Worlds {
   /** Names out of a list that cannot be put in. */
   public Set<String> unknownAmong(List<String> names) {
     Set<String> strange = new TreeSet<>(names);
-    strange.removeAll(names());
-    strange.removeAll(further());
+    strange.removeAll(all());
     strange.removeAll(outside());
     return strange;
   }
