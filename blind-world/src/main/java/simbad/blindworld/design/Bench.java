@@ -57,6 +57,14 @@ final class Bench implements Design {
     return new Recording(session.rows);
   }
 
+  /** The pose at a bearing and distance of the obstacle, looking at its centre. */
+  static Pose facing(Obstacle goal, double bearing, double r) {
+    double direction = bearing + goal.turnRad();
+    double dx = r * Math.sin(direction);
+    double dz = r * Math.cos(direction);
+    return new Pose(goal.place().xM() + dx, goal.place().zM() + dz, Math.atan2(dz, -dx));
+  }
+
   /** One day at the bench. */
   private final class Session {
 
@@ -143,14 +151,6 @@ final class Bench implements Design {
       double r = goal.radiusM() + 0.08 + random.nextDouble() * Math.max(0.3, limit);
       double turn = scene.sensor().halfAngleRad() * aside * (2 * random.nextDouble() - 1);
       return List.of(facing(goal, bearing, r).turned(turn));
-    }
-
-    /** The pose at a bearing and distance of the obstacle, looking at its centre. */
-    private static Pose facing(Obstacle goal, double bearing, double r) {
-      double direction = bearing + goal.turnRad();
-      double dx = r * Math.sin(direction);
-      double dz = r * Math.cos(direction);
-      return new Pose(goal.place().xM() + dx, goal.place().zM() + dz, Math.atan2(dz, -dx));
     }
   }
 }

@@ -8,7 +8,7 @@ import simbad.blindworld.world.Scene;
 /** A way of measuring: recordings drawn from one design differ only by chance. */
 public interface Design {
 
-  /** "run" or "bench". */
+  /** "run", "bench" or "placed". */
   String kind();
 
   /** The time between two pings of one transducer, in seconds. */
@@ -22,7 +22,12 @@ public interface Design {
     return kind.equals("run") ? new Drive(random) : new Bench(random);
   }
 
-  /** The kinds there are. */
+  /** One drawn at random in which a hand puts the sonar in place and reads it several times. */
+  static Design placed(SplittableRandom random) {
+    return new Placed(random);
+  }
+
+  /** The kinds that are drawn where none is needed. */
   static List<String> kinds() {
     return List.of("run", "bench");
   }

@@ -20,6 +20,7 @@ import simbad.blindworld.world.World;
 public final class Circumstances {
 
   private static final double HEARD = 0.5;
+  private static final int LEAST_READINGS = 3;
 
   private final Scene scene;
   private final Recording recording;
@@ -76,6 +77,11 @@ public final class Circumstances {
   /** True when a robot drives, false on a bench. */
   public boolean driven() {
     return driven;
+  }
+
+  /** True when it was read several times at most places. */
+  public boolean placed() {
+    return !driven && recording.size() >= LEAST_READINGS * recording.placements().size();
   }
 
   /** True when there is more than one transducer. */

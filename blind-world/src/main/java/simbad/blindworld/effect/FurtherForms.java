@@ -16,8 +16,8 @@ import simbad.blindworld.world.Sight;
 /**
  * The names that joined the vocabulary in its second version: range-drift, no-echo-code, wrap,
  * range-walk, vertical-beam. They are drawn only where somebody asks for them, so that older draws
- * keep their bytes. placement-error needs placements and wave-hop millimetres, which no design here
- * has.
+ * keep their bytes. wave-hop needs millimetres, which these worlds do not tell; placement-error is
+ * in {@link PlacementForms}.
  */
 final class FurtherForms {
 

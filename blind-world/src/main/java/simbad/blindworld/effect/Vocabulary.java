@@ -24,6 +24,8 @@ public final class Vocabulary {
     OUTPUT
   }
 
+  private static final String PLACED = "placement-error";
+
   private static final Map<String, Stage> STAGES =
       Map.ofEntries(
           Map.entry("sound-speed", Stage.RANGE),
@@ -54,7 +56,7 @@ public final class Vocabulary {
           Map.entry("orientation-shadow", Stage.ENERGY),
           Map.entry("no-echo-code", Stage.OUTPUT),
           Map.entry("wrap", Stage.OUTPUT),
-          Map.entry("placement-error", Stage.POSE),
+          Map.entry(PLACED, Stage.POSE),
           Map.entry("wave-hop", Stage.RANGE),
           Map.entry("range-walk", Stage.RANGE),
           Map.entry("vertical-beam", Stage.ENERGY),
@@ -75,7 +77,8 @@ public final class Vocabulary {
           .flatMap(List::stream)
           .toList();
 
-  private static final List<Form> FURTHER = FurtherForms.all();
+  private static final List<Form> FURTHER =
+      Stream.concat(FurtherForms.all().stream(), PlacementForms.all(PLACED).stream()).toList();
 
   private static final List<Form> ALL = Stream.concat(FORMS.stream(), FURTHER.stream()).toList();
 
@@ -89,6 +92,11 @@ public final class Vocabulary {
   /** The names of its second version that have a form here, sorted: drawn where asked for. */
   public static List<String> further() {
     return FURTHER.stream().map(Form::effect).distinct().sorted().toList();
+  }
+
+  /** True where a hand has to put the sonar in place and read it there several times. */
+  public static boolean needsPlacements(String name) {
+    return name.equals(PLACED);
   }
 
   private static Stream<Form> formsOf(String name) {

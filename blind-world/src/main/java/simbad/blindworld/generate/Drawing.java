@@ -97,8 +97,7 @@ final class Drawing {
   }
 
   private Ground ground() {
-    List<String> kinds = Design.kinds();
-    Design design = Design.draw(kinds.get(random.nextInt(kinds.size())), random.split());
+    Design design = design();
     Scene scene = Scenes.draw(random.split(), design.periodS());
     Setup setup =
         assignment.reference()
@@ -106,6 +105,14 @@ final class Drawing {
             : Setup.nominal(scene.sensor());
     int rows = random.nextInt(order.rows().least(), order.rows().most() + 1);
     return new Ground(design, scene, setup, design.record(scene, rows, random.split()));
+  }
+
+  private Design design() {
+    if (names.stream().anyMatch(Vocabulary::needsPlacements)) {
+      return Design.placed(random.split());
+    }
+    List<String> kinds = Design.kinds();
+    return Design.draw(kinds.get(random.nextInt(kinds.size())), random.split());
   }
 
   private Circumstances circumstances(Ground ground) {

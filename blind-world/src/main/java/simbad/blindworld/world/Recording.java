@@ -53,6 +53,16 @@ public final class Recording {
     return tracks.stream().map(Track::sensor).distinct().toList();
   }
 
+  /** Rows of one run at one and the same pose: nothing was moved between them. */
+  public List<List<Integer>> placements() {
+    Map<List<Object>, List<Integer>> byPlace = new LinkedHashMap<>();
+    for (int i = 0; i < rows.size(); i++) {
+      Row row = rows.get(i);
+      byPlace.computeIfAbsent(List.of(row.run(), row.pose()), key -> new ArrayList<>()).add(i);
+    }
+    return List.copyOf(byPlace.values());
+  }
+
   /** The time of a row within its run, in seconds. */
   public double tS(int row) {
     return rows.get(row).tS();

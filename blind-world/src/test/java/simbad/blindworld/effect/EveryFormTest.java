@@ -32,6 +32,7 @@ class EveryFormTest {
   private static Scene scene = drawScene();
   private static Recording recording = new Recording(List.of());
   private static Recording fast = new Recording(List.of());
+  private static Recording placed = new Recording(List.of());
 
   /**
    * A robot with several sonars before a uniform obstacle and one with a table, and echoes enough.
@@ -68,7 +69,16 @@ class EveryFormTest {
   }
 
   private static Recording recording(String effect) {
+    if (Vocabulary.needsPlacements(effect)) {
+      return placed;
+    }
     return effect.equals(STALE) ? fast : recording;
+  }
+
+  @BeforeAll
+  static void putInPlace() {
+    SplittableRandom random = new SplittableRandom(1);
+    placed = Design.placed(random).record(scene, ROWS, random);
   }
 
   private static boolean hearsTwoAtOnce() {
@@ -115,7 +125,8 @@ class EveryFormTest {
 
   private static Circumstances circumstances(List<String> form, long seed, double strength) {
     Recording rows = recording(form.get(0));
-    return new Circumstances(scene, rows, true, new SplittableRandom(seed), strength);
+    boolean driven = !Vocabulary.needsPlacements(form.get(0));
+    return new Circumstances(scene, rows, driven, new SplittableRandom(seed), strength);
   }
 
   @ParameterizedTest

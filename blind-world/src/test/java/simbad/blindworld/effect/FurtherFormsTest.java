@@ -128,7 +128,13 @@ class FurtherFormsTest {
   @Test
   void names_areThoseThatAreAskedFor() {
     assertEquals(
-        List.of("no-echo-code", "range-drift", "range-walk", "vertical-beam", "wrap"),
+        List.of(
+            "no-echo-code",
+            "placement-error",
+            "range-drift",
+            "range-walk",
+            "vertical-beam",
+            "wrap"),
         Vocabulary.further());
     for (String name : Vocabulary.further()) {
       assertTrue(Vocabulary.contains(name), name);
