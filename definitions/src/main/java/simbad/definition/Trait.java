@@ -13,6 +13,8 @@ public enum Trait {
    * gain more than others.
    */
   SOAKS_UP_PLACEMENTS,
+  /** It is what placements are off by, each by its own amount. */
+  MISPLACES,
   /** It takes up what nothing else explains, and is never sure beside such a rest. */
   SOAKS_UP_A_REST,
   /** It makes ranges longer or shorter; at one distance all that do are alike. */

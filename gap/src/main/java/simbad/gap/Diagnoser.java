@@ -1,12 +1,14 @@
 package simbad.gap;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import simbad.definition.Effect;
+import simbad.definition.Trait;
 import simbad.gap.audit.AuditFinding;
 import simbad.gap.calibrate.Calibration;
 import simbad.gap.calibrate.Laws;
@@ -56,6 +58,11 @@ public final class Diagnoser {
   /** How often what the reference shows of an explanation goes into the set-up. */
   private static final int ROUNDS = 3;
 
+  private static final Set<Verdict> OPEN =
+      EnumSet.of(Verdict.PARTLY, Verdict.UNEXPLAINED, Verdict.UNDECIDED);
+
+  private static final Set<Effect> MISPLACES = Definitions.with(Trait.MISPLACES);
+
   private final long seed;
   private final Set<Effect> withheld;
 
@@ -99,7 +106,23 @@ public final class Diagnoser {
     // What turns or moves the cone has its border at other rows than the believed one.
     LeftOut more = left.under(first.fitted());
     Diagnosis whole = more == left ? first : diagnose(more.rest(), first.fitted());
-    return more.whole(whole).with(audit);
+    LeftOut off = OPEN.contains(whole.verdict()) ? more.misplaced(Hypothesis.NONE) : more;
+    Optional<Diagnosis> placed =
+        Optional.of(off)
+            .filter(found -> found != more)
+            .map(found -> diagnose(found.rest()))
+            .filter(found -> saysMore(found, whole));
+    return placed
+        .map(found -> off.whole(found).with(off.told(audit, more)))
+        .orElseGet(() -> more.whole(whole).with(audit));
+  }
+
+  /** What is named are places that are not exact, and that explains all, or at last something. */
+  private static boolean saysMore(Diagnosis placed, Diagnosis whole) {
+    boolean says =
+        placed.verdict() == Verdict.EXPLAINED
+            || (placed.verdict() != Verdict.UNEXPLAINED && whole.verdict() == Verdict.UNEXPLAINED);
+    return says && placed.explanation().stream().anyMatch(MISPLACES::contains);
   }
 
   /**

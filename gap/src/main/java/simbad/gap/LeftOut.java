@@ -12,7 +12,11 @@ import simbad.gap.audit.UncertainPoses;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Verdict;
+import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.fit.Placements;
+import simbad.gap.score.PlacementScatter;
+import simbad.sonar.ping.PingLog;
 import simbad.sonar.sensing.NoEcho;
 import simbad.sonar.sensing.ReadingRow;
 
@@ -26,6 +30,9 @@ import simbad.sonar.sensing.ReadingRow;
 final class LeftOut {
   private static final Set<AuditCheck> NO_READING =
       Set.of(AuditCheck.STUCK, AuditCheck.HELD, AuditCheck.JUMP);
+
+  /** To three standard deviations instead of two. */
+  private static final double WIDER = 1.5;
 
   private final DataSet data;
   private final Set<Integer> wrong = new TreeSet<>();
@@ -62,6 +69,24 @@ final class LeftOut {
         NumbersForNoEcho.rows(data.setup(), data.reference(), audit, AuditFinding.File.REFERENCE));
   }
 
+  /** Returns what an audit found, and how many rows more are left out than another one leaves. */
+  List<AuditFinding> told(List<AuditFinding> audit, LeftOut known) {
+    Set<Integer> more = new TreeSet<>(rows);
+    more.removeAll(known.rows);
+    List<AuditFinding> told = new ArrayList<>(audit);
+    told.add(
+        new AuditFinding(
+            AuditCheck.EDGE,
+            AuditFinding.File.READINGS,
+            more.size()
+                + " readings at places where what these are off by decides what is in the cone",
+            List.copyOf(more),
+            "these rows are left out of all that follows",
+            "",
+            Severity.NOTE));
+    return told;
+  }
+
   private LeftOut(LeftOut known, Set<Integer> more) {
     data = known.data;
     wrong.addAll(known.wrong);
@@ -80,6 +105,30 @@ final class LeftOut {
   LeftOut under(Hypothesis effects) {
     Set<Integer> unsure = UncertainPoses.rows(data.setup(), data.readings(), effects.changes());
     return rows.containsAll(unsure) ? this : new LeftOut(this, unsure);
+  }
+
+  /**
+   * Returns the same with rows of which nobody can say what the sensor hears where each placement
+   * is as far off as readings of one hang together; itself where nothing was put in place, or is as
+   * exact as believed.
+   *
+   * @param effects that were found
+   */
+  LeftOut misplaced(Hypothesis effects) {
+    PingLog log = new PingLog(data.readings());
+    CalibratedLog given = new CalibratedLog(data.setup(), List.of(), log);
+    double offM = PlacementScatter.betweenM(given, new Placements(log));
+    if (offM <= data.setup().details().poseSigmaM()) {
+      return this;
+    }
+    // All readings of a placement are off at once: one in 20 of those would be many.
+    Set<Integer> unsure = unsure(effects, WIDER * offM);
+    Set<Integer> misplaced = unsure.isEmpty() ? unsure(effects, offM) : unsure;
+    return rows.containsAll(misplaced) ? this : new LeftOut(this, misplaced);
+  }
+
+  private Set<Integer> unsure(Hypothesis effects, double offM) {
+    return UncertainPoses.rows(data.setup(), data.readings(), effects.changes(), offM);
   }
 
   /** Returns the data set without them, and with no echo where a number stood for it. */

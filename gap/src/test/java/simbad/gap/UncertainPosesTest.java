@@ -10,11 +10,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
 import simbad.gap.audit.Audit;
 import simbad.gap.audit.AuditCheck;
 import simbad.gap.audit.AuditFinding;
+import simbad.gap.audit.UncertainPoses;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.EffectFinding;
@@ -86,6 +88,20 @@ class UncertainPosesTest {
       assertEquals(border, Math.abs(aside), half + 3 * SIGMA_RAD, "row " + row);
     }
     assertEquals(List.of(), edges(Worlds.POST, rows), "poses that are exact");
+  }
+
+  /** Straight before the post, 1.5 m being the threshold: two deviations are 6 mm. */
+  @Test
+  void whereEchoesEnd_nobodyKnowsEither() {
+    List<ReadingRow> rows = new ArrayList<>();
+    for (int mm = 1480; mm <= 1520; mm++) {
+      Pose pose = Pose.of(-mm / 1000.0, 0, 0);
+      rows.add(new ReadingRow("r", "s", 0.05 * rows.size(), pose, NoEcho.NO_ECHO));
+    }
+    Set<Integer> unsure = UncertainPoses.rows(SAID, rows, List.of());
+    List<Integer> wanted = IntStream.rangeClosed(14, 26).boxed().toList();
+    assertTrue(unsure.containsAll(wanted.subList(1, wanted.size() - 1)), unsure.toString());
+    assertTrue(wanted.containsAll(unsure), unsure.toString());
   }
 
   @Test

@@ -74,6 +74,6 @@ public final class PlacementErrorEffect implements Definition {
 
   @Override
   public Set<Trait> traits() {
-    return Set.of(Trait.SOAKS_UP_A_REST);
+    return Set.of(Trait.MISPLACES, Trait.SOAKS_UP_A_REST);
   }
 }

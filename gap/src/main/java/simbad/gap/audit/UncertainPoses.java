@@ -10,7 +10,6 @@ import simbad.sonar.ping.Change;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
-import simbad.sonar.scene.SetupDetails;
 import simbad.sonar.sensing.ReadingRow;
 
 /**
@@ -45,37 +44,58 @@ public final class UncertainPoses {
    */
   public static Set<Integer> rows(
       SensingSetup setup, List<ReadingRow> rows, List<? extends Change> changes) {
-    SetupDetails details = setup.details();
-    double turn = DEVIATIONS * details.headingSigmaRad();
-    double move = DEVIATIONS * details.poseSigmaM();
+    return rows(setup, rows, changes, setup.details().poseSigmaM());
+  }
+
+  /**
+   * Returns such rows where places are known otherwise than the set-up says.
+   *
+   * @param setup as the simulator believes it
+   * @param rows of the log
+   * @param changes of which those of poses, scene and cone count here
+   * @param poseSigmaM by what a place is off, standard deviation, metres
+   * @return indices of rows; none where poses are exact, or more than half of all rows are such
+   */
+  public static Set<Integer> rows(
+      SensingSetup setup,
+      List<ReadingRow> rows,
+      List<? extends Change> changes,
+      double poseSigmaM) {
+    double turn = DEVIATIONS * setup.details().headingSigmaRad();
+    double move = DEVIATIONS * poseSigmaM;
     boolean exact = turn == 0 && move == 0;
     if (exact) {
       return Set.of();
     }
     UncertainPoses poses = new UncertainPoses(setup, changes);
-    double[] straight = poses.expectedM(rows, 0, 0);
-    double[][] others = {
-      poses.expectedM(rows, turn, 0),
-      poses.expectedM(rows, -turn, 0),
-      poses.expectedM(rows, 0, move),
-      poses.expectedM(rows, 0, -move)
-    };
+    double[] straight = poses.expectedM(rows, 0, 0, 0);
     Set<Integer> unsure = new TreeSet<>();
-    for (int row = 0; row < straight.length; row++) {
-      for (double[] other : others) {
-        // By then the pose scatters a range as much as the sensor does, and unlike elsewhere.
-        if (NearestRange.isAnother(setup.sensor(), straight[row], other[row])) {
-          unsure.add(row);
-        }
-      }
+    for (double way : new double[] {1, -1}) {
+      poses.addOthers(unsure, straight, poses.expectedM(rows, way * turn, 0, 0), 0);
+      poses.addOthers(unsure, straight, poses.expectedM(rows, 0, way * move, 0), 0);
+      // Along the axis a range changes by as much, with the same thing before it.
+      poses.addOthers(unsure, straight, poses.expectedM(rows, 0, 0, way * move), move);
     }
     return unsure.size() > MOST_SHARE * rows.size() ? Set.of() : unsure;
   }
 
+  /** By then the pose scatters a range as much as the sensor does, and unlike elsewhere. */
+  private void addOthers(Set<Integer> unsure, double[] straight, double[] other, double leaveM) {
+    for (int row = 0; row < straight.length; row++) {
+      double change = other[row] - straight[row];
+      double kept = Math.signum(change) * Math.min(leaveM, Math.abs(change));
+      boolean same = straight[row] == other[row];
+      if (!same && NearestRange.isAnother(setup.sensor(), straight[row], other[row] - kept)) {
+        unsure.add(row);
+      }
+    }
+  }
+
   /** By row, the nearest obstacle that is likelier heard than not; infinity for none. */
-  private double[] expectedM(List<ReadingRow> rows, double turnRad, double leftM) {
+  private double[] expectedM(List<ReadingRow> rows, double turnRad, double leftM, double onM) {
     List<ReadingRow> moved = new ArrayList<>();
-    rows.forEach(row -> moved.add(row.at(moved(row.pose(), turnRad, leftM), row.circumstances())));
+    rows.forEach(
+        row -> moved.add(row.at(moved(row.pose(), turnRad, leftM, onM), row.circumstances())));
     PingLog log = new PingLog(moved);
     Geometry geometry = new Geometry(log, setup, changes);
     double[] expected = new double[rows.size()];
@@ -85,12 +105,14 @@ public final class UncertainPoses {
     return expected;
   }
 
-  /** To the left, as the sensor looks: z grows down the page. */
-  private static Pose moved(Pose pose, double turnRad, double leftM) {
+  /** To the left and on, as the sensor looks: z grows down the page. */
+  private static Pose moved(Pose pose, double turnRad, double leftM, double onM) {
     double heading = pose.heading().radians();
+    double sin = Math.sin(heading);
+    double cos = Math.cos(heading);
     return Pose.of(
-        pose.position().xM() - Math.sin(heading) * leftM,
-        pose.position().zM() - Math.cos(heading) * leftM,
+        pose.position().xM() - sin * leftM + cos * onM,
+        pose.position().zM() - cos * leftM - sin * onM,
         heading + turnRad);
   }
 

@@ -31,9 +31,13 @@ public final class PlacementScatter {
   /** Scatter within placements is more than believed from so many times on. */
   private static final double MORE = 1.2;
 
+  /** In deviations within placements: one normal reading in 16,000 is further from the middle. */
+  private static final double MOST = 4;
+
   private final List<double[]> placed = new ArrayList<>();
   private double rows;
   private double squares;
+  private int strays;
   private double believedM;
   private double withinM;
 
@@ -90,11 +94,24 @@ public final class PlacementScatter {
     return scatter.placed.size() < 3 ? 1 : scatter.designEffect(leastM);
   }
 
+  /**
+   * Returns by how much placements are off, standard deviation in metres: what scatters between
+   * them beyond what readings of one do. 0 where nothing was put in place repeatedly.
+   */
+  public static double betweenM(CalibratedLog given, Placements placements) {
+    if (!placements.areRepeated()) {
+      return 0;
+    }
+    PlacementScatter scatter = new PlacementScatter();
+    scatter.read(given, placements);
+    return scatter.placed.size() < 3 ? 0 : Math.sqrt(scatter.between());
+  }
+
   /** Tells whether readings of one placement scatter more than the sensor is believed to. */
   public static boolean isNoisier(CalibratedLog given, Placements placements) {
     PlacementScatter scatter = new PlacementScatter();
     scatter.read(given, placements);
-    double free = scatter.rows - scatter.placed.size();
+    double free = scatter.rows - scatter.strays - scatter.placed.size();
     return free > 0 && Math.sqrt(scatter.squares / free) > MORE * scatter.believedM;
   }
 
@@ -111,7 +128,6 @@ public final class PlacementScatter {
         double[] ranges = Arrays.stream(heard).mapToDouble(log::rangeM).toArray();
         double middle = Robust.median(ranges);
         placed.add(new double[] {NearestRange.inConeM(geometry, heard[0]), middle});
-        squares += Arrays.stream(ranges).map(r -> (r - middle) * (r - middle)).sum();
         Arrays.stream(ranges).map(range -> Math.abs(range - middle)).forEach(within);
         rows += heard.length;
       }
@@ -119,8 +135,12 @@ public final class PlacementScatter {
     SonarSpec sensor = given.setup().sensor();
     double step = sensor.resolutionM();
     believedM = Math.hypot(sensor.rangeNoiseM(), step / Math.sqrt(12));
-    double seen = placed.isEmpty() ? 0 : scale(within.build().toArray());
-    withinM = Math.max(believedM, seen);
+    double[] deviations = within.build().toArray();
+    withinM = Math.max(believedM, placed.isEmpty() ? 0 : scale(deviations));
+    // What is further off is an echo of something else.
+    double[] own = Arrays.stream(deviations).filter(one -> one <= MOST * withinM).toArray();
+    strays = deviations.length - own.length;
+    squares = Arrays.stream(own).map(one -> one * one).sum();
   }
 
   private static double scale(double... deviations) {
@@ -128,6 +148,14 @@ public final class PlacementScatter {
   }
 
   private double designEffect(double leastM) {
+    double each = rows / placed.size();
+    double between = Math.max(leastM * leastM, between());
+    double all = between + withinM * withinM;
+    return all > 0 ? 1 + (each - 1) * between / all : 1;
+  }
+
+  /** The variance between placements; 0 where chance within them gives as much. */
+  private double between() {
     double[] distances = placed.stream().mapToDouble(one -> one[0]).toArray();
     double[] readings = placed.stream().mapToDouble(one -> one[1]).toArray();
     DoubleSummaryStatistics span = Arrays.stream(distances).summaryStatistics();
@@ -137,9 +165,6 @@ public final class PlacementScatter {
     double middle = Robust.median(off);
     double betweenM = scale(Arrays.stream(off).map(value -> Math.abs(value - middle)).toArray());
     double each = rows / placed.size();
-    double found = betweenM * betweenM - MEDIAN_VARIANCE * withinM * withinM / each;
-    double between = Math.max(leastM * leastM, found);
-    double all = between + withinM * withinM;
-    return all > 0 ? 1 + (each - 1) * between / all : 1;
+    return Math.max(0, betweenM * betweenM - MEDIAN_VARIANCE * withinM * withinM / each);
   }
 }

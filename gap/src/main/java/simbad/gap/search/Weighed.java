@@ -47,6 +47,8 @@ public record Weighed(
    * What placements are off by makes readings scatter. Whatever else befalls single readings does
    * not hang together by placements.
    */
+  private static final Set<Effect> MISPLACES = Definitions.with(Trait.MISPLACES);
+
   private static final Set<Effect> SCATTERS = Definitions.with(Trait.BESIDE_THE_LAW);
 
   /** What takes up a little of anything, beside those that soak up where things were placed. */
@@ -228,8 +230,10 @@ public record Weighed(
    */
   public Optional<Unseen> unseen(
       CalibratedLog given, List<Scored> sets, double worthNats, double clumping) {
-    boolean isPlaced = new Placements(given.log()).areRepeated();
     Set<Effect> own = Set.copyOf(taken.hypothesis().effects());
+    // A placement that is far off befalls all of its readings.
+    boolean isPlaced =
+        new Placements(given.log()).areRepeated() && own.stream().noneMatch(MISPLACES::contains);
     return Unknown.SOAK.stream()
         .filter(effect -> !own.contains(effect))
         .filter(effect -> !PlainFamily.SOAK_UP_PLACEMENTS.contains(effect))

@@ -159,6 +159,32 @@ class PlacementScatterTest {
     assertTrue(isNoisier(rows(0.00313, OFFS)));
   }
 
+  /** By the same variance: with 1 cm off and 1 cm within, 1.4826 cm less pi / 8 of its square. */
+  @Test
+  void between_isWhatPlacementsAreOffBy() {
+    double variance = Math.pow(1.4826 * OFF_M, 2);
+    assertEquals(Math.sqrt(variance * (1 - HALF_PI / 4)), between(rows(OFF_M, OFFS)), 1e-9);
+    assertEquals(0, between(rows(OFF_M, new double[6])));
+    assertEquals(0, between(List.of()));
+    assertEquals(0, between(rows(0.0, OFF_M, OFF_M, OFF_M)), "too few");
+  }
+
+  private static double between(List<ReadingRow> rows) {
+    CalibratedLog given = given(Ladders.BOARD, rows);
+    return PlacementScatter.betweenM(given, new Placements(given.log()));
+  }
+
+  /** One reading of something nearer and one of something further make no sensor noisier. */
+  @Test
+  void noisier_isNotWhatIsFarOff() {
+    for (double withinM : new double[] {0.00311, 0.00313}) {
+      List<ReadingRow> rows = rows(withinM, OFFS);
+      rows.add(row(rows, 2, 0.2));
+      rows.add(row(rows, 2, 2.9));
+      assertEquals(withinM > 0.00312, isNoisier(rows), withinM + " m");
+    }
+  }
+
   /** With one reading to a placement, or three placements, nothing hangs together. */
   @Test
   void whereNothingWasReadAgain_nothingIsKnown() {
