@@ -59,10 +59,10 @@ public final class PlacementErrorEffect implements Definition {
         Probe.alone(Forms.find(effect(), "range", setup, log.sensors()).orElseThrow(), 0, 0.01));
   }
 
-  /** It is looked for where things were put in place and read again and again. */
+  /** It is looked for where things were put in place and read again, and are not off as stated. */
   @Override
   public boolean canShow(Form form, LogDesign log) {
-    return log.isRepeated();
+    return log.isFurtherOff();
   }
 
   @Override

@@ -22,6 +22,7 @@ import simbad.sonar.scene.UniformDetection;
  * @param setup as the simulator believes it
  * @param log itself
  * @param isRepeated whether things were put in place and read again and again
+ * @param isFurtherOff whether, there, placements may be off by more than is said of them
  * @param isNoisier whether readings at one placement scatter more than believed; true where nothing
  *     was repeated
  * @param wayM how far sound goes and comes back between two pings, metres; 0 where there are none
@@ -32,6 +33,7 @@ public record LogDesign(
     SensingSetup setup,
     PingLog log,
     boolean isRepeated,
+    boolean isFurtherOff,
     boolean isNoisier,
     double wayM,
     Set<String> round,

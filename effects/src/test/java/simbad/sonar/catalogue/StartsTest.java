@@ -195,12 +195,14 @@ class StartsTest {
 
   @Test
   void whatALogCanShow_dependsOnHowItWasTaken() {
-    LogDesign drive = new LogDesign(SETUP, log(), false, true, 8, Set.of(), false);
-    LogDesign ladder = new LogDesign(SETUP, log(), true, false, 0, Set.of("post"), false);
-    LogDesign slow = new LogDesign(SETUP, log(), false, true, 100, Set.of(), false);
+    LogDesign drive = new LogDesign(SETUP, log(), false, false, true, 8, Set.of(), false);
+    LogDesign ladder = new LogDesign(SETUP, log(), true, true, false, 0, Set.of("post"), false);
+    LogDesign slow = new LogDesign(SETUP, log(), false, false, true, 100, Set.of(), false);
 
     assertFalse(canShow(Effect.PLACEMENT_ERROR, drive));
     assertTrue(canShow(Effect.PLACEMENT_ERROR, ladder));
+    LogDesign stated = new LogDesign(SETUP, log(), true, false, false, 0, Set.of("post"), false);
+    assertFalse(canShow(Effect.PLACEMENT_ERROR, stated), "no further off than said");
     assertTrue(canShow(Effect.RANGE_NOISE, drive));
     assertFalse(canShow(Effect.RANGE_NOISE, ladder));
     assertTrue(canShow(Effect.PREVIOUS_PING, drive));
@@ -216,7 +218,7 @@ class StartsTest {
       Pose pose = Pose.of(-1, i * zM, Math.toRadians(degrees[i]));
       rows.add(new ReadingRow("r", "s", i, pose, NoEcho.NO_ECHO));
     }
-    return new LogDesign(SETUP, new PingLog(rows), false, true, 8, Set.of(), false);
+    return new LogDesign(SETUP, new PingLog(rows), false, false, true, 8, Set.of(), false);
   }
 
   /** A sensor that looks around: past an obstacle that is aside, or turned itself. */
@@ -251,8 +253,12 @@ class StartsTest {
     PingLog rarer = new PingLog(rows);
     PingLog often = new PingLog(rows.subList(0, 6));
     assertFalse(
-        canShow(Effect.NO_ECHO_CODE, new LogDesign(SETUP, rarer, false, true, 8, Set.of(), false)));
+        canShow(
+            Effect.NO_ECHO_CODE,
+            new LogDesign(SETUP, rarer, false, false, true, 8, Set.of(), false)));
     assertTrue(
-        canShow(Effect.NO_ECHO_CODE, new LogDesign(SETUP, often, false, true, 8, Set.of(), false)));
+        canShow(
+            Effect.NO_ECHO_CODE,
+            new LogDesign(SETUP, often, false, false, true, 8, Set.of(), false)));
   }
 }

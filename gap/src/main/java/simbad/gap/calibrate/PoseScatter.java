@@ -14,24 +14,26 @@ import simbad.sonar.scene.SetupDetails;
 import simbad.sonar.scene.SonarSpec;
 
 /**
- * What poses that are known so well add to the scatter of ranges in a drive, where each pose is off
- * by something else: the deviation of the place, and by how much the nearest point in the cone
- * comes nearer or goes away as the sensor turns by that of the heading.
+ * What poses that are known so well add to the scatter of ranges: the deviation of the place, and
+ * by how much the nearest point in the cone comes nearer or goes away as the sensor turns by that
+ * of the heading. In a drive each pose is off by something else; readings of one placement are off
+ * together, which their clumping divides out, and only by their place.
  */
 final class PoseScatter {
   private PoseScatter() {}
 
   /**
    * Returns a set-up with the scatter that it believes in and that of its poses; the bare one where
-   * poses are exact, or things were put in place.
+   * poses are exact.
    */
   static Hypothesis believed(SensingSetup setup, PingLog log) {
     SetupDetails details = setup.details();
-    boolean exact = details.poseSigmaM() == 0 && details.headingSigmaRad() == 0;
-    if (exact || new Placements(log).areRepeated()) {
+    // Where a sensor was put in place its heading is asked for by itself.
+    boolean aimed = details.headingSigmaRad() > 0 && !new Placements(log).areRepeated();
+    if (details.poseSigmaM() == 0 && !aimed) {
       return Hypothesis.NONE;
     }
-    double turned = turnedM(setup, log);
+    double turned = aimed ? turnedM(setup, log) : 0;
     SonarSpec sensor = setup.sensor();
     Form scatter = SetupForms.find("scatter", setup, log.sensors()).orElseThrow();
     double noise = Math.hypot(sensor.rangeNoiseM(), Math.hypot(details.poseSigmaM(), turned));

@@ -31,6 +31,12 @@ public final class PlacementScatter {
   /** Scatter within placements is more than believed from so many times on. */
   private static final double MORE = 1.2;
 
+  /** A standard normal variable is less in 99 of 100. */
+  private static final double NORMAL_99 = 2.326;
+
+  /** Variance of a standard deviation of normal values over that of their median deviation. */
+  private static final double MAD_EFFICIENCY = 0.37;
+
   /** In deviations within placements: one normal reading in 16,000 is further from the middle. */
   private static final double MOST = 4;
 
@@ -105,6 +111,18 @@ public final class PlacementScatter {
     PlacementScatter scatter = new PlacementScatter();
     scatter.read(given, placements);
     return scatter.placed.size() < 3 ? 0 : Math.sqrt(scatter.between());
+  }
+
+  /**
+   * Tells whether placements are off by more than the set-up says of its places; true where it says
+   * that these are exact. Of as many placements as there are one log in a hundred seems to be by
+   * chance.
+   */
+  public static boolean isFurtherOff(CalibratedLog given, Placements placements) {
+    double stated = given.setup().details().poseSigmaM();
+    double count = Math.max(1, placements.count());
+    double most = stated * (1 + NORMAL_99 / Math.sqrt(2 * MAD_EFFICIENCY * count));
+    return stated == 0 || betweenM(given, placements) > most;
   }
 
   /** Tells whether readings of one placement scatter more than the sensor is believed to. */

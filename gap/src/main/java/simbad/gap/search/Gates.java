@@ -67,10 +67,11 @@ final class Gates {
     SensingSetup setup = given.setup();
     Placements placements = new Placements(given.log());
     boolean repeated = placements.areRepeated();
+    boolean off = repeated && PlacementScatter.isFurtherOff(given, placements);
     boolean noisier = !repeated || PlacementScatter.isNoisier(given, placements);
     double wayM = medianPeriodS(given.log()) * setup.sensor().assumedSoundSpeedMPerS() / 2;
     return new LogDesign(
-        setup, given.log(), repeated, noisier, wayM, round(setup), isOfOneDistance(given));
+        setup, given.log(), repeated, off, noisier, wayM, round(setup), isOfOneDistance(given));
   }
 
   /** As the simulator believes it: nine of ten pings with something before them within a tenth. */

@@ -21,6 +21,8 @@ import simbad.gap.score.Probabilities;
 import simbad.gap.unexplained.Unknown;
 import simbad.sonar.check.Checks;
 import simbad.sonar.effect.Definitions;
+import simbad.sonar.scene.SensingSetup;
+import simbad.sonar.scene.SonarSpec;
 
 /**
  * Sets of effects weighed against each other. A set that makes the gap of rows larger that it was
@@ -233,7 +235,9 @@ public record Weighed(
     Set<Effect> own = Set.copyOf(taken.hypothesis().effects());
     // A placement that is far off befalls all of its readings.
     boolean isPlaced =
-        new Placements(given.log()).areRepeated() && own.stream().noneMatch(MISPLACES::contains);
+        new Placements(given.log()).areRepeated()
+            && own.stream().noneMatch(MISPLACES::contains)
+            && !areScatteredMost(given.setup());
     return Unknown.SOAK.stream()
         .filter(effect -> !own.contains(effect))
         .filter(effect -> !PlainFamily.SOAK_UP_PLACEMENTS.contains(effect))
@@ -244,6 +248,12 @@ public record Weighed(
               return unseen.nats > PLAINLY * worthNats / (single ? clumping : 1);
             })
         .max(Comparator.comparingDouble(Unseen::nats));
+  }
+
+  /** By what the set-up says of places, more than by the sensor. */
+  private static boolean areScatteredMost(SensingSetup setup) {
+    SonarSpec sensor = setup.sensor();
+    return setup.details().poseSigmaM() > Math.max(sensor.rangeNoiseM(), sensor.resolutionM());
   }
 
   private Stream<Unseen> unseen(Effect effect, Set<Effect> own, List<Scored> sets) {

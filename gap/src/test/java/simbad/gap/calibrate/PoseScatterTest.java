@@ -95,9 +95,9 @@ class PoseScatterTest {
     assertEquals(NOISE, noise(known(0, Math.toRadians(3)), log(true, 24)), EXACT);
   }
 
-  /** What was put in place and read again shares what its pose is off by. */
+  /** What was put in place and read again is off by its place; its heading is left to itself. */
   @Test
-  void placementsThatAreReadAgainAreLeftToThemselves() {
+  void placementsThatAreReadAgainAreOffByTheirPlace() {
     List<ReadingRow> rows = new ArrayList<>();
     for (int i = 0; i < 12; i++) {
       rows.add(
@@ -105,7 +105,10 @@ class PoseScatterTest {
               "r", "s", 0, Pose.of(0, 0.5 + Math.floor(i / 3.0), Math.PI / 2), new Echo(0.5)));
     }
 
-    assertEquals(Hypothesis.NONE, PoseScatter.believed(known(0.01, 0), new PingLog(rows)));
+    PingLog log = new PingLog(rows);
+    assertEquals(Math.hypot(NOISE, 0.01), noise(known(0.01, 0), log), EXACT);
+    assertEquals(Math.hypot(NOISE, 0.01), noise(known(0.01, 0.1), log), EXACT);
+    assertEquals(Hypothesis.NONE, PoseScatter.believed(known(0, 0.1), log));
   }
 
   /** Without a reference the law is the believed one, behind what poses scatter by. */

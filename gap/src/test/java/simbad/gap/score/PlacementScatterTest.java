@@ -174,6 +174,23 @@ class PlacementScatterTest {
     return PlacementScatter.betweenM(given, new Placements(given.log()));
   }
 
+  /**
+   * 1.1554 cm of six placements: of a tape of s they are as much as 1 + 2.326 / root 4.44 = 2.104
+   * times s by chance.
+   */
+  @Test
+  void furtherOff_isMoreThanChanceGivesATape() {
+    double between = between(rows(OFF_M, OFFS));
+    assertTrue(isFurtherOff(0));
+    assertTrue(isFurtherOff(between / 2.11));
+    assertFalse(isFurtherOff(between / 2.10));
+  }
+
+  private static boolean isFurtherOff(double poseSigmaM) {
+    CalibratedLog given = given(Ladders.board(0, poseSigmaM, 0), rows(OFF_M, OFFS));
+    return PlacementScatter.isFurtherOff(given, new Placements(given.log()));
+  }
+
   /** One reading of something nearer and one of something further make no sensor noisier. */
   @Test
   void noisier_isNotWhatIsFarOff() {
