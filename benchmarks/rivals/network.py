@@ -1,0 +1,112 @@
+"""The network of the amortised rival: BayesFlow's comparison of models, with a second head that tells each effect."""
+
+import os
+
+os.environ["KERAS_BACKEND"] = "jax"
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+os.environ.setdefault("XLA_FLAGS", "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1")
+
+import bayesflow
+import keras
+import numpy as np
+from bayesflow.networks import MLP, DeepSet, SetTransformer
+from bayesflow.scoring_rules import ScoringRule
+
+
+class Model(ScoringRule):
+    """Cross-entropy of which model it is: the first numbers of the target, one of them 1."""
+
+    def __init__(self, models: int):
+        super().__init__()
+        self.models = models
+
+    def get_head_shapes_from_target_shape(self, target_shape):
+        return {"logits": (self.models,)}
+
+    def score(self, estimates, targets, weights=None):
+        wanted = targets[..., :self.models]
+        return keras.ops.mean(keras.losses.categorical_crossentropy(wanted, estimates["logits"], from_logits=True))
+
+
+class Present(ScoringRule):
+    """Cross-entropy of each effect, there or not: the other numbers of the target."""
+
+    def __init__(self, models: int):
+        super().__init__()
+        self.models = models
+
+    def get_head_shapes_from_target_shape(self, target_shape):
+        return {"logits": (target_shape[-1] - self.models,)}
+
+    def score(self, estimates, targets, weights=None):
+        wanted, logits = targets[..., self.models:], estimates["logits"]
+        each = keras.ops.softplus(logits) - wanted * logits
+        return keras.ops.mean(keras.ops.sum(each, axis=-1))
+
+
+class Comparison(bayesflow.approximators.ModelComparisonApproximator):
+    """Compares models by a set of rows and by numbers of the whole; tells also which effects are present."""
+
+    def __init__(self, models: int, settings: dict):
+        body = MLP(widths=settings["widths"], dropout=settings["dropout"], norm="layer")
+        super().__init__(num_models=models, classifier_network=body, adapter=adapter(settings), summary_network=summary(settings))
+        self.inference_network.scoring_rules = {"cross_entropy": Model(models), "present": Present(models)}
+
+    def chances(self, data: dict, size: int = 128) -> tuple:
+        """Probability of each model, and of each effect, for each case."""
+        found = [self.part({name: values[i:i + size] for name, values in data.items()})
+                 for i in range(0, len(next(iter(data.values()))), size)]
+        return tuple(np.vstack(one) for one in zip(*found))
+
+    def part(self, data: dict) -> tuple:
+        conditions, _, _ = self._prepare_conditions(data)
+        told = self.inference_network(xz=None, conditions=conditions)
+        models = keras.ops.softmax(told["cross_entropy"]["logits"])
+        return np.asarray(models), np.asarray(keras.ops.sigmoid(told["present"]["logits"]))
+
+
+def summary(settings: dict):
+    """A network that turns a set of rows, in any order, into some numbers."""
+    if settings["summary"] == "none":
+        return None
+    if settings["summary"] == "transformer":
+        return SetTransformer(summary_dim=settings["summaries"], embed_dims=(48, 48), num_heads=(4, 4), num_inducing_points=16)
+    return DeepSet(
+        summary_dim=settings["summaries"], embed_dim=settings["embed"], depth=2, mlp_widths=(settings["embed"],), num_seeds=4,
+        dropout=0.05)
+
+
+def adapter(settings: dict):
+    """Which of a case's arrays goes where."""
+    wired = bayesflow.Adapter().rename("target", "inference_variables")
+    if settings["numbers"]:
+        wired = wired.rename("numbers", "inference_conditions")
+    if settings["summary"] != "none":
+        wired = wired.rename("rows", "summary_variables")
+    return wired.keep(["inference_variables", "inference_conditions", "summary_variables"])
+
+
+def fewer(count: int, chance: np.random.Generator):
+    """What takes other rows of the set at each step, so that the network does not learn single ones by heart."""
+    def taken(batch: dict) -> dict:
+        kept = chance.permutation(batch["rows"].shape[1])[:count]
+        return {**batch, "rows": batch["rows"][:, kept].astype(np.float32)}
+    return taken
+
+
+def learn(data: dict, held: dict, models: int, settings: dict, seed: int, verbose: int = 2):
+    """A network that learnt from data; of all its epochs the one that did best on what was held out. With that epoch's loss."""
+    keras.utils.set_random_seed(seed)
+    chance = np.random.default_rng(seed)
+    network = Comparison(models, settings)
+    steps = settings["epochs"] * -(-len(data["target"]) // settings["batch"])
+    rate = keras.optimizers.schedules.CosineDecay(0.0, steps, warmup_target=settings["rate"], warmup_steps=steps // 20)
+    network.compile(optimizer=keras.optimizers.AdamW(rate, weight_decay=settings["decay"], clipnorm=1.0))
+    wiring = adapter(settings)
+    training = bayesflow.datasets.OfflineDataset(
+        data, settings["batch"], wiring, augmentations=fewer(settings["rows"], chance))
+    judging = bayesflow.datasets.OfflineDataset(
+        held, 128, wiring, augmentations=fewer(settings["rows"], np.random.default_rng(0)), shuffle=False)
+    best = keras.callbacks.EarlyStopping(patience=settings["patience"], restore_best_weights=True)
+    told = network.fit(dataset=training, validation_data=judging, epochs=settings["epochs"], callbacks=[best], verbose=verbose)
+    return network, min(told.history["val_loss"]), int(np.argmin(told.history["val_loss"])) + 1
