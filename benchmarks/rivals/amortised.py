@@ -104,14 +104,138 @@ def targets(truths: list, effects: list) -> np.ndarray:
     return np.hstack([which, present]).astype(np.float32)
 
 
+def cases_of(files: list) -> dict:
+    """What one or more files of rows hold, together."""
+    data = []
+    for file in files:
+        try:
+            data.append(joblib.load(file))
+        except (OSError, ValueError, KeyError, EOFError) as problem:
+            raise Refused(f"{file}: cannot be read ({problem})") from None
+        if not isinstance(data[-1], dict) or "rows" not in data[-1]:
+            raise Refused(f"{file}: not written by amortised.py rows")
+    if any(one["names"] != data[0]["names"] for one in data):
+        raise Refused("the files of rows have different numbers; write them anew with one version of this program")
+    together = {name: np.concatenate([one[name] for one in data]) for name in ("rows", "values")}
+    lists = {name: [item for one in data for item in one[name]] for name in ("cases", "truths")}
+    return {**together, **lists, "names": data[0]["names"]}
+
+
+def train(arguments):
+    import network  # Only here and in answer: it takes seconds.
+
+    data = cases_of(arguments.rows)
+    truths = data["truths"]
+    if None in truths:
+        raise Refused(f"{truths.count(None)} cases have no truth; learn from folders that have one")
+    effects = sorted({name for told in truths for name in told["effects"] if name not in told["outside_vocabulary"]})
+    wanted = targets(truths, effects)
+    held = np.random.default_rng(arguments.seed).random(len(truths)) < HELD
+    scale = Scale(data["values"][~held])
+    numbers = scale(data["values"])
+
+    def part(which):
+        return {"rows": data["rows"][which], "numbers": numbers[which], "target": wanted[which]}
+
+    settings = {**SETTINGS, "epochs": arguments.epochs}
+    learnt, epoch = network.learn(part(~held), part(held), len(effects) + 3, settings, arguments.seed)
+    models, present = learnt.chances(given(data["rows"][held], numbers[held]))
+    right = rightness([said(*one, effects) for one in zip(models, present)], [told for told, h in zip(truths, held) if h])
+    print(f"{np.sum(~held)} cases learnt, epoch {epoch}; of {np.sum(held)} held out right: "
+          + ", ".join(f"{kind} {share:.2f}" for kind, share in right.items()))
+    joblib.dump(
+        {"effects": effects, "names": data["names"], "scale": scale, "settings": settings, "weights": learnt.get_weights()},
+        arguments.out)
+    print(f"written to {arguments.out}")
+
+
+def given(rows_: np.ndarray, numbers: np.ndarray) -> dict:
+    return {"rows": rows_.astype(np.float32), "numbers": numbers}
+
+
+def said(models: np.ndarray, present: np.ndarray, effects: list) -> tuple:
+    """Verdict, names and probabilities of the three verdicts, by those of the models and of each effect."""
+    stated = dict(zip(VERDICTS, map(float, (models[0], models[1:-1].sum(), models[-1]))))
+    word = max(VERDICTS, key=lambda verdict: stated[verdict])
+    single = int(models[1:-2].argmax())
+    if word != "explained":
+        return word, [], stated
+    if models[-2] <= models[1 + single]:
+        return word, [effects[single]], stated
+    # Several: the two most probable, and further ones that are more likely there than not.
+    order = np.argsort(-present)
+    return word, [effects[e] for place, e in enumerate(order) if place < 2 or present[e] > 0.5], stated
+
+
+def rightness(answers: list, truths: list) -> dict:
+    """Share of right answers of each class."""
+    found = {"none": [], "single": [], "several": [], "unknown": []}
+    for (word, names, _), told in zip(answers, truths):
+        model = model_of(told)
+        names_right = word == "explained" and set(names) == set(told["effects"])
+        right = {"none": word == "none", "unknown": word == "unexplained"}.get(model, names_right)
+        found[model if model in found else "single"].append(right)
+    return {kind: float(np.mean(rights)) for kind, rights in found.items() if rights}
+
+
+def answer(arguments):
+    import network
+
+    (model, data) = model_in(arguments.model), cases_of([arguments.rows])
+    if data["names"] != model["names"]:
+        raise Refused(f"{arguments.rows}: has other numbers than those that {arguments.model} learnt from")
+    numbers = model["scale"](data["values"])
+    learnt = network.restored(
+        given(data["rows"][:1], numbers[:1]), len(model["effects"]), model["settings"], model["weights"])
+    chances = learnt.chances(given(data["rows"], numbers))
+    for name, models, present in zip(data["cases"], *chances):
+        write(arguments.out / name, said(models, present, model["effects"]), dict(zip(model["effects"], map(float, present))))
+    print(f"{len(data['cases'])} answers, written to {arguments.out}")
+
+
+def model_in(file: Path) -> dict:
+    try:
+        model = joblib.load(file)
+    except (OSError, ValueError, KeyError, EOFError) as problem:
+        raise Refused(f"{file}: cannot be read ({problem})") from None
+    if not isinstance(model, dict) or "weights" not in model:
+        raise Refused(f"{file}: not written by amortised.py train")
+    return model
+
+
+def write(folder: Path, told: tuple, chances: dict):
+    word, names, stated = told
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "diagnosis.json").write_text(json.dumps({
+        "format": "sonar-diagnosis/1",
+        "dataset": folder.name,
+        "verdict": word,
+        "explanation": names,
+        "unknown_probability": stated["unexplained"],
+        "verdict_probability": stated,
+        "effects": [{"name": e, "probability": p} for e, p in sorted(chances.items(), key=lambda pair: (-pair[1], pair[0]))],
+    }, indent=1) + "\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--jobs", type=int, default=2, help="processes at a time")
     steps = parser.add_subparsers(required=True)
     step = steps.add_parser("rows", help="turn worlds into sets of rows")
-    step.add_argument("worlds", nargs="+", type=Path)
-    step.add_argument("--out", type=Path, required=True)
+    step.add_argument("worlds", nargs="+", type=Path, help="folders that blind-world made")
+    step.add_argument("--out", type=Path, required=True, help="file to write")
+    step.add_argument("--jobs", type=int, default=2, help="processes at a time (2)")
     step.set_defaults(run=rows)
+    step = steps.add_parser("train", help="learn from worlds whose truth is known")
+    step.add_argument("rows", nargs="+", type=Path, help="files of rows; 15 %% of their cases are held out to choose the epoch")
+    step.add_argument("--out", type=Path, required=True, help="file to write")
+    step.add_argument("--seed", type=int, default=1, help="chance of what is held out and of the first weights (1)")
+    step.add_argument("--epochs", type=int, default=SETTINGS["epochs"], help=f"most epochs ({SETTINGS['epochs']})")
+    step.set_defaults(run=train)
+    step = steps.add_parser("answer", help="answer cases")
+    step.add_argument("model", type=Path, help="file that train wrote")
+    step.add_argument("rows", type=Path, help="file of rows of the cases")
+    step.add_argument("--out", type=Path, required=True, help="folder of answers to write")
+    step.set_defaults(run=answer)
     arguments = parser.parse_args()
     try:
         arguments.run(arguments)

@@ -73,7 +73,7 @@ def summary(settings: dict):
         return SetTransformer(summary_dim=settings["summaries"], embed_dims=(48, 48), num_heads=(4, 4), num_inducing_points=16)
     return DeepSet(
         summary_dim=settings["summaries"], embed_dim=settings["embed"], depth=2, mlp_widths=(settings["embed"],), num_seeds=4,
-        dropout=0.05)
+        dropout=0.0)
 
 
 def adapter(settings: dict):
@@ -95,7 +95,7 @@ def fewer(count: int, chance: np.random.Generator):
 
 
 def learn(data: dict, held: dict, models: int, settings: dict, seed: int, verbose: int = 2):
-    """A network that learnt from data; of all its epochs the one that did best on what was held out. With that epoch's loss."""
+    """A network that learnt from data; of all its epochs the one that did best on what was held out, and its number."""
     keras.utils.set_random_seed(seed)
     chance = np.random.default_rng(seed)
     network = Comparison(models, settings)
@@ -109,4 +109,13 @@ def learn(data: dict, held: dict, models: int, settings: dict, seed: int, verbos
         held, 128, wiring, augmentations=fewer(settings["rows"], np.random.default_rng(0)), shuffle=False)
     best = keras.callbacks.EarlyStopping(patience=settings["patience"], restore_best_weights=True)
     told = network.fit(dataset=training, validation_data=judging, epochs=settings["epochs"], callbacks=[best], verbose=verbose)
-    return network, min(told.history["val_loss"]), int(np.argmin(told.history["val_loss"])) + 1
+    return network, int(np.argmin(told.history["val_loss"])) + 1
+
+
+def restored(one: dict, effects: int, settings: dict, weights: list) -> Comparison:
+    """A network that learnt before; one case tells the shapes."""
+    network = Comparison(effects + 3, settings)
+    target = np.zeros((1, 2 * effects + 3), np.float32)
+    network.build_from_data(adapter(settings)({**one, "target": target}))
+    network.set_weights(weights)
+    return network
