@@ -1,8 +1,12 @@
 """The network of the amortised rival: BayesFlow's comparison of models, with a second head that tells each effect."""
 
+import logging
 import os
 
+logging.disable(logging.INFO)
 os.environ["KERAS_BACKEND"] = "jax"
+os.environ.setdefault("JAX_PLATFORMS", "cpu")
+os.environ.setdefault("TQDM_DISABLE", "1")
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 os.environ.setdefault("XLA_FLAGS", "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1")
 
@@ -11,6 +15,8 @@ import keras
 import numpy as np
 from bayesflow.networks import MLP, DeepSet, SetTransformer
 from bayesflow.scoring_rules import ScoringRule
+
+import sheets
 
 
 class Model(ScoringRule):
@@ -59,7 +65,7 @@ class Comparison(bayesflow.approximators.ModelComparisonApproximator):
         return tuple(np.vstack(one) for one in zip(*found))
 
     def part(self, data: dict) -> tuple:
-        conditions, _, _ = self._prepare_conditions(data)
+        conditions, _, _ = self._prepare_conditions({name: values.astype(np.float32) for name, values in data.items()})
         told = self.inference_network(xz=None, conditions=conditions)
         models = keras.ops.softmax(told["cross_entropy"]["logits"])
         return np.asarray(models), np.asarray(keras.ops.sigmoid(told["present"]["logits"]))
@@ -112,10 +118,13 @@ def learn(data: dict, held: dict, models: int, settings: dict, seed: int, verbos
     return network, int(np.argmin(told.history["val_loss"])) + 1
 
 
-def restored(one: dict, effects: int, settings: dict, weights: list) -> Comparison:
-    """A network that learnt before; one case tells the shapes."""
-    network = Comparison(effects + 3, settings)
-    target = np.zeros((1, 2 * effects + 3), np.float32)
-    network.build_from_data(adapter(settings)({**one, "target": target}))
-    network.set_weights(weights)
+def restored(model: dict, effects: int) -> Comparison:
+    """A network that learnt before."""
+    network = Comparison(effects + 3, model["settings"])
+    network.build({
+        "inference_variables": (1, 2 * effects + 3),
+        "inference_conditions": (1, model["numbers"]),
+        "summary_variables": (1, model["settings"]["rows"], len(sheets.NAMES)),
+    })
+    network.set_weights(model["weights"])
     return network
