@@ -13,7 +13,7 @@ os.environ.setdefault("XLA_FLAGS", "--xla_cpu_multi_thread_eigen=false intra_op_
 import bayesflow
 import keras
 import numpy as np
-from bayesflow.networks import MLP, DeepSet, SetTransformer
+from bayesflow.networks import MLP, DeepSet
 from bayesflow.scoring_rules import ScoringRule
 
 import sheets
@@ -55,7 +55,7 @@ class Comparison(bayesflow.approximators.ModelComparisonApproximator):
 
     def __init__(self, models: int, settings: dict):
         body = MLP(widths=settings["widths"], dropout=settings["dropout"], norm="layer")
-        super().__init__(num_models=models, classifier_network=body, adapter=adapter(settings), summary_network=summary(settings))
+        super().__init__(num_models=models, classifier_network=body, adapter=adapter(), summary_network=summary(settings))
         self.inference_network.scoring_rules = {"cross_entropy": Model(models), "present": Present(models)}
 
     def chances(self, data: dict, size: int = 128) -> tuple:
@@ -73,30 +73,23 @@ class Comparison(bayesflow.approximators.ModelComparisonApproximator):
 
 def summary(settings: dict):
     """A network that turns a set of rows, in any order, into some numbers."""
-    if settings["summary"] == "none":
-        return None
-    if settings["summary"] == "transformer":
-        return SetTransformer(summary_dim=settings["summaries"], embed_dims=(48, 48), num_heads=(4, 4), num_inducing_points=16)
     return DeepSet(
-        summary_dim=settings["summaries"], embed_dim=settings["embed"], depth=2, mlp_widths=(settings["embed"],), num_seeds=4,
-        dropout=0.0)
+        summary_dim=settings["summaries"], embed_dim=settings["embed"], depth=2, mlp_widths=(settings["embed"],), dropout=0.0)
 
 
-def adapter(settings: dict):
+def adapter():
     """Which of a case's arrays goes where."""
-    wired = bayesflow.Adapter().rename("target", "inference_variables")
-    if settings["numbers"]:
-        wired = wired.rename("numbers", "inference_conditions")
-    if settings["summary"] != "none":
-        wired = wired.rename("rows", "summary_variables")
-    return wired.keep(["inference_variables", "inference_conditions", "summary_variables"])
+    return (
+        bayesflow.Adapter().rename("target", "inference_variables").rename("numbers", "inference_conditions")
+        .rename("rows", "summary_variables"))
 
 
-def fewer(count: int, chance: np.random.Generator):
-    """What takes other rows of the set at each step, so that the network does not learn single ones by heart."""
+def fewer(settings: dict, chance: np.random.Generator, masked: float):
+    """Takes other rows of the sets at each step and leaves some numbers out, so that none is learnt by heart."""
     def taken(batch: dict) -> dict:
-        kept = chance.permutation(batch["rows"].shape[1])[:count]
-        return {**batch, "rows": batch["rows"][:, kept].astype(np.float32)}
+        kept = chance.permutation(batch["rows"].shape[1])[:settings["rows"]]
+        told = chance.random(batch["numbers"].shape) >= masked
+        return {**batch, "rows": batch["rows"][:, kept].astype(np.float32), "numbers": batch["numbers"] * told.astype(np.float32)}
     return taken
 
 
@@ -108,11 +101,11 @@ def learn(data: dict, held: dict, models: int, settings: dict, seed: int, verbos
     steps = settings["epochs"] * -(-len(data["target"]) // settings["batch"])
     rate = keras.optimizers.schedules.CosineDecay(0.0, steps, warmup_target=settings["rate"], warmup_steps=steps // 20)
     network.compile(optimizer=keras.optimizers.AdamW(rate, weight_decay=settings["decay"], clipnorm=1.0))
-    wiring = adapter(settings)
+    wiring = adapter()
     training = bayesflow.datasets.OfflineDataset(
-        data, settings["batch"], wiring, augmentations=fewer(settings["rows"], chance))
+        data, settings["batch"], wiring, augmentations=fewer(settings, chance, settings["masked"]))
     judging = bayesflow.datasets.OfflineDataset(
-        held, 128, wiring, augmentations=fewer(settings["rows"], np.random.default_rng(0)), shuffle=False)
+        held, 128, wiring, augmentations=fewer(settings, np.random.default_rng(0), 0), shuffle=False)
     best = keras.callbacks.EarlyStopping(patience=settings["patience"], restore_best_weights=True)
     told = network.fit(dataset=training, validation_data=judging, epochs=settings["epochs"], callbacks=[best], verbose=verbose)
     return network, int(np.argmin(told.history["val_loss"])) + 1
