@@ -1,11 +1,13 @@
 """A rival that learns: amortised model comparison (BayesFlow) on sets of rows.
 
     python amortised.py rows practice/L1 --out L1.joblib         # folders that blind-world made
-    python amortised.py train L1.joblib --out amortised-L1.joblib --seed 1
+    python amortised.py rows practice/L2 --out L2.joblib
+    python amortised.py train L1.joblib L2.joblib --out amortised-1.joblib --seed 1
     python amortised.py rows world --out cases.joblib
-    python amortised.py answer amortised-L1.joblib cases.joblib --out answers
+    python amortised.py answer amortised-1.joblib cases.joblib --out answers
 
-An answer is a folder for each case with diagnosis.json, as blind-world's scorer reads it.
+Networks learn better from both parts together, and several networks (other seeds) may answer together:
+their mean. An answer is a folder for each case with diagnosis.json, as blind-world's scorer reads it.
 """
 
 import argparse
@@ -20,7 +22,6 @@ import numpy as np
 import features as sensing
 import sheets
 from nominal import read_scene
-
 
 # Chosen on cases that were held out of practice; docs/benchmark.md says how.
 SETTINGS = {
