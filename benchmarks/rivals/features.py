@@ -51,9 +51,8 @@ def slope(x: np.ndarray, y: np.ndarray) -> tuple:
     return float(np.median(y) - rise * np.median(x)), float(rise)
 
 
-def sheet(scene: dict, rows: Rows) -> dict:
+def sheet(scene: dict, rows: Rows, expected: Expected) -> dict:
     """Named features of one sheet of readings."""
-    expected = expect(scene, rows)
     sensor = scene["sensor"]
     echo = np.isfinite(rows.range)
     wrong = rows.range - expected.distance
@@ -135,15 +134,28 @@ def sheet(scene: dict, rows: Rows) -> dict:
     return out
 
 
-def case(folder: Path) -> dict:
-    """Features of a data set; those of its reference, and the differences, where there is one, else nan."""
-    scene = read_scene(folder / "scene.json")
-    with np.errstate(all="ignore"):
-        out = sheet(scene, read_rows(folder / "readings.csv"))
-        reference = folder / "reference.csv"
-        trusted = sheet(scene, read_rows(reference)) if reference.exists() else {}
+def compared(out: dict, trusted: dict | None) -> dict:
+    """Features of a sheet; those of its reference, and the differences, where there is one, else nan."""
+    out = dict(out)
     for name in list(out):
-        out["reference " + name] = trusted.get(name, np.nan)
-        out["change of " + name] = out[name] - trusted.get(name, np.nan)
-    out["has reference"] = float(reference.exists())
+        of_reference = trusted.get(name, np.nan) if trusted else np.nan
+        out["reference " + name] = of_reference
+        out["change of " + name] = out[name] - of_reference
+    out["has reference"] = float(trusted is not None)
     return out
+
+
+def read(scene: dict, file: Path) -> tuple:
+    """A sheet of readings and what the simulator expects of it."""
+    rows = read_rows(file)
+    return rows, expect(scene, rows)
+
+
+def case(folder: Path) -> dict:
+    """Features of a data set."""
+    scene = read_scene(folder / "scene.json")
+    reference = folder / "reference.csv"
+    with np.errstate(all="ignore"):
+        out = sheet(scene, *read(scene, folder / "readings.csv"))
+        trusted = sheet(scene, *read(scene, reference)) if reference.exists() else None
+    return compared(out, trusted)
