@@ -1,5 +1,6 @@
 package simbad.gap.search;
 
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -21,7 +22,8 @@ import simbad.sonar.ping.MemoryChange;
 public final class Confirmed {
   private static final Set<Effect> KNOWING = Definitions.with(Trait.KNOWS_THE_PING_BEFORE);
 
-  private static final Set<Effect> MOVING = moving();
+  /** What makes ranges longer or shorter. */
+  static final Set<Effect> MOVING = Collections.unmodifiableSet(moving());
 
   private final List<Scored> sets;
   private final Set<Effect> doubtful;

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import simbad.definition.Effect;
 import simbad.definition.Trait;
@@ -15,12 +16,14 @@ import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.Placements;
 import simbad.gap.score.GapGain;
 import simbad.gap.score.GapGains;
+import simbad.gap.score.GapMeter;
 import simbad.gap.score.HeldOut.Scored;
 import simbad.gap.score.PracticalSize;
 import simbad.gap.score.Probabilities;
 import simbad.gap.unexplained.Unknown;
 import simbad.sonar.check.Checks;
 import simbad.sonar.effect.Definitions;
+import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
 
@@ -61,6 +64,11 @@ public record Weighed(
    * placements are off by.
    */
   private static final Set<Effect> MOVES_THINGS = new TreeSet<>(PlainFamily.SOAK_UP_PLACEMENTS);
+
+  /** A reading is right where its gap is at most so many times what the model expects of it. */
+  private static final double RIGHT = 3;
+
+  private static final double LEAST_RIGHT = 2.0 / 3;
 
   static {
     MOVES_THINGS.removeAll(Unknown.SOAK);
@@ -288,10 +296,35 @@ public record Weighed(
         .filter(MOVES_THINGS::contains)
         .filter(effect -> doesMostAlone(effect, gains, sets))
         .forEach(doubtful::remove);
-    return new Confirmed(sets, doubtful, worthNats, isPlaced, isDone)
+    Optional<Weighed> sure =
+        sure(gains, new Confirmed(sets, doubtful, worthNats, isPlaced, isDone));
+    if (isPlaced && sure.filter(some -> some.isOfFewEchoes(gains.given().log())).isPresent()) {
+      doubtful.addAll(Confirmed.MOVING);
+      return sure(gains, new Confirmed(sets, doubtful, worthNats, true, isDone));
+    }
+    return sure;
+  }
+
+  private Optional<Weighed> sure(GapGains gains, Confirmed confirmed) {
+    return confirmed
         .best()
         .map(sure -> new Weighed(probabilities, sure, gains.of(sure.hypothesis()), enlarging))
         .filter(sure -> sure.gain.isWorthNaming());
+  }
+
+  /**
+   * Whether it moves all ranges, and yet a third of the echoes or more are no such ranges: then
+   * these follow something else, of which it takes up a little.
+   */
+  private boolean isOfFewEchoes(PingLog log) {
+    GapMeter.Gaps after = gain.after();
+    int[] echoes = IntStream.range(0, log.size()).filter(log::echo).toArray();
+    long right =
+        IntStream.of(echoes)
+            .filter(ping -> after.observedM()[ping] <= RIGHT * after.expectedM()[ping])
+            .count();
+    return taken.hypothesis().effects().stream().anyMatch(Confirmed.MOVING::contains)
+        && right < LEAST_RIGHT * echoes.length;
   }
 
   private static boolean doesMostAlone(Effect effect, GapGains gains, List<Scored> sets) {
