@@ -26,6 +26,9 @@ public final class Screen {
   /** So many pings are enough to choose what is fitted to all of them. */
   private static final int ENOUGH_PINGS = 1000;
 
+  /** So many starts at most are told apart by all pings. */
+  private static final int ALIKE = 6;
+
   private static final int REFINED = 6;
 
   /** Forms of one effect that are so near each other are both refined before one is chosen. */
@@ -177,12 +180,33 @@ public final class Screen {
 
   private Begun begun(Form form) {
     Fitter fitter = new Fitter(given, some);
-    return Definitions.of(form.effect()).starts(form, clues).stream()
-        .map(values -> base.hypothesis().and(form, values))
-        .map(start -> new Fit(start, fitter.logLikelihood(start)))
-        .max(Comparator.comparingDouble(Fit::logLikelihood))
-        .map(best -> new Begun(best, fitter))
-        .orElseThrow();
+    List<Fit> starts =
+        Definitions.of(form.effect()).starts(form, clues).stream()
+            .map(values -> base.hypothesis().and(form, values))
+            .map(start -> new Fit(start, fitter.logLikelihood(start)))
+            .sorted(Comparator.comparingDouble(start -> -start.logLikelihood()))
+            .toList();
+    Fit best = starts.get(0);
+    if (standsFor > 1 && gainOfSome(best) >= CHANCE_NATS) {
+      best = toldApart(starts);
+    }
+    return new Begun(best, fitter);
+  }
+
+  /**
+   * Of starts that some pings do not tell apart, the one that all pings find best. How long a
+   * reading is held, say, is told by the few at which it ends, and a step that is missed is not
+   * found later: between steps nothing changes.
+   */
+  private Fit toldApart(List<Fit> starts) {
+    double least = starts.get(0).logLikelihood() - CHANCE_NATS;
+    List<Fit> alike =
+        starts.stream().filter(start -> start.logLikelihood() > least).limit(ALIKE).toList();
+    return alike.size() == 1
+        ? alike.get(0)
+        : alike.stream()
+            .max(Comparator.comparingDouble(start -> ofAll(start).logLikelihood()))
+            .orElseThrow();
   }
 
   private Fit approached(Begun begun) {

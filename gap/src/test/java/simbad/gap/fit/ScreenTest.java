@@ -83,6 +83,38 @@ class ScreenTest {
     assertEquals(List.of(form), found.hypothesis().forms());
   }
 
+  /**
+   * A post is read 3,000 times. Each fiftieth echo is missed, and the reading before stands for it;
+   * four times the sensor looks away for three pings, and the third of them reads nothing: a
+   * reading is held for two pings. No such third ping is among those by which starts are chosen.
+   */
+  @Test
+  void whatFewReadingsTell_isFoundByAllOfThem() {
+    int pings = 3000;
+    Fold some = new Thinned(pings, 3);
+    Random random = new Random(34);
+    List<ReadingRow> rows = new ArrayList<>();
+    int last = 0;
+    int away = 0;
+    double read = 0;
+    for (int ping = 0; ping < pings; ping++) {
+      boolean begins = ping > last + 600 && ping % 50 == 5 && !some.holds(ping + 2);
+      last = begins ? ping : last;
+      away = begins ? 3 : Math.max(0, away - 1);
+      boolean isMissed = away > 0 || ping % 50 == 25;
+      read = isMissed ? read : Math.rint(100 * (0.95 + 0.005 * random.nextGaussian())) / 100;
+      Pose pose = Pose.of(-1, 0, away > 0 ? Math.PI : 0);
+      rows.add(
+          new ReadingRow("r", "s", 0.05 * ping, pose, away == 1 ? NoEcho.NO_ECHO : new Echo(read)));
+    }
+    PingLog log = new PingLog(rows);
+    CalibratedLog given = new CalibratedLog(Worlds.POST, List.of(), log);
+    Fit nominal = new Fitter(given, Fold.ALL).refine(Hypothesis.NONE, 0);
+    Form count = form(Worlds.POST, Effect.STALE_READING, "count");
+    Fit found = new Screen(given, nominal).all(List.of(count)).get(Effect.STALE_READING);
+    assertEquals(2, Math.floor(Objects.requireNonNull(found).hypothesis().values()[0]));
+  }
+
   /** The form with a value more fits at least as well: it holds the other. */
   @ParameterizedTest
   @CsvSource({"dropout, single, 0.2, bursts", "range-offset, constant, 0.04, scattered"})
