@@ -106,7 +106,7 @@ public final class Diagnoser {
     // What turns or moves the cone has its border at other rows than the believed one.
     LeftOut more = left.under(first.fitted());
     Diagnosis whole = more == left ? first : diagnose(more.rest(), first.fitted());
-    LeftOut off = OPEN.contains(whole.verdict()) ? more.misplaced(Hypothesis.NONE) : more;
+    LeftOut off = OPEN.contains(whole.verdict()) ? more.misplaced() : more;
     Optional<Diagnosis> placed =
         Optional.of(off)
             .filter(found -> found != more)

@@ -69,24 +69,6 @@ final class LeftOut {
         NumbersForNoEcho.rows(data.setup(), data.reference(), audit, AuditFinding.File.REFERENCE));
   }
 
-  /** Returns what an audit found, and how many rows more are left out than another one leaves. */
-  List<AuditFinding> told(List<AuditFinding> audit, LeftOut known) {
-    Set<Integer> more = new TreeSet<>(rows);
-    more.removeAll(known.rows);
-    List<AuditFinding> told = new ArrayList<>(audit);
-    told.add(
-        new AuditFinding(
-            AuditCheck.EDGE,
-            AuditFinding.File.READINGS,
-            more.size()
-                + " readings at places where what these are off by decides what is in the cone",
-            List.copyOf(more),
-            "these rows are left out of all that follows",
-            "",
-            Severity.NOTE));
-    return told;
-  }
-
   private LeftOut(LeftOut known, Set<Integer> more) {
     data = known.data;
     wrong.addAll(known.wrong);
@@ -111,10 +93,8 @@ final class LeftOut {
    * Returns the same with rows of which nobody can say what the sensor hears where each placement
    * is as far off as readings of one hang together; itself where nothing was put in place, or is as
    * exact as believed.
-   *
-   * @param effects that were found
    */
-  LeftOut misplaced(Hypothesis effects) {
+  LeftOut misplaced() {
     PingLog log = new PingLog(data.readings());
     CalibratedLog given = new CalibratedLog(data.setup(), List.of(), log);
     double offM = PlacementScatter.betweenM(given, new Placements(log));
@@ -122,13 +102,31 @@ final class LeftOut {
       return this;
     }
     // All readings of a placement are off at once: one in 20 of those would be many.
-    Set<Integer> unsure = unsure(effects, WIDER * offM);
-    Set<Integer> misplaced = unsure.isEmpty() ? unsure(effects, offM) : unsure;
+    Set<Integer> unsure = unsure(WIDER * offM);
+    Set<Integer> misplaced = unsure.isEmpty() ? unsure(offM) : unsure;
     return rows.containsAll(misplaced) ? this : new LeftOut(this, misplaced);
   }
 
-  private Set<Integer> unsure(Hypothesis effects, double offM) {
-    return UncertainPoses.rows(data.setup(), data.readings(), effects.changes(), offM);
+  private Set<Integer> unsure(double offM) {
+    return UncertainPoses.rows(data.setup(), data.readings(), List.of(), offM);
+  }
+
+  /** Returns what an audit found, and by that how many rows more than by another are left out. */
+  List<AuditFinding> told(List<AuditFinding> audit, LeftOut other) {
+    List<Integer> more = rows.stream().filter(row -> !other.rows.contains(row)).toList();
+    List<AuditFinding> told = new ArrayList<>(audit);
+    told.add(
+        new AuditFinding(
+            AuditCheck.EDGE,
+            AuditFinding.File.READINGS,
+            more.size()
+                + " readings where a placement that is as far off as these are decides what is"
+                + " heard",
+            more,
+            "these rows are left out of all that follows",
+            "",
+            Severity.NOTE));
+    return told;
   }
 
   /** Returns the data set without them, and with no echo where a number stood for it. */

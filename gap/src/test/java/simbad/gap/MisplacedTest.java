@@ -89,7 +89,8 @@ class MisplacedTest {
         0.025, diagnosis.effects().get(0).parameters().get(0).value(), 0.008, "standard deviation");
     AuditFinding left = edges(diagnosis).get(0);
     assertTrue(left.rows().size() > 80 && left.rows().size() < rows.size() / 2, left.what());
-    assertTrue(left.what().startsWith(left.rows().size() + " readings at places"), left.what());
+    assertTrue(
+        left.what().startsWith(left.rows().size() + " readings where a placement"), left.what());
     assertEquals(0, left.rows().size() % TIMES, "placements as a whole");
   }
 
