@@ -525,10 +525,10 @@ class BlindCheckTest {
         "--out",
         NOWHERE);
     check(
-        "--effects: placement-error: these worlds cannot have it; expected one of absorption, ",
+        "--effects: wave-hop: these worlds cannot have it; expected one of absorption, ",
         "generate",
         "--effects",
-        "placement-error",
+        "wave-hop",
         "--out",
         NOWHERE);
     check("--withheld: no such effect: wind", "generate", "--withheld", "wind", "--out", NOWHERE);
