@@ -21,7 +21,7 @@ import numpy as np
 
 import features as sensing
 import sheets
-from nominal import read_scene
+from nominal import Refused, folders, read_scene, truth
 
 # Chosen on cases that were held out of practice; docs/benchmark.md says how.
 SETTINGS = {
@@ -36,19 +36,6 @@ HELD_BY = 20261129
 VERDICTS = ("none", "explained", "unexplained")
 
 
-class Refused(Exception):
-    """What was given cannot be used; the message says why."""
-
-
-def folders(world: Path) -> list:
-    if not (world / "cases").is_dir():
-        raise Refused(f"{world}: no folder that blind-world made, it has no cases")
-    found = sorted(path for path in (world / "cases").iterdir() if path.is_dir())
-    if not found:
-        raise Refused(f"{world}: its folder of cases is empty")
-    return found
-
-
 def case(folder: Path) -> tuple:
     if not (folder / "scene.json").exists():
         raise Refused(f"{folder}: no scene.json; only logs of a sonar can be answered")
@@ -60,11 +47,6 @@ def case(folder: Path) -> tuple:
         numbers = [sensing.sheet(scene, *one) for one in read]
     sets = [sheets.sheet(scene, *one, number > 0) for number, one in enumerate(read)]
     return sheets.together(*(sets + [None])[:2], folder.name), sensing.compared(*(numbers + [None])[:2])
-
-
-def truth(world: Path, name: str):
-    file = world / "truth" / name / "truth.json"
-    return json.loads(file.read_text()) if file.exists() else None
 
 
 def rows(arguments):

@@ -16,6 +16,26 @@ import numpy as np
 SPACING_M = 0.004
 
 
+class Refused(Exception):
+    """What was given cannot be used; the message says why."""
+
+
+def folders(world: Path) -> list:
+    """The cases of a folder that blind-world made."""
+    if not (world / "cases").is_dir():
+        raise Refused(f"{world}: no folder that blind-world made, it has no cases")
+    found = sorted(path for path in (world / "cases").iterdir() if path.is_dir())
+    if not found:
+        raise Refused(f"{world}: its folder of cases is empty")
+    return found
+
+
+def truth(world: Path, name: str):
+    """What is so of a case; None where the truth is kept elsewhere."""
+    file = world / "truth" / name / "truth.json"
+    return json.loads(file.read_text()) if file.exists() else None
+
+
 @dataclass(frozen=True)
 class Rows:
     """One sheet of readings, in the order of run, sensor and time. A no-echo has range nan."""

@@ -25,6 +25,7 @@ from sklearn.model_selection import StratifiedKFold, cross_val_predict
 
 import features as sensing
 import motion
+from nominal import Refused, folders, truth
 
 SEED = 20261124
 VERDICTS = ("none", "explained", "unexplained")
@@ -36,20 +37,8 @@ def trees():
         early_stopping=False, random_state=SEED)
 
 
-def folders(world: Path):
-    if not (world / "cases").is_dir():
-        print(f"rival.py: {world}: no folder that blind-world made, it has no cases", file=sys.stderr)
-        sys.exit(2)
-    return sorted(path for path in (world / "cases").iterdir() if path.is_dir())
-
-
 def case(folder: Path) -> dict:
     return motion.case(folder) if (folder / "robot.json").exists() else sensing.case(folder)
-
-
-def truth(world: Path, name: str):
-    file = world / "truth" / name / "truth.json"
-    return json.loads(file.read_text()) if file.exists() else None
 
 
 def features(arguments):
@@ -179,7 +168,11 @@ def main():
     step.add_argument("--answers", type=Path, help="of a program on the other worlds, to stand beside")
     step.set_defaults(run=kinds)
     arguments = parser.parse_args()
-    arguments.run(arguments)
+    try:
+        arguments.run(arguments)
+    except Refused as refused:
+        print(f"rival.py: {refused}", file=sys.stderr)
+        sys.exit(2)
 
 
 if __name__ == "__main__":
