@@ -117,7 +117,7 @@ public final class Diagnoser {
         .orElseGet(() -> more.whole(whole).with(audit));
   }
 
-  /** What is named are places that are not exact, and that explains all, or at last something. */
+  /** What is named are places that are not exact, and that explains all, or at least something. */
   private static boolean saysMore(Diagnosis placed, Diagnosis whole) {
     boolean says =
         placed.verdict() == Verdict.EXPLAINED

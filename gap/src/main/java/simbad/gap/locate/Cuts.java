@@ -97,8 +97,11 @@ final class Cuts {
     cuts.add(new Scan.Cut(within, List.of(bearing, distance)));
   }
 
+  /** Of a variable that can tell pings apart. */
   private static void single(List<Scan.Cut> cuts, Axis axis) {
-    cuts.add(new Scan.Cut(new Slice(List.of()), List.of(axis)));
+    if (axis.count() > 1) {
+      cuts.add(new Scan.Cut(new Slice(List.of()), List.of(axis)));
+    }
   }
 
   /** Of two variables that both can tell pings apart. */

@@ -33,6 +33,12 @@ public final class Places {
   /** As a share of what the gap would be: more rows make less significant, but not of any size. */
   private static final double LEAST_EXCESS = 0.05;
 
+  /** By how much the mean excess of a place is above that of what is left beside it, at least. */
+  private static final double STANDS_OUT = 1.25;
+
+  /** What leaves out fewer rows is all of it. */
+  private static final int LEAST_OUTSIDE = 15;
+
   private final GapMeter.Gaps before;
   private final GapMeter.Gaps after;
   private final Blocks blocks;
@@ -61,8 +67,9 @@ public final class Places {
    * @param slice itself
    * @param chance of as large an excess where there is none
    * @param chosen whether it is part of the description
+   * @param standsOut whether the excess is larger in it than beside it
    */
-  private record Candidate(Slice slice, double chance, boolean chosen) {}
+  private record Candidate(Slice slice, double chance, boolean chosen, boolean standsOut) {}
 
   /**
    * Finds the places.
@@ -131,7 +138,30 @@ public final class Places {
     double chance =
         Confirmation.chance(
             excess, blocks, ping -> confirmed.holds(ping) && !covered[ping] && slice.holds(ping));
-    return new Candidate(slice, chance, chosen);
+    return new Candidate(slice, chance, chosen, standsOut(slice));
+  }
+
+  /**
+   * Tells whether the excess is larger in a slice than in what no earlier one covers beside it, in
+   * the confirming half. The last of several that hold all together has nothing left beside it.
+   */
+  private boolean standsOut(Slice slice) {
+    int[] open =
+        IntStream.range(0, excess.length)
+            .filter(ping -> confirmed.holds(ping) && !covered[ping])
+            .toArray();
+    double in = meanExcess(IntStream.of(open).filter(slice::holds));
+    IntStream beside = IntStream.of(open).filter(ping -> !slice.holds(ping));
+    long outside =
+        IntStream.range(0, excess.length)
+            .filter(ping -> confirmed.holds(ping) && !slice.holds(ping))
+            .count();
+    return outside >= LEAST_OUTSIDE && in > STANDS_OUT * meanExcess(beside);
+  }
+
+  /** Of no pings 0. */
+  private double meanExcess(IntStream pings) {
+    return pings.mapToDouble(ping -> excess[ping]).average().orElse(0);
   }
 
   private List<Place> told(CalibratedLog given, List<ReadingDistribution> forecast) {
@@ -140,7 +170,8 @@ public final class Places {
     List<Place> places = new ArrayList<>();
     for (int i = 0; i < rate.length; i++) {
       Slice slice = looked.get(i).slice();
-      if (looked.get(i).chosen() && rate[i] <= FALSE_DISCOVERY_RATE && matters(slice)) {
+      boolean tells = looked.get(i).chosen() && looked.get(i).standsOut();
+      if (tells && rate[i] <= FALSE_DISCOVERY_RATE && matters(slice)) {
         GapKind kind = new Kinds(given.log(), forecast, excess).of(rows(slice));
         places.add(place(slice, kind, rate[i]));
       }

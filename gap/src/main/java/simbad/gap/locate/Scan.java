@@ -1,5 +1,6 @@
 package simbad.gap.locate;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
@@ -98,24 +99,29 @@ final class Scan {
   private Optional<Found> best(Slice within, Axis axis) {
     double[] sum = new double[axis.count() + 1];
     int[] rows = new int[axis.count() + 1];
+    boolean[] isEmpty = new boolean[axis.count()];
+    Arrays.fill(isEmpty, true);
     for (int ping = 0; ping < excess.length; ping++) {
-      if (counts.test(ping) && within.holds(ping)) {
-        sum[axis.bin(ping) + 1] += excess[ping];
-        rows[axis.bin(ping) + 1]++;
+      int bin = axis.bin(ping);
+      if (bin >= 0 && within.holds(ping)) {
+        isEmpty[bin] = false;
+        sum[bin + 1] += counts.test(ping) ? excess[ping] : 0;
+        rows[bin + 1] += counts.test(ping) ? 1 : 0;
       }
     }
     for (int bin = 0; bin < axis.count(); bin++) {
       sum[bin + 1] += sum[bin];
       rows[bin + 1] += rows[bin];
     }
-    return best(within, axis, sum, rows);
+    return best(within, axis, sum, rows, isEmpty);
   }
 
-  /** Of all intervals, or all names, by sums up to each bin. */
-  private static Optional<Found> best(Slice within, Axis axis, double[] sum, int[] rows) {
+  /** Of all intervals that begin where there are pings, or all names, by sums up to each bin. */
+  private static Optional<Found> best(
+      Slice within, Axis axis, double[] sum, int[] rows, boolean[] isEmpty) {
     Optional<Found> best = Optional.empty();
     for (int from = 0; from < axis.count(); from++) {
-      int last = axis.ordered() ? axis.count() : from + 1;
+      int last = isEmpty[from] ? from : axis.ordered() ? axis.count() : from + 1;
       for (int to = from + 1; to <= last; to++) {
         int count = rows[to] - rows[from];
         double total = sum[to] - sum[from];

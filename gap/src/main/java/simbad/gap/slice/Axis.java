@@ -19,6 +19,9 @@ public final class Axis {
   private static final int MOST_BINS = 40;
   private static final double[] ROUND = {1, 2, 2.5, 5, 10};
 
+  /** Numbers that differ by less are equal, but for the last digits of binary fractions. */
+  private static final double EQUAL = 1e-6;
+
   private final String variable;
   private final int[] bin;
   private final int count;
@@ -102,7 +105,8 @@ public final class Axis {
   }
 
   /**
-   * Cuts by a finite number, into at most some 40 bins between its extremes.
+   * Cuts by a finite number, into at most some 40 bins between its extremes; into one where it is
+   * the same everywhere.
    *
    * @param variable what it is called
    * @param pings in the log
@@ -112,7 +116,7 @@ public final class Axis {
     double[] value = IntStream.range(0, pings).mapToDouble(of).toArray();
     double low = Arrays.stream(value).min().orElse(0);
     double high = Arrays.stream(value).max().orElse(0);
-    double width = roundUp((high - low) / MOST_BINS);
+    double width = high - low < EQUAL ? 1 : roundUp((high - low) / MOST_BINS);
     return cut(variable, value, Math.floor(low / width) * width, width);
   }
 
@@ -139,9 +143,6 @@ public final class Axis {
 
   /** The least round number that is not below. */
   private static double roundUp(double least) {
-    if (!(least > 0)) {
-      return 1;
-    }
     double decade = Math.pow(10, Math.floor(Math.log10(least)));
     return Arrays.stream(ROUND)
         .map(factor -> factor * decade)

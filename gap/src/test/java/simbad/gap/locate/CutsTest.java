@@ -70,9 +70,6 @@ class CutsTest {
   void oneSensorBeforeOneObstacle_isCutByNumbers() {
     assertEquals(
         List.of(
-            "sensor",
-            "run",
-            "obstacle",
             "distance_m",
             "off_axis_deg",
             "bearing_deg",
@@ -88,7 +85,7 @@ class CutsTest {
 
   @Test
   void withoutObstacles_thereIsNoDistance() {
-    assertEquals(List.of("sensor", "run", "t_s", "speed_m_s"), words(geometry(0, drive("r", "s"))));
+    assertEquals(List.of("t_s", "speed_m_s"), words(geometry(0, drive("r", "s"))));
   }
 
   /** A bearing is of one obstacle of several; two sensors and two runs tell pings apart. */

@@ -137,6 +137,29 @@ class PlacesTest {
     assertTrue(first.afterCm() < 0.5 * first.beforeCm(), first::toString);
   }
 
+  /** What is off by as much everywhere has no place, and all rows are none. */
+  @Test
+  void gapThatIsTheSameEverywhere_hasNoPlace() {
+    List<ReadingRow> off = new ArrayList<>();
+    for (ReadingRow row : nominal(7)) {
+      if (row.reading() instanceof Echo echo && POST.distanceM(row) < 1.2) {
+        Reading longer = new Echo(echo.rangeM() + 0.1);
+        off.add(new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), longer));
+      }
+    }
+    assertTrue(off.size() > 300, () -> "" + off.size());
+    assertEquals(List.of(), places(off, Hypothesis.NONE));
+    // Half of them are right: then the others are a place.
+    List<ReadingRow> half = new ArrayList<>();
+    for (ReadingRow row : off) {
+      Reading before = new Echo(((Echo) row.reading()).rangeM() - 0.1);
+      Reading reading = POST.bearingDeg(row) < 180 ? row.reading() : before;
+      half.add(new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), reading));
+    }
+    Place first = places(half, Hypothesis.NONE).get(0);
+    assertTrue(overlap(half, row -> POST.bearingDeg(row) < 180, POST.in(first)) > 0.9);
+  }
+
   /** A post at the origin and another 3 m to the right. */
   private static SensingSetup twoPosts() {
     Obstacle near = Worlds.POST.scene().obstacles().get(0);

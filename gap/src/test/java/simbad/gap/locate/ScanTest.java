@@ -47,6 +47,17 @@ class ScanTest {
     assertEquals(2.0 * SIDE, found.merit(), 1e-9);
   }
 
+  /** Bins that no ping is in are no part of an interval; those in which others count are. */
+  @Test
+  void interval_beginsWherePingsAre() {
+    Axis late = Axis.numbered("late", SIDE * SIDE, 1, i -> 7 + Math.floorDiv(i, SIDE));
+    Scan.Cut cut = new Scan.Cut(ALL, List.of(late));
+    Scan.Found found = scan(i -> i < 2 * SIDE).best(cut).orElseThrow();
+    assertEquals(List.of(new Slice.Range(late, 7, 9)), found.slice().ranges());
+    Scan.Found half = scan(i -> i < 2 * SIDE, i -> i >= SIDE).best(cut).orElseThrow();
+    assertEquals(List.of(new Slice.Range(late, 7, 9)), half.slice().ranges());
+  }
+
   @Test
   void field_isFoundWithAllItsBorders() {
     Scan.Found found =

@@ -32,6 +32,20 @@ class AxisTest {
     return axis.condition(from, to).interval().orElseThrow();
   }
 
+  /** What differs in its last binary digits alone is one number. */
+  @Test
+  void numbersThatAreTheSame_haveOneBin() {
+    for (double[] same : new double[][] {{0, 3e-15, 1e-14}, {2, 2 + 9e-7}, {-0.5}, {}}) {
+      Axis axis = numbered(same);
+      assertEquals(Math.min(1, same.length), axis.count());
+      for (int i = 0; i < same.length; i++) {
+        Interval ends = ends(axis, 0, 1);
+        assertTrue(same[i] >= ends.low() && same[i] < ends.high(), ends::toString);
+      }
+    }
+    assertTrue(numbered(2, 2 + 2e-6).count() > 1);
+  }
+
   @Test
   void names_haveABinEach_inUseOrNot() {
     Axis axis = Axis.named("run", 4, List.of("a", "b", "c"), i -> i - 1);
