@@ -4,15 +4,16 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import simbad.gap.diagnosis.Verdict;
+import simbad.gap.motion.MotionConstants;
 
 /**
  * One answered motion case of a finished check, with its opened truth.
@@ -21,8 +22,8 @@ import simbad.gap.diagnosis.Verdict;
  * @param signs by which it is judged how sure the answer is, by name
  * @param verdict that was concluded
  * @param truth what would have been right: none, explained or unexplained
- * @param names for each concluded effect whether it, or one that the log cannot tell from it, is at
- *     work
+ * @param names for each effect that was concluded or weighed beside something without a name,
+ *     whether it, or one that the log cannot tell from it, is at work
  * @param otherDrive logarithm of the factor by which what is left of another drive's gap differs,
  *     what stretches of the log differ by taken out; empty where next to nothing could be removed
  */
@@ -31,7 +32,7 @@ record CheckedDrive(
     Map<String, Double> signs,
     Verdict verdict,
     Verdict truth,
-    List<Boolean> names,
+    Map<String, Boolean> names,
     OptionalDouble otherDrive) {
   /** As in the scorer: less of the nominal gap is no gap. */
   private static final double LEAST_REMOVABLE = 0.05;
@@ -84,17 +85,18 @@ record CheckedDrive(
     return one.effects().isEmpty() ? Verdict.NONE : Verdict.EXPLAINED;
   }
 
-  private static List<Boolean> names(AnsweredCase one) {
+  private static Map<String, Boolean> names(AnsweredCase one) {
     Set<String> there = one.effects();
     one.accepted().forEach(there::addAll);
-    Set<String> explanation = one.explanation();
-    List<Boolean> names = new ArrayList<>();
+    Set<String> weighed = one.explanation();
+    weighed.addAll(MotionConstants.weighed(one.signs()));
+    Map<String, Boolean> names = new TreeMap<>();
     for (JsonNode effect : one.said().path("effects")) {
       String name = effect.path("name").asText();
-      if (explanation.contains(name)) {
+      if (weighed.contains(name)) {
         Set<String> any = AnsweredCase.words(effect.path("indistinguishable_from"));
         any.add(name);
-        names.add(!Collections.disjoint(any, there));
+        names.put(name, !Collections.disjoint(any, there));
       }
     }
     return names;

@@ -61,13 +61,13 @@ final class MotionFit {
         .sum();
   }
 
-  /** Returns the sum of the log probabilities that each concluded effect is there, or is not. */
+  /** Returns the sum of the log probabilities that each weighed effect is there, or is not. */
   static double nameScore(MotionConstants constants, List<CheckedDrive> cases) {
     double sum = 0;
     for (CheckedDrive one : cases) {
-      double rightly = constants.namedRightly(one.signs());
-      for (boolean isThere : one.names()) {
-        sum += Math.log(isThere ? rightly : 1 - rightly);
+      for (Map.Entry<String, Boolean> name : one.names().entrySet()) {
+        double rightly = constants.namedRightly(one.signs(), name.getKey());
+        sum += Math.log(name.getValue() ? rightly : 1 - rightly);
       }
     }
     return sum;

@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -29,7 +30,7 @@ class MotionFitTest {
       new MotionConstants(
           Map.of("base", 2.0, "named", -5.0, "stranger", -0.5),
           Map.of("base", 1.0, "stranger", 1.0, "left_beside", 4.0, "named", -1.0),
-          Map.of("base", 2.0, "left_beside", -5.0),
+          Map.of("base", 1.0, "stranger", -0.3, "worth", 1.5, "scatters", -1.0),
           0.4);
 
   private static CheckedDrive drawn(Random random) {
@@ -37,20 +38,27 @@ class MotionFitTest {
     double stranger = 8 * random.nextDouble() - 4;
     double left = random.nextDouble();
     Map<String, Double> signs =
-        Map.of(
-            "named", isNamed ? 1.0 : 0.0,
-            "stranger", stranger,
-            "stranger_beside", isNamed ? stranger : 0.0,
-            "left_beside", isNamed ? left : 0.0,
-            "left_alone", isNamed ? 0.0 : left);
+        new HashMap<>(
+            Map.of(
+                "named", isNamed ? 1.0 : 0.0,
+                "stranger", stranger,
+                "stranger_beside", isNamed ? stranger : 0.0,
+                "left_beside", isNamed ? left : 0.0,
+                "left_alone", isNamed ? 0.0 : left));
+    String effect = random.nextBoolean() ? "turn-bias" : "slip";
+    if (effect.equals("turn-bias")) {
+      signs.put("worth_turn-bias", 6 * random.nextDouble() - 3);
+    }
     double at = random.nextDouble() - TRUTH.verdict(Verdict.NONE, signs);
     Verdict truth = Verdict.NONE;
     if (at > 0) {
       boolean isExplained = at < TRUTH.verdict(Verdict.EXPLAINED, signs);
       truth = isExplained ? Verdict.EXPLAINED : Verdict.UNEXPLAINED;
     }
-    List<Boolean> names =
-        isNamed ? List.of(random.nextDouble() < TRUTH.namedRightly(signs)) : List.of();
+    Map<String, Boolean> names =
+        isNamed
+            ? Map.of(effect, random.nextDouble() < TRUTH.namedRightly(signs, effect))
+            : Map.of();
     return new CheckedDrive(
         "c",
         signs,
@@ -75,8 +83,9 @@ class MotionFitTest {
         assertEquals(
             TRUTH.verdict(verdict, one.signs()), fitted.verdict(verdict, one.signs()), 0.12);
       }
-      if (!one.names().isEmpty()) {
-        assertEquals(TRUTH.namedRightly(one.signs()), fitted.namedRightly(one.signs()), 0.08);
+      for (String effect : one.names().keySet()) {
+        double rightly = TRUTH.namedRightly(one.signs(), effect);
+        assertEquals(rightly, fitted.namedRightly(one.signs(), effect), 0.08);
       }
     }
     double score = MotionFit.verdictScore(fitted, cases);
@@ -92,14 +101,14 @@ class MotionFitTest {
           + " 'effects': [{'name': 'speed-scale', 'indistinguishable_from': ['wheel-scale']},"
           + " {'name': 'slip'}, {'name': 'turn-bias'}],"
           + " 'gap': {'after': 0.5, 'shrink_of_this_log_ci95': [0.45, 0.55]},"
-          + " 'signs': {'named': 1}}";
+          + " 'signs': {'named': 1, 'worth_turn-bias': -2, 'worth_speed-scale': 2}}";
 
   @Test
   void aCase_isReadWithWhatWouldHaveBeenRight() throws IOException {
     JsonNode truth = json("{'effects': {'wheel-scale': {}}, 'sealed_gap_oracle': 0.4}");
     CheckedDrive one = CheckedDrive.of(new AnsweredCase("c", json(SAID), truth), 0.25);
     assertEquals(Verdict.EXPLAINED, one.truth());
-    assertEquals(List.of(true, false), one.names());
+    assertEquals(Map.of("speed-scale", true, "slip", false, "turn-bias", false), one.names());
     // Left over is 0.75 where 0.5 was said, give or take a tenth of it.
     double apart = Math.log(1.5);
     assertEquals(Math.sqrt(apart * apart - 0.01), one.otherDrive().orElseThrow(), 1e-9);
@@ -117,7 +126,7 @@ class MotionFitTest {
                 + " 'accept': [['slip', 'speed-scale']]}");
     CheckedDrive one = CheckedDrive.of(new AnsweredCase("c", json(SAID), called), 0.2);
     assertEquals(Verdict.EXPLAINED, one.truth());
-    assertEquals(List.of(true, true), one.names());
+    assertEquals(Map.of("speed-scale", true, "slip", true, "turn-bias", false), one.names());
     assertTrue(one.otherDrive().isEmpty());
     assertEquals(
         Verdict.NONE,
@@ -147,7 +156,8 @@ class MotionFitTest {
     assertEquals(7, root.at("/origin/checks/0/order/practice").asInt());
     MotionConstants fitted = MotionConstants.of(root);
     assertTrue(fitted.verdict(Verdict.EXPLAINED, Map.of("named", 1.0)) > 0.8);
-    assertEquals(0.5, fitted.namedRightly(Map.of("named", 1.0)), 0.05);
+    Map<String, Double> signs = Map.of("named", 1.0, "worth_turn-bias", -2.0);
+    assertTrue(fitted.namedRightly(signs, "turn-bias") < 0.2);
   }
 
   @Test

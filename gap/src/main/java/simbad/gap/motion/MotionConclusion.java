@@ -132,10 +132,11 @@ record MotionConclusion(
   /**
    * Returns what stays of a partly that says no name which is less probable than any other name.
    *
-   * @param rightly how often such names are at work, by counting
+   * @param rightly how often such a name is at work, by counting
    * @param weights how probable a name is, its ties counted, among the sets
    */
-  MotionConclusion doubting(double rightly, ToDoubleFunction<MotionFinding> weights) {
+  MotionConclusion doubting(
+      ToDoubleFunction<MotionFinding> rightly, ToDoubleFunction<MotionFinding> weights) {
     if (verdict() != Verdict.PARTLY) {
       return this;
     }
@@ -144,11 +145,12 @@ record MotionConclusion(
     for (MotionFinding one : named) {
       double weight =
           noises.contains(one) ? one.probability() : Math.min(1, weights.applyAsDouble(one));
-      if (rightly * weight >= SURE) {
+      double share = rightly.applyAsDouble(one);
+      if (share * weight >= SURE) {
         kept.add(one);
       } else {
         weighed.remove(one);
-        weighed.add(one.times(rightly));
+        weighed.add(one.times(share));
       }
     }
     // Without something that has no name, what is too unsure is all that there is to say.
@@ -196,13 +198,16 @@ record MotionConclusion(
    * Returns what else might be, the likeliest first.
    *
    * @param others every name that is not concluded, as it was weighed
+   * @param rightly how often such a name is at work, by counting
    */
-  List<MotionFinding> others(List<MotionFinding> others) {
+  List<MotionFinding> others(List<MotionFinding> others, ToDoubleFunction<MotionFinding> rightly) {
     List<MotionFinding> changed = new ArrayList<>();
     for (MotionFinding one : others) {
       Optional<MotionFinding> noise =
           noises.stream().filter(other -> other.effect().equals(one.effect())).findFirst();
-      changed.add(noise.orElse(shadows.contains(one.effect()) ? one.atMost(EVEN) : one));
+      boolean isShadow = shadows.contains(one.effect());
+      MotionFinding own = isShadow ? one.times(rightly.applyAsDouble(one)).atMost(EVEN) : one;
+      changed.add(noise.orElse(own));
     }
     changed.sort((a, b) -> Double.compare(b.probability(), a.probability()));
     return changed;

@@ -31,8 +31,8 @@ public record MotionConstants(
   public static final List<String> VERDICT_SIGNS =
       List.of("named", "stranger", "stranger_beside", "left_beside", "left_alone");
 
-  /** Signs that tell whether names are right. */
-  public static final List<String> NAME_SIGNS = List.of("stranger", "left_beside");
+  /** Signs that tell whether a name is right. */
+  public static final List<String> NAME_SIGNS = List.of("stranger", "worth", "scatters");
 
   private static final String FORMAT = "simbad-motion-constants/1";
   private static final MotionConstants OWN = of(FittedConstants.of(MotionConstants.class));
@@ -96,9 +96,26 @@ public record MotionConstants(
     };
   }
 
-  /** Returns how probable it is that an effect is at work that is sure by its weight alone. */
-  public double namedRightly(Map<String, Double> signs) {
-    return NormalChance.ofLogOdds(logOdds(namedRightly, signs));
+  /**
+   * Returns how probable it is that an effect is at work that is sure by its weight alone.
+   *
+   * @param signs by name; an effect without a worth is one that only scatters
+   * @param effect its name
+   */
+  public double namedRightly(Map<String, Double> signs, String effect) {
+    Map<String, Double> own = new LinkedHashMap<>(signs);
+    Double worth = signs.get(MotionSigns.WORTH + effect);
+    own.put("worth", worth == null ? 0 : worth);
+    own.put("scatters", worth == null ? 1.0 : 0.0);
+    return NormalChance.ofLogOdds(logOdds(namedRightly, own));
+  }
+
+  /** Returns the names of the effects that signs have a worth of. */
+  public static List<String> weighed(Map<String, Double> signs) {
+    return signs.keySet().stream()
+        .filter(sign -> sign.startsWith(MotionSigns.WORTH))
+        .map(sign -> sign.substring(MotionSigns.WORTH.length()))
+        .toList();
   }
 
   private static double logOdds(Map<String, Double> weights, Map<String, Double> signs) {

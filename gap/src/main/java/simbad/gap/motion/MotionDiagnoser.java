@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import simbad.gap.diagnosis.Estimate;
 import simbad.gap.diagnosis.Interval;
@@ -141,16 +142,19 @@ public final class MotionDiagnoser {
   private Told told(BelievedMotion base, MotionSteps of) {
     MotionSearch search = new MotionSearch(of, data.robot());
     MotionChain nominal = base.nominal().chain();
-    Told told = told(base, of, new Odds(search.run(nominal)));
+    Told told = told(base, of, search, search.run(nominal));
     ScoredMotion best = told.odds().best();
+    if (!isVague(of, best)) {
+      return told;
+    }
     // All sets that are left may name the steps: then what is left of them would be nothing.
-    return isVague(of, best)
-        ? told(base, of, new Odds(search.without(nominal, best.hypothesis(), STEPS)))
-        : told;
+    MotionSearch about = search.without(STEPS);
+    return told(base, of, about, about.about(nominal, best.hypothesis().without(STEPS)));
   }
 
-  private Told told(BelievedMotion base, MotionSteps of, Odds found) {
-    Odds odds = found;
+  private Told told(
+      BelievedMotion base, MotionSteps of, MotionSearch search, List<ScoredMotion> found) {
+    Odds odds = new Odds(found);
     MotionGap gap = gap(base, odds.best());
     // Many that explain next to nothing may explain something together.
     double all = gap.fitted(odds.best().hypothesis().chain());
@@ -158,6 +162,8 @@ public final class MotionDiagnoser {
         less.isPresent();
         less = idle(odds, gap, all)) {
       odds = odds.without(less.get());
+      // The new best was never asked what it would be without each of its effects.
+      odds = odds.and(search.rests(odds.best()));
       gap = gap(base, odds.best());
     }
     return new Told(of, data.runs(), odds, gap, new NoiseFindings(of, base, odds.best().fit()));
@@ -201,16 +207,18 @@ public final class MotionDiagnoser {
     MotionConclusion first = MotionConclusion.of(told, slip);
     boolean asBelieved = first.isAsBelieved();
     MotionDiagnosis.Gap figures = figures(told.gap(), odds.best(), asBelieved);
-    Map<String, Double> signs = MotionSigns.of(first, figures).byName();
-    double rightly = constants.namedRightly(signs);
+    Map<String, Double> signs = MotionSigns.of(first, figures, told.worths()).byName();
+    ToDoubleFunction<MotionFinding> rightly = one -> constants.namedRightly(signs, one.effect());
     MotionConclusion conclusion =
         first.doubting(rightly, one -> odds.ofAny(one.effect(), one.ties()));
     List<MotionFinding> explanation = conclusion.explanation();
     return new MotionDiagnosis(
         conclusion.verdict(),
         conclusion.headline(figures.shrink()),
-        explanation.stream().map(one -> WheelRemedy.of(one.times(rightly), data.robot())).toList(),
-        conclusion.others(new Findings(odds).others(explanation)),
+        explanation.stream()
+            .map(one -> WheelRemedy.of(one.times(rightly.applyAsDouble(one)), data.robot()))
+            .toList(),
+        conclusion.others(new Findings(odds).others(explanation), rightly),
         constants.verdict(Verdict.UNEXPLAINED, signs),
         signs,
         figures,

@@ -84,19 +84,22 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
   }
 
   /**
-   * Returns sets without an effect, about one that was found with it: what is left of that one is
-   * fitted anew, and built upon.
+   * Returns another search, which does not look for an effect.
    *
-   * @param base what was believed
-   * @param found effects of a set
    * @param effect that is no longer looked for
    */
-  List<ScoredMotion> without(MotionChain base, MotionHypothesis found, String effect) {
-    List<MotionForm> others = forms.stream().filter(one -> !one.effect().equals(effect)).toList();
-    return new MotionSearch(given, robot, others).about(base, found.without(effect));
+  MotionSearch without(String effect) {
+    return new MotionSearch(
+        given, robot, forms.stream().filter(one -> !one.effect().equals(effect)).toList());
   }
 
-  private List<ScoredMotion> about(MotionChain base, MotionHypothesis found) {
+  /**
+   * Returns sets about one, which is fitted anew and built upon.
+   *
+   * @param base what was believed
+   * @param found the set
+   */
+  List<ScoredMotion> about(MotionChain base, MotionHypothesis found) {
     keepIfItMatters(fitter.asItIs(new MotionHypothesis(base, List.of(), new double[0])));
     MotionFit start = fitter.fit(fitter.asItIs(found));
     keepIfItMatters(start);
@@ -251,6 +254,15 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
         .map(effect -> rest(set, effect))
         .toList()
         .forEach(this::beside);
+  }
+
+  /** Returns what a set would be without each of its effects. */
+  List<ScoredMotion> rests(ScoredMotion set) {
+    return List.copyOf(set.hypothesis().effects()).parallelStream()
+        .map(effect -> rest(set.fit(), effect))
+        .filter(fit -> matters(fit.hypothesis()))
+        .map(fit -> ScoredMotion.of(given, fit))
+        .toList();
   }
 
   private void keepIfItMatters(MotionFit fit) {

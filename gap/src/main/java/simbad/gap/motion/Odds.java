@@ -1,10 +1,12 @@
 package simbad.gap.motion;
 
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import simbad.gap.score.Weights;
 
 /** How probable each set of effects is among those that were scored, and each effect. */
@@ -46,6 +48,15 @@ final class Odds {
   /** Returns the same without the sets that name an effect. */
   Odds without(String effect) {
     return new Odds(sets.stream().filter(set -> !set.hypothesis().names(effect)).toList());
+  }
+
+  /** Returns the same with more sets; of two with the same effects the likelier one stays. */
+  Odds and(List<ScoredMotion> more) {
+    Map<Set<String>, ScoredMotion> all = new LinkedHashMap<>();
+    Stream.concat(sets.stream(), more.stream())
+        .sorted(Comparator.comparingDouble(set -> -set.heldOut()))
+        .forEach(set -> all.putIfAbsent(set.hypothesis().effects(), set));
+    return new Odds(List.copyOf(all.values()));
   }
 
   /** Returns the likeliest set that has no effects but those of the most probable one, less one. */

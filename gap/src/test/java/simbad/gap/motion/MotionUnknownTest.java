@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import simbad.gap.diagnosis.Interval;
@@ -86,8 +87,8 @@ class MotionUnknownTest {
 
   @Test
   void signsAreNumbersByName() {
-    MotionSigns named = new MotionSigns(true, -2, 0.25);
-    MotionSigns alone = new MotionSigns(false, -2, 0.25);
+    MotionSigns named = new MotionSigns(true, -2, 0.25, Map.of());
+    MotionSigns alone = new MotionSigns(false, -2, 0.25, Map.of());
 
     assertEquals(List.of(1.0, -2.0, -2.0, 0.25, 0.0), List.copyOf(named.byName().values()));
     assertEquals(List.of(0.0, -2.0, 0.0, 0.0, 0.25), List.copyOf(alone.byName().values()));

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -83,6 +84,18 @@ class ToldConclusionTest {
     double lost = best.score() - Whitening.logDensity(told.given(), best.noises(), without);
     assertEquals(lost / told.odds().clumping(), told.gain(LATE), 1e-9);
     assertTrue(told.gain(LATE) > 100);
+  }
+
+  /** Beside next to nothing that is left a latency is worth much; what was not found has none. */
+  @Test
+  void worth_isOfEachEffectOfTheLikeliestSet() {
+    Told told = told(drives -> drives.lateS = 0.3, LATE, SCALE);
+    double taken =
+        told.gap().fitted(MotionChain.EXACT)
+            - told.gap().fitted(told.odds().best().hypothesis().chain());
+    double left = told.gap().ratio() - told.gap().floor(told.odds().best().fit().noises());
+    assertTrue(taken > 0.5, "taken " + taken);
+    assertEquals(Map.of(LATE.effect(), MotionSigns.worth(taken, left)), told.worths());
   }
 
   private static MotionFinding slip(double probability) {
