@@ -260,14 +260,22 @@ record Conclusion(Verdict verdict, String reason, List<AtBound> atBound) {
           + ") makes the gap larger on readings that it was not fitted on";
     }
     List<Place> sure = where.stream().filter(place -> place.qValue() < SURE_PLACE).toList();
-    return sure.isEmpty()
-        ? ""
-        : String.format(
-            Locale.ROOT,
-            "no effect was found, but one place of the log has %.0f %% of the gap, more "
-                + "than chance gives (q = %.1g)",
-            100 * sure.get(0).shareOfGap(),
-            sure.get(0).qValue());
+    if (sure.isEmpty()) {
+      return "";
+    }
+    Place largest = sure.get(0);
+    String what =
+        largest.shareOfGap() < 1
+            ? String.format(
+                Locale.ROOT,
+                "one place of the log has %.0f %% of the gap",
+                largest.shareOfGap() * 100)
+            : "the gap is larger all over the log";
+    return String.format(
+        Locale.ROOT,
+        "no effect was found, but %s, more than chance gives (q = %.1g)",
+        what,
+        largest.qValue());
   }
 
   private static String bounds(List<AtBound> atBound) {

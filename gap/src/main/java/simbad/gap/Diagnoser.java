@@ -31,7 +31,6 @@ import simbad.gap.score.Blocks;
 import simbad.gap.score.Budget;
 import simbad.gap.score.GapGain;
 import simbad.gap.score.GapGains;
-import simbad.gap.score.GapMeter;
 import simbad.gap.score.HeldOut.Scored;
 import simbad.gap.score.Probabilities;
 import simbad.gap.search.Search;
@@ -276,8 +275,8 @@ public final class Diagnoser {
     Conclusion.Unnamed unnamed = unnamed(inquiry, signs);
     double unknown = unnamed.probability();
     double tieNats = TIE_NATS * calibration.clumping();
-    List<Place> where = places(given, whole, blocks);
-    Conclusion all = Conclusion.of(whole, unnamed, doubtful(whole, open, where), blocks, tieNats);
+    List<Place> doubtful = doubtful(given, whole, open, blocks);
+    Conclusion all = Conclusion.of(whole, unnamed, doubtful, blocks, tieNats);
     Conclusion first =
         withUnseen(inquiry, whole, given.log().echoes() == 0 ? all.ofSilence() : all);
     double stated =
@@ -298,7 +297,10 @@ public final class Diagnoser {
                                 stated,
                                 unnamed.signs(),
                                 told)))
-        .orElse(new Told(whole, false, where, stated, unnamed.signs(), first));
+        .orElseGet(
+            () ->
+                new Told(
+                    whole, false, places(given, whole, blocks), stated, unnamed.signs(), first));
   }
 
   /** What makes the readings plainly likelier beside all of it is said. */
@@ -348,13 +350,18 @@ public final class Diagnoser {
     return part.beside(given, open);
   }
 
-  /** Places that would make "none" doubtful: of those that the set-up leaves open none does. */
-  private static List<Place> doubtful(Weighed weighed, CalibratedLog open, List<Place> where) {
-    if (!weighed.taken().hypothesis().forms().isEmpty() || where.isEmpty()) {
-      return where;
+  /**
+   * Places that would make "none" doubtful, all of the log being one as well: of those that the
+   * set-up leaves open none does.
+   */
+  private static List<Place> doubtful(
+      CalibratedLog given, Weighed weighed, CalibratedLog open, Blocks blocks) {
+    GapGain gain = weighed.gain();
+    List<Place> said = Places.anywhere(given, gain.before(), gain.after(), blocks);
+    if (!weighed.taken().hypothesis().forms().isEmpty() || said.isEmpty()) {
+      return said;
     }
-    GapMeter.Gaps gaps = weighed.gain().open();
-    return Places.find(open, gaps, gaps, new Blocks(open.log()));
+    return Places.anywhere(open, gain.open(), gain.open(), new Blocks(open.log()));
   }
 
   /** Undecided between names, not for want of readings. */

@@ -69,6 +69,18 @@ class ConclusionTest {
         of(weighed(Hypothesis.NONE, 0.019, 0.01), 0.1, place(4e-4)));
   }
 
+  /** A slice that holds all of the gap is no place. */
+  @Test
+  void noneNeverStandsBesideAGapThatIsLargerEverywhere() {
+    Place some = place(4e-4);
+    Place all =
+        new Place(
+            some.conditions(), 90, 1, some.beforeCm(), some.afterCm(), some.kind(), some.qValue());
+    isUndecided(
+        "but the gap is larger all over the log, more than chance gives (q = 0.0004)",
+        of(weighed(Hypothesis.NONE, 0.019, 0.01), 0.1, all));
+  }
+
   @Test
   void noneNeverStandsBesideAGapOfManyTimesTheFloor() {
     isUndecided(

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import simbad.gap.diagnosis.GapKind;
 import simbad.gap.diagnosis.Place;
@@ -78,10 +79,28 @@ public final class Places {
    * @param before gaps under the nominal model
    * @param after gaps under the diagnosed model
    * @param blocks of the log
-   * @return at most 8, the largest share of the gap first; none where nothing is significant
+   * @return at most 8, the largest share of the gap first; none where nothing is significant, or
+   *     where the gap is as large elsewhere
    */
   public static List<Place> find(
       CalibratedLog given, GapMeter.Gaps before, GapMeter.Gaps after, Blocks blocks) {
+    return find(given, before, after, blocks, Candidate::standsOut);
+  }
+
+  /**
+   * Finds the same and slices that hold all of the log, or in which it is as large as elsewhere.
+   */
+  public static List<Place> anywhere(
+      CalibratedLog given, GapMeter.Gaps before, GapMeter.Gaps after, Blocks blocks) {
+    return find(given, before, after, blocks, any -> true);
+  }
+
+  private static List<Place> find(
+      CalibratedLog given,
+      GapMeter.Gaps before,
+      GapMeter.Gaps after,
+      Blocks blocks,
+      Predicate<Candidate> which) {
     if (given.log().size() == 0) {
       return List.of();
     }
@@ -89,7 +108,7 @@ public final class Places {
     Geometry geometry = given.geometry(nominal);
     Places places = new Places(before, after, blocks);
     places.cover(Cuts.of(geometry));
-    return places.told(given, given.forecast(nominal));
+    return places.told(given, given.forecast(nominal), which);
   }
 
   /** Greedily: the best slice of what no earlier one covers. */
@@ -164,13 +183,14 @@ public final class Places {
     return pings.mapToDouble(ping -> excess[ping]).average().orElse(0);
   }
 
-  private List<Place> told(CalibratedLog given, List<ReadingDistribution> forecast) {
+  private List<Place> told(
+      CalibratedLog given, List<ReadingDistribution> forecast, Predicate<Candidate> which) {
     double[] rate =
         BenjaminiHochberg.falseDiscoveryRates(looked.stream().map(Candidate::chance).toList());
     List<Place> places = new ArrayList<>();
     for (int i = 0; i < rate.length; i++) {
       Slice slice = looked.get(i).slice();
-      boolean tells = looked.get(i).chosen() && looked.get(i).standsOut();
+      boolean tells = looked.get(i).chosen() && which.test(looked.get(i));
       if (tells && rate[i] <= FALSE_DISCOVERY_RATE && matters(slice)) {
         GapKind kind = new Kinds(given.log(), forecast, excess).of(rows(slice));
         places.add(place(slice, kind, rate[i]));

@@ -149,6 +149,10 @@ class PlacesTest {
     }
     assertTrue(off.size() > 300, () -> "" + off.size());
     assertEquals(List.of(), places(off, Hypothesis.NONE));
+    CalibratedLog given = Worlds.given(off);
+    GapMeter.Gaps gaps = new GapMeter(given).measure(given, Hypothesis.NONE);
+    Place all = Places.anywhere(given, gaps, gaps, new Blocks(given.log())).get(0);
+    assertTrue(all.shareOfGap() > 0.9 && all.qValue() < 1e-4, "but it is no chance: " + all);
     // Half of them are right: then the others are a place.
     List<ReadingRow> half = new ArrayList<>();
     for (ReadingRow row : off) {
