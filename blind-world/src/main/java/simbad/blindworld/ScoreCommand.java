@@ -13,6 +13,7 @@ import simbad.blindworld.file.Json;
 import simbad.blindworld.file.JsonObject;
 import simbad.blindworld.file.Output;
 import simbad.blindworld.score.Answers;
+import simbad.blindworld.score.CaseParticulars;
 import simbad.blindworld.score.Names;
 import simbad.blindworld.score.Proportion;
 import simbad.blindworld.score.Scoring;
@@ -50,6 +51,7 @@ final class ScoreCommand {
       scoring.add("baseline", new Answers(Path.of(baseline.get())).read(truths));
     }
     scoring.add("oracle", folder.oracle(truths));
+    scoring.addParticulars("diagnosis", particulars(options).read(truths));
     out.println("commitments: " + seal + "; answers sealed as " + answersHash);
     Proportion predicted = scoring.predictions("diagnosis");
     sayMissing(predicted, out);
@@ -65,6 +67,14 @@ final class ScoreCommand {
       json.put("cases", scoring.casesJson("diagnosis"));
       Output.write(Path.of(options.required("--out")), Json.write(json));
     }
+  }
+
+  private static CaseParticulars particulars(Options options) throws FormatException {
+    return new CaseParticulars(
+        Path.of(options.required("--truth")),
+        Path.of(options.required("--answers")),
+        options.text("--baseline").map(Path::of),
+        options.text("--manifest").map(m -> Path.of(m).toAbsolutePath().resolveSibling("cases")));
   }
 
   private static void sayMissing(Proportion predicted, PrintStream out) {

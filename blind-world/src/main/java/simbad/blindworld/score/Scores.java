@@ -17,9 +17,20 @@ final class Scores {
   private static final double FALSE_UNKNOWN = 0.05;
 
   private final List<Graded> cases;
+  private final Map<String, Particulars> particulars;
 
   Scores(List<Graded> cases) {
+    this(cases, Map.of());
+  }
+
+  /**
+   * Scores of cases.
+   *
+   * @param particulars what answers say in numbers, by case; nothing where that is not known
+   */
+  Scores(List<Graded> cases, Map<String, Particulars> particulars) {
     this.cases = List.copyOf(cases);
+    this.particulars = Map.copyOf(particulars);
   }
 
   private List<Graded> kind(String kind) {
@@ -67,8 +78,65 @@ final class Scores {
     shares.put("all right", standing(Graded.Standing.RIGHT));
     shares.put("all cautious", standing(Graded.Standing.CAUTIOUS));
     shares.put("all wrong", standing(Graded.Standing.WRONG));
-    shares.put("shrinkage interval covers", shrinkCovered());
+    putNumbers(shares);
     return shares;
+  }
+
+  /** How well what is said in numbers holds. */
+  private void putNumbers(Map<String, Proportion> shares) {
+    shares.put("shrinkage interval covers", shrinkCovered());
+    shares.put("parameter intervals cover", parameters(Particulars.Parameter::isIn95));
+    shares.put("parameter intervals of 90 % cover", parameters(Particulars.Parameter::isIn90));
+    shares.put("places larger on sealed rows", places());
+    shares.put("none without a place", withoutPlace());
+  }
+
+  private Stream<Particulars> particulars(List<Graded> of) {
+    return of.stream().flatMap(g -> Stream.ofNullable(particulars.get(g.truth().id())));
+  }
+
+  private Proportion parameters(Predicate<Particulars.Parameter> hit) {
+    List<Particulars.Parameter> all =
+        particulars(cases).flatMap(one -> one.parameters().stream()).toList();
+    return new Proportion((int) all.stream().filter(hit).count(), all.size());
+  }
+
+  /** How many times as wide intervals of 95 % had to be for so many to hold the true values. */
+  Map<String, Object> widths() {
+    List<Double> off =
+        particulars(cases)
+            .flatMap(one -> one.parameters().stream())
+            .map(Particulars.Parameter::off)
+            .filter(Double::isFinite)
+            .sorted()
+            .toList();
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put("n", off.size());
+    if (!off.isEmpty()) {
+      json.put("for_half", Spread.median(off));
+      json.put("for_95_of_100", off.get((int) Math.ceil(0.95 * off.size()) - 1));
+    }
+    return json;
+  }
+
+  private Proportion places() {
+    List<Particulars.Place> all = particulars(cases).flatMap(p -> p.places().stream()).toList();
+    return new Proportion(
+        (int) all.stream().filter(Particulars.Place::isLarger).count(), all.size());
+  }
+
+  /** Of those that nothing is at work in. */
+  private Proportion withoutPlace() {
+    List<Particulars> nones = particulars(kind("none")).toList();
+    return new Proportion((int) nones.stream().filter(p -> p.told() == 0).count(), nones.size());
+  }
+
+  /** By how many times more a row of the first place told has to lose than one of all rows. */
+  List<Double> density() {
+    return particulars(cases)
+        .flatMap(one -> one.places().stream().limit(1))
+        .map(place -> place.removable() / place.rows())
+        .toList();
   }
 
   private Proportion standing(Graded.Standing standing) {
@@ -285,6 +353,8 @@ final class Scores {
     json.put("mean_set_size_detected_singles", mean(setSizes()));
     json.put("shrink_claimed_minus_sealed_points", Spread.json(shrinkErrors()));
     json.put("share_of_oracle_removal", Spread.json(removals()));
+    json.put("first_place_removable_over_rows", Spread.json(density()));
+    json.put("parameter_intervals_wider", widths());
     json.put("effects_worst_first", Effects.json(cases));
     json.put("kinds", CaseLines.byKind(cases));
     json.put("standings", CaseLines.standings(cases));

@@ -15,6 +15,7 @@ public final class Scoring {
   private final List<Truth> truths;
   private final Optional<Origin> origin;
   private final Map<String, Map<String, Answer>> answersBySort = new LinkedHashMap<>();
+  private final Map<String, Map<String, Particulars>> particulars = new LinkedHashMap<>();
 
   /** A scoring of answers to these truths. */
   public Scoring(List<Truth> truths) {
@@ -61,6 +62,11 @@ public final class Scoring {
     answersBySort.put(sort, Map.copyOf(answers));
   }
 
+  /** Adds what answers of a sort say in numbers, by case. */
+  public void addParticulars(String sort, Map<String, Particulars> byCase) {
+    particulars.put(sort, Map.copyOf(byCase));
+  }
+
   /** A part of the cases that is scored by itself. */
   private record Part(String name, Predicate<Truth> holds) {}
 
@@ -95,7 +101,8 @@ public final class Scoring {
 
   private Scores scores(String sort, Part part) {
     return new Scores(
-        graded(sort).stream().filter(graded -> part.holds().test(graded.truth())).toList());
+        graded(sort).stream().filter(graded -> part.holds().test(graded.truth())).toList(),
+        particulars.getOrDefault(sort, Map.of()));
   }
 
   private List<Graded> graded(String sort) {

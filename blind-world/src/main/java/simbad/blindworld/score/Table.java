@@ -40,6 +40,7 @@ final class Table {
     each(text, "  first effect: ECE, log score better by", s -> calibration(s.firstNamedClaims()));
     each(text, "  shrinkage claimed vs sealed, points", s -> median(s.shrinkErrors()));
     each(text, "  share of the oracle's removal", s -> median(s.removals()));
+    each(text, "  first place: removable gap over rows", s -> median(s.density()));
     return text.toString();
   }
 

@@ -96,6 +96,9 @@ public record Measure(
                       Unit.GAIN,
                       0.9)
                   .from(f -> f.median("share_of_oracle_removal")),
+              share("parameter intervals cover", "parameters: 95 % intervals hold the true value"),
+              share("parameter intervals of 90 % cover", "parameters: the same, narrowed to 90 %"),
+              share("places larger on sealed rows", "places: more can go there on sealed rows"),
               share("all verdicts right", "all cases: verdict right"),
               fault("all wrongly explained", "all cases: wrongly explained"),
               share("all right", "all cases: right, by the table of verdicts"),
@@ -110,12 +113,13 @@ public record Measure(
               share("pairs both found", "two effects: both named, whatever the verdict"),
               share("pairs at least one found", "two effects: at least one named"),
               share("unknown flagged at 5 % false", "unknown: flagged where 5 % of known are"),
+              share("none without a place", "no effect: no place of the gap is told"),
               share("shrinkage interval covers", "shrinkage: claimed interval holds the sealed"),
               share("answered", "answered"))
           .toList();
 
   /** How many of {@link #ALL} stand on the first screen. */
-  public static final int FIRST = 19;
+  public static final int FIRST = 22;
 
   private static Measure share(String name, String words, double reach) {
     return measure(name, words, Unit.SHARE, reach).from(figures -> figures.share(name));

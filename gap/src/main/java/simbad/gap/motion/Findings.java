@@ -100,14 +100,21 @@ final class Findings {
     return "";
   }
 
+  /** Where motion jumps as a value changes, or shows nothing of it, nothing bounds it. */
+  private static Interval ci95(MotionParameter parameter, double value, double error) {
+    return error > 0
+        ? new Interval(
+            parameter.within(value - NormalChance.NORMAL_95 * error),
+            parameter.within(value + NormalChance.NORMAL_95 * error))
+        : new Interval(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+  }
+
   private static MotionFinding.Parameter parameter(
       MotionParameter parameter, double value, double error) {
     return new MotionFinding.Parameter(
         parameter.name(),
         value,
-        new Interval(
-            parameter.within(value - NormalChance.NORMAL_95 * error),
-            parameter.within(value + NormalChance.NORMAL_95 * error)),
+        ci95(parameter, value, error),
         new Interval(parameter.low(), parameter.high()),
         parameter.isAtBound(value));
   }

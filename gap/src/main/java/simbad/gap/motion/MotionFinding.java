@@ -49,7 +49,8 @@ public record MotionFinding(
    *
    * @param name with its unit
    * @param value fitted to all blocks
-   * @param ci95 from how far blocks of the log pull apart, within what is allowed
+   * @param ci95 from how far blocks of the log pull apart, within what is allowed; without ends
+   *     where motion jumps as the value changes, or shows nothing of it
    * @param allowed what was searched
    * @param atBound whether it stands at the end of what was allowed
    */
