@@ -19,6 +19,7 @@ import simbad.gap.fit.CalibratedLog;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.Placements;
 import simbad.gap.score.HeldOut.Scored;
+import simbad.gap.score.IntervalWidths;
 import simbad.gap.score.PlacementScatter;
 import simbad.gap.score.Uncertainty;
 import simbad.gap.search.Weighed;
@@ -93,7 +94,9 @@ record EffectFindings(
 
   private double[] deviations(Hypothesis set) {
     double placed = PlacementScatter.statedClumping(given, new Placements(given.log()));
-    return new Uncertainty(given, Math.max(clumping, placed)).deviations(set);
+    double wider = IntervalWidths.own().under(law);
+    double[] deviations = new Uncertainty(given, Math.max(clumping, placed)).deviations(set);
+    return Arrays.stream(deviations).map(each -> wider * each).toArray();
   }
 
   /**

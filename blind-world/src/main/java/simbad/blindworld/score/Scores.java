@@ -16,6 +16,9 @@ final class Scores {
 
   private static final double FALSE_UNKNOWN = 0.05;
 
+  /** An interval without width is off by infinitely many, which no file can say. */
+  private static final double MOST_HALF_WIDTHS = 1e6;
+
   private final List<Graded> cases;
   private final Map<String, Particulars> particulars;
 
@@ -101,22 +104,13 @@ final class Scores {
     return new Proportion((int) all.stream().filter(hit).count(), all.size());
   }
 
-  /** How many times as wide intervals of 95 % had to be for so many to hold the true values. */
-  Map<String, Object> widths() {
-    List<Double> off =
-        particulars(cases)
-            .flatMap(one -> one.parameters().stream())
-            .map(Particulars.Parameter::off)
-            .filter(Double::isFinite)
-            .sorted()
-            .toList();
-    Map<String, Object> json = new LinkedHashMap<>();
-    json.put("n", off.size());
-    if (!off.isEmpty()) {
-      json.put("for_half", Spread.median(off));
-      json.put("for_95_of_100", off.get((int) Math.ceil(0.95 * off.size()) - 1));
-    }
-    return json;
+  /** How far true values are from stated ones, in half widths of intervals; the nearest first. */
+  List<Double> offs() {
+    return particulars(cases)
+        .flatMap(one -> one.parameters().stream())
+        .map(parameter -> Math.min(MOST_HALF_WIDTHS, parameter.off()))
+        .sorted()
+        .toList();
   }
 
   private Proportion places() {
@@ -354,7 +348,7 @@ final class Scores {
     json.put("shrink_claimed_minus_sealed_points", Spread.json(shrinkErrors()));
     json.put("share_of_oracle_removal", Spread.json(removals()));
     json.put("first_place_removable_over_rows", Spread.json(density()));
-    json.put("parameter_intervals_wider", widths());
+    json.put("parameter_half_widths", offs());
     json.put("effects_worst_first", Effects.json(cases));
     json.put("kinds", CaseLines.byKind(cases));
     json.put("standings", CaseLines.standings(cases));

@@ -224,7 +224,7 @@ class ParticularsTest {
     assertEquals(new Proportion(1, 3), shares.get("parameter intervals of 90 % cover"));
     assertEquals(new Proportion(1, 2), shares.get("places larger on sealed rows"));
     assertEquals(new Proportion(1, 2), shares.get("none without a place"));
-    assertEquals(Map.of("n", 3, "for_half", 0.9, "for_95_of_100", 2.0), scores.widths());
+    assertEquals(List.of(0.5, 0.9, 2.0), scores.offs());
     assertEquals(1, scores.density().size());
     assertEquals(3, scores.density().get(0), 1e-9);
   }

@@ -8,9 +8,11 @@ import simbad.gap.fit.Fit;
 import simbad.gap.fit.Fitter;
 import simbad.gap.fit.Fold;
 import simbad.gap.fit.Hypothesis;
+import simbad.gap.score.IntervalWidths;
 import simbad.gap.score.Uncertainty;
 import simbad.sonar.effect.Form;
 import simbad.sonar.ping.PingLog;
+import simbad.sonar.scene.SensorLaw;
 
 /** What readings say of a value beside what was found in them. */
 final class Heard {
@@ -49,7 +51,10 @@ final class Heard {
     for (int i = 0; i < set.forms().indexOf(form); i++) {
       at += set.forms().get(i).parameters().size();
     }
-    return new Estimate(set.values()[at], new Uncertainty(given, 1).deviations(set)[at]);
+    boolean isLevel = given.setup().sensor().law().isLevel();
+    double wider =
+        IntervalWidths.own().under(isLevel ? SensorLaw.Model.LEVEL : SensorLaw.Model.THRESHOLD);
+    return new Estimate(set.values()[at], wider * new Uncertainty(given, 1).deviations(set)[at]);
   }
 
   private static Hypothesis beside(Hypothesis others, Form form, double value) {

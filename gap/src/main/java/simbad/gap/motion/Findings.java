@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import simbad.gap.diagnosis.Interval;
+import simbad.gap.score.IntervalWidths;
 import simbad.motion.effect.MotionForm;
 import simbad.motion.effect.MotionForms;
 import simbad.motion.effect.MotionParameter;
@@ -102,10 +103,9 @@ final class Findings {
 
   /** Where motion jumps as a value changes, or shows nothing of it, nothing bounds it. */
   private static Interval ci95(MotionParameter parameter, double value, double error) {
+    double half = NormalChance.NORMAL_95 * IntervalWidths.own().motion() * error;
     return error > 0
-        ? new Interval(
-            parameter.within(value - NormalChance.NORMAL_95 * error),
-            parameter.within(value + NormalChance.NORMAL_95 * error))
+        ? new Interval(parameter.within(value - half), parameter.within(value + half))
         : new Interval(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
   }
 

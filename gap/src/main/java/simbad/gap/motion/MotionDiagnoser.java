@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import simbad.gap.diagnosis.Estimate;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Verdict;
+import simbad.gap.score.IntervalWidths;
 import simbad.motion.CommandUse;
 import simbad.motion.MotionChain;
 import simbad.motion.MotionRun;
@@ -103,7 +104,8 @@ public final class MotionDiagnoser {
       at += one.parameters().size();
     }
     // A track in which nothing of it can show has a slope of 0, and says nothing.
-    double deviation = errors[at] > 0 ? errors[at] : Double.POSITIVE_INFINITY;
+    double deviation =
+        errors[at] > 0 ? IntervalWidths.own().motion() * errors[at] : Double.POSITIVE_INFINITY;
     return new Estimate(fit.hypothesis().values()[at], deviation);
   }
 

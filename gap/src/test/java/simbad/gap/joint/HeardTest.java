@@ -12,6 +12,7 @@ import simbad.gap.diagnosis.Estimate;
 import simbad.gap.diagnosis.Verdict;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.fixture.Worlds;
+import simbad.gap.score.IntervalWidths;
 import simbad.motion.Robot;
 import simbad.sonar.effect.Form;
 
@@ -51,7 +52,7 @@ class HeardTest {
     }
     Estimate lost = estimate(BOTH, LOSES, 0);
     assertEquals(LOST, lost.value(), 4 * 0.023);
-    assertEquals(0.023, lost.deviation(), 0.01);
+    assertEquals(0.023 * IntervalWidths.own().threshold(), lost.deviation(), 0.01);
   }
 
   /** Three values of another effect stand before it. */

@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import simbad.gap.diagnosis.Interval;
+import simbad.gap.score.IntervalWidths;
 import simbad.motion.MotionChain;
 import simbad.motion.MotionRun;
 import simbad.motion.effect.MotionForm;
@@ -16,6 +17,8 @@ import simbad.motion.effect.MotionParameter;
 
 /** What sets say of each name, weighed by figures that are set by hand. */
 class FindingsTest {
+  private static final double WIDE = 1.96 * IntervalWidths.own().motion();
+
   private static final double EXACT = 1e-9;
   private static final MotionForm LATE = form("actuation-latency");
   private static final MotionForm SCALE = form("speed-scale");
@@ -76,8 +79,8 @@ class FindingsTest {
     assertEquals("latency_s", value.name());
     assertEquals(0.25, value.value(), 0);
     assertTrue(error > 0 && error < 0.1, () -> "error " + error);
-    assertEquals(0.25 - 1.96 * error, value.ci95().low(), EXACT);
-    assertEquals(0.25 + 1.96 * error, value.ci95().high(), EXACT);
+    assertEquals(0.25 - WIDE * error, value.ci95().low(), EXACT);
+    assertEquals(0.25 + WIDE * error, value.ci95().high(), EXACT);
     assertEquals(new Interval(latency.low(), latency.high()), value.allowed());
     assertFalse(value.atBound());
   }
@@ -88,6 +91,19 @@ class FindingsTest {
     assertEquals(2, most.ci95().high(), 0);
     assertTrue(most.ci95().low() < 2 && most.atBound());
     assertEquals(0, named(LATE, 1e-9).parameters().get(0).ci95().low(), 0);
+  }
+
+  /** Motion jumps as a step of commands changes: blocks say nothing of how exactly it is known. */
+  @Test
+  void noIntervalIsSaidOfWhatMotionJumpsWith() {
+    MotionForm steps = MotionForms.find("command-quantization").orElseThrow();
+    MotionHypothesis stepped = NONE.with(steps, new double[] {0.1, 0.2});
+    ScoredMotion set = set(stepped, NATS);
+    MotionFinding found = new Findings(new Odds(List.of(set(NONE, 0), set))).named().get(0);
+    for (MotionFinding.Parameter each : found.parameters()) {
+      assertEquals(new Interval(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY), each.ci95());
+    }
+    assertEquals(2, found.parameters().size());
   }
 
   /** Each value has the error that stands in its own place. */
@@ -106,14 +122,14 @@ class FindingsTest {
     assertEquals(2, named.size());
     assertEquals(1, late.parameters().size());
     assertEquals(0.02, late.parameters().get(0).value(), 0);
-    assertEquals(1.96 * errors[2], half(late.parameters().get(0)), EXACT);
+    assertEquals(WIDE * errors[2], half(late.parameters().get(0)), EXACT);
     assertEquals(
         List.of("speed_factor", "speed_factor_per_m_s"),
         speed.parameters().stream().map(MotionFinding.Parameter::name).toList());
     assertEquals(1.01, speed.parameters().get(0).value(), 0);
     assertEquals(0.03, speed.parameters().get(1).value(), 0);
-    assertEquals(1.96 * errors[0], half(speed.parameters().get(0)), EXACT);
-    assertEquals(1.96 * errors[1], half(speed.parameters().get(1)), EXACT);
+    assertEquals(WIDE * errors[0], half(speed.parameters().get(0)), EXACT);
+    assertEquals(WIDE * errors[1], half(speed.parameters().get(1)), EXACT);
   }
 
   /** To the side on which no bound is near. */

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import simbad.gap.diagnosis.Estimate;
 import simbad.gap.diagnosis.Interval;
 import simbad.gap.diagnosis.Verdict;
+import simbad.gap.score.IntervalWidths;
 import simbad.motion.MotionChain;
 import simbad.motion.effect.FittedMotion;
 import simbad.motion.effect.MotionForm;
@@ -75,8 +76,9 @@ class ShortDriveTest {
     assertEquals(1.25, DIAGNOSER.estimate(both, SCALE).value(), 0);
     assertEquals(0.05, DIAGNOSER.estimate(both, LATE).value(), 0);
     double[] errors = errors(0.05, 1.25);
-    assertEquals(errors[0], DIAGNOSER.estimate(both, LATE).deviation(), 1e-9);
-    assertEquals(errors[1], DIAGNOSER.estimate(both, SCALE).deviation(), 1e-9);
+    double wider = IntervalWidths.own().motion();
+    assertEquals(wider * errors[0], DIAGNOSER.estimate(both, LATE).deviation(), 1e-9);
+    assertEquals(wider * errors[1], DIAGNOSER.estimate(both, SCALE).deviation(), 1e-9);
   }
 
   private static double[] errors(double late, double scale) {
