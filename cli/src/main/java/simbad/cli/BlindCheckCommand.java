@@ -221,8 +221,8 @@ final class BlindCheckCommand extends Subcommand {
     if (!(limitS > 0 && limitS <= MOST_LIMIT_S)) {
       throw wrongUsage("--limit: " + limitS + " is not in (0, " + MOST_LIMIT_S + "] s");
     }
-    CheckOrder order = order();
     checkNext();
+    CheckOrder order = order();
     if (who.isDoneElsewhere(this)) {
       return;
     }
@@ -240,7 +240,7 @@ final class BlindCheckCommand extends Subcommand {
     List<String> unanswered = new ArrayList<>(check.diagnose(who, limit));
     check.score(allPages);
     if (next) {
-      unanswered.addAll(check.next(who, limit));
+      check.next(who, limit).forEach(id -> unanswered.add(id + " (with what it proposed)"));
     }
     if (!unanswered.isEmpty()) {
       throw new IOException(

@@ -44,8 +44,9 @@ record Parted(Truth truth, Proposal proposal, Answer before, Optional<Answer> af
     if (after.get().verdict() == Verdict.UNDECIDED) {
       return Outcome.TIED;
     }
-    List<String> named = after.get().explanation();
-    Set<String> withTies = after.get().namedWithTies();
+    List<String> named = concluded(after.get());
+    Set<String> withTies = new HashSet<>();
+    named.forEach(name -> withTies.addAll(after.get().tieOf(name)));
     List<String> atWork = atWork();
     Set<String> others = new HashSet<>(proposal.separates());
     others.removeAll(atWork);
@@ -54,6 +55,12 @@ record Parted(Truth truth, Proposal proposal, Answer before, Optional<Answer> af
     }
     boolean tied = named.stream().anyMatch(name -> among(after.get().tieOf(name)) >= 2);
     return tied && withTies.containsAll(atWork) ? Outcome.TIED : Outcome.WRONG;
+  }
+
+  /** Names are concluded by these two verdicts; beside the others they are the best that fits. */
+  private static List<String> concluded(Answer answer) {
+    boolean names = answer.verdict() == Verdict.EXPLAINED || answer.verdict() == Verdict.PARTLY;
+    return names ? answer.explanation() : List.of();
   }
 
   /** How many of the separated are of a tie. */

@@ -85,6 +85,17 @@ class NextScoresTest {
     assertEquals(Outcome.TIED, outcome(latency, tied("gain", "absorption")));
   }
 
+  /** Beside "unexplained" stands what fits best, which is no conclusion. */
+  @Test
+  void unexplained_namesNothing() {
+    Answer unexplained = answer(Verdict.UNEXPLAINED, List.of("gain"), Map.of());
+    assertEquals(Outcome.WRONG, outcome(truth("c", "gain"), unexplained));
+    assertEquals(Outcome.RIGHT, outcome(truth("c", "latency"), unexplained));
+    Answer partly = answer(Verdict.PARTLY, List.of("gain"), Map.of());
+    assertEquals(Outcome.RIGHT, outcome(truth("c", "gain"), partly));
+    assertEquals(Outcome.WRONG, outcome(truth("c", "latency"), partly));
+  }
+
   @Test
   void whereBothAreAtWork_bothAreNamed() {
     Truth both = truth("c", "gain", "absorption");
