@@ -17,7 +17,15 @@ import simbad.blindworld.generate.Order;
 final class BenchmarkCommand {
 
   private static final List<String> OPTIONS =
-      List.of("--part", "--out", "--first", "--seed", "--practice", Finished.OPTION);
+      List.of(
+          "--part",
+          "--out",
+          "--first",
+          "--seed",
+          "--practice",
+          ReadAgain.AT,
+          ReadAgain.WORLD,
+          Finished.OPTION);
   private static final String FIRST = "first half";
   private static final int MOST_PRACTICE_CASES = 100_000;
 
@@ -33,6 +41,10 @@ final class BenchmarkCommand {
                 () ->
                     new FormatException("--part: '" + name + "', expected L1, L2, L2w or motion"));
     Drawn drawn = drawn(options, part);
+    if (ReadAgain.isAsked(options)) {
+      ReadAgain.run(options, drawn.order(), err);
+      return;
+    }
     int first = drawn.first();
     Map<String, Object> said = new LinkedHashMap<>();
     said.put("benchmark", Part.VERSION);

@@ -17,7 +17,7 @@ import simbad.blindworld.generate.Order;
 import simbad.blindworld.generate.Plan;
 import simbad.blindworld.generate.Worlds;
 
-/** {@code generate --cases N --seed S --out DIR ...}. */
+/** {@code generate --cases N --seed S --out DIR ...}, and what was drawn so once more. */
 final class GenerateCommand {
 
   private static final List<String> OPTIONS =
@@ -34,6 +34,8 @@ final class GenerateCommand {
           "--repeats",
           "--level",
           "--sizes",
+          ReadAgain.AT,
+          ReadAgain.WORLD,
           Finished.OPTION);
   private static final String WITHHELD_MIX =
       "none:0.2,single:0.2,pair:0.1,unknown:0.1,withheld:0.4";
@@ -46,6 +48,10 @@ final class GenerateCommand {
   static void run(String[] arguments, PrintStream err) throws FormatException, IOException {
     Options options = new Options(arguments, OPTIONS);
     Order order = order(options);
+    if (ReadAgain.isAsked(options)) {
+      ReadAgain.run(options, order, err);
+      return;
+    }
     Finished finished = new Finished(options, order.cases(), err);
     Generator.run(order, Path.of(options.required("--out")), finished);
   }

@@ -7,7 +7,7 @@ import java.nio.file.NoSuchFileException;
 import java.util.Arrays;
 import simbad.blindworld.file.FormatException;
 
-/** The command line: {@code generate, benchmark, seal, baseline, score}. */
+/** The command line: {@code generate, benchmark, seal, baseline, score, next}. */
 public final class Main {
 
   private Main() {}
@@ -26,12 +26,13 @@ public final class Main {
       switch (command) {
         case "generate" -> GenerateCommand.run(rest, err);
         case "score" -> ScoreCommand.run(rest, out);
+        case "next" -> NextCommand.run(rest, out);
         case "baseline" -> BaselineCommand.run(rest, err);
         case "seal" -> SealCommand.run(rest);
         case "benchmark" -> BenchmarkCommand.run(rest, out, err);
         default ->
             throw new FormatException(
-                "'" + command + "': expected generate, benchmark, seal, baseline or score");
+                "'" + command + "': expected generate, benchmark, seal, baseline, score or next");
       }
       if (out.checkError()) {
         throw new IOException("cannot write to standard output");

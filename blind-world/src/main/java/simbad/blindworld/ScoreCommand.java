@@ -104,12 +104,11 @@ final class ScoreCommand {
     return folder.verify(manifest) + " verified against " + manifest.getFileName();
   }
 
-  private static Set<String> names(Optional<String> text) {
+  static Set<String> names(Optional<String> text) {
     return text.map(t -> Set.of(t.split(",", -1))).orElse(Set.of());
   }
 
-  private static Set<String> withheld(Optional<String> text, Set<String> known)
-      throws FormatException {
+  static Set<String> withheld(Optional<String> text, Set<String> known) throws FormatException {
     Set<String> names = names(text);
     for (String name : names) {
       if (!Names.contains(name) && !known.contains(name)) {

@@ -510,7 +510,9 @@ class BlindCheckTest {
 
   @Test
   void wrongUsage_isSaidInOneLine() {
-    check("blind-world: '': expected generate, benchmark, seal, baseline or score", new String[0]);
+    check(
+        "blind-world: '': expected generate, benchmark, seal, baseline, score or next",
+        new String[0]);
     check("--out: missing", "generate");
     check("--cases: '0', expected a number in [1.0, 100000.0]", "generate", "--cases", "0");
     check("--seed: 'x', expected a whole number", "generate", "--seed", "x");

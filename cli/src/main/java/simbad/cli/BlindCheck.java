@@ -111,9 +111,9 @@ final class BlindCheck {
     log(line);
   }
 
-  private void draw(Drawn drawn, Path target)
-      throws IOException, DataFormatException, InterruptedException {
-    List<String> arguments = new ArrayList<>(List.of("generate", "--out", target.toString()));
+  /** What blind-world is told to draw the worlds, less where to. */
+  private List<String> drawing(Drawn drawn) {
+    List<String> arguments = new ArrayList<>(List.of("generate"));
     arguments.addAll(List.of("--cases", "" + drawn.cases(), "--seed", "" + drawn.seed()));
     arguments.addAll(List.of("--progress", "1"));
     if (!drawn.isWave()) {
@@ -121,6 +121,19 @@ final class BlindCheck {
     }
     arguments.addAll(drawn.options());
     addWithheld(arguments);
+    return arguments;
+  }
+
+  private static List<String> drawing(Benchmark benchmark) {
+    List<String> arguments = new ArrayList<>(List.of("benchmark", "--progress", "1"));
+    arguments.addAll(benchmark.options());
+    return arguments;
+  }
+
+  private void draw(Drawn drawn, Path target)
+      throws IOException, DataFormatException, InterruptedException {
+    List<String> arguments = drawing(drawn);
+    arguments.addAll(List.of("--out", target.toString()));
     try (Progress progress = Progress.of("drawing worlds", drawn.cases())) {
       blindWorld.run(arguments, Optional.empty(), line -> progress.step());
     }
@@ -128,9 +141,8 @@ final class BlindCheck {
 
   private void draw(Benchmark benchmark, Path target)
       throws IOException, DataFormatException, InterruptedException {
-    List<String> arguments = new ArrayList<>(List.of("benchmark", "--out", target.toString()));
-    arguments.addAll(List.of("--progress", "1"));
-    arguments.addAll(benchmark.options());
+    List<String> arguments = drawing(benchmark);
+    arguments.addAll(List.of("--out", target.toString()));
     try (Progress progress = Progress.of("drawing worlds", benchmark.first().orElse(BENCHMARK))) {
       blindWorld.run(arguments, Optional.empty(), line -> progress.step());
     }
@@ -174,6 +186,11 @@ final class BlindCheck {
    * @return the cases that still have no answer
    */
   List<String> diagnose(WorkersOption who, Duration limit)
+      throws IOException, InterruptedException {
+    return diagnose(who, limit, world, answers);
+  }
+
+  private List<String> diagnose(WorkersOption who, Duration limit, Path world, Path answers)
       throws IOException, InterruptedException {
     BlindDiagnosis diagnosis =
         new BlindDiagnosis(JavaProgram::standing, order.withheld(), limit, world, answers);
@@ -225,9 +242,7 @@ final class BlindCheck {
       arguments.addAll(List.of("--answers", answers.toString(), "--baseline", baseline.toString()));
       arguments.addAll(List.of("--manifest", world.resolve(MANIFEST).toString()));
       arguments.addAll(List.of("--out", file.toString()));
-      // Jars may have brought effects that the other program has not heard of.
-      arguments.addAll(List.of("--known", String.join(",", effects())));
-      addWithheld(arguments);
+      arguments.addAll(names());
       blindWorld.run(arguments, Optional.of(text), line -> {});
       TextFile.write(folder.resolve("scores.txt"), Files.readString(text));
       CheckScores scores = CheckScores.read(file);
@@ -241,6 +256,35 @@ final class BlindCheck {
     log("scored");
     out.println();
     out.println("written to " + folder + " (open " + folder.resolve(CheckReport.PAGE) + ")");
+  }
+
+  /**
+   * Has what the answers propose measured in the sealed worlds, diagnosed again, and scored.
+   *
+   * @param who does it
+   * @param limit after which a case is given up
+   * @return the cases that have no answer with the readings that were proposed
+   * @throws DataFormatException when a truth or a data set is not the one that was committed to
+   */
+  List<String> next(WorkersOption who, Duration limit)
+      throws IOException, DataFormatException, InterruptedException {
+    BlindNext next = new BlindNext(folder, blindWorld);
+    if (order.source() instanceof Drawn drawn) {
+      next.measure(drawing(drawn));
+    } else if (order.source() instanceof Benchmark benchmark) {
+      next.measure(drawing(benchmark));
+    }
+    List<String> unanswered = diagnose(who, limit, next.world(), next.answers());
+    next.score(names(), out);
+    log("scored next experiments");
+    return unanswered;
+  }
+
+  /** Which names the scorer takes for known: jars may have brought some it has not heard of. */
+  private List<String> names() {
+    List<String> arguments = new ArrayList<>(List.of("--known", String.join(",", effects())));
+    addWithheld(arguments);
+    return arguments;
   }
 
   /** Of a right answer the scores say all; thousands of pages would fill a disk unread. */

@@ -44,6 +44,7 @@ import simbad.sonar.format.OneLine;
       "Example: simbad blind-check --cases 1000 --seed 7 --spark spark://host:7077 --out"
           + " check-spark",
       "Example: simbad blind-check --cases 8 --audit-only --out check-audit",
+      "Example: simbad blind-check --cases 150 --seed 7 --next --out check-next",
       "Example: simbad blind-check --benchmark L2w --first 50 --out check-benchmark",
       "Example: simbad blind-check --foreign their-data --level 'L3, a bench' --out check-theirs"
     })
@@ -206,6 +207,13 @@ final class BlindCheckCommand extends Subcommand {
               + "finds among those put into clean cases.")
   private boolean auditOnly;
 
+  @Option(
+      names = "--next",
+      description =
+          "After the check: where an answer proposes what to measure next, measure it in the "
+              + "sealed world, diagnose again, and say how often the tied effects were told apart.")
+  private boolean next;
+
   @ArgGroup private WorkersOption who = new WorkersOption();
 
   @Override
@@ -213,6 +221,7 @@ final class BlindCheckCommand extends Subcommand {
     if (!(limitS > 0 && limitS <= MOST_LIMIT_S)) {
       throw wrongUsage("--limit: " + limitS + " is not in (0, " + MOST_LIMIT_S + "] s");
     }
+    checkNext();
     CheckOrder order = order();
     if (who.isDoneElsewhere(this)) {
       return;
@@ -227,8 +236,12 @@ final class BlindCheckCommand extends Subcommand {
       check.audit();
       return;
     }
-    List<String> unanswered = check.diagnose(who, Duration.ofMillis((long) (1000 * limitS)));
+    Duration limit = Duration.ofMillis((long) (1000 * limitS));
+    List<String> unanswered = new ArrayList<>(check.diagnose(who, limit));
     check.score(allPages);
+    if (next) {
+      check.next(who, limit).forEach(id -> unanswered.add(id + " (with what it proposed)"));
+    }
     if (!unanswered.isEmpty()) {
       throw new IOException(
           unanswered.size()
@@ -276,6 +289,15 @@ final class BlindCheckCommand extends Subcommand {
     }
     return new CheckOrder(
         BuildVersion.text(), new Foreign(foreign.toString(), Optional.ofNullable(level)), withhold);
+  }
+
+  private void checkNext() {
+    if (next && (motion || foreign != null || MOTION.equalsIgnoreCase(benchmark))) {
+      throw wrongUsage("--next: only worlds with sonars that were drawn here are measured again");
+    }
+    if (next && auditOnly) {
+      throw wrongUsage("--audit-only: nothing is diagnosed, expected no --next");
+    }
   }
 
   private Benchmark benchmark(String part) {

@@ -9,8 +9,10 @@ import simbad.blindworld.effect.Effect;
 import simbad.blindworld.effect.Vocabulary;
 import simbad.blindworld.world.Forecast;
 import simbad.blindworld.world.Recording;
+import simbad.blindworld.world.Repeats;
 import simbad.blindworld.world.Scene;
 import simbad.blindworld.world.Setup;
+import simbad.blindworld.world.World;
 
 /**
  * A case as it was drawn and read.
@@ -40,10 +42,16 @@ record Case(
     Forecast oracle,
     Gaps gaps,
     Optional<Shown> shown,
-    int draws) {
+    int draws)
+    implements DrawnWorld {
 
-  /** What is written of it. */
-  CaseFiles.Content content() {
+  @Override
+  public Repeats at(Recording rows) {
+    return new World(scene, setup, effects.stream().map(Effect::change).toList()).at(rows);
+  }
+
+  @Override
+  public CaseFiles.Content content() {
     return new CaseFiles.Content(assignment, scene, readings, reference, sealed, oracle, truth());
   }
 

@@ -176,7 +176,8 @@ final class CaseFiles {
     return json;
   }
 
-  private static String sheet(Case.Sheet sheet, boolean withRanges) {
+  /** Rows as a file has them. */
+  static String sheet(Case.Sheet sheet, boolean withRanges) {
     StringBuilder text = new StringBuilder("run,sensor,t_s,x_m,z_m,heading_deg");
     text.append(withRanges ? ",range_m\n" : "\n");
     List<Row> rows = sheet.recording().rows();

@@ -10,11 +10,14 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import simbad.blindworld.effect.Vocabulary;
+import simbad.blindworld.wave.WaveWorld;
 import simbad.blindworld.wavechange.WaveEffect;
 import simbad.blindworld.wavesetup.Article;
 import simbad.blindworld.wavesetup.Room;
 import simbad.blindworld.wavesetup.User;
 import simbad.blindworld.world.Forecast;
+import simbad.blindworld.world.Recording;
+import simbad.blindworld.world.Repeats;
 import simbad.blindworld.world.Sensor;
 
 /**
@@ -24,6 +27,7 @@ import simbad.blindworld.world.Sensor;
  * @param design "run" or "bench"
  * @param room what was there before the change
  * @param calibration what its user made of it
+ * @param day the world on the day of the readings, before the change
  * @param effects what is at work
  * @param sheets what was read
  * @param oracle the world's own forecast of the sealed rows
@@ -34,10 +38,12 @@ record WaveCase(
     String design,
     Room room,
     User.Calibration calibration,
+    WaveWorld.Parts day,
     List<WaveEffect> effects,
     Sheets sheets,
     Forecast oracle,
-    Figures figures) {
+    Figures figures)
+    implements DrawnWorld {
 
   /** The rows of the data set, those without the effects, and the fresh ones. */
   record Sheets(Case.Sheet readings, Case.Sheet reference, Case.Sheet sealed) {}
@@ -56,8 +62,13 @@ record WaveCase(
   record Figures(
       Case.Gaps sealed, double setupCm, double floorCm, double z, List<Double> size, int draws) {}
 
-  /** What is written of it. */
-  CaseFiles.Content content() {
+  @Override
+  public Repeats at(Recording rows) {
+    return new WaveWorld(day, effects.stream().map(WaveEffect::alteration).toList()).at(rows);
+  }
+
+  @Override
+  public CaseFiles.Content content() {
     return new CaseFiles.Content(
         assignment,
         calibration.scene(),

@@ -241,6 +241,7 @@ final class WaveDrawing {
             ground.design.kind(),
             ground.room,
             ground.calibration,
+            ground.day,
             changes.effects,
             new WaveCase.Sheets(sheet(ground.recording, readings), reference, sealed),
             oracle,
