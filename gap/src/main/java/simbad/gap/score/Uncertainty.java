@@ -3,6 +3,7 @@ package simbad.gap.score;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.DoubleBinaryOperator;
 import java.util.stream.IntStream;
 import org.hipparchus.linear.Array2DRowRealMatrix;
 import org.hipparchus.linear.EigenDecompositionSymmetric;
@@ -24,6 +25,15 @@ public final class Uncertainty {
 
   private static final double APART = 0.05;
 
+  /**
+   * Where the likelihood jumps to one side, as where the border of a cone passes a ping, a fit
+   * stands at the wall: how near it is says nothing of how well the value is known.
+   */
+  private static final double WALL = 4;
+
+  /** A fit that is not quite at the top may rise to one side. */
+  private static final double LEAST_FALL_NATS = 0.1;
+
   private final Fitter fitter;
   private final double clumping;
 
@@ -43,13 +53,23 @@ public final class Uncertainty {
     int[] free = withoutTables(fit);
     double here = fitter.logLikelihood(fit);
     double[] step = new double[fit.size()];
+    boolean[] wall = new boolean[fit.size()];
     for (int i : free) {
-      step[i] = step(fit, i, here);
+      step[i] = step(fit, i, here, Math::max);
+      double lesser = step(fit, i, here, Math::min);
+      wall[i] = lesser > WALL * step[i] && both(fit, i, lesser, here, Math::min) > LEAST_FALL_NATS;
+      step[i] = wall[i] ? lesser : step[i];
     }
     double[][] curve = new double[free.length][free.length];
     for (int i = 0; i < free.length; i++) {
-      for (int j = 0; j <= i; j++) {
-        curve[i][j] = -curvature(fit, step, here, free[i], free[j]);
+      int one = free[i];
+      curve[i][i] =
+          wall[one]
+              ? 2 * both(fit, one, step[one], here, Math::min)
+              : -curvature(fit, step, here, one, one);
+      for (int j = 0; j < i; j++) {
+        boolean isSmooth = !wall[one] && !wall[free[j]];
+        curve[i][j] = isSmooth ? -curvature(fit, step, here, one, free[j]) : 0;
         curve[j][i] = curve[i][j];
       }
     }
@@ -70,20 +90,32 @@ public final class Uncertainty {
     return IntStream.range(0, fit.size()).filter(i -> !ofValues.get(i).isTable()).toArray();
   }
 
-  /** Such a step that the likelihood falls by about half a nat. */
-  private double step(Hypothesis fit, int i, double here) {
+  /** Such a step that the likelihood falls by about half a nat, to both sides or to the lesser. */
+  private double step(Hypothesis fit, int i, double here, DoubleBinaryOperator which) {
     Parameter parameter = fit.parameters().get(i);
     double step =
         0.25
             * Math.min(
                 parameter.high() - parameter.low(), Math.max(0.05, Math.abs(fit.values()[i])));
     for (int k = 0; k < HALVINGS; k++) {
-      if (here - at(fit, i, step) < 4 * DROP_NATS && here - at(fit, i, -step) < 4 * DROP_NATS) {
+      if (both(fit, i, step, here, which) < 4 * DROP_NATS) {
         break;
       }
       step /= 2;
     }
     return step;
+  }
+
+  /** By how much it falls, of the two sides; where the allowed ends there is one. */
+  private double both(Hypothesis fit, int i, double step, double here, DoubleBinaryOperator which) {
+    double up = here - at(fit, i, step);
+    double down = here - at(fit, i, -step);
+    return isOpen(fit, i, step) ? isOpen(fit, i, -step) ? which.applyAsDouble(up, down) : up : down;
+  }
+
+  private static boolean isOpen(Hypothesis fit, int i, double by) {
+    double value = fit.values()[i];
+    return Math.abs(fit.parameters().get(i).clamp(value + by) - value) > 0.5 * Math.abs(by);
   }
 
   private double at(Hypothesis fit, int i, double by) {
