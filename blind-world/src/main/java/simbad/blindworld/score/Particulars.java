@@ -1,6 +1,7 @@
 package simbad.blindworld.score;
 
 import java.util.List;
+import simbad.blindworld.check.Checks;
 
 /**
  * What an answer says in numbers beside names, held against the truth.
@@ -28,6 +29,11 @@ public record Particulars(List<Parameter> parameters, List<Place> places, int to
    *     on its side; infinite where the interval has no width
    */
   public record Parameter(String effect, double off) {
+    /** Refuses what is no such thing. */
+    public Parameter {
+      Checks.number("off", off);
+    }
+
     /** Whether the interval holds the true value. */
     boolean isIn95() {
       return off <= 1;
@@ -47,5 +53,11 @@ public record Particulars(List<Parameter> parameters, List<Place> places, int to
    * @param rows share of the sealed rows that lie in it
    * @param removable share of what it takes away of all rows' gaps
    */
-  public record Place(boolean isLarger, double rows, double removable) {}
+  public record Place(boolean isLarger, double rows, double removable) {
+    /** Refuses what is no such thing. */
+    public Place {
+      Checks.share("rows", rows);
+      Checks.finite("removable", removable);
+    }
+  }
 }

@@ -25,9 +25,6 @@ public record Proposal(List<String> separates, double expectedLogOdds) {
   public Proposal {
     Checks.number("expected log odds", expectedLogOdds);
     separates = List.copyOf(separates);
-    if (separates.size() < 2) {
-      throw new IllegalArgumentException("separates: " + separates + ", expected two or more");
-    }
   }
 
   /**

@@ -169,7 +169,6 @@ class NextScoresTest {
     assertTrue(
         String.valueOf(fault.getMessage())
             .endsWith("next_experiment, separates: expected two effects or more"));
-    assertThrows(IllegalArgumentException.class, () -> new Proposal(List.of("gain"), 1));
     assertThrows(IllegalArgumentException.class, () -> new Proposal(List.of("a", "b"), Double.NaN));
   }
 }
