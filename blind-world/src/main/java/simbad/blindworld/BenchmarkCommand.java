@@ -61,7 +61,13 @@ final class BenchmarkCommand {
             new Finished(options, first, err));
     out.println(part + ", " + drawn.what() + ", root " + root);
     if (drawn.isWhole(part) && !part.root().equals(root)) {
-      throw new IOException("the root of " + part + " is " + part.root() + ": other bytes");
+      throw new IOException(
+          "the root of "
+              + part
+              + " is "
+              + part.root()
+              + ": other bytes; it is drawn with Java 17, and this is Java "
+              + Runtime.version().feature());
     }
   }
 
