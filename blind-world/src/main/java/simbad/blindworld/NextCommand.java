@@ -5,7 +5,6 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import simbad.blindworld.file.FormatException;
 import simbad.blindworld.file.JsonObject;
 import simbad.blindworld.file.Output;
@@ -32,12 +31,7 @@ final class NextCommand {
     // Answers are hashed before any truth is opened.
     String hashes = before.hash() + ", then " + after.hash();
     Path manifest = Path.of(options.required("--manifest"));
-    Set<String> known = ScoreCommand.names(options.text("--known"));
-    Truths folder =
-        new Truths(
-            Path.of(options.required("--truth")),
-            ScoreCommand.withheld(options.text("--withheld"), known),
-            known);
+    Truths folder = ScoreCommand.truths(options);
     int verified = folder.verify(manifest);
     List<Truth> truths = folder.read();
     Map<String, Proposal> proposals = Proposal.read(first, truths);

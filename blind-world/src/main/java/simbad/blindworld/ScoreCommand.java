@@ -33,12 +33,7 @@ final class ScoreCommand {
     Answers answers = new Answers(Path.of(options.required("--answers")));
     // Answers are hashed before any truth is opened.
     String answersHash = answers.hash();
-    Set<String> known = names(options.text("--known"));
-    Truths folder =
-        new Truths(
-            Path.of(options.required("--truth")),
-            withheld(options.text("--withheld"), known),
-            known);
+    Truths folder = truths(options);
     Optional<String> manifest = options.text("--manifest");
     String seal = manifest.isPresent() ? sealed(folder, Path.of(manifest.get())) : "not checked";
     List<Truth> truths = folder.read();
@@ -67,6 +62,13 @@ final class ScoreCommand {
       json.put("cases", scoring.casesJson("diagnosis"));
       Output.write(Path.of(options.required("--out")), Json.write(json));
     }
+  }
+
+  /** The truths that options tell of, with what the diagnosis knows and what it was not told. */
+  static Truths truths(Options options) throws FormatException {
+    Set<String> known = names(options.text("--known"));
+    Set<String> withheld = withheld(options.text("--withheld"), known);
+    return new Truths(Path.of(options.required("--truth")), withheld, known);
   }
 
   private static CaseParticulars particulars(Options options) throws FormatException {
@@ -104,11 +106,12 @@ final class ScoreCommand {
     return folder.verify(manifest) + " verified against " + manifest.getFileName();
   }
 
-  static Set<String> names(Optional<String> text) {
+  private static Set<String> names(Optional<String> text) {
     return text.map(t -> Set.of(t.split(",", -1))).orElse(Set.of());
   }
 
-  static Set<String> withheld(Optional<String> text, Set<String> known) throws FormatException {
+  private static Set<String> withheld(Optional<String> text, Set<String> known)
+      throws FormatException {
     Set<String> names = names(text);
     for (String name : names) {
       if (!Names.contains(name) && !known.contains(name)) {

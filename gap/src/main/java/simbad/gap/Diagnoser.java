@@ -31,6 +31,7 @@ import simbad.gap.score.Blocks;
 import simbad.gap.score.Budget;
 import simbad.gap.score.GapGain;
 import simbad.gap.score.GapGains;
+import simbad.gap.score.GapMeter;
 import simbad.gap.score.HeldOut.Scored;
 import simbad.gap.score.Probabilities;
 import simbad.gap.search.Search;
@@ -275,7 +276,8 @@ public final class Diagnoser {
     Conclusion.Unnamed unnamed = unnamed(inquiry, signs);
     double unknown = unnamed.probability();
     double tieNats = TIE_NATS * calibration.clumping();
-    List<Place> doubtful = doubtful(given, whole, open, blocks);
+    Places places = places(given, whole, blocks);
+    List<Place> doubtful = doubtful(places, whole, open);
     Conclusion all = Conclusion.of(whole, unnamed, doubtful, blocks, tieNats);
     Conclusion first =
         withUnseen(inquiry, whole, given.log().echoes() == 0 ? all.ofSilence() : all);
@@ -293,14 +295,12 @@ public final class Diagnoser {
                             new Told(
                                 part,
                                 true,
-                                places(given, part, blocks),
+                                places(given, part, blocks).thatStandOut(),
                                 stated,
                                 unnamed.signs(),
                                 told)))
         .orElseGet(
-            () ->
-                new Told(
-                    whole, false, places(given, whole, blocks), stated, unnamed.signs(), first));
+            () -> new Told(whole, false, places.thatStandOut(), stated, unnamed.signs(), first));
   }
 
   /** What makes the readings plainly likelier beside all of it is said. */
@@ -354,14 +354,13 @@ public final class Diagnoser {
    * Places that would make "none" doubtful, all of the log being one as well: of those that the
    * set-up leaves open none does.
    */
-  private static List<Place> doubtful(
-      CalibratedLog given, Weighed weighed, CalibratedLog open, Blocks blocks) {
-    GapGain gain = weighed.gain();
-    List<Place> said = Places.anywhere(given, gain.before(), gain.after(), blocks);
+  private static List<Place> doubtful(Places places, Weighed weighed, CalibratedLog open) {
+    List<Place> said = places.anywhere();
     if (!weighed.taken().hypothesis().forms().isEmpty() || said.isEmpty()) {
       return said;
     }
-    return Places.anywhere(open, gain.open(), gain.open(), new Blocks(open.log()));
+    GapMeter.Gaps gaps = weighed.gain().open();
+    return Places.find(open, gaps, gaps, new Blocks(open.log())).anywhere();
   }
 
   /** Undecided between names, not for want of readings. */
@@ -370,7 +369,7 @@ public final class Diagnoser {
         && !weighed.taken().hypothesis().forms().isEmpty();
   }
 
-  private static List<Place> places(CalibratedLog given, Weighed weighed, Blocks blocks) {
+  private static Places places(CalibratedLog given, Weighed weighed, Blocks blocks) {
     return Places.find(given, weighed.gain().before(), weighed.gain().after(), blocks);
   }
 

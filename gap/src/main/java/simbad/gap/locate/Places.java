@@ -40,6 +40,7 @@ public final class Places {
   /** What leaves out fewer rows is all of it. */
   private static final int LEAST_OUTSIDE = 15;
 
+  private final CalibratedLog given;
   private final GapMeter.Gaps before;
   private final GapMeter.Gaps after;
   private final Blocks blocks;
@@ -49,7 +50,8 @@ public final class Places {
   private final boolean[] covered;
   private final List<Candidate> looked = new ArrayList<>();
 
-  private Places(GapMeter.Gaps before, GapMeter.Gaps after, Blocks blocks) {
+  private Places(CalibratedLog given, GapMeter.Gaps before, GapMeter.Gaps after, Blocks blocks) {
+    this.given = given;
     this.before = before;
     this.after = after;
     this.blocks = blocks;
@@ -73,42 +75,37 @@ public final class Places {
   private record Candidate(Slice slice, double chance, boolean chosen, boolean standsOut) {}
 
   /**
-   * Finds the places.
+   * Looks for the places.
    *
    * @param given the log
    * @param before gaps under the nominal model
    * @param after gaps under the diagnosed model
    * @param blocks of the log
-   * @return at most 8, the largest share of the gap first; none where nothing is significant, or
-   *     where the gap is as large elsewhere
    */
-  public static List<Place> find(
+  public static Places find(
       CalibratedLog given, GapMeter.Gaps before, GapMeter.Gaps after, Blocks blocks) {
-    return find(given, before, after, blocks, Candidate::standsOut);
+    ChangedModel nominal = given.model(Hypothesis.NONE);
+    Geometry geometry = given.geometry(nominal);
+    Places places = new Places(given, before, after, blocks);
+    if (given.log().size() > 0) {
+      places.cover(Cuts.of(geometry));
+    }
+    return places;
   }
 
   /**
-   * Finds the same and slices that hold all of the log, or in which it is as large as elsewhere.
+   * Returns at most 8, the largest share of the gap first; none where nothing is significant, or
+   * where the gap is as large elsewhere.
    */
-  public static List<Place> anywhere(
-      CalibratedLog given, GapMeter.Gaps before, GapMeter.Gaps after, Blocks blocks) {
-    return find(given, before, after, blocks, any -> true);
+  public List<Place> thatStandOut() {
+    return told(Candidate::standsOut);
   }
 
-  private static List<Place> find(
-      CalibratedLog given,
-      GapMeter.Gaps before,
-      GapMeter.Gaps after,
-      Blocks blocks,
-      Predicate<Candidate> which) {
-    if (given.log().size() == 0) {
-      return List.of();
-    }
-    ChangedModel nominal = given.model(Hypothesis.NONE);
-    Geometry geometry = given.geometry(nominal);
-    Places places = new Places(before, after, blocks);
-    places.cover(Cuts.of(geometry));
-    return places.told(given, given.forecast(nominal), which);
+  /**
+   * Returns the same and slices that hold all of the log, or in which it is as large as elsewhere.
+   */
+  public List<Place> anywhere() {
+    return told(any -> true);
   }
 
   /** Greedily: the best slice of what no earlier one covers. */
@@ -183,8 +180,11 @@ public final class Places {
     return pings.mapToDouble(ping -> excess[ping]).average().orElse(0);
   }
 
-  private List<Place> told(
-      CalibratedLog given, List<ReadingDistribution> forecast, Predicate<Candidate> which) {
+  private List<Place> told(Predicate<Candidate> which) {
+    if (looked.isEmpty()) {
+      return List.of();
+    }
+    List<ReadingDistribution> forecast = given.forecast(given.model(Hypothesis.NONE));
     double[] rate =
         BenjaminiHochberg.falseDiscoveryRates(looked.stream().map(Candidate::chance).toList());
     List<Place> places = new ArrayList<>();

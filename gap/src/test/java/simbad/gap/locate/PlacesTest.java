@@ -43,10 +43,11 @@ class PlacesTest {
     CalibratedLog given = Worlds.given(rows);
     GapMeter meter = new GapMeter(given);
     return Places.find(
-        given,
-        meter.measure(given, Hypothesis.NONE),
-        meter.measure(given, diagnosed),
-        new Blocks(given.log()));
+            given,
+            meter.measure(given, Hypothesis.NONE),
+            meter.measure(given, diagnosed),
+            new Blocks(given.log()))
+        .thatStandOut();
   }
 
   private static List<ReadingRow> planted(
@@ -151,7 +152,7 @@ class PlacesTest {
     assertEquals(List.of(), places(off, Hypothesis.NONE));
     CalibratedLog given = Worlds.given(off);
     GapMeter.Gaps gaps = new GapMeter(given).measure(given, Hypothesis.NONE);
-    Place all = Places.anywhere(given, gaps, gaps, new Blocks(given.log())).get(0);
+    Place all = Places.find(given, gaps, gaps, new Blocks(given.log())).anywhere().get(0);
     assertTrue(all.shareOfGap() > 0.9 && all.qValue() < 1e-4, "but it is no chance: " + all);
     // Half of them are right: then the others are a place.
     List<ReadingRow> half = new ArrayList<>();
@@ -215,7 +216,7 @@ class PlacesTest {
     CalibratedLog given = new CalibratedLog(two, List.of(), new PingLog(rows));
     GapMeter meter = new GapMeter(given);
     GapMeter.Gaps gap = meter.measure(given, Hypothesis.NONE);
-    List<Place> places = Places.find(given, gap, gap, new Blocks(given.log()));
+    List<Place> places = Places.find(given, gap, gap, new Blocks(given.log())).thatStandOut();
     assertTrue(
         places.stream()
             .flatMap(place -> place.conditions().stream())

@@ -50,7 +50,7 @@ class ToldPlacesTest {
   }
 
   private static List<Place> places(GapMeter.Gaps before, GapMeter.Gaps after) {
-    return Places.find(GIVEN, before, after, new Blocks(GIVEN.log()));
+    return Places.find(GIVEN, before, after, new Blocks(GIVEN.log())).thatStandOut();
   }
 
   private static List<Place> places(DoubleUnaryOperator beyond) {
