@@ -66,8 +66,7 @@ final class BenchmarkCommand {
               + part
               + " is "
               + part.root()
-              + ": other bytes; it is drawn with Java 17, and this is Java "
-              + Runtime.version().feature());
+              + ": other bytes; this program is not that of the benchmark");
     }
   }
 

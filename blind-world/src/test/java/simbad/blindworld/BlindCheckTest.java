@@ -36,7 +36,7 @@ class BlindCheckTest {
 
   /** The root over the first two cases of the benchmark's part L1. */
   private static final String FIRST_OF_L1 =
-      "72b56b12c087d95e85fd95cfb9b0af68f25f4d423bddfd3f60a7bb01f2b9f71a";
+      "088e9d96f9acdf538f3b38771d710a5b4b4524922fcf391c1bddc423db613ad9";
 
   /** Where what is refused would be written: no folder can be made below a file. */
   private static final String NOWHERE = "pom.xml/x";
@@ -358,7 +358,7 @@ class BlindCheckTest {
     Path two = folder.resolve("two of the benchmark");
     Done done = run("benchmark", "--part", "L1", "--first", "2", "--out", two + "");
     assertEquals(0, done.status, done.err);
-    assertTrue(done.out.contains("SRB-1.0 L1, first half, root "), done.out);
+    assertTrue(done.out.contains("SRB-1.1 L1, first half, root "), done.out);
     assertEquals(
         FIRST_OF_L1, JsonObject.read(two.resolve("manifest.json")).text("root"), "other bytes");
     Path one = folder.resolve("one of the benchmark");
@@ -377,7 +377,7 @@ class BlindCheckTest {
     String[] guess = {"benchmark", "--part", "L2w", "--seed", "1", "--out", folder + "/half"};
     Done done = run(guess);
     assertEquals(2, done.status);
-    assertTrue(done.err.contains("--seed: not that of the second half of SRB-1.0"), done.err);
+    assertTrue(done.err.contains("--seed: not that of the second half of SRB-1.1"), done.err);
     assertFalse(Files.exists(folder.resolve("half")));
     assertEquals(2, run("benchmark", "--part", "L3", "--out", folder + "/half").status);
   }

@@ -29,7 +29,7 @@ class MotionWorldsTest {
 
   /** The root over the first two cases of the benchmark's part of motion. */
   private static final String FIRST_OF_MOTION =
-      "f858bdc715f46f379ced2768e93f0ad6f1042bc62139818f8c4cbde60b7fb256";
+      "69866080a7cb95efd0e6328c1b259ca239d0e13fba91aa5b08ba8ddcc283b115";
 
   private static Path folder = Path.of("");
   private static Path world = Path.of("");
@@ -278,7 +278,7 @@ class MotionWorldsTest {
     Path two = folder.resolve("two of the benchmark");
     Done done = run("benchmark --part Motion --first 2", two);
     assertEquals(0, done.status, done.err);
-    assertTrue(done.out.startsWith("SRB-1.0 motion, first half, root "), done.out);
+    assertTrue(done.out.startsWith("SRB-1.1 motion, first half, root "), done.out);
     JsonObject manifest = JsonObject.read(two.resolve("manifest.json"));
     assertEquals("motion", manifest.text("worlds"));
     assertEquals("motion", manifest.text("part"));

@@ -22,6 +22,7 @@ import simbad.experiments.blindcheck.CheckOrder.Drawn;
 import simbad.experiments.blindcheck.CheckOrder.Foreign;
 import simbad.experiments.blindcheck.CheckScores;
 import simbad.experiments.blindcheck.CheckSummary;
+import simbad.experiments.blindcheck.ToldApart;
 import simbad.experiments.workers.Workers;
 import simbad.figures.blindcheck.CheckReport;
 import simbad.figures.diagnosis.DiagnosisReport;
@@ -229,11 +230,14 @@ final class BlindCheck {
    * Has the answers scored and writes the results.
    *
    * @param allPages whether each case keeps its page, or only those that were answered wrongly
+   * @return the scores
    * @throws DataFormatException when a truth or a data set is not the one that was committed to
    */
-  void score(boolean allPages) throws IOException, DataFormatException, InterruptedException {
+  CheckScores score(boolean allPages)
+      throws IOException, DataFormatException, InterruptedException {
     Path baseline = folder.resolve("baseline");
     answerByRule(baseline);
+    CheckScores scores;
     try (TemporaryFolder temporary = TemporaryFolder.create("simbad-scores")) {
       Path file = temporary.path().resolve("scores.json");
       Path text = temporary.path().resolve("scores.txt");
@@ -245,7 +249,7 @@ final class BlindCheck {
       arguments.addAll(names());
       blindWorld.run(arguments, Optional.of(text), line -> {});
       TextFile.write(folder.resolve("scores.txt"), Files.readString(text));
-      CheckScores scores = CheckScores.read(file);
+      scores = CheckScores.read(file);
       CheckReport.write(folder, order, scores);
       if (!allPages) {
         dropPages(scores);
@@ -256,6 +260,7 @@ final class BlindCheck {
     log("scored");
     out.println();
     out.println("written to " + folder + " (open " + folder.resolve(CheckReport.PAGE) + ")");
+    return scores;
   }
 
   /**
@@ -263,10 +268,11 @@ final class BlindCheck {
    *
    * @param who does it
    * @param limit after which a case is given up
+   * @param scores of the answers that propose it
    * @return the cases that have no answer with the readings that were proposed
    * @throws DataFormatException when a truth or a data set is not the one that was committed to
    */
-  List<String> next(WorkersOption who, Duration limit)
+  List<String> next(WorkersOption who, Duration limit, CheckScores scores)
       throws IOException, DataFormatException, InterruptedException {
     BlindNext next = new BlindNext(folder, blindWorld);
     if (order.source() instanceof Drawn drawn) {
@@ -276,6 +282,7 @@ final class BlindCheck {
     }
     List<String> unanswered = diagnose(who, limit, next.world(), next.answers());
     next.score(names(), out);
+    CheckReport.write(folder, order, scores, ToldApart.read(next.table()));
     log("scored next experiments");
     return unanswered;
   }

@@ -16,6 +16,7 @@ import simbad.experiments.blindcheck.CheckOrder;
 import simbad.experiments.blindcheck.CheckOrder.Benchmark;
 import simbad.experiments.blindcheck.CheckOrder.Drawn;
 import simbad.experiments.blindcheck.CheckOrder.Foreign;
+import simbad.experiments.blindcheck.CheckScores;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.format.DataFormatException;
 import simbad.sonar.format.OneLine;
@@ -238,9 +239,9 @@ final class BlindCheckCommand extends Subcommand {
     }
     Duration limit = Duration.ofMillis((long) (1000 * limitS));
     List<String> unanswered = new ArrayList<>(check.diagnose(who, limit));
-    check.score(allPages);
+    CheckScores scores = check.score(allPages);
     if (next) {
-      check.next(who, limit).forEach(id -> unanswered.add(id + " (with what it proposed)"));
+      check.next(who, limit, scores).forEach(id -> unanswered.add(id + " (with what it proposed)"));
     }
     if (!unanswered.isEmpty()) {
       throw new IOException(

@@ -36,6 +36,11 @@ record BlindNext(Path folder, BlindWorld blindWorld) {
     return folder.resolve("next").resolve("answers");
   }
 
+  /** What came of each proposal, once it is scored. */
+  Path table() {
+    return folder.resolve("next.csv");
+  }
+
   private Path before() {
     return folder.resolve("answers");
   }
@@ -116,10 +121,10 @@ record BlindNext(Path folder, BlindWorld blindWorld) {
       arguments.addAll(known);
       blindWorld.run(arguments, Optional.of(text), line -> {});
       TextFile.write(folder.resolve("next.txt"), Files.readString(text));
-      TextFile.write(folder.resolve("next.csv"), Files.readString(csv));
+      TextFile.write(table(), Files.readString(csv));
     }
     out.println();
     Files.readString(folder.resolve("next.txt")).lines().forEach(out::println);
-    out.println("written to " + folder.resolve("next.csv") + " and next.txt");
+    out.println("written to " + table() + " and next.txt");
   }
 }

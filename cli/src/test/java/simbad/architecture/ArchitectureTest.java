@@ -1,5 +1,6 @@
 package simbad.architecture;
 
+import static com.tngtech.archunit.base.DescribedPredicate.not;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.type;
@@ -32,6 +33,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.random.RandomGenerator;
 import java.util.stream.Stream;
 import org.jspecify.annotations.NullMarked;
 import org.junit.jupiter.api.Test;
@@ -39,6 +41,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simbad.blindworld.world.Chance;
 import simbad.cli.Main;
 import simbad.definition.Effect;
 import simbad.gui.AgentInspector;
@@ -436,6 +439,37 @@ class ArchitectureTest {
     clockless("simbad.figures.(report|plot|diagnosis|blindcheck|batch|page)..").check(CLASSES);
   }
 
+  /**
+   * What is drawn is the same on every Java and every machine. The JDK says so of its uniform
+   * numbers and of StrictMath, but neither of its normal numbers nor of Math.
+   */
+  @Test
+  void whatIsDrawn_isTheSameOnEveryJava() {
+    for (Class<?> owner : List.of(RandomGenerator.class, Random.class, SplittableRandom.class)) {
+      noClasses()
+          .that()
+          .resideOutsideOfPackage(BLIND)
+          .should()
+          .callMethodWhere(callOf(owner, "nextGaussian|nextExponential"))
+          .check(CLASSES);
+    }
+    noClasses()
+        .that(resideInAPackage(BLIND).and(not(type(Chance.class))))
+        .should()
+        .dependOnClassesThat(type(SplittableRandom.class))
+        .check(CLASSES);
+    machineless(BLIND).check(CLASSES);
+  }
+
+  private static ArchRule machineless(String from) {
+    return noClasses()
+        .that()
+        .resideInAPackage(from)
+        .should()
+        .callMethodWhere(
+            callOf(Math.class, "a?(sin|cos|tan)h?|atan2|exp|expm1|log|log10|log1p|pow|cbrt|hypot"));
+  }
+
   private static ArchRule clockless(String from) {
     return noClasses()
         .that()
@@ -497,6 +531,7 @@ class ArchitectureTest {
         () -> refuse(outsideTheCommandLine().callMethod(Math.class, "random"), offender),
         () -> refuse(outsideTheCommandLine().dependOnClassesThat(type(Main.class)), offender),
         () -> refuse(clockless("simbad.architecture"), offender),
+        () -> refuse(machineless("simbad.architecture"), offender),
         () -> refuse(writesNoFile(), offender),
         () -> refuse(apart("simbad.architecture", OBSTACLES), offender));
   }
@@ -511,7 +546,7 @@ class ArchitectureTest {
 
     static void offend() throws IOException {
       Files.writeString(Path.of("torn"), "");
-      System.out.println(Math.random() + System.currentTimeMillis());
+      System.out.println(Math.cbrt(Math.random()) + System.currentTimeMillis());
       simbad.obstacles.Catalogue.types();
     }
 

@@ -243,7 +243,7 @@ class BlindCheckCommandTest {
     Shell shell = check("--benchmark", "l1", "--first", "1");
     assertEquals(0, shell.status(), shell.err());
     assertEquals("L1", json("order.json").at("/benchmark").asText());
-    assertEquals("SRB-1.0", json("world/manifest.json").at("/benchmark").asText());
+    assertEquals("SRB-1.1", json("world/manifest.json").at("/benchmark").asText());
     assertEquals(1, json("check.json").at("/cases").size());
     assertTrue(
         Files.readString(out().resolve("report.html")).contains("--benchmark L1 --first 1"),

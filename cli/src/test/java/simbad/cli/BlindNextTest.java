@@ -77,6 +77,8 @@ class BlindNextTest {
     String begin = id + ",L1,single,range-offset,range-offset+sound-speed,range-offset,12.50,right";
     assertTrue(lines.get(1).startsWith(begin), lines.get(1));
     assertTrue(lines.get(1).endsWith(",right,right"), lines.get(1));
+    String page = Files.readString(out().resolve("report.html"));
+    assertTrue(page.contains("next/answers/" + id + "/report.html"), "on the check's page");
     checkMeasured(id, asked);
     checkResumed(id);
   }

@@ -21,29 +21,29 @@ public enum Part {
       350,
       0,
       Worlds.EQUATIONS,
-      "50bf76cabc0e530ca1a3454c0bbd5206b083ecb64af96ab00800506800b8ff9c"),
+      "b0fdcdcdc17062beca8fcdbd94b3192ddff80eb870bf41101f08421e8f2cf872"),
   /** As L1, with a set-up that is a little off, and a reference. */
   L2(
       1,
       350,
       1,
       Worlds.EQUATIONS,
-      "98d40ab47c603b1aa99bd7942e96a75ba5d1b74bc2c3b1f748c2e3e14238f298"),
+      "60f82dc179390f1f5fc2e7ab9dcf809b37d1284ef2e7d42f1d8778e0fffa2449"),
   /** Waves, with a user's calibration and a reference. */
-  L2W(2, 300, 0, Worlds.WAVE, "72565c3fbc3c017726fbcac031804ab708a808fa780cfa271b64d81bb8d7acf8"),
+  L2W(2, 300, 0, Worlds.WAVE, "68c07ae0fc75f9488db5d052f9e53b27776794b55e74d43017cc229adb52a55b"),
   /** Robots that drive before a tracker, three in ten of them a little off, with a reference. */
   MOTION(
       3,
       300,
       0.3,
       Worlds.MOTION,
-      "df7dc430043e833852e6e26cb431a148d133b86633da5826e026aef2327605dc");
+      "a4fb7cc27f68c5345d713275ca9aa4c2a4ba1bac446f61e83e9a5c89e3e1ddaf");
 
   /** Name and version: of what is drawn, not of the program. */
-  public static final String VERSION = "SRB-1.0";
+  public static final String VERSION = "SRB-1.1";
 
   /** Chance of the first half, which everybody may draw. */
-  public static final long FIRST_HALF = 20_261_124;
+  public static final long FIRST_HALF = 20_271_101;
 
   /** SHA-256 of the seed of the second half, written in decimal digits, until it is used. */
   public static final String SECOND_HALF_SHA256 =

@@ -2,7 +2,7 @@ package simbad.blindworld.design;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.SplittableRandom;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Pose;
 import simbad.blindworld.world.Recording;
@@ -22,7 +22,7 @@ final class Bench implements Design {
   private final String sensor;
   private final List<String> labels;
 
-  Bench(SplittableRandom random) {
+  Bench(Chance random) {
     periodS = new double[] {0.05, 0.1, 0.2, 0.25, 0.3, 0.5}[random.nextInt(6)];
     stepM = 0.005 * random.nextInt(2, 11);
     sweeps = random.nextDouble(0.15, 0.6);
@@ -48,7 +48,7 @@ final class Bench implements Design {
   }
 
   @Override
-  public Recording record(Scene scene, int rows, SplittableRandom random) {
+  public Recording record(Scene scene, int rows, Chance random) {
     Session session = new Session(scene, random);
     session.fill(labels.get(0), (int) (rows * sweeps), session::sweep);
     session.fill(labels.get(1), (int) (rows * scans), session::scan);
@@ -60,19 +60,19 @@ final class Bench implements Design {
   /** The pose at a bearing and distance of the obstacle, looking at its centre. */
   static Pose facing(Obstacle goal, double bearing, double r) {
     double direction = bearing + goal.turnRad();
-    double dx = r * Math.sin(direction);
-    double dz = r * Math.cos(direction);
-    return new Pose(goal.place().xM() + dx, goal.place().zM() + dz, Math.atan2(dz, -dx));
+    double dx = r * StrictMath.sin(direction);
+    double dz = r * StrictMath.cos(direction);
+    return new Pose(goal.place().xM() + dx, goal.place().zM() + dz, StrictMath.atan2(dz, -dx));
   }
 
   /** One day at the bench. */
   private final class Session {
 
     private final Scene scene;
-    private final SplittableRandom random;
+    private final Chance random;
     private final List<Row> rows = new ArrayList<>();
 
-    Session(Scene scene, SplittableRandom random) {
+    Session(Scene scene, Chance random) {
       this.scene = scene;
       this.random = random;
     }
@@ -98,7 +98,7 @@ final class Bench implements Design {
       return scene.obstacles().stream()
           .allMatch(
               o ->
-                  Math.hypot(pose.xM() - o.place().xM(), pose.zM() - o.place().zM())
+                  StrictMath.hypot(pose.xM() - o.place().xM(), pose.zM() - o.place().zM())
                       > o.radiusM() + 0.05);
     }
 

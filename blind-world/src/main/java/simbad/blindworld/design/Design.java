@@ -1,7 +1,7 @@
 package simbad.blindworld.design;
 
 import java.util.List;
-import java.util.SplittableRandom;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Recording;
 import simbad.blindworld.world.Scene;
 
@@ -15,15 +15,15 @@ public interface Design {
   double periodS();
 
   /** A recording of about so many rows. */
-  Recording record(Scene scene, int rows, SplittableRandom random);
+  Recording record(Scene scene, int rows, Chance random);
 
   /** A design drawn at random, of the kind. */
-  static Design draw(String kind, SplittableRandom random) {
+  static Design draw(String kind, Chance random) {
     return kind.equals("run") ? new Drive(random) : new Bench(random);
   }
 
   /** One drawn at random in which a hand puts the sonar in place and reads it several times. */
-  static Design placed(SplittableRandom random) {
+  static Design placed(Chance random) {
     return new Placed(random);
   }
 

@@ -2,7 +2,7 @@ package simbad.blindworld.design;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.SplittableRandom;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Point;
 import simbad.blindworld.world.Pose;
@@ -27,7 +27,7 @@ final class Drive implements Design {
   private final List<String> names;
   private final String runName;
 
-  Drive(SplittableRandom random) {
+  Drive(Chance random) {
     transducers = random.nextInt(1, 7);
     periodS = new double[] {0.05, 0.06, 0.1, 0.1, 0.2, 0.25, 0.5}[random.nextInt(7)];
     double spread = Math.toRadians(random.nextInt(15, 61));
@@ -61,30 +61,30 @@ final class Drive implements Design {
   }
 
   @Override
-  public Recording record(Scene scene, int rows, SplittableRandom random) {
+  public Recording record(Scene scene, int rows, Chance random) {
     List<Row> all = new ArrayList<>();
     int pings = Math.max(20, rows / (runs * transducers));
     for (int run = 0; run < runs; run++) {
       int length = (int) (pings * random.nextDouble(0.85, 1.15));
       double speed = speedMPerS * random.nextDouble(0.7, 1.3);
       List<Pose> course = course(scene, length, speed, random);
-      all.addAll(pings(course, runName.formatted(run + 1)));
+      all.addAll(pings(scene, course, runName.formatted(run + 1)));
     }
     return new Recording(all);
   }
 
-  private List<Row> pings(List<Pose> course, String run) {
+  private List<Row> pings(Scene scene, List<Pose> course, String run) {
     List<Row> rows = new ArrayList<>();
     for (int k = 0; k < course.size(); k++) {
       for (int s = 0; s < transducers; s++) {
         double late = staggered ? (double) s / transducers : 0;
         Pose robot =
             late > 0 && k + 1 < course.size()
-                ? course.get(k).towards(course.get(k + 1), late)
+                ? clear(scene, course.get(k).towards(course.get(k + 1), late))
                 : course.get(k);
         Pose look = robot.turned(anglesRad[s]);
-        double x = robot.xM() + forwardM * Math.cos(look.headingRad());
-        double z = robot.zM() - forwardM * Math.sin(look.headingRad());
+        double x = robot.xM() + forwardM * StrictMath.cos(look.headingRad());
+        double z = robot.zM() - forwardM * StrictMath.sin(look.headingRad());
         rows.add(Rows.row(run, names.get(s), (k + late) * periodS, look.at(x, z)));
       }
     }
@@ -92,11 +92,11 @@ final class Drive implements Design {
   }
 
   /** Steers after way-points with a limited rate of turn, at a speed that varies a little. */
-  private List<Pose> course(Scene scene, int length, double speed, SplittableRandom random) {
+  private List<Pose> course(Scene scene, int length, double speed, Chance random) {
     Routes routes = new Routes(scene, random);
     List<Point> route = routes.next();
     int goal = 1;
-    Pose pose = begin(route);
+    Pose pose = clear(scene, begin(route));
     double swing = random.nextDouble(0, 0.6);
     double beat = random.nextDouble(0.2, 1.5);
     List<Pose> course = new ArrayList<>();
@@ -109,7 +109,7 @@ final class Drive implements Design {
           goal = 0;
         }
       }
-      double now = speed * (1 + swing * Math.sin(beat * k * periodS));
+      double now = speed * (1 + swing * StrictMath.sin(beat * k * periodS));
       pose = clear(scene, step(pose, route.get(goal), now));
     }
     return course;
@@ -118,23 +118,25 @@ final class Drive implements Design {
   private static Pose begin(List<Point> route) {
     Point from = route.get(0);
     Point to = route.get(1);
-    double heading = Math.atan2(from.zM() - to.zM(), to.xM() - from.xM());
+    double heading = StrictMath.atan2(from.zM() - to.zM(), to.xM() - from.xM());
     return new Pose(from.xM(), from.zM(), heading);
   }
 
   private static double distanceM(Pose pose, Point point) {
-    return Math.hypot(point.xM() - pose.xM(), point.zM() - pose.zM());
+    return StrictMath.hypot(point.xM() - pose.xM(), point.zM() - pose.zM());
   }
 
   private Pose step(Pose pose, Point goal, double speed) {
-    double wanted = Math.atan2(pose.zM() - goal.zM(), goal.xM() - pose.xM());
+    double wanted = StrictMath.atan2(pose.zM() - goal.zM(), goal.xM() - pose.xM());
     double turn = Math.IEEEremainder(wanted - pose.headingRad(), 2 * Math.PI);
     double most = MOST_TURN_RAD_PER_S * periodS;
     double heading = pose.headingRad() + Math.max(-most, Math.min(most, turn));
-    double slow = Math.max(0.15, Math.cos(turn / 2));
+    double slow = Math.max(0.15, StrictMath.cos(turn / 2));
     double way = speed * slow * periodS;
     return new Pose(
-        pose.xM() + way * Math.cos(heading), pose.zM() - way * Math.sin(heading), heading);
+        pose.xM() + way * StrictMath.cos(heading),
+        pose.zM() - way * StrictMath.sin(heading),
+        heading);
   }
 
   /** Pushes the robot out of the obstacles, so that it slides round them. */
@@ -144,7 +146,7 @@ final class Drive implements Design {
       double least = obstacle.radiusM() + CLEARANCE_M + forwardM;
       double dx = clear.xM() - obstacle.place().xM();
       double dz = clear.zM() - obstacle.place().zM();
-      double away = Math.hypot(dx, dz);
+      double away = StrictMath.hypot(dx, dz);
       if (away < least && away > 0) {
         clear =
             clear.at(

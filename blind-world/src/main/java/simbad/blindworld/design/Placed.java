@@ -2,7 +2,7 @@ package simbad.blindworld.design;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.SplittableRandom;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Pose;
 import simbad.blindworld.world.Recording;
@@ -24,7 +24,7 @@ final class Placed implements Design {
   private final double ladders;
   private final double reach;
 
-  Placed(SplittableRandom random) {
+  Placed(Chance random) {
     periodS = new double[] {0.05, 0.1, 0.25, 0.5}[random.nextInt(4)];
     moveS = random.nextInt(10, 60);
     readings = random.nextInt(5, 21);
@@ -44,7 +44,7 @@ final class Placed implements Design {
   }
 
   @Override
-  public Recording record(Scene scene, int rows, SplittableRandom random) {
+  public Recording record(Scene scene, int rows, Chance random) {
     List<Row> all = new ArrayList<>();
     int ofLadders = (int) (rows * ladders);
     for (int k = 0; all.size() < ofLadders; k++) {
@@ -74,16 +74,16 @@ final class Placed implements Design {
     return scene.obstacles().stream()
         .allMatch(
             o ->
-                Math.hypot(pose.xM() - o.place().xM(), pose.zM() - o.place().zM())
+                StrictMath.hypot(pose.xM() - o.place().xM(), pose.zM() - o.place().zM())
                     > o.radiusM() + 0.9 * NEAREST_M);
   }
 
-  private static Obstacle goal(Scene scene, SplittableRandom random) {
+  private static Obstacle goal(Scene scene, Chance random) {
     return scene.obstacles().get(random.nextInt(scene.obstacles().size()));
   }
 
   /** Away from an obstacle at one bearing, step by step, until behind the threshold. */
-  private List<Pose> ladder(Obstacle goal, SplittableRandom random) {
+  private List<Pose> ladder(Obstacle goal, Chance random) {
     double bearing = Math.toRadians(5 * random.nextInt(72));
     double from = goal.radiusM() + NEAREST_M;
     double to = Math.max(from + 4 * stepM, goal.shadow().atM(bearing) * reach);
@@ -94,7 +94,7 @@ final class Placed implements Design {
     return places;
   }
 
-  private Pose spot(Scene scene, SplittableRandom random) {
+  private Pose spot(Scene scene, Chance random) {
     Obstacle goal = goal(scene, random);
     double bearing = random.nextDouble(0, 2 * Math.PI);
     double most = Math.max(0.3, goal.shadow().atM(bearing) * reach);

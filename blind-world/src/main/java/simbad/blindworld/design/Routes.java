@@ -2,7 +2,7 @@ package simbad.blindworld.design;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.SplittableRandom;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Point;
 import simbad.blindworld.world.Scene;
@@ -11,9 +11,9 @@ import simbad.blindworld.world.Scene;
 final class Routes {
 
   private final Scene scene;
-  private final SplittableRandom random;
+  private final Chance random;
 
-  Routes(Scene scene, SplittableRandom random) {
+  Routes(Scene scene, Chance random) {
     this.scene = scene;
     this.random = random;
   }
@@ -36,8 +36,8 @@ final class Routes {
 
   private static Point at(Obstacle centre, double direction, double radiusM) {
     return new Point(
-        centre.place().xM() + radiusM * Math.cos(direction),
-        centre.place().zM() - radiusM * Math.sin(direction));
+        centre.place().xM() + radiusM * StrictMath.cos(direction),
+        centre.place().zM() - radiusM * StrictMath.sin(direction));
   }
 
   private List<Point> round(Obstacle goal) {
@@ -47,7 +47,7 @@ final class Routes {
     double growth = random.nextDouble(0.97, 1.03);
     List<Point> points = new ArrayList<>();
     for (int k = 0; k < 36; k++) {
-      points.add(at(goal, begin + way * k * Math.PI / 16, radius * Math.pow(growth, k)));
+      points.add(at(goal, begin + way * k * Math.PI / 16, radius * StrictMath.pow(growth, k)));
     }
     return points;
   }
@@ -57,8 +57,8 @@ final class Routes {
     double miss = random.nextDouble(0.2, 1.3);
     double reach = reachM(goal) * random.nextDouble(0.6, 1.1);
     Point foot = at(goal, direction, miss);
-    double dx = reach * Math.sin(direction);
-    double dz = reach * Math.cos(direction);
+    double dx = reach * StrictMath.sin(direction);
+    double dz = reach * StrictMath.cos(direction);
     return List.of(
         new Point(foot.xM() - dx, foot.zM() - dz), new Point(foot.xM() + dx, foot.zM() + dz));
   }
@@ -80,7 +80,7 @@ final class Routes {
     for (int lane = 0; lane < 5; lane++) {
       double away = reachM(goal) * (1 - 0.17 * lane);
       double side = lane % 2 == 0 ? 1 : -1;
-      double half = Math.atan2(wide / 2, away);
+      double half = StrictMath.atan2(wide / 2, away);
       points.add(at(goal, direction - side * half, away));
       points.add(at(goal, direction + side * half, away));
     }

@@ -2,7 +2,7 @@ package simbad.blindworld.design;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.SplittableRandom;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Point;
 import simbad.blindworld.world.Scene;
@@ -19,7 +19,7 @@ public final class Scenes {
   private Scenes() {}
 
   /** A scene with one to three obstacles, for a sonar that pings with the given period. */
-  public static Scene draw(SplittableRandom random, double periodS) {
+  public static Scene draw(Chance random, double periodS) {
     Shapes shapes = new Shapes(random);
     int wanted = new int[] {1, 1, 1, 2, 2, 3}[random.nextInt(6)];
     List<Obstacle> obstacles = new ArrayList<>();
@@ -38,10 +38,10 @@ public final class Scenes {
   }
 
   private static double distanceM(Point a, Point b) {
-    return Math.hypot(a.xM() - b.xM(), a.zM() - b.zM());
+    return StrictMath.hypot(a.xM() - b.xM(), a.zM() - b.zM());
   }
 
-  private static Sensor sensor(SplittableRandom random, double periodS) {
+  private static Sensor sensor(Chance random, double periodS) {
     String[] names = {"SRF04", "SRF05", "HC-SR04", "ranger", "US-100"};
     return new Sensor(
         names[random.nextInt(names.length)],
@@ -58,7 +58,7 @@ public final class Scenes {
   }
 
   /** A set-up that is a little off what the scene says of it. */
-  public static Setup offSetup(SplittableRandom random, Sensor sensor) {
+  public static Setup offSetup(Chance random, Sensor sensor) {
     return new Setup(
         sensor.edgeWidthM() * random.nextDouble(1.1, 1.9),
         sensor.missRate() + random.nextDouble(0, 0.004),

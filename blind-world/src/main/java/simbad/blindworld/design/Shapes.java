@@ -2,9 +2,9 @@ package simbad.blindworld.design;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Point;
 import simbad.blindworld.world.Shadow;
@@ -15,9 +15,9 @@ final class Shapes {
   private static final List<Integer> TABLE_SIZES = List.of(72, 72, 72, 72, 36, 90, 120, 60, 48);
   private static final double LEAST_THRESHOLD_M = 0.04;
 
-  private final SplittableRandom random;
+  private final Chance random;
 
-  Shapes(SplittableRandom random) {
+  Shapes(Chance random) {
     this.random = random;
   }
 
@@ -47,7 +47,7 @@ final class Shapes {
         .mapToObj(
             i -> {
               double a = 2 * Math.PI * i / corners + Math.PI / corners;
-              return point(radiusM * Math.cos(a), radiusM * Math.sin(a));
+              return point(radiusM * StrictMath.cos(a), radiusM * StrictMath.sin(a));
             })
         .toList();
   }
@@ -107,7 +107,7 @@ final class Shapes {
     double mean = random.nextDouble(1.1, 2.5);
     double oval = random.nextDouble(0, 0.15);
     double phase = random.nextDouble(0, 2 * Math.PI);
-    return b -> mean * (1 + oval * Math.cos(2 * b + phase));
+    return b -> mean * (1 + oval * StrictMath.cos(2 * b + phase));
   }
 
   /** Far before the flat sides, near before the corners. */
@@ -116,8 +116,8 @@ final class Shapes {
     double sharp = random.nextDouble(0.3, 2.5);
     double phase = random.nextInt(count) * 2 * Math.PI / count;
     return b -> {
-      double inner = Math.abs(Math.cos(count * (b - phase) / 2));
-      return most * (1 - depth + depth * Math.pow(inner, sharp));
+      double inner = Math.abs(StrictMath.cos(count * (b - phase) / 2));
+      return most * (1 - depth + depth * StrictMath.pow(inner, sharp));
     };
   }
 
@@ -132,7 +132,7 @@ final class Shapes {
       double most = floor;
       for (int i = 0; i < count; i++) {
         double beside = Math.abs(Math.IEEEremainder(b - at[i], 2 * Math.PI)) / wide[i];
-        most = Math.max(most, high[i] / (1 + Math.pow(beside, 6)));
+        most = Math.max(most, high[i] / (1 + StrictMath.pow(beside, 6)));
       }
       return most;
     };

@@ -177,7 +177,8 @@ final class ArrivalForms {
     return late(
         c,
         Map.of("p", p, "mean_extra", mean),
-        (d, ping) -> happens(ping, p) ? d - mean * Math.log(1 - ping.random().nextDouble()) : d);
+        (d, ping) ->
+            happens(ping, p) ? d - mean * StrictMath.log(1 - ping.random().nextDouble()) : d);
   }
 
   private static Drawn floor(Map<String, Object> parameters, double p, double sd, Length range) {
@@ -197,7 +198,7 @@ final class ArrivalForms {
     double p = Math.min(1, c.sized(0.5));
     double rim = c.sensor().halfAngleRad() * c.between(0.55, 1);
     double slant =
-        Math.min(0.9 * c.sensor().maxRangeM(), c.sensor().mountHeightM() / Math.sin(rim));
+        Math.min(0.9 * c.sensor().maxRangeM(), c.sensor().mountHeightM() / StrictMath.sin(rim));
     return floor(Map.of("p", p, "m", slant, "sd", 0.012), p, 0.012, (d, ping) -> slant);
   }
 
@@ -219,7 +220,10 @@ final class ArrivalForms {
         (d, ping) -> ping.random().nextBoolean() ? at : at + apart);
   }
 
-  private static Drawn previous(Map<String, Object> parameters, double p, Length candidate) {
+  /** A burst that comes later than anything is listened for is none. */
+  private static Drawn previous(
+      Circumstances c, Map<String, Object> parameters, double p, Length candidate) {
+    double latestM = c.sensor().maxRangeM();
     return new Drawn(
         parameters,
         echo(
@@ -228,7 +232,7 @@ final class ArrivalForms {
                 return d;
               }
               double other = candidate.of(d, ping);
-              return other > NEAREST_M && other < d ? other : d;
+              return other > NEAREST_M && other < Math.min(d, latestM) ? other : d;
             }));
   }
 
@@ -236,7 +240,7 @@ final class ArrivalForms {
   private static Drawn secondBounce(Circumstances c) {
     double p = Math.min(1, c.sized(0.45));
     double gap = 2 * c.distanceM(0.5) - c.distanceM(0.5) * c.between(0.3, 0.8);
-    return previous(Map.of("p", p, "gap_m", gap), p, (d, ping) -> 2 * ping.lastReadingM() - gap);
+    return previous(c, Map.of("p", p, "gap_m", gap), p, (d, ping) -> 2 * ping.lastReadingM() - gap);
   }
 
   private static Drawn share(Circumstances c) {
@@ -244,6 +248,7 @@ final class ArrivalForms {
     double share = c.between(0.35, 0.75);
     double plus = c.between(-0.08, 0.08);
     return previous(
+        c,
         Map.of("p", p, "share", share, "plus_m", plus),
         p,
         (d, ping) -> share * ping.lastReadingM() + plus);
@@ -254,6 +259,7 @@ final class ArrivalForms {
     double p = Math.min(1, c.sized(0.45));
     double less = c.between(0.1, 0.45);
     return previous(
+        c,
         Map.of("p", p, "less_m", less),
         p,
         (d, ping) -> isEcho(d) ? 2 * d - ping.lastReadingM() - less : d);

@@ -10,7 +10,7 @@ import simbad.blindworld.effect.Form.Drawn;
 /** Effects on the strength of echoes: gain, absorption, beam-pattern, hysteresis. */
 final class EnergyForms {
 
-  private static final double DB_PER_NEPER = 20 / Math.log(10);
+  private static final double DB_PER_NEPER = 20 / StrictMath.log(10);
 
   private EnergyForms() {}
 
@@ -22,8 +22,8 @@ final class EnergyForms {
         Form.anywhere("absorption", "exponential", EnergyForms::exponential),
         Form.anywhere("absorption", "sonar equation", EnergyForms::sonarEquation),
         Form.anywhere("absorption", "rational", EnergyForms::rational),
-        beam("cosine", e -> u -> Math.cos(u * Math.acos(e))),
-        beam("gaussian", e -> u -> Math.pow(e, u * u)),
+        beam("cosine", e -> u -> StrictMath.cos(u * StrictMath.acos(e))),
+        beam("gaussian", e -> u -> StrictMath.pow(e, u * u)),
         beam("linear", e -> u -> 1 - (1 - e) * u),
         beam("flat top", e -> u -> 1 - (1 - e) * Math.max(0, (u - 0.4) / 0.6)),
         beam("fourth power", e -> u -> 1 - (1 - e) * u * u * u * u),
@@ -34,20 +34,20 @@ final class EnergyForms {
   }
 
   private static Drawn gainFactor(Circumstances c) {
-    double k = Math.exp(c.eitherWay(0.14));
+    double k = StrictMath.exp(c.eitherWay(0.14));
     return new Drawn(Map.of("k", k), threshold((t, sight, ping) -> t * k));
   }
 
   /** Spherical spreading both ways: 40 dB of level are ten times the distance. */
   private static Drawn gainDecibels(Circumstances c) {
     double decibels = c.eitherWay(2.4);
-    double k = Math.pow(10, decibels / 40);
+    double k = StrictMath.pow(10, decibels / 40);
     return new Drawn(Map.of("db", decibels, "k", k), threshold((t, sight, ping) -> t * k));
   }
 
   private static Drawn gainFlutter(Circumstances c) {
-    double k = Math.exp(c.eitherWay(0.16));
-    double flutter = Math.abs(Math.log(k)) * 0.12;
+    double k = StrictMath.exp(c.eitherWay(0.16));
+    double flutter = Math.abs(StrictMath.log(k)) * 0.12;
     return new Drawn(
         Map.of("k", k, "flutter", flutter),
         threshold((t, sight, ping) -> t * k * (1 + flutter * ping.random().nextGaussian())));
@@ -55,7 +55,8 @@ final class EnergyForms {
 
   private static Drawn exponential(Circumstances c) {
     double perM = c.sized(0.14);
-    return new Drawn(Map.of("per_m", perM), threshold((t, sight, ping) -> t * Math.exp(-perM * t)));
+    return new Drawn(
+        Map.of("per_m", perM), threshold((t, sight, ping) -> t * StrictMath.exp(-perM * t)));
   }
 
   /** Solves 40 log10(r / t) + 2 a r = 0 for r by Newton's rule in log r, where it is convex. */
@@ -70,13 +71,13 @@ final class EnergyForms {
       return thresholdM;
     }
     double slope = 2 * DB_PER_NEPER;
-    double log = Math.log(thresholdM);
+    double log = StrictMath.log(thresholdM);
     double x = log;
     for (int i = 0; i < 6; i++) {
-      double loss = 2 * dbPerM * Math.exp(x);
+      double loss = 2 * dbPerM * StrictMath.exp(x);
       x -= (slope * (x - log) + loss) / (slope + loss);
     }
-    return Math.exp(x);
+    return StrictMath.exp(x);
   }
 
   private static Drawn rational(Circumstances c) {
@@ -94,7 +95,7 @@ final class EnergyForms {
         "beam-pattern",
         label,
         c -> {
-          double edge = Math.exp(-c.sized(0.6));
+          double edge = StrictMath.exp(-c.sized(0.6));
           double halfRad = c.sensor().halfAngleRad();
           DoubleUnaryOperator shape = taper.reaching(edge);
           DoubleUnaryOperator factor = u -> Math.max(0, shape.applyAsDouble(Math.min(1.5, u)));
@@ -111,14 +112,14 @@ final class EnergyForms {
     double high = Math.PI;
     for (int i = 0; i < 30 && edge < 1; i++) {
       double middle = (low + high) / 2;
-      if (Math.sin(middle) / middle > edge) {
+      if (StrictMath.sin(middle) / middle > edge) {
         low = middle;
       } else {
         high = middle;
       }
     }
     double width = low;
-    return u -> u * width == 0 ? 1 : Math.abs(Math.sin(u * width) / (u * width));
+    return u -> u * width == 0 ? 1 : Math.abs(StrictMath.sin(u * width) / (u * width));
   }
 
   private static Drawn bothWays(Circumstances c) {

@@ -33,7 +33,7 @@ final class FurtherForms {
         Form.anywhere("wrap", "counter", FurtherForms::counter),
         Form.anywhere("wrap", "printed", FurtherForms::printed),
         walk("straight rise", part -> part * part),
-        walk("swelling", part -> -Math.log(1 - 0.9 * part * part) / Math.log(10)),
+        walk("swelling", part -> -StrictMath.log(1 - 0.9 * part * part) / StrictMath.log(10)),
         Form.anywhere("vertical-beam", "slanting", c -> high(c, false)),
         Form.anywhere("vertical-beam", "over the beam", c -> high(c, true)));
   }
@@ -47,7 +47,7 @@ final class FurtherForms {
     double timeS = spanS(c) * c.between(0.1, 0.4);
     return new Drawn(
         Map.of("m", m, "time_s", timeS),
-        range((r, ping) -> r + m * (1 - Math.exp(-ping.tS() / timeS))));
+        range((r, ping) -> r + m * (1 - StrictMath.exp(-ping.tS() / timeS))));
   }
 
   private static Drawn steady(Circumstances c) {
@@ -61,7 +61,7 @@ final class FurtherForms {
     double timeS = spanS(c) * c.between(0.1, 0.4);
     return new Drawn(
         Map.of("share", share, "time_s", timeS),
-        range((r, ping) -> r * (1 + share * (1 - Math.exp(-ping.tS() / timeS)))));
+        range((r, ping) -> r * (1 + share * (1 - StrictMath.exp(-ping.tS() / timeS)))));
   }
 
   /** Of the silences a share is reported as a number; all of them at the practical size. */
@@ -157,7 +157,7 @@ final class FurtherForms {
    */
   private static Drawn high(Circumstances c, boolean isCut) {
     double m = c.sized(0.2);
-    double nearestM = isCut ? m / Math.tan(c.sensor().halfAngleRad()) : 0;
+    double nearestM = isCut ? m / StrictMath.tan(c.sensor().halfAngleRad()) : 0;
     Hearing hearing =
         new Hearing() {
           @Override

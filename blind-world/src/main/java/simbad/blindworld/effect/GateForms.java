@@ -5,8 +5,8 @@ import static simbad.blindworld.effect.Changes.echoes;
 
 import java.util.List;
 import java.util.Map;
-import java.util.SplittableRandom;
 import simbad.blindworld.effect.Form.Drawn;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Change;
 import simbad.blindworld.world.Hearing;
 import simbad.blindworld.world.Ping;
@@ -66,7 +66,7 @@ final class GateForms {
                 double fresh = ping.random().nextGaussian();
                 boolean first = ping.indexInTrack() == 0;
                 level[0] = first ? fresh : keeps * level[0] + Math.sqrt(1 - keeps * keeps) * fresh;
-                double chance = most / (1 + Math.exp(-2 * level[0]));
+                double chance = most / (1 + StrictMath.exp(-2 * level[0]));
                 return ping.random().nextDouble() < chance ? NEVER : d;
               };
             }));
@@ -90,7 +90,7 @@ final class GateForms {
 
   private static boolean isSilent(double tS, double lengthS, double share, long seed) {
     long window = (long) Math.floor(tS / lengthS);
-    return new SplittableRandom(seed + 0x9E3779B97F4A7C15L * window).nextDouble() < share;
+    return new Chance(seed + 0x9E3779B97F4A7C15L * window).nextDouble() < share;
   }
 
   private interface Loss {
@@ -133,7 +133,7 @@ final class GateForms {
     double soft = c.between(0.02, 0.06);
     return new Drawn(
         Map.of("m", least, "soft_m", soft),
-        lost(d -> d > least + 8 * soft ? 0 : 1 / (1 + Math.exp((d - least) / soft))));
+        lost(d -> d > least + 8 * soft ? 0 : 1 / (1 + StrictMath.exp((d - least) / soft))));
   }
 
   private static Drawn deadRamp(Circumstances c) {
@@ -160,7 +160,7 @@ final class GateForms {
     double soft = c.between(0.02, 0.06);
     return new Drawn(
         Map.of("m", most, "soft_m", soft),
-        lost(d -> d < most - 8 * soft ? 0 : 1 / (1 + Math.exp((most - d) / soft))));
+        lost(d -> d < most - 8 * soft ? 0 : 1 / (1 + StrictMath.exp((most - d) / soft))));
   }
 
   private static Drawn timeoutJittered(Circumstances c) {

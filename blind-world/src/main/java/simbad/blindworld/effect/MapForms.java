@@ -86,7 +86,7 @@ final class MapForms {
   private static double[] step(Circumstances c) {
     double metres = c.sized(0.06);
     double direction = c.between(0, 2 * Math.PI);
-    return new double[] {metres * Math.cos(direction), metres * Math.sin(direction)};
+    return new double[] {metres * StrictMath.cos(direction), metres * StrictMath.sin(direction)};
   }
 
   private interface Loss {
@@ -120,7 +120,7 @@ final class MapForms {
     int count = c.whole(1, 6);
     double phase = c.between(0, 2 * Math.PI);
     double sharp = c.between(0.5, 3);
-    return b -> Math.pow(0.5 + 0.5 * Math.cos(count * b + phase), sharp);
+    return b -> StrictMath.pow(0.5 + 0.5 * StrictMath.cos(count * b + phase), sharp);
   }
 
   private static DoubleUnaryOperator notches(Circumstances c) {
@@ -139,7 +139,7 @@ final class MapForms {
 
   private static DoubleUnaryOperator oneSide(Circumstances c) {
     double phase = c.between(0, 2 * Math.PI);
-    return b -> 1 / (1 + Math.exp(-4 * Math.cos(b - phase)));
+    return b -> 1 / (1 + StrictMath.exp(-4 * StrictMath.cos(b - phase)));
   }
 
   private static Change beams(String only, UnaryOperator<Beam> change) {

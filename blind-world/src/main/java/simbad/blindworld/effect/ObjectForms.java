@@ -59,8 +59,8 @@ final class ObjectForms {
   static double planeM(Pose face, double halfWidthM, double squareRad, Pose from) {
     double dx = from.xM() - face.xM();
     double dz = from.zM() - face.zM();
-    double cos = Math.cos(face.headingRad());
-    double sin = Math.sin(face.headingRad());
+    double cos = StrictMath.cos(face.headingRad());
+    double sin = StrictMath.sin(face.headingRad());
     double before = dx * cos - dz * sin;
     double along = dx * sin + dz * cos;
     double slant = Math.IEEEremainder(from.headingRad() - face.headingRad() - Math.PI, 2 * Math.PI);
@@ -87,7 +87,7 @@ final class ObjectForms {
 
   private static double postM(Pose at, double radiusM, double squareRad, Ping ping) {
     Pose from = ping.pose();
-    double towards = Math.atan2(from.zM() - at.zM(), at.xM() - from.xM());
+    double towards = StrictMath.atan2(from.zM() - at.zM(), at.xM() - from.xM());
     double beside = Math.abs(Math.IEEEremainder(towards - from.headingRad(), 2 * Math.PI));
     double away = from.distanceM(at) - radiusM;
     return beside <= squareRad && away > 0.02 ? away : Double.POSITIVE_INFINITY;
@@ -99,8 +99,8 @@ final class ObjectForms {
     double direction = c.between(0, 2 * Math.PI);
     double away = c.between(least, most);
     return new Pose(
-        near.place().xM() + away * Math.cos(direction),
-        near.place().zM() - away * Math.sin(direction),
+        near.place().xM() + away * StrictMath.cos(direction),
+        near.place().zM() - away * StrictMath.sin(direction),
         direction + Math.PI + c.between(-0.9, 0.9));
   }
 }

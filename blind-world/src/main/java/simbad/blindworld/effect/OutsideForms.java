@@ -92,7 +92,8 @@ final class OutsideForms {
     double phase = c.between(0, 2 * Math.PI);
     return new Drawn(
         Map.of("swing", swing, "period_s", periodS),
-        threshold((t, s, p) -> t * (1 + swing * Math.sin(2 * Math.PI * p.tS() / periodS + phase))));
+        threshold(
+            (t, s, p) -> t * (1 + swing * StrictMath.sin(2 * Math.PI * p.tS() / periodS + phase))));
   }
 
   private static Drawn gainFading(Circumstances c) {
@@ -114,7 +115,7 @@ final class OutsideForms {
     double timeS = c.recording().longestS() * c.between(0.15, 0.4);
     return new Drawn(
         Map.of("first_m", first, "time_s", timeS),
-        range((r, p) -> r + first * Math.exp(-p.tS() / timeS)));
+        range((r, p) -> r + first * StrictMath.exp(-p.tS() / timeS)));
   }
 
   private static Drawn leaves(Circumstances c) {
@@ -140,7 +141,8 @@ final class OutsideForms {
             Body body = bodies.get(which);
             changed.set(which, body.during(Double.NEGATIVE_INFINITY, at));
             changed.add(
-                body.moved(by * Math.cos(direction), by * Math.sin(direction)).during(at, NEVER));
+                body.moved(by * StrictMath.cos(direction), by * StrictMath.sin(direction))
+                    .during(at, NEVER));
             return c.strength() > 0 ? changed : bodies;
           }
         };
@@ -178,7 +180,7 @@ final class OutsideForms {
   }
 
   private static Drawn sector(Circumstances c) {
-    double factor = Math.exp(c.eitherWay(0.5));
+    double factor = StrictMath.exp(c.eitherWay(0.5));
     double centre = c.between(0, 2 * Math.PI);
     double half = c.between(0.35, 0.8);
     return new Drawn(
@@ -198,7 +200,7 @@ final class OutsideForms {
         Map.of("loss", loss, "side_rad", side),
         threshold(
             (t, s, p) -> {
-              double facing = Math.max(0, Math.cos(p.pose().headingRad() - side));
+              double facing = Math.max(0, StrictMath.cos(p.pose().headingRad() - side));
               return t * (1 - loss * facing * facing);
             }));
   }
@@ -209,7 +211,7 @@ final class OutsideForms {
     double side = c.between(0, 2 * Math.PI);
     return new Drawn(
         Map.of("share", share, "side_rad", side),
-        range((r, p) -> r * (1 + share * Math.cos(p.pose().headingRad() - side))));
+        range((r, p) -> r * (1 + share * StrictMath.cos(p.pose().headingRad() - side))));
   }
 
   /** Thresholds that differ a good deal from ping to ping: the chance falls off slowly. */
@@ -242,7 +244,7 @@ final class OutsideForms {
 
   private static Drawn oneGain(Circumstances c) {
     String sensor = c.transducer();
-    double k = Math.exp(c.eitherWay(0.4));
+    double k = StrictMath.exp(c.eitherWay(0.4));
     return new Drawn(
         Map.of("k", k, "sensor", sensor),
         OneTransducer.only(sensor, threshold((t, s, p) -> t * k)));
@@ -299,7 +301,7 @@ final class OutsideForms {
     double height = c.eitherWay(0.15);
     return new Drawn(
         Map.of("m", at, "width_m", width, "height_m", height),
-        range((r, p) -> r + height * Math.exp(-0.5 * Math.pow((r - at) / width, 2))));
+        range((r, p) -> r + height * StrictMath.exp(-0.5 * StrictMath.pow((r - at) / width, 2))));
   }
 
   private static Drawn bandLoss(Circumstances c) {
@@ -314,7 +316,7 @@ final class OutsideForms {
     double length = c.between(0.25, 0.8);
     return new Drawn(
         Map.of("height_m", height, "length_m", length),
-        range((r, p) -> Math.max(0, r + height * Math.sin(2 * Math.PI * r / length))));
+        range((r, p) -> Math.max(0, r + height * StrictMath.sin(2 * Math.PI * r / length))));
   }
 
   /** A reading changes only when it would change by more than a band. */

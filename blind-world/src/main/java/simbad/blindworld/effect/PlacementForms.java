@@ -76,7 +76,7 @@ final class PlacementForms {
   private static Pose along(Pose pose, double deviationM, RandomGenerator random) {
     double onM = deviationM * Math.sqrt(3) * (2 * random.nextDouble() - 1);
     return pose.at(
-        pose.xM() + onM * Math.cos(pose.headingRad()),
-        pose.zM() - onM * Math.sin(pose.headingRad()));
+        pose.xM() + onM * StrictMath.cos(pose.headingRad()),
+        pose.zM() - onM * StrictMath.sin(pose.headingRad()));
   }
 }

@@ -189,7 +189,7 @@ final class PoseForms {
     double timeS = c.recording().longestS() * c.between(0.2, 0.6);
     return turned(
         Map.of("deg", Math.toDegrees(most), "time_s", timeS),
-        t -> most * (1 - Math.exp(-t / timeS)));
+        t -> most * (1 - StrictMath.exp(-t / timeS)));
   }
 
   /** Steps are added up along wrong headings, so the place goes astray as well. */
@@ -210,8 +210,8 @@ final class PoseForms {
       Pose b = path.poses().get(k);
       double dx = b.xM() - a.xM();
       double dz = b.zM() - a.zM();
-      double cos = Math.cos(angle);
-      double sin = Math.sin(angle);
+      double cos = StrictMath.cos(angle);
+      double sin = StrictMath.sin(angle);
       Pose next =
           new Pose(
               last.xM() + dx * cos + dz * sin,

@@ -39,7 +39,7 @@ final class RangeForms {
 
   private static Drawn temperature(Circumstances c) {
     double assumed = c.sensor().soundSpeedMPerS();
-    double believedK = ZERO_C_K * Math.pow(assumed / ZERO_C_SPEED, 2);
+    double believedK = ZERO_C_K * StrictMath.pow(assumed / ZERO_C_SPEED, 2);
     double kelvin = believedK + c.eitherWay(19);
     double factor = Math.sqrt(believedK / kelvin);
     return new Drawn(
@@ -98,7 +98,7 @@ final class RangeForms {
         (r, random) -> {
           double chi2 = 0;
           for (int i = 0; i < 3; i++) {
-            chi2 += Math.pow(random.nextGaussian(), 2);
+            chi2 += StrictMath.pow(random.nextGaussian(), 2);
           }
           return scale * random.nextGaussian() / Math.sqrt(chi2 / 3);
         });

@@ -7,7 +7,7 @@ public final class Decimals {
 
   /** Appends a number rounded to so many decimals, all of them written. */
   public static StringBuilder append(StringBuilder text, double value, int decimals) {
-    long scale = Math.round(Math.pow(10, decimals));
+    long scale = Math.round(StrictMath.pow(10, decimals));
     long units = Math.round(value * scale);
     String digits = Long.toString(scale + Math.abs(units % scale)).substring(1);
     return text.append(units < 0 ? "-" : "")

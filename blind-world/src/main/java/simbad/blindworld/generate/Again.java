@@ -9,7 +9,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.SplittableRandom;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.stream.Collectors;
@@ -17,6 +16,7 @@ import java.util.stream.IntStream;
 import simbad.blindworld.file.FormatException;
 import simbad.blindworld.file.JsonObject;
 import simbad.blindworld.file.Seal;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Recording;
 
 /**
@@ -125,7 +125,7 @@ public final class Again {
         Seal.sha256(before.getBytes(StandardCharsets.UTF_8)).equals(asked.readingsHash());
     if (same) {
       Recording rows = asked.rows().recording();
-      long chance = new SplittableRandom(asked.assignment().seed() ^ OTHER_CHANCE).nextLong();
+      long chance = new Chance(asked.assignment().seed() ^ OTHER_CHANCE).nextLong();
       String text = asked.rows().with(drawn.at(rows).read(chance));
       try {
         Path folder = Files.createDirectories(target.resolve(asked.assignment().id()));

@@ -10,11 +10,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.SplittableRandom;
 import simbad.blindworld.file.Decimals;
 import simbad.blindworld.file.Json;
 import simbad.blindworld.file.Output;
 import simbad.blindworld.file.Seal;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Forecast;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Row;
@@ -126,7 +126,7 @@ final class CaseFiles {
 
   static byte[] salt(long seed) {
     byte[] salt = new byte[SALT_BYTES];
-    new SplittableRandom(seed ^ 0x5EA1L).nextBytes(salt);
+    new Chance(seed ^ 0x5EA1L).nextBytes(salt);
     return salt;
   }
 

@@ -5,12 +5,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.SplittableRandom;
 import simbad.blindworld.design.Design;
 import simbad.blindworld.design.Scenes;
 import simbad.blindworld.effect.Circumstances;
 import simbad.blindworld.effect.Effect;
 import simbad.blindworld.effect.Vocabulary;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Change;
 import simbad.blindworld.world.Forecast;
 import simbad.blindworld.world.Recording;
@@ -42,14 +42,14 @@ final class Drawing {
 
   private final Plan.Assignment assignment;
   private final Order order;
-  private final SplittableRandom random;
+  private final Chance random;
   private List<String> names;
   private int draws;
 
   Drawing(Plan.Assignment assignment, Order order) {
     this.assignment = assignment;
     this.order = order;
-    this.random = new SplittableRandom(assignment.seed());
+    this.random = new Chance(assignment.seed());
     this.names = assignment.names();
   }
 

@@ -8,12 +8,12 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import simbad.blindworld.file.Csv;
 import simbad.blindworld.file.FormatException;
 import simbad.blindworld.file.JsonObject;
 import simbad.blindworld.file.Seal;
+import simbad.blindworld.world.Chance;
 
 /**
  * Data sets of others with their truths beside them: folders with scene.json, readings.csv, perhaps
@@ -69,7 +69,7 @@ public record ForeignSets(List<Path> folders) {
    */
   public void seal(Path directory, String level, long seed) throws IOException, FormatException {
     Generator.requireEmpty(directory);
-    SplittableRandom random = new SplittableRandom(seed);
+    Chance random = new Chance(seed);
     List<Map<String, Object>> entries = new ArrayList<>();
     for (Path one : folders) {
       entries.add(seal(one, directory, CaseFiles.salt(random.nextLong())));

@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.SplittableRandom;
 import simbad.blindworld.motion.MotionChange;
 import simbad.blindworld.motion.MotionForecast;
 import simbad.blindworld.motion.MotionWorld;
@@ -17,6 +16,7 @@ import simbad.blindworld.motionchange.MotionSite;
 import simbad.blindworld.motionchange.MotionVocabulary;
 import simbad.blindworld.motiondrive.MotionDesign;
 import simbad.blindworld.motiondrive.MotionSetup;
+import simbad.blindworld.world.Chance;
 
 /**
  * Draws one case of motion: a robot, a drive, a set-up and effects of log-uniform size, again and
@@ -43,14 +43,14 @@ final class MotionDrawing {
 
   private final Plan.Assignment assignment;
   private final Order order;
-  private final SplittableRandom random;
+  private final Chance random;
   private List<String> names;
   private int draws;
 
   MotionDrawing(Plan.Assignment assignment, Order order) {
     this.assignment = assignment;
     this.order = order;
-    this.random = new SplittableRandom(assignment.seed());
+    this.random = new Chance(assignment.seed());
     this.names = assignment.names();
   }
 

@@ -3,11 +3,11 @@ package simbad.blindworld.generate;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 import simbad.blindworld.motionchange.MotionEffect;
 import simbad.blindworld.motionchange.MotionSite;
 import simbad.blindworld.motionchange.MotionVocabulary;
+import simbad.blindworld.world.Chance;
 
 /** Whether another effect would have done the same. */
 final class MotionRivals {
@@ -53,7 +53,7 @@ final class MotionRivals {
 
   /** The sets of names by which an effect may be called, and by which it nearly may. */
   static MotionCase.Called called(MotionDrawing.Shown shown, MotionEffect effect, long seed) {
-    SplittableRandom random = new SplittableRandom(seed);
+    Chance random = new Chance(seed);
     List<Set<String>> accept = new ArrayList<>(MotionVocabulary.accept(effect.name()));
     List<Set<String>> also = new ArrayList<>();
     for (String rival : MotionVocabulary.rivals(effect.name())) {
@@ -69,7 +69,7 @@ final class MotionRivals {
 
   /** True when an effect of the vocabulary forecasts as well as something that has no name. */
   static boolean hides(MotionDrawing.Shown shown, MotionEffect effect, long seed) {
-    SplittableRandom random = new SplittableRandom(seed);
+    Chance random = new Chance(seed);
     Set<String> there = Set.copyOf(shown.effects().stream().map(MotionEffect::name).toList());
     return ANY.stream()
         .filter(name -> !there.contains(name))
@@ -80,11 +80,7 @@ final class MotionRivals {
    * By how many standard errors the truth is better than a rival of whatever size suits it best.
    */
   private static double leastZ(
-      MotionDrawing.Shown shown,
-      MotionEffect effect,
-      String rival,
-      int repeats,
-      SplittableRandom random) {
+      MotionDrawing.Shown shown, MotionEffect effect, String rival, int repeats, Chance random) {
     double least = Double.POSITIVE_INFINITY;
     String form = MotionVocabulary.forms(rival).get(0);
     for (double size : SIZES) {

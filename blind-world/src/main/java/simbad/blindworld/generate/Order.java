@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.SplittableRandom;
 import simbad.blindworld.check.Checks;
+import simbad.blindworld.world.Chance;
 
 /**
  * What to generate.
@@ -44,9 +44,9 @@ public record Order(
     }
 
     /** One of them, log-uniform. */
-    double draw(SplittableRandom random) {
-      double log = Math.log(least);
-      return Math.exp(log + (Math.log(most) - log) * random.nextDouble());
+    double draw(Chance random) {
+      double log = StrictMath.log(least);
+      return StrictMath.exp(log + (StrictMath.log(most) - log) * random.nextDouble());
     }
   }
 
@@ -73,10 +73,10 @@ public record Order(
    * @param kind of the case
    * @param grown by how many powers of two sizes have grown where effects have to show
    */
-  double size(Kind kind, double grown, SplittableRandom random) {
+  double size(Kind kind, double grown, Chance random) {
     double growth = hasToShow(kind) ? grown : 0;
     return sizes.isPresent()
-        ? sizes.get().draw(random) * Math.pow(2, growth)
-        : Math.pow(2, random.nextDouble(-1, 1) + growth);
+        ? sizes.get().draw(random) * StrictMath.pow(2, growth)
+        : StrictMath.pow(2, random.nextDouble(-1, 1) + growth);
   }
 }

@@ -6,8 +6,8 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
-import java.util.SplittableRandom;
 import java.util.TreeSet;
+import simbad.blindworld.world.Chance;
 
 /**
  * Which cases there will be, before any is drawn: kinds in the asked shares, effects evenly, in
@@ -34,7 +34,7 @@ public final class Plan {
   private Plan() {}
 
   static List<Assignment> of(Order order) {
-    SplittableRandom random = new SplittableRandom(order.seed());
+    Chance random = new Chance(order.seed());
     List<List<String>> contents = new ArrayList<>();
     List<Kind> kinds = new ArrayList<>();
     Worlds worlds = order.worlds();
@@ -80,14 +80,14 @@ public final class Plan {
     return counts;
   }
 
-  private static Random withheldChance(Order order, SplittableRandom random) {
+  private static Random withheldChance(Order order, Chance random) {
     return new Random(order.withheld().isEmpty() ? 0 : random.nextLong());
   }
 
   /** What each kind takes its names from. */
   private record Wheels(Wheel inside, Wheel outside, Wheel withheld, Worlds worlds) {}
 
-  private static List<String> names(Kind kind, Wheels wheels, SplittableRandom random) {
+  private static List<String> names(Kind kind, Wheels wheels, Chance random) {
     Wheel inside = wheels.inside();
     Wheel outside = wheels.outside();
     return switch (kind) {
@@ -127,7 +127,7 @@ public final class Plan {
   }
 
   /** Three effects, the first of which is given. */
-  static List<String> otherTriple(Order order, String first, SplittableRandom random) {
+  static List<String> otherTriple(Order order, String first, Chance random) {
     Wheel wheel = wheel(order, inside(order), random);
     List<String> two = otherPair(order, first, random);
     String third = wheel.next();
@@ -159,7 +159,7 @@ public final class Plan {
   }
 
   /** A pair of an effect with any other that is fair beside it. */
-  static List<String> otherPair(Order order, String first, SplittableRandom random) {
+  static List<String> otherPair(Order order, String first, Chance random) {
     Wheel wheel = wheel(order, inside(order), random);
     String second = wheel.next();
     while (!order.worlds().isFairPair(first, second)) {
@@ -172,7 +172,7 @@ public final class Plan {
     return order.effects().isEmpty() ? order.worlds().names() : order.worlds().all();
   }
 
-  private static Wheel wheel(Order order, List<String> all, SplittableRandom random) {
+  private static Wheel wheel(Order order, List<String> all, Chance random) {
     List<String> wanted =
         all.stream()
             .filter(name -> order.effects().isEmpty() || order.effects().contains(name))
@@ -181,7 +181,7 @@ public final class Plan {
     return new Wheel(wanted, new Random(random.nextLong()));
   }
 
-  private static List<String> ids(int count, SplittableRandom random) {
+  private static List<String> ids(int count, Chance random) {
     TreeSet<String> ids = new TreeSet<>();
     while (ids.size() < count) {
       ids.add("c" + String.format("%07x", random.nextInt(1 << 28)));

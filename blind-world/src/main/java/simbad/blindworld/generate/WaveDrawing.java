@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.SplittableRandom;
 import simbad.blindworld.design.Design;
 import simbad.blindworld.wave.Alteration;
 import simbad.blindworld.wave.WaveWorld;
@@ -13,6 +12,7 @@ import simbad.blindworld.wavechange.WaveEffect;
 import simbad.blindworld.wavechange.WaveVocabulary;
 import simbad.blindworld.wavesetup.Room;
 import simbad.blindworld.wavesetup.User;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Forecast;
 import simbad.blindworld.world.Recording;
 import simbad.blindworld.world.Repeats;
@@ -53,7 +53,7 @@ final class WaveDrawing {
 
   private final Plan.Assignment assignment;
   private final Order order;
-  private final SplittableRandom random;
+  private final Chance random;
   private List<String> names;
   private String kind = "";
   private int draws;
@@ -61,7 +61,7 @@ final class WaveDrawing {
   WaveDrawing(Plan.Assignment assignment, Order order) {
     this.assignment = assignment;
     this.order = order;
-    this.random = new SplittableRandom(assignment.seed());
+    this.random = new Chance(assignment.seed());
     this.names = assignment.names();
   }
 

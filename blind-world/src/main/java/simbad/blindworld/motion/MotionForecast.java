@@ -2,9 +2,9 @@ package simbad.blindworld.motion;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.SplittableRandom;
 import simbad.blindworld.check.Checks;
 import simbad.blindworld.file.Decimals;
+import simbad.blindworld.world.Chance;
 
 /** The 19 quantiles q05..q95 of what each window will show: along, across and turn. */
 public final class MotionForecast {
@@ -49,7 +49,7 @@ public final class MotionForecast {
   public static MotionForecast of(MotionWorld world, Outing outing, int repeats, long seed) {
     Outing thin = outing.atBeats();
     Windows windows = Windows.of(thin);
-    SplittableRandom seeds = new SplittableRandom(seed);
+    Chance seeds = new Chance(seed);
     double[][][] shown = new double[repeats][][];
     for (int i = 0; i < repeats; i++) {
       shown[i] = windows.displacements(world.drive(thin, seeds.nextLong()));

@@ -3,9 +3,9 @@ package simbad.blindworld.motion;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import simbad.blindworld.check.Checks;
+import simbad.blindworld.world.Chance;
 
 /**
  * A robot with everything that is at work in it. Speeds are constant over steps of a fiftieth of a
@@ -81,7 +81,7 @@ public final class MotionWorld {
 
   /** What the tracker says of the robot on an outing, by chance of this seed. */
   public Track drive(Outing outing, long seed) {
-    SplittableRandom random = new SplittableRandom(seed);
+    Chance random = new Chance(seed);
     List<Acting> acting = new ArrayList<>();
     for (MotionChange change : changes) {
       acting.add(change.begin().apply(random.split()));
@@ -117,13 +117,13 @@ public final class MotionWorld {
       this.beforeS = beforeS;
     }
 
-    void drive(double[][] poses, SplittableRandom random) {
+    void drive(double[][] poses, Chance random) {
       Commands heard = run.commands();
       for (MotionChange change : changes) {
         heard = change.heard().apply(heard, random.split());
       }
       Path path = path(heard.means());
-      SplittableRandom luck = random.split();
+      Chance luck = random.split();
       for (int frame = 0; frame < run.frames(); frame++) {
         see(path, run.frameS(frame));
         double tail = seeing.tails() > 0 && luck.nextDouble() < seeing.tails() ? 3 : 1;

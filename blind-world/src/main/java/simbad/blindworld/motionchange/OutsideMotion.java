@@ -75,7 +75,7 @@ final class OutsideMotion {
             step -> {
               double dx = postX - step.xM();
               double dz = postZ - step.zM();
-              double far = Math.hypot(dx, dz) + 1e-9;
+              double far = StrictMath.hypot(dx, dz) + 1e-9;
               double pull = Math.min(0.5, perM * far);
               double along = (step.directionX() * dx + step.directionZ() * dz) / far;
               double left = (step.directionZ() * dx - step.directionX() * dz) / far;

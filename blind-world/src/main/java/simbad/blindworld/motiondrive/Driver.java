@@ -92,8 +92,8 @@ interface Driver {
 
   /** Slow and quick by turns, over a range of a factor of twenty. */
   private static Piece creeping(RandomGenerator random) {
-    double v = Math.pow(20, -random.nextDouble());
-    double w = Math.pow(20, -random.nextDouble()) * (random.nextBoolean() ? 1 : -1);
+    double v = StrictMath.pow(20, -random.nextDouble());
+    double w = StrictMath.pow(20, -random.nextDouble()) * (random.nextBoolean() ? 1 : -1);
     boolean straight = random.nextInt(4) == 0;
     return new Piece(
         random.nextInt(6) == 0 ? -v : v, straight ? 0 : w, random.nextDouble(0.6, 2.5));

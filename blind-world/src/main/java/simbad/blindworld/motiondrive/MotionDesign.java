@@ -3,12 +3,12 @@ package simbad.blindworld.motiondrive;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 import simbad.blindworld.motion.Commands;
 import simbad.blindworld.motion.Commands.Speeds;
 import simbad.blindworld.motion.Outing;
 import simbad.blindworld.motion.Robot;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Pose;
 
 /** A robot, how it is driven and who looks on: enough to make any number of logs. */
@@ -124,7 +124,7 @@ public final class MotionDesign {
   }
 
   /** A log of about so many seconds, in one to four runs. */
-  public Outing outing(double wantedS, SplittableRandom random) {
+  public Outing outing(double wantedS, Chance random) {
     double seconds = Math.min(wantedS, (double) MOST_FRAMES / camera.rateHz);
     int count = 1 + random.nextInt((int) Math.max(1, Math.min(4, seconds / 40)));
     List<Outing.Run> runs = new ArrayList<>();
@@ -137,7 +137,7 @@ public final class MotionDesign {
   }
 
   /** The camera runs from a whole second on; commands begin within the second after. */
-  private Outing.Run run(String name, double beginS, double lastsS, SplittableRandom random) {
+  private Outing.Run run(String name, double beginS, double lastsS, Chance random) {
     double endS = beginS + Math.ceil(2 * lastsS) / 2;
     Pose start =
         new Pose(
@@ -148,7 +148,7 @@ public final class MotionDesign {
     return new Outing.Run(name, commands, frames(beginS, endS, random.split()), endS, start);
   }
 
-  private Commands commands(double beginS, double endS, Pose start, SplittableRandom random) {
+  private Commands commands(double beginS, double endS, Pose start, Chance random) {
     Driver driver = Driver.draw(kind, limits, random.split());
     double reachM = ROOM_S * limits.vMPerS();
     Fence fence = new Fence(start, reachM, limits);
@@ -169,7 +169,7 @@ public final class MotionDesign {
         told.stream().mapToDouble(Speeds::wRadPerS).toArray());
   }
 
-  private double pauseS(SplittableRandom random) {
+  private double pauseS(Chance random) {
     double even = 1 / link.rateHz;
     double pause = even * (1 + link.jitter * random.nextDouble(-1, 1));
     boolean longer = random.nextDouble() < link.pauses / 60 * even;
@@ -185,7 +185,7 @@ public final class MotionDesign {
     return Speeds.ofRims(rounded(speeds.left(base), 5), rounded(speeds.right(base), 5), base);
   }
 
-  private double[] frames(double beginS, double endS, SplittableRandom random) {
+  private double[] frames(double beginS, double endS, Chance random) {
     int count = (int) Math.floor((endS - beginS) * camera.rateHz) + 1;
     boolean[] lost = new boolean[count];
     double holes = camera.holesPerMinute / 60 / camera.rateHz;
@@ -229,7 +229,7 @@ public final class MotionDesign {
       advance(atS);
       double home = StrictMath.atan2(z, -x);
       double off = Math.IEEEremainder(home - heading, 2 * Math.PI);
-      boolean outside = Math.hypot(x, z) > reachM;
+      boolean outside = StrictMath.hypot(x, z) > reachM;
       turning = outside && (turning ? Math.abs(off) > 0.4 : Math.abs(off) > 1.6);
       boolean goesOn = outside && Math.abs(off) < 1.6 && wanted.vMPerS() < 0;
       double w = Math.copySign(0.7 * limits.wRadPerS(), off);

@@ -58,7 +58,7 @@ final class Calibration {
   }
 
   static double loss(double probability) {
-    return -Math.log(Math.max(LEAST, Math.min(1, probability)));
+    return -StrictMath.log(Math.max(LEAST, Math.min(1, probability)));
   }
 
   /** The log score of always stating the share. */

@@ -35,7 +35,7 @@ final class ParameterHits {
   private record Sense(
       String effect, String form, String own, String said, double times, double power) {
     double value(double ofTruth) {
-      return times * Math.pow(ofTruth, power);
+      return times * StrictMath.pow(ofTruth, power);
     }
   }
 

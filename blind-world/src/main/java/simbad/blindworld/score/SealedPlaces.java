@@ -128,7 +128,7 @@ final class SealedPlaces {
     }
     double x = scene.obstacles().get(sight.body()).place().xM() - pose.xM();
     double z = scene.obstacles().get(sight.body()).place().zM() - pose.zM();
-    double off = Math.atan2(-z, x) - pose.headingRad();
+    double off = StrictMath.atan2(-z, x) - pose.headingRad();
     return Math.toDegrees(Math.IEEEremainder(off, 2 * Math.PI));
   }
 

@@ -18,15 +18,15 @@ final class SizeCurves {
   /** Of fewer cases with one effect nothing is said. */
   private static final int LEAST = 6;
 
-  private static final double FURTHEST = Math.log(100);
-  private static final double MIDDLE_SPREAD = Math.log(5);
+  private static final double FURTHEST = StrictMath.log(100);
+  private static final double MIDDLE_SPREAD = StrictMath.log(5);
   private static final double STEEPNESS = 2.5;
   private static final double STEEPNESS_SPREAD = 0.7;
   private static final int MIDDLES = 185;
   private static final int STEEPNESSES = 41;
 
   /** Natural logarithm of the odds of 90 of 100. */
-  private static final double NINETY = Math.log(9);
+  private static final double NINETY = StrictMath.log(9);
 
   private SizeCurves() {}
 
@@ -87,7 +87,7 @@ final class SizeCurves {
   }
 
   private static List<Curve> curves(List<Graded> of) {
-    double[] logSize = of.stream().mapToDouble(g -> Math.log(size(g))).toArray();
+    double[] logSize = of.stream().mapToDouble(g -> StrictMath.log(size(g))).toArray();
     boolean[] found = new boolean[logSize.length];
     for (int i = 0; i < found.length; i++) {
       found[i] = isFound(of.get(i));
@@ -97,14 +97,14 @@ final class SizeCurves {
       double middle = FURTHEST * (2.0 * i / (MIDDLES - 1) - 1);
       for (int j = 0; j < STEEPNESSES; j++) {
         double away = 3 * (2.0 * j / (STEEPNESSES - 1) - 1);
-        double steepness = STEEPNESS * Math.exp(STEEPNESS_SPREAD * away);
+        double steepness = STEEPNESS * StrictMath.exp(STEEPNESS_SPREAD * away);
         double far = middle / MIDDLE_SPREAD;
         double log = -(far * far + away * away) / 2;
         for (int k = 0; k < found.length; k++) {
           double odds = steepness * (logSize[k] - middle);
-          log -= Math.log1p(Math.exp(found[k] ? -odds : odds));
+          log -= StrictMath.log1p(StrictMath.exp(found[k] ? -odds : odds));
         }
-        curves.add(new Curve(middle, steepness, Math.exp(log)));
+        curves.add(new Curve(middle, steepness, StrictMath.exp(log)));
       }
     }
     return curves;
@@ -123,7 +123,7 @@ final class SizeCurves {
     for (Curve curve : sorted) {
       sum += curve.weight;
       if (sum >= probability * all) {
-        return Math.exp(curve.logSize(logOdds));
+        return StrictMath.exp(curve.logSize(logOdds));
       }
     }
     throw new IllegalStateException("weights that are no numbers");

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
+import simbad.blindworld.world.Chance;
 
 /** The median of a sample with a bootstrap interval. */
 final class Spread {
@@ -30,7 +30,7 @@ final class Spread {
     if (sample.isEmpty()) {
       return List.of();
     }
-    SplittableRandom random = new SplittableRandom(SEED);
+    Chance random = new Chance(SEED);
     List<Double> values = new ArrayList<>();
     for (int i = 0; i < RESAMPLES; i++) {
       List<T> again = random.ints(sample.size(), 0, sample.size()).mapToObj(sample::get).toList();

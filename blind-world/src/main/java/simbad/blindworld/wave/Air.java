@@ -56,18 +56,18 @@ public record Air(double temperatureC, double humidityPercent, double pressureKP
     double nitrogen =
         pressure
             / Math.sqrt(warmth)
-            * (9 + 280 * h * Math.exp(-4.17 * (Math.cbrt(1 / warmth) - 1)));
+            * (9 + 280 * h * StrictMath.exp(-4.17 * (StrictMath.cbrt(1 / warmth) - 1)));
     double square = frequencyHz * frequencyHz;
     double classical = 1.84e-11 / pressure * Math.sqrt(warmth);
     double relaxing =
-        0.01275 * Math.exp(-2239.1 / kelvin()) / (oxygen + square / oxygen)
-            + 0.1068 * Math.exp(-3352 / kelvin()) / (nitrogen + square / nitrogen);
-    return 8.686 * square * (classical + Math.pow(warmth, -2.5) * relaxing);
+        0.01275 * StrictMath.exp(-2239.1 / kelvin()) / (oxygen + square / oxygen)
+            + 0.1068 * StrictMath.exp(-3352 / kelvin()) / (nitrogen + square / nitrogen);
+    return 8.686 * square * (classical + StrictMath.pow(warmth, -2.5) * relaxing);
   }
 
   /** The molar concentration of water vapour, in per cent. */
   private double moleShare() {
-    double exponent = 4.6151 - 6.8346 * Math.pow(TRIPLE_POINT_K / kelvin(), 1.261);
-    return humidityPercent * Math.pow(10, exponent) * REFERENCE_KPA / pressureKPa;
+    double exponent = 4.6151 - 6.8346 * StrictMath.pow(TRIPLE_POINT_K / kelvin(), 1.261);
+    return humidityPercent * StrictMath.pow(10, exponent) * REFERENCE_KPA / pressureKPa;
   }
 }

@@ -4,7 +4,7 @@ package simbad.blindworld.wave;
 record Complex(double re, double im) {
 
   static Complex polar(double size, double angleRad) {
-    return new Complex(size * Math.cos(angleRad), size * Math.sin(angleRad));
+    return new Complex(size * StrictMath.cos(angleRad), size * StrictMath.sin(angleRad));
   }
 
   Complex plus(Complex other) {
@@ -31,10 +31,10 @@ record Complex(double re, double im) {
 
   /** e to the power of this number. */
   Complex exp() {
-    return polar(Math.exp(re), im);
+    return polar(StrictMath.exp(re), im);
   }
 
   double size() {
-    return Math.hypot(re, im);
+    return StrictMath.hypot(re, im);
   }
 }

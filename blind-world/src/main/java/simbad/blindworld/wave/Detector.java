@@ -25,7 +25,7 @@ final class Detector {
     Gear.Receiver receiver = gear.receiver();
     frequencyHz = gear.burst().frequencyHz();
     noise = receiver.noise();
-    keeps = Math.exp(-Math.PI / gear.burst().receiver().quality());
+    keeps = StrictMath.exp(-Math.PI / gear.burst().receiver().quality());
     armed = (int) Math.ceil(receiver.armS() * frequencyHz);
     int end = Math.max(armed, (int) Math.floor(receiver.timeoutS() * frequencyHz));
     threshold = new double[end + 1];
@@ -34,7 +34,7 @@ final class Detector {
     for (int cycle = 0; cycle <= end; cycle++) {
       threshold[cycle] = receiver.thresholdAt(cycle / frequencyHz);
       double ratio = threshold[cycle] / noise;
-      sum += cycle < armed ? 0 : (1 - keeps) * Math.exp(-0.5 * ratio * ratio);
+      sum += cycle < armed ? 0 : (1 - keeps) * StrictMath.exp(-0.5 * ratio * ratio);
       hazard[cycle] = sum;
     }
   }
@@ -62,7 +62,7 @@ final class Detector {
     if (hazard[end()] < LEAST_HAZARD) {
       return Double.POSITIVE_INFINITY;
     }
-    double exposure = -Math.log(1 - random.nextDouble());
+    double exposure = -StrictMath.log(1 - random.nextDouble());
     int place = Arrays.binarySearch(hazard, exposure);
     int cycle = place < 0 ? -place - 1 : place;
     return cycle > end() ? Double.POSITIVE_INFINITY : (cycle + random.nextDouble()) / frequencyHz;
@@ -95,7 +95,7 @@ final class Detector {
       // A comparator that is high when ringing ends fires when it has been low in between.
       boolean still = cycle == armed || (joins && high);
       if (over && !still) {
-        return (cycle - Math.atan2(im, re) / (2 * Math.PI)) / frequencyHz;
+        return (cycle - StrictMath.atan2(im, re) / (2 * Math.PI)) / frequencyHz;
       }
       high = over;
       last = cycle;

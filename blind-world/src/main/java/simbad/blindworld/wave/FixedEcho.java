@@ -23,11 +23,11 @@ public record FixedEcho(double distanceM, double excessDb, double restlessDb) im
     double cycles = medium.cyclesAfter(2 * distanceM);
     double time = cycles / medium.gear().burst().frequencyHz();
     double threshold = medium.gear().receiver().thresholdAt(time);
-    double size = threshold * Math.pow(10, excessDb / 20) / medium.pulsePeak();
+    double size = threshold * StrictMath.pow(10, excessDb / 20) / medium.pulsePeak();
     double phase = -2 * Math.PI * cycles;
     Trace trace = new Trace((int) Math.floor(cycles), 2);
     double left = size * medium.leftAfter(0);
-    trace.add(cycles, left * Math.cos(phase), left * Math.sin(phase));
+    trace.add(cycles, left * StrictMath.cos(phase), left * StrictMath.sin(phase));
     return trace;
   }
 }

@@ -75,7 +75,7 @@ public record Gear(Burst burst, Pistons pistons, Receiver receiver, double level
 
     /** The threshold at a time after the trigger. */
     public double thresholdAt(double tS) {
-      return floor + (start - floor) * Math.exp(-tS / decayS);
+      return floor + (start - floor) * StrictMath.exp(-tS / decayS);
     }
 
     /** The same receiver, listening later. */

@@ -17,7 +17,7 @@ record Listener(double xM, double zM, double axisX, double axisZ) {
   /** Where a pose is, looking beside its heading by so much. */
   static Listener at(Pose pose, double besideRad) {
     double heading = pose.headingRad() + besideRad;
-    return new Listener(pose.xM(), pose.zM(), Math.cos(heading), -Math.sin(heading));
+    return new Listener(pose.xM(), pose.zM(), StrictMath.cos(heading), -StrictMath.sin(heading));
   }
 
   /** The listener behind a mirror. */

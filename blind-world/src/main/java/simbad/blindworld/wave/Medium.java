@@ -22,8 +22,8 @@ public final class Medium {
     soundSpeedMPerS = air.soundSpeedMPerS();
     double frequency = gear.burst().frequencyHz();
     perM = 2 * Math.PI * frequency / soundSpeedMPerS;
-    lossPerM = air.absorptionDbPerM(frequency) * Math.log(10) / 20;
-    level = Math.pow(10, gear.levelDb() / 20);
+    lossPerM = air.absorptionDbPerM(frequency) * StrictMath.log(10) / 20;
+    level = StrictMath.pow(10, gear.levelDb() / 20);
     sender = new Piston(gear.pistons().senderRadiusM(), perM);
     receiver = new Piston(gear.pistons().receiverRadiusM(), perM);
     pulse = gear.burst().pulse();
@@ -46,7 +46,7 @@ public final class Medium {
 
   /** What is left of a pressure after a way, by absorption and the sonar's level. */
   double leftAfter(double wayM) {
-    return level * Math.exp(-lossPerM * wayM);
+    return level * StrictMath.exp(-lossPerM * wayM);
   }
 
   /** The time after the trigger of what came a way, in carrier cycles. */

@@ -36,7 +36,7 @@ public final class Outline {
   record Face(Point from, Point to) {
 
     double lengthM() {
-      return Math.hypot(to.xM() - from.xM(), to.zM() - from.zM());
+      return StrictMath.hypot(to.xM() - from.xM(), to.zM() - from.zM());
     }
 
     /** True when the straight way between two points goes through the face. */
@@ -68,7 +68,8 @@ public final class Outline {
     normalZ = column(elements, 3);
     lengthM = column(elements, 4);
     faces = hollow ? List.copyOf(all) : List.of();
-    radiusM = corners.stream().mapToDouble(p -> Math.hypot(p.xM(), p.zM())).max().orElseThrow();
+    radiusM =
+        corners.stream().mapToDouble(p -> StrictMath.hypot(p.xM(), p.zM())).max().orElseThrow();
   }
 
   private static double[] column(List<double[]> elements, int which) {
@@ -105,7 +106,7 @@ public final class Outline {
     List<Point> corners = new ArrayList<>();
     for (int i = 0; i < count; i++) {
       double angle = 2 * Math.PI * i / count;
-      corners.add(new Point(radiusM * Math.cos(angle), radiusM * Math.sin(angle)));
+      corners.add(new Point(radiusM * StrictMath.cos(angle), radiusM * StrictMath.sin(angle)));
     }
     return of(corners);
   }

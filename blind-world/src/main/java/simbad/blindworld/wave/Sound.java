@@ -37,7 +37,7 @@ final class Sound {
         sumIm += y;
         sizes += Math.sqrt(x * x + y * y);
       }
-      most = Math.max(most, Math.hypot(sumRe, sumIm) / detector.threshold(cycle));
+      most = Math.max(most, StrictMath.hypot(sumRe, sumIm) / detector.threshold(cycle));
       if (detector.mayHear(headroom * sizes, cycle)) {
         heard.add(cycle);
       }
@@ -51,7 +51,7 @@ final class Sound {
         im[e][i] = echoes.get(e).im(cycles[i]);
       }
     }
-    excessDb = most > 0 ? 20 * Math.log10(most) : SILENT_DB;
+    excessDb = most > 0 ? 20 * StrictMath.log10(most) : SILENT_DB;
   }
 
   int size() {

@@ -65,8 +65,8 @@ final class Sum {
     double size = medium.perM() / (2 * Math.PI) * slant * aim * outline.lengthM[e] / (there * back);
     size *= medium.leftAfter(there + back);
     double phase = -medium.perM() * (there + back) - medium.delayPhaseRad();
-    double re = size * Math.cos(phase);
-    double im = size * Math.sin(phase);
+    double re = size * StrictMath.cos(phase);
+    double im = size * StrictMath.sin(phase);
     // Times i.
     trace.add(
         medium.cyclesAfter(there + back),

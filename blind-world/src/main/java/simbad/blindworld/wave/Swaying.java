@@ -22,7 +22,7 @@ public record Swaying(Target target, double swingXM, double swingZM, double peri
 
   @Override
   public Trace arrivals(Pose pose, Medium medium, double tS) {
-    double now = Math.sin(2 * Math.PI * tS / periodS);
+    double now = StrictMath.sin(2 * Math.PI * tS / periodS);
     return target.moved(swingXM * now, swingZM * now).arrivals(pose, medium, tS);
   }
 }

@@ -79,13 +79,13 @@ public final class Target implements Reflector {
   }
 
   private double distanceM(Listener listener) {
-    return Math.hypot(listener.xM() - place.xM(), listener.zM() - place.zM());
+    return StrictMath.hypot(listener.xM() - place.xM(), listener.zM() - place.zM());
   }
 
   /** A listener in the target's own frame. */
   private Listener own(Listener listener) {
-    double cos = Math.cos(turnRad);
-    double sin = Math.sin(turnRad);
+    double cos = StrictMath.cos(turnRad);
+    double sin = StrictMath.sin(turnRad);
     double dx = listener.xM() - place.xM();
     double dz = listener.zM() - place.zM();
     return new Listener(

@@ -85,7 +85,7 @@ public final class Trace {
   double most() {
     double most = 0;
     for (int i = 0; i < re.length; i++) {
-      most = Math.max(most, Math.hypot(re[i], im[i]));
+      most = Math.max(most, StrictMath.hypot(re[i], im[i]));
     }
     return most;
   }

@@ -29,13 +29,13 @@ final class VerticalSum {
   VerticalSum(Upright upright, Medium medium) {
     this.upright = upright;
     this.medium = medium;
-    perStep = Math.log(FURTHEST_M / NEAREST_M) / STEPS;
+    perStep = StrictMath.log(FURTHEST_M / NEAREST_M) / STEPS;
     Arrays.fill(re, Double.NaN);
   }
 
   private void know(int i) {
     if (Double.isNaN(re[i])) {
-      Complex sum = sum(NEAREST_M * Math.exp(i * perStep));
+      Complex sum = sum(NEAREST_M * StrictMath.exp(i * perStep));
       re[i] = sum.re();
       im[i] = sum.im();
     }
@@ -52,8 +52,8 @@ final class VerticalSum {
       double sine = z / Math.sqrt(z * z + distanceM * distanceM);
       double weight = medium.sent(sine) * medium.received(sine) * taper(z / distanceM);
       double phase = -medium.perM() * z * z / distanceM;
-      sumRe += weight * Math.cos(phase);
-      sumIm += weight * Math.sin(phase);
+      sumRe += weight * StrictMath.cos(phase);
+      sumIm += weight * StrictMath.sin(phase);
     }
     double slice = slices == 0 ? 0 : (to - from) / slices;
     return new Complex(sumRe * slice, sumIm * slice);
@@ -62,12 +62,12 @@ final class VerticalSum {
   /** Where the sum is broken off it fades, so that no end shows that is none. */
   private static double taper(double steepness) {
     double beyond = Math.abs(steepness) / STEEPEST;
-    return beyond < 0.7 ? 1 : 0.5 * (1 + Math.cos(Math.PI * (beyond - 0.7) / 0.3));
+    return beyond < 0.7 ? 1 : 0.5 * (1 + StrictMath.cos(Math.PI * (beyond - 0.7) / 0.3));
   }
 
   private double place(double distanceM) {
     double within = Math.max(NEAREST_M, Math.min(FURTHEST_M, distanceM));
-    return Math.log(within / NEAREST_M) / perStep;
+    return StrictMath.log(within / NEAREST_M) / perStep;
   }
 
   /** The sum at a distance, in metres. */

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 import simbad.blindworld.check.Checks;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Pose;
 import simbad.blindworld.world.Recording;
 import simbad.blindworld.world.Repeats;
@@ -112,7 +112,7 @@ public final class WaveWorld {
     for (Reflector reflector : reflectors) {
       echoes.add(medium.drawn(reflector.arrivals(pose, medium, tS)));
     }
-    return new Sound(echoes, detector(sensor), Math.pow(10, headroomDb / 20));
+    return new Sound(echoes, detector(sensor), StrictMath.pow(10, headroomDb / 20));
   }
 
   /** A transducer that stands still, ready to ping any number of times. */
@@ -132,9 +132,9 @@ public final class WaveWorld {
     }
     Complex[] factors = new Complex[reflectors.size()];
     for (int r = 0; r < factors.length; r++) {
-      double spread = Math.hypot(scatterDb, reflectors.get(r).restlessDb());
+      double spread = StrictMath.hypot(scatterDb, reflectors.get(r).restlessDb());
       double db = louderDb + spread * Math.max(-RARE, Math.min(RARE, random.nextGaussian()));
-      factors[r] = Complex.polar(Math.pow(10, db / 20), FLICKER_RAD * random.nextGaussian());
+      factors[r] = Complex.polar(StrictMath.pow(10, db / 20), FLICKER_RAD * random.nextGaussian());
     }
     return Math.min(alarm, detector.firstS(sound, factors, random));
   }
@@ -184,7 +184,7 @@ public final class WaveWorld {
 
     @Override
     public double[] read(long seed) {
-      SplittableRandom random = new SplittableRandom(seed);
+      Chance random = new Chance(seed);
       double[] readings = new double[recording.size()];
       for (Track track : recording.tracks()) {
         List<Ear> ears = alterations.stream().map(a -> a.ear(recording, track, seed)).toList();

@@ -49,7 +49,7 @@ final class OutsideChanges {
             new Alteration() {
               @Override
               public double scatterDb(double scatterDb) {
-                return Math.hypot(scatterDb, db);
+                return StrictMath.hypot(scatterDb, db);
               }
             })
         .near(List.of(Set.of("dropout")));
@@ -63,7 +63,7 @@ final class OutsideChanges {
     return drifting(
         "wet-membrane",
         Map.of("db", db, "dries_in", wet, "times", times),
-        ping -> -db * Math.exp(-(times * ping - Math.floor(times * ping)) / wet));
+        ping -> -db * StrictMath.exp(-(times * ping - Math.floor(times * ping)) / wet));
   }
 
   /** A battery gives way while the log is taken: the threshold rises with it. */
@@ -71,7 +71,9 @@ final class OutsideChanges {
     double db = site.sized(7);
     double power = site.between(1.5, 4);
     return drifting(
-        "supply-voltage", Map.of("db", db, "power", power), share -> -db * Math.pow(share, power));
+        "supply-voltage",
+        Map.of("db", db, "power", power),
+        share -> -db * StrictMath.pow(share, power));
   }
 
   /** The transmitter's coupling comes and goes. */
@@ -81,7 +83,7 @@ final class OutsideChanges {
     return drifting(
         "fading-transmitter",
         Map.of("db", db, "waves", waves),
-        share -> -db * (1 + Math.sin(2 * Math.PI * waves * share)) / 2);
+        share -> -db * (1 + StrictMath.sin(2 * Math.PI * waves * share)) / 2);
   }
 
   private interface Course {
@@ -97,7 +99,7 @@ final class OutsideChanges {
   /** Fewer cycles reach less of the resonances' height; what is lost is found a little later. */
   private static WaveEffect shortBurst(Site site) {
     int before = site.parts().gear().burst().cycles();
-    double left = Math.rint(before * Math.pow(0.55, site.size()));
+    double left = Math.rint(before * StrictMath.pow(0.55, site.size()));
     int cycles = (int) Math.max(1, Math.min(before - 1.0, left));
     WaveEffect effect =
         WaveEffect.of(
@@ -135,7 +137,7 @@ final class OutsideChanges {
     double deg = site.eitherWay(18);
     Alteration turned =
         Alterations.gear(g -> g.with(g.pistons().receiverTurned(Math.toRadians(deg))));
-    double half = Math.sin(Math.toRadians(Math.min(90, Math.abs(deg) / 2)));
+    double half = StrictMath.sin(Math.toRadians(Math.min(90, Math.abs(deg) / 2)));
     double ka =
         2
             * Math.PI
@@ -143,7 +145,7 @@ final class OutsideChanges {
             / site.parts().air().soundSpeedMPerS()
             * site.parts().gear().pistons().receiverRadiusM();
     // A piston is about a Gaussian, exp(-(ka sin)^2 / 8), and two of them aside are one, weaker.
-    double lossDb = 2 * ka * ka * half * half / 8 * 20 / Math.log(10);
+    double lossDb = 2 * ka * ka * half * half / 8 * 20 / StrictMath.log(10);
     List<Set<String>> accept = new ArrayList<>(List.of(Set.of(MISALIGNMENT, GAIN)));
     if (lossDb < SMALL_LOSS_DB) {
       accept.add(Set.of(MISALIGNMENT));
@@ -167,9 +169,9 @@ final class OutsideChanges {
     for (int i = 0; i < corners.size(); i++) {
       Point a = corners.get(i);
       Point b = corners.get((i + 1) % corners.size());
-      double bearing = Math.atan2(a.xM() + b.xM(), a.zM() + b.zM());
+      double bearing = StrictMath.atan2(a.xM() + b.xM(), a.zM() + b.zM());
       boolean covered = Math.abs(Math.IEEEremainder(bearing - centre, 2 * Math.PI)) < half;
-      shares.add(covered ? Math.pow(10, -db / 20) : 1);
+      shares.add(covered ? StrictMath.pow(10, -db / 20) : 1);
     }
     Outline outline = Outline.covered(corners, shares);
     return WaveEffect.of(
@@ -202,7 +204,7 @@ final class OutsideChanges {
 
   private static Reflector swaying(Reflector reflector, double m, double direction, double s) {
     return reflector instanceof Target target
-        ? new Swaying(target, m * Math.cos(direction), m * Math.sin(direction), s)
+        ? new Swaying(target, m * StrictMath.cos(direction), m * StrictMath.sin(direction), s)
         : reflector;
   }
 }

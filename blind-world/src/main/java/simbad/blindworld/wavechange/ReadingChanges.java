@@ -109,7 +109,7 @@ final class ReadingChanges {
   private static WaveEffect hiss(Site site) {
     double ratio = site.parts().gear().receiver().floor() / site.parts().gear().receiver().noise();
     // Of so many standard deviations the threshold is when one ping in seven is false.
-    double over = 3.6 / Math.pow(site.size(), 0.1);
+    double over = 3.6 / StrictMath.pow(site.size(), 0.1);
     double times = Math.max(1, ratio / over);
     return WaveEffect.of(
         "crosstalk",

@@ -13,7 +13,7 @@ import simbad.blindworld.wave.WaveWorld;
  */
 final class Rivals {
 
-  private static final double SAME_NATS = Math.log(100);
+  private static final double SAME_NATS = StrictMath.log(100);
 
   /** By which levels scatter at the threshold, by noise and by the air. */
   private static final double SCATTER_DB = 0.7;
@@ -81,7 +81,7 @@ final class Rivals {
 
   /** The chance that an echo of a level over the threshold is heard: a logistic of its scatter. */
   private static double chance(double excessDb) {
-    double heard = 1 / (1 + Math.exp(-1.7 * excessDb / SCATTER_DB));
+    double heard = 1 / (1 + StrictMath.exp(-1.7 * excessDb / SCATTER_DB));
     return Math.max(LEAST_CHANCE, Math.min(1 - LEAST_CHANCE, heard));
   }
 
@@ -93,7 +93,7 @@ final class Rivals {
       for (double[] row : rows) {
         double so = row[1];
         double by = chance(law.excessDb(row[0], row[2], size));
-        sum += so * Math.log(so / by) + (1 - so) * Math.log((1 - so) / (1 - by));
+        sum += so * StrictMath.log(so / by) + (1 - so) * StrictMath.log((1 - so) / (1 - by));
       }
       least = Math.min(least, sum);
     }

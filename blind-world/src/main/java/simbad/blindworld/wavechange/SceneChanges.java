@@ -61,8 +61,8 @@ final class SceneChanges {
     int index = site.someObstacle();
     double m = site.sized(0.06);
     double direction = site.between(0, 2 * Math.PI);
-    double x = m * Math.cos(direction);
-    double z = m * Math.sin(direction);
+    double x = m * StrictMath.cos(direction);
+    double z = m * StrictMath.sin(direction);
     return WaveEffect.of(
         "obstacle-offset",
         Map.of("obstacle", index, "x", x, "z", z),
@@ -76,11 +76,11 @@ final class SceneChanges {
       int index = site.someObstacle();
       Point place = site.target(index).place();
       Point middle = site.beside(index, awayM);
-      double towards = Math.atan2(middle.zM() - place.zM(), place.xM() - middle.xM());
+      double towards = StrictMath.atan2(middle.zM() - place.zM(), place.xM() - middle.xM());
       // A slab's broad side looks along its own z; turned by a right angle it looks along x.
       double turn = towards + Math.PI / 2 + site.between(-0.5, 0.5);
-      double x = widthM / 2 * Math.cos(turn);
-      double z = -widthM / 2 * Math.sin(turn);
+      double x = widthM / 2 * StrictMath.cos(turn);
+      double z = -widthM / 2 * StrictMath.sin(turn);
       Outline outline =
           Outline.of(
               List.of(
@@ -125,7 +125,7 @@ final class SceneChanges {
   /** The floor's roughness or the robot's own edge answers, now over the threshold, now under. */
   private static WaveEffect floor(Site site) {
     double at = site.between(0.45, 1.2);
-    double db = Math.log(site.size()) / Math.log(2) - 0.5;
+    double db = StrictMath.log(site.size()) / StrictMath.log(2) - 0.5;
     double scatter = site.between(1, 3);
     return WaveEffect.of(
         "floor-echo",

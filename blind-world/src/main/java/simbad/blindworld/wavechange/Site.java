@@ -85,7 +85,8 @@ public record Site(
     double direction = between(0, 2 * Math.PI);
     Point place = target(index).place();
     return new Point(
-        place.xM() + distanceM * Math.cos(direction), place.zM() + distanceM * Math.sin(direction));
+        place.xM() + distanceM * StrictMath.cos(direction),
+        place.zM() + distanceM * StrictMath.sin(direction));
   }
 
   /** How far each row's sonar is from the obstacle that is nearest to it. */
@@ -96,7 +97,7 @@ public record Site(
                 room.targets().stream()
                     .map(Target::place)
                     .mapToDouble(
-                        p -> Math.hypot(row.pose().xM() - p.xM(), row.pose().zM() - p.zM()))
+                        p -> StrictMath.hypot(row.pose().xM() - p.xM(), row.pose().zM() - p.zM()))
                     .min()
                     .orElseThrow())
         .toArray();

@@ -118,7 +118,7 @@ final class SonarChanges {
 
   /** Another opening before the membranes: a wider or narrower beam of the same level ahead. */
   private static WaveEffect membrane(String name, Site site) {
-    double times = Math.max(0.3, Math.min(3, Math.exp(site.eitherWay(0.3))));
+    double times = Math.max(0.3, Math.min(3, StrictMath.exp(site.eitherWay(0.3))));
     Alteration alteration = Alterations.gear((Gear g) -> g.with(g.pistons().scaled(times)));
     String other = name.equals("beam-width") ? "beam-pattern" : "beam-width";
     return WaveEffect.of(name, Map.of("ka_times", times), alteration)
@@ -152,7 +152,7 @@ final class SonarChanges {
     return WaveEffect.of(
             "range-drift",
             Map.of("m", m, "time_s", timeS),
-            Alterations.range((r, ping) -> r + m * (1 - Math.exp(-ping.tS() / timeS))))
+            Alterations.range((r, ping) -> r + m * (1 - StrictMath.exp(-ping.tS() / timeS))))
         .near(List.of(Set.of("range-offset")));
   }
 

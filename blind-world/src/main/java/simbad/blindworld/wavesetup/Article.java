@@ -2,11 +2,11 @@ package simbad.blindworld.wavesetup;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import simbad.blindworld.check.Checks;
 import simbad.blindworld.wave.Outline;
 import simbad.blindworld.wave.Upright;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Point;
 
 /**
@@ -54,7 +54,7 @@ public record Article(String kind, List<Point> corners, Outline outline, double 
   }
 
   /** One drawn at random. */
-  static Article draw(SplittableRandom random) {
+  static Article draw(Chance random) {
     String kind = KINDS.get(random.nextInt(KINDS.size()));
     double height = HEIGHTS_M.get(random.nextInt(HEIGHTS_M.size()));
     double size = 0.001 * random.nextInt(25, 61);
@@ -86,7 +86,7 @@ public record Article(String kind, List<Point> corners, Outline outline, double 
         .mapToObj(
             i -> {
               double a = 2 * Math.PI * i / corners + Math.PI / corners;
-              return point(radiusM * Math.cos(a), radiusM * Math.sin(a));
+              return point(radiusM * StrictMath.cos(a), radiusM * StrictMath.sin(a));
             })
         .toList();
   }

@@ -3,7 +3,6 @@ package simbad.blindworld.wavesetup;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.SplittableRandom;
 import simbad.blindworld.check.Checks;
 import simbad.blindworld.wave.Air;
 import simbad.blindworld.wave.Burst;
@@ -13,6 +12,7 @@ import simbad.blindworld.wave.Outline;
 import simbad.blindworld.wave.Target;
 import simbad.blindworld.wave.Upright;
 import simbad.blindworld.wave.WaveWorld;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Point;
 import simbad.blindworld.world.Pose;
 
@@ -52,7 +52,7 @@ public record Room(
   }
 
   /** A room drawn at random. */
-  public static Room draw(SplittableRandom random) {
+  public static Room draw(Chance random) {
     double mount = 0.01 * random.nextInt(10, 16);
     double maxRange = random.nextBoolean() ? 3 : 4;
     Air air =
@@ -80,11 +80,11 @@ public record Room(
     return new Room(parts, articles, targets, turns, mount, maxRange);
   }
 
-  private static double tick(SplittableRandom random) {
+  private static double tick(Chance random) {
     return new double[] {1e-6, 4e-6, 1e-6, 12.8e-6, 29e-6}[random.nextInt(5)];
   }
 
-  private static Point place(SplittableRandom random, List<Target> others) {
+  private static Point place(Chance random, List<Target> others) {
     Optional<Point> place = Optional.empty();
     while (place.isEmpty()) {
       Point tried =
@@ -94,14 +94,14 @@ public record Room(
       boolean free =
           others.stream()
               .map(Target::place)
-              .allMatch(o -> Math.hypot(o.xM() - tried.xM(), o.zM() - tried.zM()) > APART_M);
+              .allMatch(o -> StrictMath.hypot(o.xM() - tried.xM(), o.zM() - tried.zM()) > APART_M);
       place = free ? Optional.of(tried) : place;
     }
     return place.get();
   }
 
   /** A ranger whose maker set the threshold so that a pole is found at a drawn distance. */
-  private static Gear gear(SplittableRandom random, Air air, double maxRangeM) {
+  private static Gear gear(Chance random, Air air, double maxRangeM) {
     double frequency = random.nextDouble(39_500, 40_500);
     Burst burst =
         new Burst(
@@ -116,14 +116,14 @@ public record Room(
         new Gear.Receiver(1e-9, 1e-9, 1, random.nextDouble(0.0004, 0.0007), timeout, 1e-12);
     Gear deaf = new Gear(burst, new Gear.Pistons(radius, radius, 0, 0), open, 0);
     double floor = poleAt(random.nextDouble(1.7, 2.3), deaf, air);
-    double start = floor * Math.pow(10, random.nextDouble(20, 25) / 20);
+    double start = floor * StrictMath.pow(10, random.nextDouble(20, 25) / 20);
     double noise = floor / random.nextDouble(12, 20);
     return deaf.with(
         new Gear.Receiver(
             floor, start, random.nextDouble(0.002, 0.003), open.armS(), timeout, noise));
   }
 
-  private static Burst.Resonance resonance(SplittableRandom random, double carrierHz) {
+  private static Burst.Resonance resonance(Chance random, double carrierHz) {
     return new Burst.Resonance(
         carrierHz * (1 + 0.003 * random.nextGaussian()), random.nextDouble(13, 24));
   }
@@ -135,11 +135,11 @@ public record Room(
     Counter counter = new Counter(air.soundSpeedMPerS(), 0, 0, 0);
     WaveWorld.Parts parts = new WaveWorld.Parts(gear, air, counter, SCATTER_DB, List.of(pole));
     double excess = new WaveWorld(parts, List.of()).standing(new Pose(0, 0, 0)).excessDb();
-    return gear.receiver().floor() * Math.pow(10, excess / 20);
+    return gear.receiver().floor() * StrictMath.pow(10, excess / 20);
   }
 
   /** The same room on another day. */
-  public WaveWorld.Parts onSomeDay(SplittableRandom random) {
+  public WaveWorld.Parts onSomeDay(Chance random) {
     return parts.in(parts.air().warmer(DAY_K * random.nextGaussian()));
   }
 }

@@ -1,11 +1,11 @@
 package simbad.blindworld.wavesetup;
 
 import java.util.List;
-import java.util.SplittableRandom;
 import simbad.blindworld.wave.Counter;
 import simbad.blindworld.wave.Target;
 import simbad.blindworld.wave.Upright;
 import simbad.blindworld.wave.WaveWorld;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Point;
 import simbad.blindworld.world.Pose;
 
@@ -18,9 +18,9 @@ final class Stand {
   private final Article article;
   private final WaveWorld world;
   private final Counter counter;
-  private final SplittableRandom random;
+  private final Chance random;
 
-  Stand(WaveWorld.Parts parts, Article article, Upright upright, SplittableRandom random) {
+  Stand(WaveWorld.Parts parts, Article article, Upright upright, Chance random) {
     Target alone = new Target(article.outline(), upright, new Point(0, 0), 0);
     this.article = article;
     this.world = new WaveWorld(parts.with(List.of(alone)), List.of());
@@ -34,9 +34,9 @@ final class Stand {
 
   /** The sonar so far from the axis at a bearing, looking so much beside it. */
   Place at(double bearingRad, double distanceM, double asideRad) {
-    double x = distanceM * Math.sin(bearingRad);
-    double z = distanceM * Math.cos(bearingRad);
-    Pose pose = new Pose(x, z, Math.atan2(z, -x) + asideRad);
+    double x = distanceM * StrictMath.sin(bearingRad);
+    double z = distanceM * StrictMath.cos(bearingRad);
+    Pose pose = new Pose(x, z, StrictMath.atan2(z, -x) + asideRad);
     return new Place(world.standing(pose), surfaceM(x, z));
   }
 
@@ -51,7 +51,7 @@ final class Stand {
       double dz = b.zM() - a.zM();
       double along = ((x - a.xM()) * dx + (z - a.zM()) * dz) / (dx * dx + dz * dz);
       double share = Math.max(0, Math.min(1, along));
-      least = Math.min(least, Math.hypot(x - a.xM() - share * dx, z - a.zM() - share * dz));
+      least = Math.min(least, StrictMath.hypot(x - a.xM() - share * dx, z - a.zM() - share * dz));
     }
     return least;
   }

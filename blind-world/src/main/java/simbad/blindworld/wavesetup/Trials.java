@@ -142,8 +142,8 @@ final class Trials {
       for (double t = middle - 0.25; t < middle + 0.25; t += 0.01) {
         double sum = 0;
         for (double[] count : counts) {
-          double p = 0.998 / (1 + Math.exp((count[0] - t) / w)) + 0.001;
-          sum += count[1] * Math.log(p) + (pings - count[1]) * Math.log(1 - p);
+          double p = 0.998 / (1 + StrictMath.exp((count[0] - t) / w)) + 0.001;
+          sum += count[1] * StrictMath.log(p) + (pings - count[1]) * StrictMath.log(1 - p);
         }
         width = sum > best ? w : width;
         best = Math.max(best, sum);

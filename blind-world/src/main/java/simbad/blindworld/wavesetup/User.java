@@ -5,10 +5,10 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import simbad.blindworld.wave.Counter;
 import simbad.blindworld.wave.WaveWorld;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Scene;
 import simbad.blindworld.world.Sensor;
@@ -25,13 +25,13 @@ public final class User {
   private static final List<String> NAMES = List.of("SRF04", "SRF05", "HC-SR04", "ranger");
 
   private final Room room;
-  private final SplittableRandom random;
+  private final Chance random;
   private final WaveWorld.Parts today;
   private final double stepM;
   private final double resolutionM;
 
   /** A user in a room, on one day at the bench. */
-  public User(Room room, SplittableRandom random) {
+  public User(Room room, Chance random) {
     this.room = room;
     this.random = random;
     double thermometerK = random.nextDouble(-1, 1);

@@ -52,11 +52,11 @@ public final class Body {
     worldZM = new double[ownXM.length];
     double greatest = 0;
     for (int i = 0; i < ownXM.length; i++) {
-      double cos = Math.cos(turnRad);
-      double sin = Math.sin(turnRad);
+      double cos = StrictMath.cos(turnRad);
+      double sin = StrictMath.sin(turnRad);
       worldXM[i] = place.xM() + ownXM[i] * cos + ownZM[i] * sin;
       worldZM[i] = place.zM() - ownXM[i] * sin + ownZM[i] * cos;
-      greatest = Math.max(greatest, Math.hypot(ownXM[i], ownZM[i]));
+      greatest = Math.max(greatest, StrictMath.hypot(ownXM[i], ownZM[i]));
     }
     radiusM = greatest;
   }
@@ -99,7 +99,7 @@ public final class Body {
   private static double edgeM(List<Point> outline, int i) {
     Point from = outline.get(i);
     Point to = outline.get((i + 1) % outline.size());
-    return Math.hypot(to.xM() - from.xM(), to.zM() - from.zM());
+    return StrictMath.hypot(to.xM() - from.xM(), to.zM() - from.zM());
   }
 
   /** The same obstacle moved by so much. */
@@ -144,8 +144,8 @@ public final class Body {
   public Sight seenFrom(Pose pose, Beam beam, int index) {
     double dx = pose.xM() - place.xM();
     double dz = pose.zM() - place.zM();
-    double centreM = Math.hypot(dx, dz);
-    double bearing = Math.atan2(dx, dz) - turnRad;
+    double centreM = StrictMath.hypot(dx, dz);
+    double bearing = StrictMath.atan2(dx, dz) - turnRad;
     double threshold = shadow.atM(bearing);
     double axis = pose.headingRad() + beam.axisRad();
     int nearest = nearest(pose, axis, beam.halfAngleRad(), centreM);
@@ -153,17 +153,18 @@ public final class Body {
       return new Sight(index, centreM, bearing, Double.POSITIVE_INFINITY, 0, threshold);
     }
     Point point = refined(nearest, pose, axis, beam.halfAngleRad());
-    double offAxis = Math.IEEEremainder(Math.atan2(-point.zM(), point.xM()) - axis, 2 * Math.PI);
-    double distanceM = Math.hypot(point.xM(), point.zM());
+    double offAxis =
+        Math.IEEEremainder(StrictMath.atan2(-point.zM(), point.xM()) - axis, 2 * Math.PI);
+    double distanceM = StrictMath.hypot(point.xM(), point.zM());
     return new Sight(index, centreM, bearing, distanceM, offAxis, threshold);
   }
 
   /** The nearest point between a sample and its neighbours, as seen from the pose. */
   private Point refined(int nearest, Pose pose, double axisRad, double halfAngleRad) {
     int n = worldXM.length;
-    double forwardX = Math.cos(axisRad);
-    double forwardZ = -Math.sin(axisRad);
-    double cos = Math.cos(halfAngleRad);
+    double forwardX = StrictMath.cos(axisRad);
+    double forwardZ = -StrictMath.sin(axisRad);
+    double cos = StrictMath.cos(halfAngleRad);
     double x0 = worldXM[nearest] - pose.xM();
     double z0 = worldZM[nearest] - pose.zM();
     Point best = new Point(x0, z0);
@@ -187,9 +188,9 @@ public final class Body {
     if (centreM > 2 * radiusM && farOff(pose, axisRad, halfAngleRad, centreM)) {
       return -1;
     }
-    double forwardX = Math.cos(axisRad);
-    double forwardZ = -Math.sin(axisRad);
-    double cos = Math.cos(halfAngleRad);
+    double forwardX = StrictMath.cos(axisRad);
+    double forwardZ = -StrictMath.sin(axisRad);
+    double cos = StrictMath.cos(halfAngleRad);
     int best = -1;
     double least = Double.POSITIVE_INFINITY;
     for (int i = 0; i < worldXM.length; i++) {
@@ -209,8 +210,8 @@ public final class Body {
 
   /** True when even the circle round the obstacle is beside the cone. */
   private boolean farOff(Pose pose, double axisRad, double halfAngleRad, double centreM) {
-    double towards = Math.atan2(pose.zM() - place.zM(), place.xM() - pose.xM());
+    double towards = StrictMath.atan2(pose.zM() - place.zM(), place.xM() - pose.xM());
     double beside = Math.abs(Math.IEEEremainder(towards - axisRad, 2 * Math.PI));
-    return beside > halfAngleRad + Math.asin(radiusM / centreM) + 1e-9;
+    return beside > halfAngleRad + StrictMath.asin(radiusM / centreM) + 1e-9;
   }
 }

@@ -1,7 +1,6 @@
 package simbad.blindworld.world;
 
 import java.util.Arrays;
-import java.util.SplittableRandom;
 import simbad.blindworld.check.Checks;
 import simbad.blindworld.file.Decimals;
 
@@ -36,7 +35,7 @@ public final class Forecast {
    */
   public static Forecast of(Repeats listening, double noEchoM, int repeats, long seed) {
     Checks.positive("no echo", noEchoM);
-    SplittableRandom seeds = new SplittableRandom(seed);
+    Chance seeds = new Chance(seed);
     double[][] byRepeat = new double[repeats][];
     for (int i = 0; i < repeats; i++) {
       byRepeat[i] = listening.read(seeds.nextLong());

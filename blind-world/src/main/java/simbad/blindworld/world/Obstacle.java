@@ -26,6 +26,6 @@ public record Obstacle(
 
   /** The radius of the circle round its own origin that holds it, in metres. */
   public double radiusM() {
-    return outline.stream().mapToDouble(p -> Math.hypot(p.xM(), p.zM())).max().orElseThrow();
+    return outline.stream().mapToDouble(p -> StrictMath.hypot(p.xM(), p.zM())).max().orElseThrow();
   }
 }

@@ -29,7 +29,7 @@ public record Pose(double xM, double zM, double headingRad) {
 
   /** The distance to another pose's place, in metres. */
   public double distanceM(Pose other) {
-    return Math.hypot(other.xM - xM, other.zM - zM);
+    return StrictMath.hypot(other.xM - xM, other.zM - zM);
   }
 
   /** The pose a share of the way to another one, along the straight line and the shorter turn. */

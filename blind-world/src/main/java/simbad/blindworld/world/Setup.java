@@ -49,8 +49,8 @@ public record Setup(
 
     /** By which factor a threshold at this bearing differs. */
     public double factor(int body, double bearingRad) {
-      double first = Math.sin(waves * bearingRad + phaseRad + body);
-      double second = Math.sin((waves + 3) * bearingRad - 2 * phaseRad + 2 * body);
+      double first = StrictMath.sin(waves * bearingRad + phaseRad + body);
+      double second = StrictMath.sin((waves + 3) * bearingRad - 2 * phaseRad + 2 * body);
       return 1 + share * (0.7 * first + 0.5 * second);
     }
   }

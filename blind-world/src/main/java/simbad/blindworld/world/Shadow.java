@@ -56,7 +56,7 @@ public record Shadow(List<Double> radiiM) {
     double within = (place - Math.floor(place)) * wedge;
     double before = radiiM.get(k);
     double after = radiiM.get((k + 1) % n);
-    double area = before * Math.sin(within) + after * Math.sin(wedge - within);
-    return area > 0 ? before * after * Math.sin(wedge) / area : Math.min(before, after);
+    double area = before * StrictMath.sin(within) + after * StrictMath.sin(wedge - within);
+    return area > 0 ? before * after * StrictMath.sin(wedge) / area : Math.min(before, after);
   }
 }

@@ -2,7 +2,6 @@ package simbad.blindworld.world;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 
 /**
@@ -46,7 +45,7 @@ public final class World {
       this.recording = recording;
       motions = Motions.of(recording);
       restless = changes.stream().anyMatch(Change::restless);
-      look(new SplittableRandom(0));
+      look(new Chance(0));
     }
 
     private void look(RandomGenerator random) {
@@ -81,9 +80,9 @@ public final class World {
 
     @Override
     public double[] read(long seed) {
-      SplittableRandom root = new SplittableRandom(seed);
-      SplittableRandom chance = root.split();
-      SplittableRandom changing = root.split();
+      Chance root = new Chance(seed);
+      Chance chance = root.split();
+      Chance changing = root.split();
       if (restless) {
         look(root.split());
       }
@@ -169,6 +168,6 @@ public final class World {
   private double chanceAt(double thresholdM, Sight sight) {
     double beyondM = sight.centreM() - thresholdM;
     double share = beyondM == 0 ? 0 : beyondM / setup.edgeWidthM();
-    return thresholdM > 0 ? (1 - setup.missRate()) / (1 + Math.exp(share)) : 0;
+    return thresholdM > 0 ? (1 - setup.missRate()) / (1 + StrictMath.exp(share)) : 0;
   }
 }

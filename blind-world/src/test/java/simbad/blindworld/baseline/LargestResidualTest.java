@@ -10,7 +10,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -20,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simbad.blindworld.file.Csv;
 import simbad.blindworld.file.FormatException;
 import simbad.blindworld.file.JsonObject;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Point;
 import simbad.blindworld.world.Recording;
 import simbad.blindworld.world.Scene;
@@ -63,7 +63,7 @@ class LargestResidualTest {
 
   @Test
   void largestSort_hasItsName() {
-    SplittableRandom random = new SplittableRandom(3);
+    Chance random = new Chance(3);
     assertEquals(Optional.of("dropout"), name(r -> random.nextInt(3) == 0 ? NONE : r));
     assertEquals(
         Optional.of("crosstalk"),
@@ -161,7 +161,7 @@ class LargestResidualTest {
           "detection": "uniform", "uniform_range_m": 3}]}
         """);
     StringBuilder text = new StringBuilder("run,sensor,t_s,x_m,z_m,heading_deg,range_m\n");
-    SplittableRandom random = new SplittableRandom(5);
+    Chance random = new Chance(5);
     IntStream.range(0, 200)
         .forEach(
             i -> {

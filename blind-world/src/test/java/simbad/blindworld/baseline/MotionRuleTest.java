@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -25,6 +24,7 @@ import simbad.blindworld.motion.Outing;
 import simbad.blindworld.motion.Robot;
 import simbad.blindworld.motion.Step;
 import simbad.blindworld.motion.Track;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Pose;
 
 /** A rule that names one effect of motion by the line that fits best. */
@@ -35,7 +35,7 @@ class MotionRuleTest {
   private static final Robot ROBOT = new Robot(0, 1, false, Robot.Beliefs.NONE, TRACKER, false);
 
   private static Outing outing() {
-    SplittableRandom random = new SplittableRandom(4);
+    Chance random = new Chance(4);
     double[] times = IntStream.range(0, 30).mapToDouble(i -> 2 * i).toArray();
     double[] v = random.doubles(30, 0.05, 0.5).toArray();
     double[] w = random.doubles(30, -0.8, 0.8).toArray();
@@ -91,7 +91,7 @@ class MotionRuleTest {
     assertEquals(Optional.of("turn-scale"), name(folder, step -> step.scale(1, 1.1)));
     assertEquals(Optional.of("turn-bias"), name(folder, step -> step.addTurn(0.03)));
     assertEquals(Optional.of("turn-bias"), name(folder, step -> step.addTurn(-0.03)));
-    SplittableRandom random = new SplittableRandom(2);
+    Chance random = new Chance(2);
     assertEquals(
         Optional.of("motion-noise"),
         name(

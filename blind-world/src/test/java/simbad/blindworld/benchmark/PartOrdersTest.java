@@ -35,7 +35,7 @@ class PartOrdersTest {
     assertEquals(cases, part.cases());
     Order order = part.half(Part.FIRST_HALF);
     assertEquals(cases, order.cases());
-    assertEquals(20_261_124 + number, order.seed());
+    assertEquals(20_271_101 + number, order.seed());
     assertEquals(references, order.referenceShare());
     assertEquals(worlds, order.worlds());
     assertEquals(new Order.Rows(least, most), order.rows());
@@ -78,8 +78,8 @@ class PartOrdersTest {
 
   @Test
   void names_haveTheVersion() {
-    assertEquals("SRB-1.0 L2w", Part.L2W.toString());
-    assertEquals("SRB-1.0 motion", Part.MOTION.toString());
+    assertEquals("SRB-1.1 L2w", Part.L2W.toString());
+    assertEquals("SRB-1.1 motion", Part.MOTION.toString());
     assertEquals("L2", Part.L2.word());
     assertEquals(Optional.empty(), Part.find("L3"));
   }

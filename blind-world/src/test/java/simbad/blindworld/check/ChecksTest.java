@@ -11,6 +11,7 @@ import simbad.blindworld.motion.Robot;
 import simbad.blindworld.wave.Counter;
 import simbad.blindworld.wave.WavePing;
 import simbad.blindworld.world.Beam;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Setup;
 
 class ChecksTest {
@@ -59,7 +60,7 @@ class ChecksTest {
     refused(() -> new Robot.Beliefs(-0.1, 0, 1, 1));
     refused(() -> new Robot.Scatter(-0.1, 0));
     refused(() -> new Counter(0, 0, 0, 0));
-    refused(() -> new WavePing(new java.util.SplittableRandom(1), 0, 0, 1.5));
+    refused(() -> new WavePing(new Chance(1), 0, 0, 1.5));
     refused(() -> new Beam(0, -0.1));
     refused(() -> new Setup(0.1, 1.5, 0, 0, 1, 0, new Setup.Ripple(0, 1, 0), 0, 0));
   }

@@ -8,9 +8,9 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Point;
 import simbad.blindworld.world.Scene;
@@ -23,9 +23,7 @@ class DrawnScenesTest {
   private static final int DRAWS = 400;
 
   private static List<Scene> scenes() {
-    return IntStream.range(0, DRAWS)
-        .mapToObj(seed -> Scenes.draw(new SplittableRandom(seed), 0.1))
-        .toList();
+    return IntStream.range(0, DRAWS).mapToObj(seed -> Scenes.draw(new Chance(seed), 0.1)).toList();
   }
 
   private static List<Obstacle> obstacles(String kind) {
@@ -244,7 +242,7 @@ class DrawnScenesTest {
   void setUp_isALittleOff() {
     Sensor sensor = new Sensor("s", 0.3, 0.02, 4, 0.15, 343, 0.01, 0.004, 0.01, 0.03, 0.1);
     for (int seed = 0; seed < DRAWS; seed++) {
-      Setup off = Scenes.offSetup(new SplittableRandom(seed), sensor);
+      Setup off = Scenes.offSetup(new Chance(seed), sensor);
       assertWithin(0.033, 0.057, off.edgeWidthM());
       assertWithin(0.01, 0.014, off.missRate());
       assertWithin(0.0036, 0.006, off.rangeNoiseM());

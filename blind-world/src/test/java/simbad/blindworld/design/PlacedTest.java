@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Point;
 import simbad.blindworld.world.Pose;
@@ -28,7 +28,7 @@ class PlacedTest {
   }
 
   private static Recording recording(long seed, int rows) {
-    SplittableRandom random = new SplittableRandom(seed);
+    Chance random = new Chance(seed);
     Design design = Design.placed(random);
     assertEquals("placed", design.kind());
     return design.record(scene(), rows, random);
@@ -103,7 +103,7 @@ class PlacedTest {
   @Test
   void times_leaveTimeForMoving() {
     for (int seed = 0; seed < 20; seed++) {
-      SplittableRandom random = new SplittableRandom(seed);
+      Chance random = new Chance(seed);
       Design design = Design.placed(random);
       Recording recording = design.record(scene(), 300, random);
       List<List<Integer>> placements = recording.placements();

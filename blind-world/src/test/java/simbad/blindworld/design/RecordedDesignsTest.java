@@ -9,8 +9,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Point;
 import simbad.blindworld.world.Pose;
@@ -67,7 +67,7 @@ class RecordedDesignsTest {
   }
 
   private static Map<String, List<Row>> bench(long seed, int rows) {
-    SplittableRandom random = new SplittableRandom(seed);
+    Chance random = new Chance(seed);
     Design design = Design.draw("bench", random);
     assertEquals("bench", design.kind());
     Recording recording = design.record(scene(), rows, random);
@@ -111,7 +111,7 @@ class RecordedDesignsTest {
         }
       }
       assertEquals(0, rest);
-      periods.add(Design.draw("bench", new SplittableRandom(seed)).periodS());
+      periods.add(Design.draw("bench", new Chance(seed)).periodS());
     }
     assertEquals(Set.of(0.05, 0.1, 0.2, 0.25, 0.3, 0.5), periods);
   }
@@ -120,7 +120,7 @@ class RecordedDesignsTest {
   @Test
   void sweep_goesOutAndIn() {
     for (int seed = 0; seed < 40; seed++) {
-      List<Row> run = bench(seed, 2000).entrySet().iterator().next().getValue();
+      List<Row> run = bench(seed, 8000).entrySet().iterator().next().getValue();
       double from = RADIUS_M + 0.08;
       assertEquals(from, away(run.get(0).pose()), ROUNDED_M);
       double step = away(run.get(1).pose()) - away(run.get(0).pose());
@@ -229,7 +229,7 @@ class RecordedDesignsTest {
     double nearest = 9;
     Set<Boolean> sides = new HashSet<>();
     for (int seed = 0; seed < 40; seed++) {
-      SplittableRandom random = new SplittableRandom(seed);
+      Chance random = new Chance(seed);
       Recording recording = Design.draw("bench", random).record(two, 500, random);
       assertEquals(500, recording.size());
       for (Row row : recording.rows()) {
@@ -246,7 +246,7 @@ class RecordedDesignsTest {
   private record Driven(Design design, Recording recording, int transducers) {}
 
   private static Driven drive(long seed) {
-    SplittableRandom random = new SplittableRandom(seed);
+    Chance random = new Chance(seed);
     Design design = Design.draw("run", random);
     assertEquals("run", design.kind());
     Recording recording = design.record(scene(), 1200, random);

@@ -8,8 +8,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Obstacle;
 import simbad.blindworld.world.Point;
 import simbad.blindworld.world.Scene;
@@ -40,7 +40,7 @@ class RoutesTest {
   /** Some hundred routes, by their number of points. */
   private static List<List<Point>> routes(int size, double reachM) {
     Map<Integer, List<List<Point>>> bySize = new HashMap<>();
-    Routes routes = new Routes(scene(reachM), new SplittableRandom(5));
+    Routes routes = new Routes(scene(reachM), new Chance(5));
     for (int i = 0; i < 400; i++) {
       List<Point> route = routes.next();
       bySize.computeIfAbsent(route.size(), n -> new ArrayList<>()).add(route);

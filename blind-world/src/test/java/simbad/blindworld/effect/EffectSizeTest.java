@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Pose;
 import simbad.blindworld.world.Recording;
 import simbad.blindworld.world.Scene;
@@ -22,8 +22,7 @@ class EffectSizeTest {
   private static final Scene POST = new Scene(5, SURE, List.of(TestWorlds.post("p", 0, 0, 3)));
 
   private static Effect effect(String name, String form, Scene scene, Recording rows) {
-    return Vocabulary.draw(
-        name, form, new Circumstances(scene, rows, true, new SplittableRandom(1), 1));
+    return Vocabulary.draw(name, form, new Circumstances(scene, rows, true, new Chance(1), 1));
   }
 
   private static double number(Effect effect, String parameter) {

@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.FixedChance;
 import simbad.blindworld.world.Pose;
 import simbad.blindworld.world.Recording;
@@ -91,7 +91,7 @@ class PlacementFormsTest {
       Effect effect = Vocabulary.draw(NAME, form, circumstances(many, false, 3));
       List<Pose> believed = many.rows().stream().map(Row::pose).toList();
       double squares = 0;
-      for (Pose pose : effect.change().poses(many, believed, new SplittableRandom(5))) {
+      for (Pose pose : effect.change().poses(many, believed, new Chance(5))) {
         squares += pose.xM() * pose.xM();
       }
       assertEquals(0.03, Math.sqrt(squares / many.size()), 0.0015, form);

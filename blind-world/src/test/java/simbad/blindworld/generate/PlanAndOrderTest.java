@@ -12,12 +12,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.SplittableRandom;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import simbad.blindworld.effect.Vocabulary;
 import simbad.blindworld.motionchange.MotionVocabulary;
 import simbad.blindworld.wavechange.WaveVocabulary;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Forecast;
 
 /** What is to be drawn, and how plainly readings speak for a forecast. */
@@ -172,7 +172,7 @@ class PlanAndOrderTest {
   @Test
   void others_areFairBesideTheFirst() {
     Order order = order(1, Map.of(Kind.NONE, 1.0), 0, List.of(), Worlds.EQUATIONS);
-    SplittableRandom random = new SplittableRandom(1);
+    Chance random = new Chance(1);
     for (int i = 0; i < 50; i++) {
       List<String> two = Plan.otherPair(order, "gain", random);
       assertEquals("gain", two.get(0));
@@ -191,7 +191,7 @@ class PlanAndOrderTest {
   @Test
   void sizes_areLogUniform() {
     Order.Sizes sizes = new Order.Sizes(0.5, 8);
-    SplittableRandom random = new SplittableRandom(2);
+    Chance random = new Chance(2);
     int small = 0;
     for (int i = 0; i < 2000; i++) {
       double size = sizes.draw(random);
@@ -222,7 +222,7 @@ class PlanAndOrderTest {
             Set.of(Kind.PAIR));
     assertFalse(sized.hasToShow(Kind.SINGLE));
     assertTrue(sized.hasToShow(Kind.PAIR));
-    SplittableRandom random = new SplittableRandom(3);
+    Chance random = new Chance(3);
     assertEquals(3, sized.size(Kind.SINGLE, 2, random), NEAR);
     assertEquals(12, sized.size(Kind.PAIR, 2, random), NEAR);
     double least = 99;

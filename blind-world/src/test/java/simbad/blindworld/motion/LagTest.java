@@ -4,18 +4,18 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simbad.blindworld.motion.Commands.Speeds;
 import simbad.blindworld.motion.MotionChange.Stage;
+import simbad.blindworld.world.Chance;
 
 /** How speeds approach what is told, and the kinds of changes. A step is 0.02 s. */
 class LagTest {
 
   private static final double NEAR = 1e-12;
-  private static final SplittableRandom RANDOM = new SplittableRandom(1);
+  private static final Chance RANDOM = new Chance(1);
   private static final Commands TOLD =
       new Commands(new double[] {0, 1}, new double[] {0.2, 0.4}, new double[] {1, 2});
 

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
-import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -18,6 +17,7 @@ import simbad.blindworld.motion.Outing;
 import simbad.blindworld.motion.Robot;
 import simbad.blindworld.motion.Track;
 import simbad.blindworld.motion.Windows;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Pose;
 
 /** Every form of every effect: of size 0 it changes nothing, of a practical one it shows. */
@@ -29,7 +29,7 @@ class EveryMotionFormTest {
 
   /** Two minutes of pieces, forth and back, of speeds from a twentieth of the greatest on. */
   private static Outing outing() {
-    SplittableRandom random = new SplittableRandom(4);
+    Chance random = new Chance(4);
     int count = 600;
     double[] times = new double[count];
     double[] v = new double[count];
@@ -67,7 +67,7 @@ class EveryMotionFormTest {
 
   private static MotionEffect effect(String form, double size) {
     String[] words = form.split("/", 2);
-    MotionSite site = new MotionSite(ROBOT, OUTING, new SplittableRandom(9), size);
+    MotionSite site = new MotionSite(ROBOT, OUTING, new Chance(9), size);
     return MotionVocabulary.draw(words[0], words[1], site);
   }
 

@@ -5,11 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import simbad.blindworld.motion.Commands.Speeds;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.FixedChance;
 
 /** What drivers say next. */
@@ -20,7 +20,7 @@ class DriverTest {
   private static final double STEP_S = 0.05;
 
   private static List<Speeds> told(Driver.Kind kind, long seed, int count) {
-    Driver driver = Driver.draw(kind, LIMITS, new SplittableRandom(seed));
+    Driver driver = Driver.draw(kind, LIMITS, new Chance(seed));
     List<Speeds> told = new ArrayList<>();
     for (int i = 0; i < count; i++) {
       told.add(driver.next(i * STEP_S));

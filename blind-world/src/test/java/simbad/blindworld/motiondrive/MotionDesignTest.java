@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import simbad.blindworld.motion.Commands;
 import simbad.blindworld.motion.MotionChange;
@@ -14,6 +13,7 @@ import simbad.blindworld.motion.MotionWorld;
 import simbad.blindworld.motion.Outing;
 import simbad.blindworld.motion.Robot;
 import simbad.blindworld.motion.Track;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.FixedChance;
 import simbad.blindworld.world.Pose;
 
@@ -27,7 +27,7 @@ class MotionDesignTest {
   }
 
   private static MotionDesign design(long seed) {
-    return MotionDesign.draw(new SplittableRandom(seed));
+    return MotionDesign.draw(new Chance(seed));
   }
 
   @Test
@@ -85,7 +85,7 @@ class MotionDesignTest {
   void outing_isMadeOfWholeRuns() {
     for (int seed = 0; seed < 60; seed++) {
       MotionDesign design = design(seed);
-      Outing outing = design.outing(120, new SplittableRandom(seed));
+      Outing outing = design.outing(120, new Chance(seed));
       assertWithin(1, 3, outing.runs().size());
       assertWithin(0.8 * 120, 1.2 * 120, outing.durationS());
       for (int r = 0; r < outing.runs().size(); r++) {
@@ -119,7 +119,7 @@ class MotionDesignTest {
     double most = 0;
     for (int seed = 0; seed < 60; seed++) {
       MotionDesign design = design(seed);
-      Outing outing = design.outing(300, new SplittableRandom(seed));
+      Outing outing = design.outing(300, new Chance(seed));
       double reach = 8 * design.mostMPerS();
       for (Outing.Run run : outing.runs()) {
         double x = run.start().xM();
@@ -145,7 +145,7 @@ class MotionDesignTest {
   @Test
   void log_hasNoEndOfFrames() {
     for (int seed = 0; seed < 30; seed++) {
-      Outing outing = design(seed).outing(3000, new SplittableRandom(seed));
+      Outing outing = design(seed).outing(3000, new Chance(seed));
       int frames = outing.runs().stream().mapToInt(Outing.Run::frames).sum();
       assertWithin(5000, 24_000 * 1.16, frames);
       assertWithin(1, 4, outing.runs().size());

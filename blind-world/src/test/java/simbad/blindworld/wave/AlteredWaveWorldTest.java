@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.FixedChance;
 import simbad.blindworld.world.Pose;
 import simbad.blindworld.world.Recording;
@@ -110,7 +111,7 @@ class AlteredWaveWorldTest {
             airDb,
             List.of(new FixedEcho(AWAY_M, excessDb, thingDb)));
     WaveWorld.Standing standing = new WaveWorld(parts, List.of()).standing(new Pose(0, 0, 0));
-    java.util.SplittableRandom random = new java.util.SplittableRandom(3);
+    Chance random = new Chance(3);
     int heard = 0;
     for (int i = 0; i < 100; i++) {
       heard += standing.arrivalS(random) < NONE ? 1 : 0;

@@ -6,10 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Point;
 import simbad.blindworld.world.Pose;
 import simbad.blindworld.world.Recording;
@@ -43,7 +43,7 @@ class WaveWorldTest {
   /** The echoes of some pings, in seconds, rising. */
   private static double[] arrivals(WaveWorld world, int pings) {
     WaveWorld.Standing standing = world.standing(ORIGIN);
-    SplittableRandom random = new SplittableRandom(4);
+    Chance random = new Chance(4);
     double[] arrivals = new double[pings];
     for (int i = 0; i < pings; i++) {
       arrivals[i] = standing.arrivalS(random);

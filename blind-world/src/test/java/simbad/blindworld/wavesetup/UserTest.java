@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import simbad.blindworld.world.Chance;
 import simbad.blindworld.world.Scene;
 import simbad.blindworld.world.Sensor;
 
@@ -20,7 +20,7 @@ class UserTest {
   @BeforeAll
   static void calibrate() {
     for (int seed = 0; seed < 12; seed++) {
-      SplittableRandom random = new SplittableRandom(seed);
+      Chance random = new Chance(seed);
       Room room = Room.draw(random);
       ROOMS.add(room);
       FOUND.add(new User(room, random.split()).calibrate(0.25));
@@ -69,7 +69,7 @@ class UserTest {
 
   @Test
   void sameSeed_givesTheSameCalibration() {
-    SplittableRandom random = new SplittableRandom(3);
+    Chance random = new Chance(3);
     Room room = Room.draw(random);
     assertEquals(FOUND.get(3).scene(), new User(room, random.split()).calibrate(0.25).scene());
   }

@@ -1,14 +1,13 @@
 package simbad.blindworld.world;
 
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 
 /** Pings as a world would begin them. */
 public final class AnyPing {
 
   /** For changes that do not look at it: the first of an empty recording. */
-  public static final Ping FIRST = new Ping(new Recording(List.of()), new SplittableRandom(1), 1);
+  public static final Ping FIRST = new Ping(new Recording(List.of()), new Chance(1), 1);
 
   private static final Pose ORIGIN = new Pose(0, 0, 0);
 
@@ -26,7 +25,7 @@ public final class AnyPing {
 
   /** The first one, of a transducer that moves. */
   public static Ping moving(double speedMPerS, double turnRadPerS) {
-    return begun(new SplittableRandom(1), 0, 0, ORIGIN, new Ping.Motion(speedMPerS, turnRadPerS));
+    return begun(new Chance(1), 0, 0, ORIGIN, new Ping.Motion(speedMPerS, turnRadPerS));
   }
 
   /** The second one, after one that read something and heard the first of two obstacles or not. */

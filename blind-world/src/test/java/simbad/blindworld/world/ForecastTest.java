@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 class ForecastTest {
@@ -53,7 +52,7 @@ class ForecastTest {
 
   @Test
   void lossIsNeverNegative() {
-    SplittableRandom random = new SplittableRandom(8);
+    Chance random = new Chance(8);
     for (int i = 0; i < 1000; i++) {
       double[] row = random.doubles(Forecast.LEVELS, 0, 4).sorted().toArray();
       double loss = new Forecast(new double[][] {row}).lossCm(0, random.nextDouble(0, 4));

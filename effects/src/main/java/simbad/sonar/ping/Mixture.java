@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.random.RandomGenerator;
 import java.util.stream.IntStream;
+import simbad.sonar.model.NormalDistribution;
 
 /**
  * What a reading is drawn from: parts, each with its share, Gaussian or evenly spread; the share
@@ -272,7 +273,7 @@ public final class Mixture {
     double half = halfWidthM[part];
     return half > 0
         ? meanM[part] + half * (2 * random.nextDouble() - 1)
-        : meanM[part] + deviationM[part] * random.nextGaussian();
+        : meanM[part] + deviationM[part] * NormalDistribution.draw(random);
   }
 
   /** Returns the probability that the measured range lies in [lowM, highM). */

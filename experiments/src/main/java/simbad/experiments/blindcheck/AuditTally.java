@@ -22,7 +22,6 @@ import simbad.gap.diagnosis.DataSet;
  * into them. A warning that names what is at work is none of the former.
  */
 public final class AuditTally {
-  private static final double NORMAL_95 = 1.96;
   private static final long SEED = 1;
 
   /** What a check's warning is right about. */
@@ -121,18 +120,14 @@ public final class AuditTally {
   }
 
   private static String line(String name, Share share) {
-    double n = share.all;
-    double p = share.hits / n;
-    double z2 = NORMAL_95 * NORMAL_95;
-    double middle = (p + z2 / (2 * n)) / (1 + z2 / n);
-    double half = NORMAL_95 / (1 + z2 / n) * Math.sqrt(p * (1 - p) / n + z2 / (4 * n * n));
+    CheckScores.Estimate counted = new WilsonShare(share.hits, share.all).estimate();
     return String.format(
         Locale.ROOT,
         "%-55s %4d of %4d (%.1f to %.1f %%)",
         name,
         share.hits,
         share.all,
-        100 * Math.max(0, middle - half),
-        100 * Math.min(1, middle + half));
+        100 * counted.low(),
+        100 * counted.high());
   }
 }

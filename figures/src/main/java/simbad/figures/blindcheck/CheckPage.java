@@ -11,6 +11,7 @@ import simbad.experiments.blindcheck.CheckScores.Estimate;
 import simbad.experiments.blindcheck.CheckScores.Figures;
 import simbad.experiments.blindcheck.Measure;
 import simbad.experiments.blindcheck.SizeFound;
+import simbad.experiments.blindcheck.ToldApart;
 import simbad.figures.page.Html;
 import simbad.figures.page.Page;
 import simbad.figures.page.PagePicture;
@@ -43,14 +44,16 @@ final class CheckPage {
   private final Page page = new Page("The withheld check", "The withheld check of simbad diagnose");
   private final CheckOrder order;
   private final CheckScores scores;
+  private final List<ToldApart> next;
 
-  private CheckPage(CheckOrder order, CheckScores scores) {
+  private CheckPage(CheckOrder order, CheckScores scores, List<ToldApart> next) {
     this.order = order;
     this.scores = scores;
+    this.next = next;
   }
 
-  static String of(CheckOrder order, CheckScores scores) {
-    return new CheckPage(order, scores).text();
+  static String of(CheckOrder order, CheckScores scores, List<ToldApart> next) {
+    return new CheckPage(order, scores, next).text();
   }
 
   private String text() {
@@ -60,6 +63,7 @@ final class CheckPage {
     addCalibration();
     addKinds();
     addWrong();
+    addNext();
     addEffects();
     addSizes();
     addConfusion();
@@ -236,6 +240,43 @@ final class CheckPage {
         one.path("so").asText(),
         one.path("said").asText(),
         answered ? Measure.percent(one.path("verdict_probability").asDouble()) : NOTHING);
+  }
+
+  /** Nothing where no proposal was measured. */
+  private void addNext() {
+    if (next.isEmpty()) {
+      return;
+    }
+    page.section("Do the proposed measurements tell effects apart?");
+    page.say(
+        "Where an answer proposed what to measure next, it was measured in the sealed world, "
+            + "added to the readings, and diagnosed again. Rightly told apart: what is at work "
+            + "is named then, and nothing that is not.");
+    Table counts = Table.of("what came of it", "#proposals", "#share", "#95\u00a0% interval");
+    addOutcome(counts, "told apart rightly", "right");
+    addOutcome(counts, "still tied, or undecided", "tied");
+    addOutcome(counts, "told apart wrongly", "wrong");
+    page.table(counts);
+    Table table = Table.of("case", "at work", "to tell apart", "said before", "said after", "");
+    for (ToldApart one : next) {
+      table.row(
+          Html.link("next/answers/" + one.caseId() + "/report.html", one.caseId()),
+          one.so(),
+          one.separates().replace("+", ", "),
+          one.saidBefore(),
+          one.saidAfter(),
+          one.outcome());
+    }
+    page.add(Page.folded("All of them, with links to the diagnoses after it", table.html()));
+  }
+
+  private void addOutcome(Table table, String words, String outcome) {
+    Estimate share = ToldApart.share(next, outcome).estimate();
+    table.row(
+        words,
+        share.counted(),
+        Measure.percent(share.value()),
+        Measure.percent(share.low()) + " to " + Measure.percent(share.high()));
   }
 
   private void addEffects() {

@@ -17,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simbad.experiments.blindcheck.CheckScores;
 import simbad.experiments.blindcheck.CheckSummary;
+import simbad.experiments.blindcheck.ToldApart;
 import simbad.sonar.format.DataFormatException;
 
 class CheckFilesTest {
@@ -69,6 +70,38 @@ class CheckFilesTest {
     String first = Files.readString(folder.resolve(CheckReport.PAGE));
     CheckReport.write(folder, SampleScores.order(), SampleScores.scores());
     assertEquals(first, Files.readString(folder.resolve(CheckReport.PAGE)));
+  }
+
+  private static final String NEXT =
+      "case,level,kind,so,separates,outcome,said_before,said_after\n"
+          + "c1,L1,single,latency,latency+obstacle-offset,right,undecided,latency\n"
+          + "c2,L1,faint,hysteresis,hysteresis+early-timeout,wrong,undecided,none\n";
+
+  private List<ToldApart> next(String text) throws IOException, DataFormatException {
+    return ToldApart.read(Files.writeString(folder.resolve("next.csv"), text));
+  }
+
+  @Test
+  void proposalsThatWereMeasured_areOnThePage() throws IOException, DataFormatException {
+    CheckReport.write(folder, SampleScores.order(), SampleScores.scores(), next(NEXT));
+    String page = Files.readString(folder.resolve(CheckReport.PAGE));
+    assertTrue(page.contains("Do the proposed measurements tell effects apart?"));
+    assertTrue(page.contains("next/answers/c2/report.html"));
+    // Wilson (1927) of 1 of 2: the middle is a half, its half width 1.96 / (1 + 1.92) * 0.605.
+    assertEquals(0.0945, ToldApart.share(next(NEXT), "right").estimate().low(), 5e-4);
+    assertTrue(page.contains("9\u00a0% to 91\u00a0%"), page);
+    CheckReport.write(folder, SampleScores.order(), SampleScores.scores());
+    assertFalse(Files.readString(folder.resolve(CheckReport.PAGE)).contains("proposed measure"));
+  }
+
+  @Test
+  void otherOutcomes_areRefusedByLine() {
+    DataFormatException fault =
+        assertThrows(DataFormatException.class, () -> next(NEXT.replace(",wrong,", ",perhaps,")));
+    assertEquals(
+        folder.resolve("next.csv") + ":3: outcome: perhaps, expected one of [right, tied, wrong]",
+        fault.getMessage());
+    assertThrows(DataFormatException.class, () -> next("case\nc1\n"));
   }
 
   @ParameterizedTest

@@ -13,6 +13,7 @@ import java.util.function.BiFunction;
 import java.util.function.DoublePredicate;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -276,10 +277,14 @@ class AuditTest {
   @ParameterizedTest
   @CsvSource({"16, false", "200, true"})
   void stuck_whenLongEnough(int count, boolean isFound) {
+    int heard =
+        IntStream.range(16, 32)
+            .filter(i -> LADDER.get(i).reading() instanceof Echo)
+            .max()
+            .orElseThrow();
+    Reading last = LADDER.get(heard).reading();
     List<ReadingRow> rows =
-        each(
-            LADDER,
-            (i, row) -> i >= 32 && i < 32 + count ? with(row, LADDER.get(31).reading()) : row);
+        each(LADDER, (i, row) -> i > heard && i < 32 + count ? with(row, last) : row);
     assertEquals(isFound, has(AuditCheck.STUCK, Logs.BOARD, rows));
   }
 
@@ -371,8 +376,14 @@ class AuditTest {
 
   @Test
   void clock_thatStandsStill() {
-    List<ReadingRow> still =
-        each(LADDER, (i, row) -> i == 9 ? timed(row, LADDER.get(8).timeS()) : row);
+    // Two rows of one time and one reading would be one row twice.
+    int last = 8;
+    while (LADDER.get(last).reading().equals(LADDER.get(last + 1).reading())) {
+      last++;
+    }
+    double tS = LADDER.get(last).timeS();
+    int next = last + 1;
+    List<ReadingRow> still = each(LADDER, (i, row) -> i == next ? timed(row, tS) : row);
     assertTrue(only(Logs.BOARD, still).what().startsWith("t_s stays at 1 row"));
     List<ReadingRow> twice = new ArrayList<>(LADDER);
     twice.add(40, LADDER.get(39));

@@ -1,7 +1,6 @@
 package simbad.gap.score;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -20,7 +19,7 @@ class HeldOutTest {
   /** What has no values has nothing to learn: both halves together are the whole. */
   @Test
   void withoutValues_theScoreIsTheLikelihood() {
-    CalibratedLog given = Worlds.given(Worlds.read(Worlds.poses(300, 0.3, 1.7, 1), OFFSET, 2));
+    CalibratedLog given = read(2);
     Fitter fitter = new Fitter(given, Fold.ALL);
     Fit nominal = fitter.refine(Hypothesis.NONE, 0);
     Fit offset = fitter.refine(OFFSET, 0);
@@ -29,9 +28,25 @@ class HeldOutTest {
     assertEquals(Hypothesis.NONE, scored.get(0).hypothesis(), "the smaller first");
     assertEquals(nominal.logLikelihood(), scored.get(0).heldOut(), 1e-9);
     assertEquals(nominal.logLikelihood(), scored.get(0).inSample(), 1e-9);
-    double loss = scored.get(1).inSample() - scored.get(1).heldOut();
-    // Half of the square of a standard normal number for each half: 1 nat on average, 6 are rare.
-    assertTrue(loss > 0 && loss < 6, "one value that is fitted on the other half costs " + loss);
+  }
+
+  /** Half of the square of a standard normal number for each half: 1 nat on average. */
+  @Test
+  void oneValue_costsOneNat() {
+    double loss = 0;
+    for (int seed = 2; seed < 14; seed++) {
+      CalibratedLog given = read(seed);
+      Fit offset = new Fitter(given, Fold.ALL).refine(OFFSET, 0);
+      Scored scored = new HeldOut(given, new Blocks(given.log())).score(List.of(offset)).get(0);
+      loss += scored.inSample() - scored.heldOut();
+    }
+    // Of one log it scatters by 1.7 nats, of the mean of twelve by 0.5.
+    assertEquals(1, loss / 12, 2);
+  }
+
+  /** Nearer than the edge at 1.5 m, where one row that flips costs more than any value does. */
+  private static CalibratedLog read(long seed) {
+    return Worlds.given(Worlds.read(Worlds.poses(300, 0.3, 1.3, 1), OFFSET, seed));
   }
 
   /** Each value fits a nat of chance, and the worst of those that were scored lost 3 more. */

@@ -73,7 +73,8 @@ public record Air(double temperatureC, double humidityPercent) {
     double water = waterPercent(kelvin);
     double oxygenHz = 24 + 4.04e4 * water * (0.02 + water) / (0.391 + water);
     double nitrogenHz =
-        Math.pow(ratio, -0.5) * (9 + 280 * water * Math.exp(-4.170 * (Math.cbrt(1 / ratio) - 1)));
+        Math.pow(ratio, -0.5)
+            * (9 + 280 * water * Math.exp(-4.170 * (StrictMath.cbrt(1 / ratio) - 1)));
     double f2 = frequencyHz * frequencyHz;
     double oxygen = 0.01275 * Math.exp(-2239.1 / kelvin) / (oxygenHz + f2 / oxygenHz);
     double nitrogen = 0.1068 * Math.exp(-3352.0 / kelvin) / (nitrogenHz + f2 / nitrogenHz);

@@ -65,7 +65,7 @@ final class LevelSensor implements Sensor {
     for (int i = 0; i < crossings.size(); i++) {
       if (draw >= crossings.silence(i)) {
         double deviation = crossings.deviationM(i);
-        double noise = deviation > 0 ? deviation * chance.nextGaussian() : 0;
+        double noise = deviation > 0 ? deviation * NormalDistribution.draw(chance) : 0;
         double range = crossings.meanM(i) + noise;
         return Math.max(0, ReadingDistribution.roundedDown(range, resolutionM));
       }

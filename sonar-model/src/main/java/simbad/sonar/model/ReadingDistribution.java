@@ -262,7 +262,7 @@ public final class ReadingDistribution {
   /** Draws a reading. */
   public Reading sample(RandomGenerator random) {
     double draw = random.nextDouble();
-    double gauss = isNoisy() ? random.nextGaussian() : 0;
+    double gauss = isNoisy() ? NormalDistribution.draw(random) : 0;
     for (Part part : parts) {
       draw -= part.share();
       if (draw < 0) {

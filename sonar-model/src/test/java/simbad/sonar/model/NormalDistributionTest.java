@@ -5,6 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
+import java.util.SplittableRandom;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -31,6 +35,36 @@ class NormalDistributionTest {
   @CsvSource({"5, 6.54265", "10, 23.11805", "15, 50.43522", "20, 88.56010", "30, 197.30921"})
   void tail_agreesWithTable262(double x, double minusLog10) {
     assertEquals(minusLog10, -Math.log10(NormalDistribution.cumulative(-x)), 5.1e-6);
+  }
+
+  /** Kolmogorov's distance of so many numbers is over 1.95 / 1,000 in one set of 1,000. */
+  @Test
+  void numbers_areOfTheDistribution() {
+    int many = 1_000_000;
+    SplittableRandom random = new SplittableRandom(4);
+    double[] drawn =
+        DoubleStream.generate(() -> NormalDistribution.draw(random)).limit(many).sorted().toArray();
+    double most = 0;
+    for (int i = 0; i < many; i++) {
+      double cumulative = NormalDistribution.cumulative(drawn[i]);
+      most =
+          Math.max(most, Math.max(cumulative - (double) i / many, (i + 1.0) / many - cumulative));
+    }
+    assertTrue(most < 1.95 / Math.sqrt(many), "Kolmogorov's distance " + most);
+    // Beyond four deviations 63 are expected, so 30 to 96 with four deviations of that number.
+    long far = DoubleStream.of(drawn).filter(x -> Math.abs(x) > 4).count();
+    assertTrue(far > 30 && far < 96, far + " beyond four deviations");
+  }
+
+  /** Bits of the first numbers of a seed: the same on every Java. */
+  @Test
+  void numbers_ofASeed_areTheseBits() {
+    SplittableRandom random = new SplittableRandom(4);
+    assertEquals(
+        "0x1.2f212e0521a05p0 -0x1.9a4aa6a89e17dp-4 0x1.f744f93fea95dp-3 -0x1.1bd45eadcecc1p0",
+        IntStream.range(0, 4)
+            .mapToObj(i -> Double.toHexString(NormalDistribution.draw(random)))
+            .collect(Collectors.joining(" ")));
   }
 
   @Test
