@@ -20,7 +20,7 @@ import simbad.figures.page.Browser;
 
 class CheckPageTest {
   private static final String PAGE =
-      CheckPage.of(SampleScores.order("gain"), SampleScores.scores());
+      CheckPage.of(SampleScores.order("gain"), SampleScores.scores(), List.of());
 
   @TempDir private Path folder = Path.of("target");
 
@@ -107,7 +107,8 @@ class CheckPageTest {
   void wordsFromFiles_areEscaped() {
     assertTrue(PAGE.contains("<td>&lt;b&gt;</td>"));
     assertTrue(
-        CheckPage.of(SampleScores.foreign(), SampleScores.scores()).contains("their &lt;sets&gt;"));
+        CheckPage.of(SampleScores.foreign(), SampleScores.scores(), List.of())
+            .contains("their &lt;sets&gt;"));
   }
 
   @Test
