@@ -73,9 +73,11 @@ class CheckFilesTest {
   }
 
   private static final String NEXT =
-      "case,level,kind,so,separates,outcome,said_before,said_after\n"
-          + "c1,L1,single,latency,latency+obstacle-offset,right,undecided,latency\n"
-          + "c2,L1,faint,hysteresis,hysteresis+early-timeout,wrong,undecided,none\n";
+      """
+      case,level,kind,so,separates,outcome,said_before,said_after
+      c1,L1,single,latency,latency+obstacle-offset,right,undecided,latency
+      c2,L1,faint,hysteresis,hysteresis+early-timeout,wrong,undecided,none
+      """;
 
   private List<ToldApart> next(String text) throws IOException, DataFormatException {
     return ToldApart.read(Files.writeString(folder.resolve("next.csv"), text));
