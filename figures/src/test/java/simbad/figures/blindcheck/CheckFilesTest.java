@@ -91,7 +91,7 @@ class CheckFilesTest {
     assertTrue(page.contains("next/answers/c2/report.html"));
     // Wilson (1927) of 1 of 2: the middle is a half, its half width 1.96 / (1 + 1.92) * 0.605.
     assertEquals(0.0945, ToldApart.share(next(NEXT), "right").estimate().low(), 5e-4);
-    assertTrue(page.contains("9\u00a0% to 91\u00a0%"), page);
+    assertTrue(page.contains("9&nbsp;% to 91&nbsp;%"), page);
     CheckReport.write(folder, SampleScores.order(), SampleScores.scores());
     assertFalse(Files.readString(folder.resolve(CheckReport.PAGE)).contains("proposed measure"));
   }
