@@ -19,6 +19,13 @@ import simbad.sonar.scene.Obstacle;
 final class Cuts {
   private static final double BEARING_STEP_DEG = 5;
 
+  // Differences that are no more than the last digits of poses (0.1 mm, 0.001 degrees), or what
+  // these make of a speed at 50 ms and of an angle at 10 cm.
+  private static final double SAME_S = 1e-3;
+  private static final double SAME_M = 1e-3;
+  private static final double SAME_M_PER_S = 5e-3;
+  private static final double SAME_DEG = 0.1;
+
   private final PingLog log;
   private final Geometry geometry;
   private final int[] obstacle;
@@ -43,8 +50,8 @@ final class Cuts {
     List<Scan.Cut> cuts = new ArrayList<>();
     Axis sensor = Axis.named("sensor", size, log.sensors(), log::sensor);
     Axis run = Axis.named("run", size, log.runs(), log::run);
-    Axis time = Axis.numbered("t_s", size, log::timeS);
-    Axis speed = Axis.numbered("speed_m_s", size, log::speedMPerS);
+    Axis time = Axis.numbered("t_s", size, log::timeS, SAME_S);
+    Axis speed = Axis.numbered("speed_m_s", size, log::speedMPerS, SAME_M_PER_S);
     single(cuts, sensor);
     single(cuts, run);
     if (geometry.obstacles() > 0) {
@@ -62,9 +69,11 @@ final class Cuts {
     List<Obstacle> all = geometry.scene().obstacles();
     Axis which =
         Axis.named("obstacle", size, all.stream().map(Obstacle::name).toList(), i -> obstacle[i]);
-    Axis distance = Axis.numbered("distance_m", size, i -> geometry.centreDistanceM(line(i)));
+    Axis distance =
+        Axis.numbered("distance_m", size, i -> geometry.centreDistanceM(line(i)), SAME_M);
     Axis offAxis =
-        Axis.numbered("off_axis_deg", size, i -> Math.toDegrees(geometry.offAxisRad(line(i))));
+        Axis.numbered(
+            "off_axis_deg", size, i -> Math.toDegrees(geometry.offAxisRad(line(i))), SAME_DEG);
     single(cuts, which);
     single(cuts, distance);
     single(cuts, offAxis);

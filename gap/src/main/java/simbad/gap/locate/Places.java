@@ -37,8 +37,10 @@ public final class Places {
   /** By how much the mean excess of a place is above that of what is left beside it, at least. */
   private static final double STANDS_OUT = 1.25;
 
-  /** What leaves out fewer rows is all of it. */
+  /** What leaves out fewer rows, or a smaller share of them, is all of it. */
   private static final int LEAST_OUTSIDE = 15;
+
+  private static final double LEAST_SHARE_OUTSIDE = 0.1;
 
   private final CalibratedLog given;
   private final GapMeter.Gaps before;
@@ -168,11 +170,10 @@ public final class Places {
             .toArray();
     double in = meanExcess(IntStream.of(open).filter(slice::holds));
     IntStream beside = IntStream.of(open).filter(ping -> !slice.holds(ping));
-    long outside =
-        IntStream.range(0, excess.length)
-            .filter(ping -> confirmed.holds(ping) && !slice.holds(ping))
-            .count();
-    return outside >= LEAST_OUTSIDE && in > STANDS_OUT * meanExcess(beside);
+    long all = IntStream.range(0, excess.length).filter(confirmed::holds).count();
+    long outside = all - rows(slice).length;
+    boolean leavesOut = outside >= Math.max(LEAST_OUTSIDE, LEAST_SHARE_OUTSIDE * all);
+    return leavesOut && in > STANDS_OUT * meanExcess(beside);
   }
 
   /** Of no pings 0. */

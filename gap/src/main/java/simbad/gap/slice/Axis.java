@@ -19,9 +19,6 @@ public final class Axis {
   private static final int MOST_BINS = 40;
   private static final double[] ROUND = {1, 2, 2.5, 5, 10};
 
-  /** Numbers that differ by less are equal, but for the last digits of binary fractions. */
-  private static final double EQUAL = 1e-6;
-
   private final String variable;
   private final int[] bin;
   private final int count;
@@ -111,12 +108,19 @@ public final class Axis {
    * @param variable what it is called
    * @param pings in the log
    * @param of the number of a ping
+   * @param least width of a bin, positive: numbers that differ by less are the same
    */
-  public static Axis numbered(String variable, int pings, IntToDoubleFunction of) {
+  public static Axis numbered(String variable, int pings, IntToDoubleFunction of, double least) {
+    Checks.positive("least width", least);
     double[] value = IntStream.range(0, pings).mapToDouble(of).toArray();
     double low = Arrays.stream(value).min().orElse(0);
     double high = Arrays.stream(value).max().orElse(0);
-    double width = high - low < EQUAL ? 1 : roundUp((high - low) / MOST_BINS);
+    if (high - low < least) {
+      // One bin, whatever the border of a round width lies between.
+      return cut(
+          variable, value, high < Math.floor(low) + 1 ? Math.floor(low) : low, Math.max(1, least));
+    }
+    double width = roundUp(Math.max(least, (high - low) / MOST_BINS));
     return cut(variable, value, Math.floor(low / width) * width, width);
   }
 

@@ -165,6 +165,20 @@ class PlacesTest {
     assertTrue(overlap(half, row -> POST.bearingDeg(row) < 180, POST.in(first)) > 0.9);
   }
 
+  /** Where all but a twentieth of the rows are off, all of them are. */
+  @Test
+  void gapOfNearlyAllRows_hasNoPlace() {
+    List<ReadingRow> nearly = new ArrayList<>();
+    for (ReadingRow row : nominal(7)) {
+      if (row.reading() instanceof Echo echo && POST.distanceM(row) < 1.2) {
+        double off = POST.bearingDeg(row) < 18 ? 0 : 0.1;
+        Reading reading = new Echo(echo.rangeM() + off);
+        nearly.add(new ReadingRow(row.run(), row.sensor(), row.timeS(), row.pose(), reading));
+      }
+    }
+    assertEquals(List.of(), places(nearly, Hypothesis.NONE));
+  }
+
   /** A post at the origin and another 3 m to the right. */
   private static SensingSetup twoPosts() {
     Obstacle near = Worlds.POST.scene().obstacles().get(0);

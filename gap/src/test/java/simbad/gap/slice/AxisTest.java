@@ -21,7 +21,7 @@ class AxisTest {
   }
 
   private static Axis numbered(double... values) {
-    return Axis.numbered("d", values.length, i -> values[i]);
+    return Axis.numbered("d", values.length, i -> values[i], 1e-6);
   }
 
   private static Axis quantiles(int bins, double... values) {
@@ -44,6 +44,15 @@ class AxisTest {
       }
     }
     assertTrue(numbered(2, 2 + 2e-6).count() > 1);
+  }
+
+  /** Angles off the axis that rounded poses make are one number, also about a round one. */
+  @ParameterizedTest
+  @CsvSource({"-0.002, 0.01", "0.96, 1.03", "3, 3.09", "-5.04, -4.95"})
+  void numbersThatDifferByRounding_haveOneBin(double low, double high) {
+    double[] values = {low, high, low};
+    assertEquals(1, Axis.numbered("off_axis_deg", 3, i -> values[i], 0.1).count());
+    assertTrue(Axis.numbered("off_axis_deg", 3, i -> values[i], 0.001).count() > 1);
   }
 
   @Test
