@@ -4,9 +4,9 @@ import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 
 /**
- * Chance with the same numbers on every Java and every machine: the JDK's SplittableRandom, whose
- * algorithm is specified, with normal numbers of its own, since those of the JDK are not the same
- * in Java 17 and Java 25.
+ * Chance that is the same on every Java that was compared (17 and 25) and on every machine: the
+ * uniform numbers of the JDK's SplittableRandom, on which both agree, and normal numbers of its
+ * own, since those of the JDK differ between the two.
  */
 public final class Chance implements RandomGenerator {
 
