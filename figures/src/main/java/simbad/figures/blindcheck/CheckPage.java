@@ -250,14 +250,15 @@ final class CheckPage {
     page.section("Do the proposed measurements tell effects apart?");
     page.say(
         "Where an answer proposed what to measure next, it was measured in the sealed world, "
-            + "added to the readings, and diagnosed again. Rightly told apart: what is at work "
-            + "is named then, and nothing that is not.");
+            + "added to the readings, and diagnosed again. Rightly told apart: of the effects to "
+            + "tell apart, those at work are named then, and no other of them.");
     Table counts = Table.of("what came of it", "#proposals", "#share", "#95\u00a0% interval");
     addOutcome(counts, "told apart rightly", "right");
     addOutcome(counts, "still tied, or undecided", "tied");
     addOutcome(counts, "told apart wrongly", "wrong");
     page.table(counts);
-    Table table = Table.of("case", "at work", "to tell apart", "said before", "said after", "");
+    Table table =
+        Table.of("case", "at work", "to tell apart", "said before", "said after", "came of it");
     for (ToldApart one : next) {
       table.row(
           Html.link("next/answers/" + one.caseId() + "/report.html", one.caseId()),
