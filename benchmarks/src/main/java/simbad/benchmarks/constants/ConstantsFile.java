@@ -1,5 +1,6 @@
 package simbad.benchmarks.constants;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -45,13 +46,17 @@ final class ConstantsFile {
       checks = node.putArray("checks");
     }
 
-    /** Notes a check and how many of its cases counted; none is no origin. */
-    void add(Path check, int cases) throws IOException {
-      if (cases > 0) {
-        ObjectNode one = checks.addObject();
-        one.set("order", MAPPER.readTree(Files.readString(check.resolve("order.json"))));
-        one.put("cases", cases);
-      }
+    /** Notes a check and how many of its cases counted, and returns the note; none is no origin. */
+    ObjectNode add(Path check, int cases) throws IOException {
+      ObjectNode one = cases > 0 ? checks.addObject() : MAPPER.createObjectNode();
+      one.set("order", MAPPER.readTree(Files.readString(check.resolve("order.json"))));
+      one.put("cases", cases);
+      return one;
+    }
+
+    /** Keeps a note of an earlier file. */
+    void keep(JsonNode note) {
+      checks.add(note);
     }
 
     /** Returns its node, to which more may be put. */

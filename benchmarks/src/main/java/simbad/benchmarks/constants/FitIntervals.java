@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import simbad.gap.constants.FittedConstants;
 import simbad.gap.score.IntervalWidths;
 
 /**
@@ -30,9 +31,10 @@ public final class FitIntervals {
   private FitIntervals() {}
 
   /**
-   * Fits and writes.
+   * Fits and writes. The checks must be of a program with today's widths. What is not given keeps
+   * its width and its origin.
    *
-   * @param arguments the file to write, the date that it shall say, and for each of threshold,
+   * @param arguments the file to write, the date that it shall say, and for some of threshold,
    *     level and motion a word and folders of checks: {@code threshold=L1 level=L2,L2w motion=M}
    * @throws IOException if a file cannot be read or written
    */
@@ -49,6 +51,7 @@ public final class FitIntervals {
     file.root().put("level", own.level());
     file.root().put("motion", own.motion());
     ObjectNode figures = origin.node().putObject("narrowed_to_90_percent");
+    keep(FittedConstants.of(IntervalWidths.class).path("origin"), origin, figures, arguments);
     for (String group : Arrays.asList(arguments).subList(2, arguments.length)) {
       String[] parts = group.split("=", 2);
       if (parts.length != 2 || !file.root().has(parts[0])) {
@@ -59,11 +62,28 @@ public final class FitIntervals {
       for (String check : parts[1].split(",", -1)) {
         List<Double> more = halfWidths(Path.of(check));
         off.addAll(more);
-        origin.add(Path.of(check), more.size());
+        origin.add(Path.of(check), more.size()).put("of", parts[0]);
       }
       fit(file.root(), figures.putObject(parts[0]), parts[0], off);
     }
     file.write(Path.of(arguments[0]));
+  }
+
+  /** Keeps the origin of widths that are not fitted now. */
+  private static void keep(
+      JsonNode before, ConstantsFile.Origin origin, ObjectNode figures, String... arguments) {
+    for (String name : List.of("threshold", "level", "motion")) {
+      if (Arrays.stream(arguments).noneMatch(one -> one.startsWith(name + "="))) {
+        figures.set(name, before.path("narrowed_to_90_percent").path(name));
+        before.path("checks").forEach(check -> keep(check, name, origin));
+      }
+    }
+  }
+
+  private static void keep(JsonNode check, String name, ConstantsFile.Origin origin) {
+    if (name.equals(check.path("of").asText())) {
+      origin.keep(check);
+    }
   }
 
   private static void fit(ObjectNode root, ObjectNode figures, String name, List<Double> off) {

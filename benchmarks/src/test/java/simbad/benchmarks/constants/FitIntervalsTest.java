@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -65,7 +66,9 @@ class FitIntervalsTest {
     JsonNode figures = root.at("/origin/narrowed_to_90_percent/level");
     assertEquals(100, figures.path("values").asInt());
     assertEquals(0.9, figures.path("held_after").asDouble(), 0.011);
-    assertEquals(3, root.at("/origin/checks").size());
+    List<String> of = root.at("/origin/checks").findValuesAsText("of");
+    assertEquals(List.of("level", "level", "motion"), of.subList(of.size() - 3, of.size()));
+    assertEquals(Set.of("threshold"), Set.copyOf(of.subList(0, of.size() - 3)), "kept");
     assertEquals("few", folder.resolve("few").getFileName().toString());
   }
 
