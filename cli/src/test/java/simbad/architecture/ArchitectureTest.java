@@ -333,6 +333,20 @@ class ArchitectureTest {
         .check(CLASSES);
   }
 
+  /** So figures of readings are not older for a change of what diagnoses motion. */
+  @Test
+  void readings_areDiagnosedWithoutWhatDiagnosesMotion() {
+    noClasses()
+        .that()
+        .resideInAPackage("simbad.gap..")
+        .and()
+        .resideOutsideOfPackages("simbad.gap.motion", "simbad.gap.joint")
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage("simbad.gap.motion", "simbad.gap.joint")
+        .check(CLASSES);
+  }
+
   @Test
   void commandLine_isUsedByNobody() {
     noClasses()

@@ -73,6 +73,19 @@ class StaleFiguresTest {
     assertEquals("bench", stale.get(0).split(" ", -1)[0], "measured before " + first);
   }
 
+  /** Motion is no part of what readings are diagnosed with. */
+  @Test
+  void whatAFigureLeavesOut_mayChange() throws Exception {
+    String first = Commit.current(clone).name();
+    write(
+        "docs/figures/origins.csv",
+        "figure,commit,date,folders\nsrb1-L1," + first + ",2026-11-24,gap !gap/src/main/motion\n");
+    write("gap/src/main/motion/M.java", "m");
+    assertEquals(List.of(), StaleFigures.of(commit()));
+    write("gap/src/main/A.java", "b");
+    assertEquals(List.of("srb1-L1 (" + first + ")"), StaleFigures.of(commit()));
+  }
+
   @Test
   void unknownCommit_isStale() throws Exception {
     write(

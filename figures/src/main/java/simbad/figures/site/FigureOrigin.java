@@ -13,7 +13,8 @@ import java.util.List;
  * @param figure name of its file without ".txt"
  * @param commit of the program that measured it
  * @param date of the measurement, ISO 8601
- * @param folders of the project that it depends on: where one of them changed since, it is stale
+ * @param folders of the project that it depends on: where one of them changed since, it is stale;
+ *     with a "!" before it one that it leaves out
  */
 public record FigureOrigin(String figure, String commit, String date, List<String> folders) {
   private static final String FILE = "origins.csv";

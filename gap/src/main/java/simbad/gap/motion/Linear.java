@@ -34,14 +34,43 @@ final class Linear {
   private final double[][][] matrices;
   private final double[][] vectors;
 
+  private final Belief belief;
+
   Linear(MotionSteps given, Whitening[] white, double[][][] columns) {
+    this(given, white, columns, Belief.none(columns.length));
+  }
+
+  /**
+   * Gathers the equations.
+   *
+   * @param given the steps
+   * @param white residuals
+   * @param columns by how much these fall per unit of each value
+   * @param belief about the values before any block is seen
+   */
+  Linear(MotionSteps given, Whitening[] white, double[][][] columns, Belief belief) {
     this.given = given;
+    this.belief = belief;
     this.white = white;
     this.columns = columns;
     matrices = new double[given.blockCount()][columns.length][columns.length];
     vectors = new double[given.blockCount()][columns.length];
     for (int c = 0; c < white.length; c++) {
       gather(c);
+    }
+  }
+
+  /**
+   * What is believed of values before any block is seen: blocks that say nothing of a value would
+   * send it anywhere.
+   *
+   * @param precisions by value, one over the square of a standard deviation; 0 where nothing is
+   * @param moves by value, from where it is to where it is believed
+   */
+  @SuppressWarnings("ArrayRecordComponent") // Numbers by value, never compared.
+  record Belief(double[] precisions, double[] moves) {
+    static Belief none(int values) {
+      return new Belief(new double[values], new double[values]);
     }
   }
 
@@ -62,14 +91,19 @@ final class Linear {
 
   /** Returns by how much the values move for the least squares of some blocks. */
   double[] move(IntPredicate taken, double damping) {
+    return move(taken, damping, Belief.none(columns.length));
+  }
+
+  private double[] move(IntPredicate taken, double damping, Belief prior) {
     if (columns.length == 0) {
       return new double[0];
     }
     double[][] matrix = matrix(taken);
     for (int p = 0; p < matrix.length; p++) {
-      matrix[p][p] += damping * matrix[p][p] + 1e-12;
+      matrix[p][p] += damping * matrix[p][p] + prior.precisions[p] + 1e-12;
     }
     double[] vector = new double[matrix.length];
+    Arrays.setAll(vector, p -> prior.precisions[p] * prior.moves[p]);
     IntStream.range(0, vectors.length)
         .filter(taken)
         .forEach(b -> IntStream.range(0, vector.length).forEach(p -> vector[p] += vectors[b][p]));
@@ -89,9 +123,9 @@ final class Linear {
     return matrix;
   }
 
-  /** Returns the same of all blocks but those of a fold. */
+  /** Returns the same of all blocks but those of a fold, and of what is believed. */
   double[] withoutFold(int fold) {
-    return move(block -> given.foldOf(block) != fold, 0);
+    return move(block -> given.foldOf(block) != fold, 0, belief);
   }
 
   /** Returns the log density of each block, foretold by values that its fold had no part in. */

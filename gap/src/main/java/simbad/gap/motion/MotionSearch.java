@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import simbad.gap.search.ForwardSearch;
 import simbad.motion.CommandUse;
 import simbad.motion.MotionChain;
+import simbad.motion.MotionChange;
 import simbad.motion.Robot;
 import simbad.motion.effect.MotionForm;
 import simbad.motion.effect.MotionForms;
@@ -50,6 +51,7 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
   private final MotionSteps given;
   private final Robot robot;
   private final MotionFitter fitter;
+  private final PlainFactors factors;
   private final List<MotionForm> forms;
 
   /** The largest that a set which was built upon has shown. */
@@ -64,6 +66,7 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
     this.given = given;
     this.robot = robot;
     this.forms = forms;
+    factors = new PlainFactors(given.runs());
     fitter = new MotionFitter(given, CommandUse.of(given.runs(), robot.wheelBaseM()));
   }
 
@@ -78,7 +81,7 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
   List<ScoredMotion> run(MotionChain base) {
     MotionFit nominal = fitter.asItIs(new MotionHypothesis(base, List.of(), new double[0]));
     keepIfItMatters(nominal);
-    MotionFit set = built(nominal, grown(nominal, forms, REFINED));
+    MotionFit set = plain(built(nominal, grown(nominal, forms, REFINED)));
     replaced(set);
     return scored(set.hypothesis().effects());
   }
@@ -103,7 +106,7 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
     keepIfItMatters(fitter.asItIs(new MotionHypothesis(base, List.of(), new double[0])));
     MotionFit start = fitter.fit(fitter.asItIs(found));
     keepIfItMatters(start);
-    MotionFit set = built(start, grown(start, forms, REFINED));
+    MotionFit set = plain(built(start, grown(start, forms, REFINED)));
     Set<String> effects = set.hypothesis().effects();
     effects.forEach(one -> keepIfItMatters(rest(set, one)));
     return scored(effects);
@@ -160,6 +163,49 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
     return best;
   }
 
+  /**
+   * Builds upon a set anew where a member is worth more as plain factors: a scale of the wheels, or
+   * steps or limits that only look like it. No single step leads from it to two.
+   */
+  private MotionFit plain(MotionFit set) {
+    MotionHypothesis found = set.hypothesis();
+    for (int i = 0; i < found.forms().size(); i++) {
+      MotionForm form = found.forms().get(i);
+      List<MotionForm> scales =
+          form.scalesBoth() ? MotionForms.SCALES : factors.scales(found.changes().get(i));
+      if (!scales.isEmpty()) {
+        MotionFit fit = fitter.fit(fitter.with(scaled(found, form, scales), set.noises()));
+        keepIfItMatters(fit);
+        if (matters(fit.hypothesis()) && worth(fit) - worth(set) > WORTH_NATS) {
+          return built(fit, isLast(fit) ? List.of() : grown(fit, forms, REFINED));
+        }
+      }
+    }
+    return set;
+  }
+
+  /** Puts scales in the place of a member. */
+  private MotionHypothesis scaled(MotionHypothesis set, MotionForm form, List<MotionForm> scales) {
+    MotionHypothesis scaled = set.without(form);
+    for (MotionForm scale : scales) {
+      boolean isOpen = forms.contains(scale) && apart(scaled, scale);
+      scaled = isOpen ? scaled.with(scale, scale.neutralValues()) : scaled;
+    }
+    return scaled;
+  }
+
+  /** What is factors only is built upon as scales; as it is, it is weighed against them. */
+  private MotionFit inPlain(MotionFit set) {
+    MotionHypothesis plain = set.hypothesis();
+    for (MotionForm form : set.hypothesis().forms()) {
+      MotionChange change = form.change(set.hypothesis().values(form));
+      if (factors.isFactors(change)) {
+        plain = scaled(plain, form, factors.scales(change));
+      }
+    }
+    return fitter.fit(fitter.with(plain, set.noises()));
+  }
+
   private static List<MotionForm> promising(
       List<MotionFit> added, MotionFit before, MotionHypothesis set) {
     double floor = before.score() + HOPELESS_NATS;
@@ -190,7 +236,17 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
     List<MotionFit> all = new ArrayList<>(promising.parallelStream().map(fitter::fit).toList());
     screened.stream().filter(fit -> !promising.contains(fit)).forEach(all::add);
     all.forEach(this::keepIfItMatters);
-    return best(all.stream().filter(fit -> matters(fit.hypothesis())).toList());
+    List<MotionFit> fitted = best(all.stream().filter(fit -> matters(fit.hypothesis())).toList());
+    List<MotionFit> plain =
+        new ArrayList<>(
+            fitted.stream()
+                .limit(most)
+                .filter(fit -> !factors.isPlain(fit.hypothesis()))
+                .map(this::inPlain)
+                .toList());
+    plain.forEach(this::keepIfItMatters);
+    fitted.stream().filter(fit -> factors.isPlain(fit.hypothesis())).forEach(plain::add);
+    return best(plain.stream().filter(fit -> matters(fit.hypothesis())).toList());
   }
 
   private static Set<MotionFit> first(List<MotionFit> ranked, int most) {
@@ -289,8 +345,7 @@ final class MotionSearch extends ForwardSearch<String, MotionFit, MotionForm> {
   /** The most promising, and what the found set would be without each of its effects. */
   private List<ScoredMotion> scored(Set<String> found) {
     Comparator<MotionFit> order =
-        Comparator.comparingDouble(
-            fit -> Odds.COST_NATS * fit.hypothesis().effects().size() - worth(fit));
+        Comparator.comparingDouble(fit -> factors.costNats(fit.hypothesis()) - worth(fit));
     List<MotionFit> front = fits().values().stream().sorted(order).limit(SCORED).toList();
     Set<MotionFit> all = new LinkedHashSet<>(front);
     all.add(fits().get(Set.<String>of()));

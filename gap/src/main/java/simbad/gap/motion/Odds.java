@@ -41,7 +41,7 @@ final class Odds {
   }
 
   private double log(ScoredMotion set) {
-    double cost = COST_NATS * set.hypothesis().effects().size() + NATS_PER_JUMP * set.jumping();
+    double cost = set.costNats() + NATS_PER_JUMP * set.jumping();
     return (set.heldOut() / clumping - cost) / TEMPERATURE;
   }
 

@@ -25,6 +25,11 @@ record ScoredMotion(MotionFit fit, Slopes slopes, double[] blocks) {
     return fit.hypothesis();
   }
 
+  /** Returns what it must gain to be as probable as no effect, nats. */
+  double costNats() {
+    return new PlainFactors(slopes.given().runs()).costNats(hypothesis());
+  }
+
   /** Returns how many values no fold fitted anew, since motion jumps as they change. */
   long jumping() {
     return hypothesis().parameters().stream().filter(p -> p.stepped()).count();

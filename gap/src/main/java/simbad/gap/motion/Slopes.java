@@ -13,6 +13,9 @@ import simbad.motion.effect.MotionParameter;
 final class Slopes {
   private static final int MOST_HALVED = 6;
 
+  /** Half a practical change, so many times: 30 of them, far more than logs leave open. */
+  private static final double BELIEVED = 60;
+
   private final MotionSteps given;
   private final MotionFit fit;
   private final Whitening[] white;
@@ -50,7 +53,30 @@ final class Slopes {
     white = fit.white(given);
     free = free(fit.hypothesis());
     columns = Arrays.stream(raw).map(this::whitened).toArray(double[][][]::new);
-    linear = new Linear(given, white, columns);
+    linear = new Linear(given, white, columns, belief());
+  }
+
+  /**
+   * Values are believed to lie within some practical changes of where they change nothing: so much
+   * that it matters only where blocks say nothing.
+   */
+  private Linear.Belief belief() {
+    double[] precisions = new double[free.size()];
+    double[] moves = new double[free.size()];
+    for (int p = 0; p < precisions.length; p++) {
+      MotionParameter parameter = fit.hypothesis().parameters().get(free.get(p));
+      if (Double.isFinite(parameter.neutral())) {
+        double deviation = BELIEVED * parameter.probe();
+        precisions[p] = 1 / (deviation * deviation);
+        moves[p] = parameter.neutral() - fit.hypothesis().values()[free.get(p)];
+      }
+    }
+    return new Linear.Belief(precisions, moves);
+  }
+
+  /** Returns the steps that it is of. */
+  MotionSteps given() {
+    return given;
   }
 
   private static double[][][] raw(MotionSteps given, MotionFit fit, Optional<Slopes> before) {

@@ -98,6 +98,9 @@ final class Drives {
   /** Share of commands that are one and the same. */
   boolean oneSpeed;
 
+  /** Rates of turning that are asked for; none for any rate. */
+  double[] askedTurns = {};
+
   private final SplittableRandom random;
 
   Drives(long seed) {
@@ -119,6 +122,8 @@ final class Drives {
       speed = backwards && commands.size() % 2 > 0 ? -speed : speed;
       speed = askedStep > 0 ? askedStep * Math.ceil(speed / askedStep) : speed;
       double turn = 2 * random.nextDouble() - 1;
+      int turns = askedTurns.length;
+      turn = turns > 0 ? askedTurns[(int) (turns * (turn + 1) / 2)] : turn;
       if (kind < 0.15) {
         commands.add(new Command(t, 0, 0));
       } else if (kind < 0.3) {

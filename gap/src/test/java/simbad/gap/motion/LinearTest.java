@@ -115,4 +115,26 @@ class LinearTest {
     assertTrue(steady.drift(0).square() < 2.5 * 9, "steady " + steady.drift(0));
     assertTrue(wanders.standardErrors()[0] > 1.7 * steady.standardErrors()[0], "error");
   }
+
+  /** A value that one block alone tells is without it what was believed, not anything. */
+  @Test
+  void whatOneBlockTells_isWithoutItAsBelieved() {
+    double[] once = new double[STEPS];
+    Arrays.fill(once, 0, 3, 1);
+    double[] zeros = new double[STEPS];
+    double[] residuals = heavy(new SplittableRandom(35));
+    Whitening[] white = {
+      new Whitening(GIVEN, HEAVY, residuals),
+      new Whitening(GIVEN, HEAVY, zeros),
+      new Whitening(GIVEN, HEAVY, zeros)
+    };
+    double[][][] columns = {{white[0].of(once), zeros, zeros}};
+    double[] precisions = {1 / 0.04};
+    double[] moves = {-0.3};
+    Linear linear = new Linear(GIVEN, white, columns, new Linear.Belief(precisions, moves));
+    for (int fold = 0; fold < MotionSteps.FOLDS; fold++) {
+      double by = linear.withoutFold(fold)[0];
+      assertEquals(fold == GIVEN.foldOf(0) ? -0.3 : 0, by, fold == GIVEN.foldOf(0) ? 1e-6 : 0.3);
+    }
+  }
 }

@@ -68,6 +68,11 @@ public record MotionForm(
     return equals(Lag.SECOND) || equals(Lag.SECOND_BACK) || equals(Lag.SECOND_ACCELERATION);
   }
 
+  /** Tells whether it is one factor for speed and turning. */
+  public boolean scalesBoth() {
+    return equals(Scale.WHEELS);
+  }
+
   private static boolean doubles(MotionForm one, MotionForm other) {
     boolean delays = one.equals(Delay.CLOCKS) && other.equals(Delay.LATENCY);
     boolean scales =

@@ -45,6 +45,9 @@ public final class MotionForms {
   public static final List<MotionForm> PLAIN =
       List.of(Scale.SPEED, Scale.TURN, Veer.BIAS, Veer.ASYMMETRY, Delay.LATENCY, Lag.CONSTANTS);
 
+  /** A factor of the speed, and one of turning, in this order. */
+  public static final List<MotionForm> SCALES = List.of(Scale.SPEED, Scale.TURN);
+
   /** Motion that scatters more than believed. */
   public static final String MOTION_NOISE = "motion-noise";
 
