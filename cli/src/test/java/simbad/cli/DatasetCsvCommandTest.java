@@ -159,6 +159,42 @@ class DatasetCsvCommandTest {
     assertTrue(untimed.readings().get(0).circumstances().placement().isPresent());
   }
 
+  /** A servo turns a sensor that was put there once; of few places nothing is known of each. */
+  @Test
+  void directionsFromOnePlace_areOnePlacement() throws Exception {
+    String pans = "--range cm --range-unit cm --distance d_cm --pan pan_deg --target board:1m";
+    DataSet scans = read(scans(4), pans);
+    assertEquals("p1 p1 p1 p2 p2 p2 p3 p3 p3 p4 p4 p4", placements(scans));
+    assertTrue(file("scene.json").contains("nothing was moved, only turned"), file("scene.json"));
+    assertEquals("p1 p2 p3 p4 p5 p6 p7 p8 p9 p9", placements(read(scans(3) + "30,16,30\n", pans)));
+    DataSet drive =
+        read(
+            scans(4),
+            "--range cm --range-unit cm --x 0m --y d_cm --pose-unit cm --heading pan_deg"
+                + " --period 60ms --target board:1m@0,-3m");
+    assertTrue(drive.readings().get(0).circumstances().placement().isEmpty());
+  }
+
+  private static String scans(int places) {
+    StringBuilder log = new StringBuilder("d_cm,pan_deg,cm\n");
+    for (int i = 0; i < 3 * places; i++) {
+      int distance = 10 * (1 + i / 3);
+      log.append(distance)
+          .append(',')
+          .append(8 * (i % 3))
+          .append(',')
+          .append(distance)
+          .append('\n');
+    }
+    return log.toString();
+  }
+
+  private static String placements(DataSet data) {
+    return data.readings().stream()
+        .map(row -> row.circumstances().placement().orElse(""))
+        .collect(Collectors.joining(" "));
+  }
+
   /** A servo's angle is known to a degree, unless it is said otherwise; a drive's is not asked. */
   @Test
   void headingsOfAScan_areKnownToADegree() throws Exception {
@@ -345,11 +381,7 @@ class DatasetCsvCommandTest {
             "d_cm,m1,m2,m3,note\n10,9,10,11,a\n20,19,20,,b\n",
             "--range m1-m3 --range-unit cm --distance d_cm");
     assertEquals("0.09 0.1 0.11 0.19 0.2 -", ranges(data));
-    assertEquals(
-        "p1 p1 p1 p2 p2 p2",
-        data.readings().stream()
-            .map(row -> row.circumstances().placement().orElse(""))
-            .collect(Collectors.joining(" ")));
+    assertEquals("p1 p1 p1 p2 p2 p2", placements(data));
     assertTrue(file("readings.csv").contains(",placement,d_cm,note\n"), file("readings.csv"));
     assertTrue(file("readings.csv").contains(",p2,20,b\n"));
     assertEquals(0.01, data.setup().sensor().resolutionM());

@@ -223,12 +223,9 @@ public final class LogImport {
     } else if (!rows.get(0).isTimed()) {
       assumptions.add("The readings have no times, so no effect with a memory can be diagnosed.");
     }
-    List<ReadingRow> named = LoggedPlacements.named(rows);
-    if (!named.equals(rows)) {
-      assumptions.add(
-          "Nothing was moved between neighbouring rows with equal poses (--placement).");
-    }
-    return named;
+    LoggedPlacements.Named named = LoggedPlacements.named(rows, settings.find("pan").isPresent());
+    named.assumption().ifPresent(assumptions::add);
+    return named.rows();
   }
 
   private SensingSetup setup(

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.sensing.Circumstances;
@@ -17,10 +18,21 @@ final class LoggedPlacements {
 
   private LoggedPlacements() {}
 
+  /** With fewer places a log says nothing of how far each of them is off. */
+  private static final int LEAST_PLACES = 4;
+
   /** What must not have changed. */
   private record Unmoved(String run, Pose pose, MovedObstacle obstacle) {
     static Unmoved of(ReadingRow row) {
       return new Unmoved(row.run(), row.pose(), row.circumstances().obstacle());
+    }
+
+    /** The same however sensor and target are turned. */
+    Unmoved anyWay() {
+      return new Unmoved(
+          run,
+          Pose.of(pose.position().xM(), pose.position().zM(), 0),
+          new MovedObstacle(obstacle.xM(), obstacle.zM(), OptionalDouble.empty()));
     }
   }
 
@@ -54,20 +66,44 @@ final class LoggedPlacements {
         .findFirst();
   }
 
+  /** Rows with the names of their placements, and what was taken for granted by that. */
+  record Named(List<ReadingRow> rows, Optional<String> assumption) {}
+
   /**
-   * Names what neighbouring rows of equal poses share; rows that have a name keep theirs. In a
-   * drive that has times each sensor pings once where the robot is: nothing was put in place there.
+   * Names what neighbouring rows at one place share; rows that have a name keep theirs. Where a
+   * sensor or a target is turned in place, as by a servo or a turntable, it was put there once: all
+   * directions share what the place is off by. In a drive that has times each sensor pings once
+   * where the robot is, and a robot that turns on the spot moves: nothing was put in place there.
+   *
+   * @param isServo whether the log says how far the sensor is turned on what carries it
    */
-  static List<ReadingRow> named(List<ReadingRow> rows) {
+  static Named named(List<ReadingRow> rows, boolean isServo) {
     if (rows.isEmpty() || rows.get(0).circumstances().placement().isPresent()) {
-      return rows;
+      return new Named(rows, Optional.empty());
     }
+    List<Unmoved> poses = rows.stream().map(Unmoved::of).toList();
+    if (isServo || !rows.get(0).isTimed()) {
+      List<Unmoved> places = poses.stream().map(Unmoved::anyWay).toList();
+      boolean isTurned = Set.copyOf(places).size() < Set.copyOf(poses).size();
+      if (isTurned && Set.copyOf(places).size() >= LEAST_PLACES) {
+        return named(
+            rows,
+            places,
+            "Between neighbouring rows at one place nothing was moved, only turned"
+                + " (--placement).");
+      }
+    }
+    return named(
+        rows, poses, "Nothing was moved between neighbouring rows with equal poses (--placement).");
+  }
+
+  private static Named named(List<ReadingRow> rows, List<Unmoved> unmoved, String assumption) {
     List<ReadingRow> named = new ArrayList<>(rows.size());
     Set<List<Object>> places = new HashSet<>();
     int number = 0;
     for (int i = 0; i < rows.size(); i++) {
       ReadingRow row = rows.get(i);
-      number += i > 0 && Unmoved.of(rows.get(i - 1)).equals(Unmoved.of(row)) ? 0 : 1;
+      number += i > 0 && unmoved.get(i - 1).equals(unmoved.get(i)) ? 0 : 1;
       places.add(List.of(number, row.sensor()));
       Circumstances now = row.circumstances();
       named.add(
@@ -82,6 +118,8 @@ final class LoggedPlacements {
                   now.pauseS())));
     }
     boolean again = rows.size() >= READ_AGAIN * places.size();
-    return number < rows.size() && (again || !rows.get(0).isTimed()) ? named : rows;
+    return number < rows.size() && (again || !rows.get(0).isTimed())
+        ? new Named(named, Optional.of(assumption))
+        : new Named(rows, Optional.empty());
   }
 }
