@@ -32,6 +32,10 @@ final class RepeatCheck {
   private static final int LEAST_PAIRS = 10;
 
   private static final int LEAST_PLACES = 3;
+
+  /** Of the readings of a near limit, beside strays that were cut off there as well. */
+  private static final double NEARLY_ALL = 0.9;
+
   private static final double SAME_RAD = Math.toRadians(2);
   private static final int LEAST_VALUES = 5;
 
@@ -59,6 +63,7 @@ final class RepeatCheck {
     greatestM = view.echoes().mapToDouble(view::rangeM).max().orElse(0);
     view.echoes().filter(i -> !view.row(i).isTimed()).forEach(this::sort);
     displaced.keySet().removeIf(this::isCode);
+    displaced.entrySet().removeIf(one -> isNearLimit(one.getKey(), one.getValue()));
   }
 
   /** The least way from one value to another, as files are written. */
@@ -79,6 +84,16 @@ final class RepeatCheck {
     } else {
       displaced.computeIfAbsent(view.rangeM(i), v -> new ArrayList<>()).add(i);
     }
+  }
+
+  /**
+   * Whether a value is the least that a sensor reports, since nothing is read below it and what
+   * stands there is nearer: that is an effect with a name, near-clamp, and no fault of the log.
+   */
+  private boolean isNearLimit(double value, List<Integer> at) {
+    long nearer = at.stream().filter(i -> view.expectedM(i) < value).count();
+    return nearer >= NEARLY_ALL * at.size()
+        && view.echoes().mapToDouble(view::rangeM).allMatch(range -> range >= value);
   }
 
   private boolean isCode(double value) {
