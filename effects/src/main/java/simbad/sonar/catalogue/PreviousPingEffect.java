@@ -33,9 +33,12 @@ public final class PreviousPingEffect implements Definition {
 
   private static final Parameter SPREAD = Parameter.of("spread_m", 0, 0, 0.1, 0.002);
   private static final Parameter SHIFT = Parameter.of("shift_m", 0, -0.3, 5, -0.05, 0.05);
+  private static final Parameter LEAST = Parameter.of("least_m", 0.02, 0.02, 1, 0.02);
   private static final double AUDIBLE_RANGES = 4;
   private static final double WIDTH = 0.03;
   private static final int MODES = 4;
+  private static final double LEAST_M = 0.02;
+  private static final double NEARER = 0.95;
 
   @Override
   public Effect effect() {
@@ -84,13 +87,22 @@ public final class PreviousPingEffect implements Definition {
             SPREAD),
         Form.of(
             effect(),
+            "bounce",
+            v -> new NearerByPrevious(v[0], 2, -1, v[1], v[2], v[3]),
+            GHOSTS,
+            Parameter.of("shift_m", 0, -1, 3, 0.2),
+            Parameter.of("spread_m", 0, 0, 0.1, 0.01),
+            LEAST),
+        Form.of(
+            effect(),
             "nearer",
-            v -> new NearerByPrevious(v[0], v[1], v[2], v[3], v[4]),
+            v -> new NearerByPrevious(v[0], v[1], v[2], v[3], v[4], v[5]),
             GHOSTS,
             Parameter.of("own_factor", 1, 0.5, 2.2, 1, 2),
             Parameter.of("before_factor", 0, -1.5, 1, -0.3, -1),
             Parameter.of("shift_m", 0, -1, 3, 0, 0.2),
-            SPREAD),
+            SPREAD,
+            LEAST),
         read("read-nearer", true),
         read("read", false));
   }
@@ -114,6 +126,7 @@ public final class PreviousPingEffect implements Definition {
       case "line" -> lines(form, clues, early(clues).toArray());
       case "read-nearer", "read" ->
           lines(form, clues, clues.strangeEchoes().filter(clues::hasEchoBefore).toArray());
+      case "bounce" -> bounces(form, clues);
       case "nearer" -> nearer(form, clues);
       case "shift" -> {
         DoubleStream by = early(clues).mapToDouble(i -> log.rangeM(i - 1) - log.rangeM(i));
@@ -140,29 +153,71 @@ public final class PreviousPingEffect implements Definition {
     return starts.isEmpty() ? Tries.combined(form, tries) : starts;
   }
 
+  /**
+   * An echo that went to and fro twice, from a plate to the sensor's own and back: it is late by the
+   * whole way once more, less what went by until the next ping, which began when the reading before
+   * was done.
+   */
+  private static List<double[]> bounces(Form form, Clues clues) {
+    List<List<Double>> tries = Tries.of(form);
+    int[] near = tooNear(clues);
+    List<Double> shifts = new ArrayList<>();
+    for (double shift : Modes.of(shifts(clues, near, 2, -1), WIDTH, 2)) {
+      // What the base does to ranges is not counted in it.
+      for (double off = -WIDTH; off <= WIDTH; off += WIDTH / 2) {
+        shifts.add(shift + off);
+      }
+    }
+    return Tries.product(
+        form, tries.get(0), shifts, tries.get(2), List.of(LEAST_M, leastM(clues, near)));
+  }
+
   /** Echoes too near by an amount: for pairs of factors the shift that most agree on. */
   private static List<double[]> nearer(Form form, Clues clues) {
-    PingLog log = clues.log();
     List<List<Double>> tries = Tries.of(form);
-    int[] near =
-        clues
-            .echoesInCone()
-            .filter(clues::hasEchoBefore)
-            .filter(i -> log.rangeM(i) < clues.nearestM(i) - 0.02)
-            .toArray();
+    int[] near = tooNear(clues);
     List<double[]> starts = new ArrayList<>();
     for (int pair = 0; pair < tries.get(1).size(); pair++) {
       double own = tries.get(1).get(pair);
       double before = tries.get(2).get(pair);
-      DoubleStream shifts =
-          Arrays.stream(near)
-              .mapToDouble(
-                  i -> own * clues.nearestM(i) + before * log.rangeM(i - 1) - log.rangeM(i));
-      List<Double> shift = Modes.of(shifts, WIDTH, 1);
       starts.addAll(
-          Tries.product(form, tries.get(0), List.of(own), List.of(before), shift, tries.get(4)));
+          Tries.product(
+              form,
+              tries.get(0),
+              List.of(own),
+              List.of(before),
+              Modes.of(shifts(clues, near, own, before), WIDTH, 1),
+              tries.get(4),
+              List.of(LEAST_M, leastM(clues, near))));
     }
     return starts;
+  }
+
+  /**
+   * Echoes that are far too near, whatever else is taken for them: crosstalk takes up any. A wrong
+   * speed of sound makes none so near.
+   */
+  private static int[] tooNear(Clues clues) {
+    return clues
+        .echoesInCone()
+        .filter(clues::hasEchoBefore)
+        .filter(i -> clues.log().rangeM(i) < NEARER * clues.nearestM(i) - WIDTH)
+        .toArray();
+  }
+
+  private static DoubleStream shifts(Clues clues, int[] near, double own, double before) {
+    return Arrays.stream(near)
+        .mapToDouble(
+            i ->
+                own * clues.nearestM(i)
+                    + before * clues.log().rangeM(i - 1)
+                    - clues.log().rangeM(i));
+  }
+
+  /** From where on the sensor listens, by what it read. */
+  private static double leastM(Clues clues, int... near) {
+    double[] read = Arrays.stream(near).mapToDouble(clues.log()::rangeM).sorted().toArray();
+    return read.length == 0 ? LEAST_M : Math.max(LEAST_M, Modes.quantile(read, 0.05));
   }
 
   /** Strange echoes that are nearer than the reading before. */
@@ -188,6 +243,12 @@ public final class PreviousPingEffect implements Definition {
   @Override
   public boolean canShow(Form form, LogDesign log) {
     return !(log.wayM() > AUDIBLE_RANGES * log.setup().sensor().maxRangeM());
+  }
+
+  /** A ping goes out before the one before can have come back from the sensor's greatest range. */
+  @Override
+  public boolean isInvited(LogDesign log) {
+    return log.wayM() > 0 && log.wayM() < log.setup().sensor().maxRangeM();
   }
 
   @Override

@@ -140,6 +140,14 @@ public interface Definition {
   }
 
   /**
+   * Tells whether a log was taken in a way that invites the effect, so that it is to be expected
+   * rather than rare.
+   */
+  default boolean isInvited(LogDesign log) {
+    return false;
+  }
+
+  /**
    * Returns the effects that a log cannot tell from this one because of how it was taken, whatever
    * it reads: they are not looked for in it, and could be what is found.
    */

@@ -204,7 +204,7 @@ class MemoryTest {
   @Test
   void nearerByPrevious_standsInThePlaceOfTheEcho() {
     double shift = 2 * 0.875 - HistoryTree.rounded(0.875) - 0.575;
-    List<Change> changes = List.of(new NearerByPrevious(0.4, 2, -1, shift, 0));
+    List<Change> changes = List.of(new NearerByPrevious(0.4, 2, -1, shift, 0, 0.02));
     double[] plain = Logs.likelihood(SETUP, twice(0.875, 0.875), List.of());
     assertEquals(0.4 * plain[1], Logs.likelihood(SETUP, twice(0.875, 0.575), changes)[1], 1e-12);
     assertEquals(0.6 * plain[1], Logs.likelihood(SETUP, twice(0.875, 0.875), changes)[1], 1e-12);

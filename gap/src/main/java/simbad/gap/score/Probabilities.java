@@ -23,6 +23,7 @@ public final class Probabilities {
 
   private final List<Scored> sets;
   private final Set<Effect> unseen;
+  private final Set<Effect> invited;
   private final Map<Effect, Set<Effect>> twins;
   private final Weights<Effect> weights;
 
@@ -35,7 +36,7 @@ public final class Probabilities {
    * @param unseen effects that do not show in the gap
    */
   public Probabilities(List<Scored> sets, double costNats, double temperature, Set<Effect> unseen) {
-    this(sets, costNats, temperature, unseen, Map.of());
+    this(sets, costNats, temperature, unseen, Set.of(), Map.of());
   }
 
   /**
@@ -46,6 +47,8 @@ public final class Probabilities {
    * @param temperature by which nats are divided: likelihoods of models that are all a little
    *     wrong, of readings that hang together, are taken for less than they say
    * @param unseen effects that do not show in the gap
+   * @param invited effects that the way in which the log was taken invites: they are to be
+   *     expected, and cost nothing
    * @param twins of an effect: what the log cannot tell from it because of how it was taken, and
    *     what is in none of the sets
    */
@@ -54,11 +57,13 @@ public final class Probabilities {
       double costNats,
       double temperature,
       Set<Effect> unseen,
+      Set<Effect> invited,
       Map<Effect, Set<Effect>> twins) {
     Checks.number("costNats", costNats);
     Checks.positive("temperature", temperature);
     this.sets = List.copyOf(sets);
     this.unseen = Set.copyOf(unseen);
+    this.invited = Set.copyOf(invited);
     this.twins = Map.copyOf(twins);
     weights =
         new Weights<>(
@@ -67,7 +72,8 @@ public final class Probabilities {
   }
 
   private double nats(Scored set, double costNats) {
-    double shares = shares(effects(set).size());
+    long rare = effects(set).stream().filter(effect -> !invited.contains(effect)).count();
+    double shares = shares((int) rare);
     shares += UNSEEN * effects(set).stream().filter(unseen::contains).count();
     return set.heldOut() - costNats * shares - NATS_PER_VALUE * values(set.hypothesis());
   }

@@ -27,6 +27,7 @@ public final class Confirmed {
 
   private final List<Scored> sets;
   private final Set<Effect> doubtful;
+  private final Set<Effect> invited;
   private final double worthNats;
   private final boolean isPlaced;
   private final boolean isJudged;
@@ -36,6 +37,8 @@ public final class Confirmed {
    *
    * @param sets that were fitted, with their held-out scores
    * @param doubtful effects that take up a little of anything, and are never sure beside a rest
+   * @param invited effects that are to be expected of a log that was taken so: they may be sure
+   *     though they show in the gap as little as others that would have to gain more
    * @param worthNats what a further effect must gain to be as probable as its absence
    * @param isPlaced whether many readings are of one placement: what takes up a little of anything
    *     then knows each placement, and that it predicts better says nothing
@@ -43,10 +46,16 @@ public final class Confirmed {
    *     tied: what is superfluous beside what does the work does none of it
    */
   Confirmed(
-      List<Scored> sets, Set<Effect> doubtful, double worthNats, boolean isPlaced, boolean isDone) {
+      List<Scored> sets,
+      Set<Effect> doubtful,
+      Set<Effect> invited,
+      double worthNats,
+      boolean isPlaced,
+      boolean isDone) {
     this.isPlaced = isPlaced;
     this.sets = List.copyOf(sets);
     this.doubtful = Set.copyOf(doubtful);
+    this.invited = Set.copyOf(invited);
     this.worthNats = worthNats;
     isJudged = isPlaced && isDone;
   }
@@ -117,8 +126,12 @@ public final class Confirmed {
     return !doubtful.contains(effect)
         && !isAtBound(effect, set.hypothesis())
         && !makesUpForAnother(effect, set.hypothesis())
-        && gain(effect, set).orElse(0.0) > (1 + Probabilities.UNSEEN) * worthNats
+        && gain(effect, set).orElse(0.0) > askedNats(effect)
         && !hasRival(effect, set);
+  }
+
+  private double askedNats(Effect effect) {
+    return invited.contains(effect) ? worthNats : (1 + Probabilities.UNSEEN) * worthNats;
   }
 
   /** What leaving it out costs, nats; empty if that was not fitted. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.gap.fit.CalibratedLog;
@@ -61,6 +62,14 @@ final class Gates {
       }
     }
     return twins;
+  }
+
+  /** Returns the effects that the way in which a log was taken invites. */
+  static Set<Effect> invited(CalibratedLog given) {
+    LogDesign design = design(given);
+    return Definitions.effects().stream()
+        .filter(effect -> Definitions.of(effect).isInvited(design))
+        .collect(Collectors.toSet());
   }
 
   private static LogDesign design(CalibratedLog given) {

@@ -145,14 +145,17 @@ public record Weighed(
       }
     }
     Map<Effect, Set<Effect>> twins = Gates.twins(given);
+    Set<Effect> invited = Gates.invited(given);
     List<Scored> left = new ArrayList<>(candidates);
     left.removeIf(set -> isOutdone(set, sets, worthNats));
     boolean canBeNone = left.stream().anyMatch(set -> set.hypothesis().forms().isEmpty());
     List<Scored> enlarging = new ArrayList<>();
     while (true) {
-      Probabilities probabilities = new Probabilities(left, worthNats, temperature, unseen, twins);
+      Probabilities probabilities = new Probabilities(left, worthNats, temperature, unseen, invited, twins);
       Scored best = probabilities.best();
       Set<Effect> little = size.unseen(best, most);
+      // What is to be expected may be there though it does not show in the gap.
+      little.removeAll(invited);
       if (!canBeNone) {
         little.retainAll(SOAK_UP);
       }
@@ -291,16 +294,18 @@ public record Weighed(
     boolean tied = Gates.twins(gains.given()).values().stream().anyMatch(one -> one.size() > 1);
     Set<Effect> doubtful = new TreeSet<>(SOAK_UP);
     doubtful.addAll(tied ? Definitions.with(Trait.MOVES_RANGES) : Set.of());
+    Set<Effect> invited = Gates.invited(gains.given());
+    doubtful.removeAll(invited);
     boolean isDone = gain.shrinkage() >= MOST || tied;
     taken.hypothesis().effects().stream()
         .filter(MOVES_THINGS::contains)
         .filter(effect -> doesMostAlone(effect, gains, sets))
         .forEach(doubtful::remove);
     Optional<Weighed> sure =
-        sure(gains, new Confirmed(sets, doubtful, worthNats, isPlaced, isDone));
+        sure(gains, new Confirmed(sets, doubtful, invited, worthNats, isPlaced, isDone));
     if (isPlaced && sure.filter(some -> some.isOfFewEchoes(gains.given().log())).isPresent()) {
       doubtful.addAll(Confirmed.MOVING);
-      return sure(gains, new Confirmed(sets, doubtful, worthNats, true, isDone));
+      return sure(gains, new Confirmed(sets, doubtful, invited, worthNats, true, isDone));
     }
     return sure;
   }
