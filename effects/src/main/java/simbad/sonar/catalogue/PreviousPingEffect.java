@@ -37,6 +37,7 @@ public final class PreviousPingEffect implements Definition {
   private static final double AUDIBLE_RANGES = 4;
   private static final double WIDTH = 0.03;
   private static final int MODES = 4;
+  private static final String BOUNCE = "bounce";
   private static final double LEAST_M = 0.02;
   private static final double NEARER = 0.95;
 
@@ -87,7 +88,7 @@ public final class PreviousPingEffect implements Definition {
             SPREAD),
         Form.of(
             effect(),
-            "bounce",
+            BOUNCE,
             v -> new NearerByPrevious(v[0], 2, -1, v[1], v[2], v[3]),
             GHOSTS,
             Parameter.of("shift_m", 0, -1, 3, 0.2),
@@ -126,7 +127,7 @@ public final class PreviousPingEffect implements Definition {
       case "line" -> lines(form, clues, early(clues).toArray());
       case "read-nearer", "read" ->
           lines(form, clues, clues.strangeEchoes().filter(clues::hasEchoBefore).toArray());
-      case "bounce" -> bounces(form, clues);
+      case BOUNCE -> bounces(form, clues);
       case "nearer" -> nearer(form, clues);
       case "shift" -> {
         DoubleStream by = early(clues).mapToDouble(i -> log.rangeM(i - 1) - log.rangeM(i));
@@ -245,10 +246,15 @@ public final class PreviousPingEffect implements Definition {
     return !(log.wayM() > AUDIBLE_RANGES * log.setup().sensor().maxRangeM());
   }
 
-  /** A ping goes out before the one before can have come back from the sensor's greatest range. */
+  /**
+   * A ping goes out before the one before can have come back from the sensor's greatest range; then
+   * second bounces come by themselves. The other forms take up too much else.
+   */
   @Override
-  public boolean isInvited(LogDesign log) {
-    return log.wayM() > 0 && log.wayM() < log.setup().sensor().maxRangeM();
+  public boolean isInvited(Form form, LogDesign log) {
+    return BOUNCE.equals(form.name())
+        && log.wayM() > 0
+        && log.wayM() < log.setup().sensor().maxRangeM();
   }
 
   @Override

@@ -140,10 +140,10 @@ public interface Definition {
   }
 
   /**
-   * Tells whether a log was taken in a way that invites the effect, so that it is to be expected
-   * rather than rare.
+   * Tells whether a log was taken in a way that invites the effect in one of its forms, so that it
+   * is to be expected rather than rare.
    */
-  default boolean isInvited(LogDesign log) {
+  default boolean isInvited(Form form, LogDesign log) {
     return false;
   }
 

@@ -9,6 +9,7 @@ import simbad.definition.Effect;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.score.HeldOut.Scored;
 import simbad.sonar.check.Checks;
+import simbad.sonar.effect.Form;
 
 /** How probable each set of effects is among those that were fitted, and each effect. */
 public final class Probabilities {
@@ -23,7 +24,7 @@ public final class Probabilities {
 
   private final List<Scored> sets;
   private final Set<Effect> unseen;
-  private final Set<Effect> invited;
+  private final Set<Form> invited;
   private final Map<Effect, Set<Effect>> twins;
   private final Weights<Effect> weights;
 
@@ -47,7 +48,7 @@ public final class Probabilities {
    * @param temperature by which nats are divided: likelihoods of models that are all a little
    *     wrong, of readings that hang together, are taken for less than they say
    * @param unseen effects that do not show in the gap
-   * @param invited effects that the way in which the log was taken invites: they are to be
+   * @param invited forms that the way in which the log was taken invites: they are to be
    *     expected, and cost nothing
    * @param twins of an effect: what the log cannot tell from it because of how it was taken, and
    *     what is in none of the sets
@@ -57,7 +58,7 @@ public final class Probabilities {
       double costNats,
       double temperature,
       Set<Effect> unseen,
-      Set<Effect> invited,
+      Set<Form> invited,
       Map<Effect, Set<Effect>> twins) {
     Checks.number("costNats", costNats);
     Checks.positive("temperature", temperature);
@@ -72,7 +73,7 @@ public final class Probabilities {
   }
 
   private double nats(Scored set, double costNats) {
-    long rare = effects(set).stream().filter(effect -> !invited.contains(effect)).count();
+    long rare = set.hypothesis().forms().stream().filter(form -> !invited.contains(form)).count();
     double shares = shares((int) rare);
     shares += UNSEEN * effects(set).stream().filter(unseen::contains).count();
     return set.heldOut() - costNats * shares - NATS_PER_VALUE * values(set.hypothesis());

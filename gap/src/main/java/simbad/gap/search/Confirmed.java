@@ -13,6 +13,7 @@ import simbad.gap.fit.Hypothesis;
 import simbad.gap.score.HeldOut.Scored;
 import simbad.gap.score.Probabilities;
 import simbad.sonar.effect.Definitions;
+import simbad.sonar.effect.Form;
 import simbad.sonar.ping.MemoryChange;
 
 /**
@@ -27,7 +28,7 @@ public final class Confirmed {
 
   private final List<Scored> sets;
   private final Set<Effect> doubtful;
-  private final Set<Effect> invited;
+  private final Set<Form> invited;
   private final double worthNats;
   private final boolean isPlaced;
   private final boolean isJudged;
@@ -37,7 +38,7 @@ public final class Confirmed {
    *
    * @param sets that were fitted, with their held-out scores
    * @param doubtful effects that take up a little of anything, and are never sure beside a rest
-   * @param invited effects that are to be expected of a log that was taken so: they may be sure
+   * @param invited forms that are to be expected of a log that was taken so: they may be sure
    *     though they show in the gap as little as others that would have to gain more
    * @param worthNats what a further effect must gain to be as probable as its absence
    * @param isPlaced whether many readings are of one placement: what takes up a little of anything
@@ -48,7 +49,7 @@ public final class Confirmed {
   Confirmed(
       List<Scored> sets,
       Set<Effect> doubtful,
-      Set<Effect> invited,
+      Set<Form> invited,
       double worthNats,
       boolean isPlaced,
       boolean isDone) {
@@ -123,15 +124,20 @@ public final class Confirmed {
   }
 
   private boolean isSure(Effect effect, Scored set) {
-    return !doubtful.contains(effect)
+    return (!doubtful.contains(effect) || isInvited(effect, set))
         && !isAtBound(effect, set.hypothesis())
         && !makesUpForAnother(effect, set.hypothesis())
-        && gain(effect, set).orElse(0.0) > askedNats(effect)
+        && gain(effect, set).orElse(0.0) > askedNats(effect, set)
         && !hasRival(effect, set);
   }
 
-  private double askedNats(Effect effect) {
-    return invited.contains(effect) ? worthNats : (1 + Probabilities.UNSEEN) * worthNats;
+  private boolean isInvited(Effect effect, Scored set) {
+    return set.hypothesis().forms().stream()
+        .anyMatch(form -> form.effect() == effect && invited.contains(form));
+  }
+
+  private double askedNats(Effect effect, Scored set) {
+    return isInvited(effect, set) ? worthNats : (1 + Probabilities.UNSEEN) * worthNats;
   }
 
   /** What leaving it out costs, nats; empty if that was not fitted. */

@@ -15,6 +15,7 @@ import simbad.gap.fit.Placements;
 import simbad.gap.score.PlacementScatter;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
+import simbad.sonar.effect.Forms;
 import simbad.sonar.effect.LogDesign;
 import simbad.sonar.effect.Modes;
 import simbad.sonar.ping.Geometry;
@@ -64,11 +65,11 @@ final class Gates {
     return twins;
   }
 
-  /** Returns the effects that the way in which a log was taken invites. */
-  static Set<Effect> invited(CalibratedLog given) {
+  /** Returns the forms that the way in which a log was taken invites. */
+  static Set<Form> invited(CalibratedLog given) {
     LogDesign design = design(given);
-    return Definitions.effects().stream()
-        .filter(effect -> Definitions.of(effect).isInvited(design))
+    return Forms.all(given.setup(), given.log().sensors()).stream()
+        .filter(form -> Definitions.of(form.effect()).isInvited(form, design))
         .collect(Collectors.toSet());
   }
 

@@ -23,6 +23,7 @@ import simbad.gap.score.Probabilities;
 import simbad.gap.unexplained.Unknown;
 import simbad.sonar.check.Checks;
 import simbad.sonar.effect.Definitions;
+import simbad.sonar.effect.Form;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
@@ -145,7 +146,7 @@ public record Weighed(
       }
     }
     Map<Effect, Set<Effect>> twins = Gates.twins(given);
-    Set<Effect> invited = Gates.invited(given);
+    Set<Form> invited = Gates.invited(given);
     List<Scored> left = new ArrayList<>(candidates);
     left.removeIf(set -> isOutdone(set, sets, worthNats));
     boolean canBeNone = left.stream().anyMatch(set -> set.hypothesis().forms().isEmpty());
@@ -155,7 +156,9 @@ public record Weighed(
       Scored best = probabilities.best();
       Set<Effect> little = size.unseen(best, most);
       // What is to be expected may be there though it does not show in the gap.
-      little.removeAll(invited);
+      best.hypothesis().forms().stream()
+          .filter(invited::contains)
+          .forEach(form -> little.remove(form.effect()));
       if (!canBeNone) {
         little.retainAll(SOAK_UP);
       }
@@ -294,8 +297,7 @@ public record Weighed(
     boolean tied = Gates.twins(gains.given()).values().stream().anyMatch(one -> one.size() > 1);
     Set<Effect> doubtful = new TreeSet<>(SOAK_UP);
     doubtful.addAll(tied ? Definitions.with(Trait.MOVES_RANGES) : Set.of());
-    Set<Effect> invited = Gates.invited(gains.given());
-    doubtful.removeAll(invited);
+    Set<Form> invited = Gates.invited(gains.given());
     boolean isDone = gain.shrinkage() >= MOST || tied;
     taken.hypothesis().effects().stream()
         .filter(MOVES_THINGS::contains)
