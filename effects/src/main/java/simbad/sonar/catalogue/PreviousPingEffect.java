@@ -41,6 +41,11 @@ public final class PreviousPingEffect implements Definition {
   private static final double LEAST_M = 0.02;
   private static final double NEARER = 0.95;
 
+  /**
+   * How far sound goes and comes back while a program and a sensor do what no log tells: 1.2 ms.
+   */
+  private static final double MOST_BEFORE_M = 0.2;
+
   @Override
   public Effect effect() {
     return Effect.PREVIOUS_PING;
@@ -155,9 +160,9 @@ public final class PreviousPingEffect implements Definition {
   }
 
   /**
-   * An echo that went to and fro twice, from a plate to the sensor's own and back: it is late by the
-   * whole way once more, less what went by until the next ping, which began when the reading before
-   * was done.
+   * An echo that went to and fro twice, from a plate to the sensor's own and back: it is late by
+   * the whole way once more, less what went by until the next ping, which began when the reading
+   * before was done.
    */
   private static List<double[]> bounces(Form form, Clues clues) {
     List<List<Double>> tries = Tries.of(form);
@@ -251,10 +256,11 @@ public final class PreviousPingEffect implements Definition {
    * second bounces come by themselves. The other forms take up too much else.
    */
   @Override
-  public boolean isInvited(Form form, LogDesign log) {
-    return BOUNCE.equals(form.name())
-        && log.wayM() > 0
-        && log.wayM() < log.setup().sensor().maxRangeM();
+  public boolean isInvited(Form form, LogDesign log, double... values) {
+    boolean isFast = log.wayM() > 0 && log.wayM() < log.setup().sensor().maxRangeM();
+    return isFast
+        && BOUNCE.equals(form.name())
+        && Math.abs(values[1] - log.pauseM()) < MOST_BEFORE_M;
   }
 
   @Override

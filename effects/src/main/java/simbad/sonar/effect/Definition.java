@@ -142,8 +142,12 @@ public interface Definition {
   /**
    * Tells whether a log was taken in a way that invites the effect in one of its forms, so that it
    * is to be expected rather than rare.
+   *
+   * @param form one of its forms
+   * @param log how it was taken
+   * @param values of the form's parameters
    */
-  default boolean isInvited(Form form, LogDesign log) {
+  default boolean isInvited(Form form, LogDesign log, double... values) {
     return false;
   }
 

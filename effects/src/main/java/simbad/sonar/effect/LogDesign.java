@@ -47,6 +47,21 @@ public record LogDesign(
   }
 
   /**
+   * Returns how far sound goes and comes back from when an echo was read until the next ping,
+   * metres, in the middle; 0 where no echo is followed by a ping.
+   */
+  public double pauseM() {
+    double perSecond = setup.sensor().assumedSoundSpeedMPerS() / 2;
+    double[] pauses =
+        IntStream.range(1, log.size())
+            .filter(i -> log.sequenceStart(i) < i && log.isTimed(i) && log.echo(i - 1))
+            .mapToDouble(i -> perSecond * (log.timeS(i) - log.timeS(i - 1)) - log.rangeM(i - 1))
+            .sorted()
+            .toArray();
+    return pauses.length == 0 ? 0 : Modes.quantile(pauses, 0.5);
+  }
+
+  /**
    * Returns what does to ranges what an effect does, where they are all of one distance; seen from
    * one place an obstacle that is further away, too.
    *

@@ -4,12 +4,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import simbad.definition.Effect;
 import simbad.gap.fit.Hypothesis;
 import simbad.gap.score.HeldOut.Scored;
 import simbad.sonar.check.Checks;
-import simbad.sonar.effect.Form;
 
 /** How probable each set of effects is among those that were fitted, and each effect. */
 public final class Probabilities {
@@ -24,7 +24,7 @@ public final class Probabilities {
 
   private final List<Scored> sets;
   private final Set<Effect> unseen;
-  private final Set<Form> invited;
+  private final Function<Hypothesis, Set<Effect>> invited;
   private final Map<Effect, Set<Effect>> twins;
   private final Weights<Effect> weights;
 
@@ -37,7 +37,7 @@ public final class Probabilities {
    * @param unseen effects that do not show in the gap
    */
   public Probabilities(List<Scored> sets, double costNats, double temperature, Set<Effect> unseen) {
-    this(sets, costNats, temperature, unseen, Set.of(), Map.of());
+    this(sets, costNats, temperature, unseen, set -> Set.of(), Map.of());
   }
 
   /**
@@ -48,7 +48,7 @@ public final class Probabilities {
    * @param temperature by which nats are divided: likelihoods of models that are all a little
    *     wrong, of readings that hang together, are taken for less than they say
    * @param unseen effects that do not show in the gap
-   * @param invited forms that the way in which the log was taken invites: they are to be
+   * @param invited effects of a set that the way in which the log was taken invites: they are to be
    *     expected, and cost nothing
    * @param twins of an effect: what the log cannot tell from it because of how it was taken, and
    *     what is in none of the sets
@@ -58,13 +58,13 @@ public final class Probabilities {
       double costNats,
       double temperature,
       Set<Effect> unseen,
-      Set<Form> invited,
+      Function<Hypothesis, Set<Effect>> invited,
       Map<Effect, Set<Effect>> twins) {
     Checks.number("costNats", costNats);
     Checks.positive("temperature", temperature);
     this.sets = List.copyOf(sets);
     this.unseen = Set.copyOf(unseen);
-    this.invited = Set.copyOf(invited);
+    this.invited = invited;
     this.twins = Map.copyOf(twins);
     weights =
         new Weights<>(
@@ -73,8 +73,7 @@ public final class Probabilities {
   }
 
   private double nats(Scored set, double costNats) {
-    long rare = set.hypothesis().forms().stream().filter(form -> !invited.contains(form)).count();
-    double shares = shares((int) rare);
+    double shares = shares(effects(set).size() - invited.apply(set.hypothesis()).size());
     shares += UNSEEN * effects(set).stream().filter(unseen::contains).count();
     return set.heldOut() - costNats * shares - NATS_PER_VALUE * values(set.hypothesis());
   }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.definition.Trait;
@@ -13,7 +14,6 @@ import simbad.gap.fit.Hypothesis;
 import simbad.gap.score.HeldOut.Scored;
 import simbad.gap.score.Probabilities;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Form;
 import simbad.sonar.ping.MemoryChange;
 
 /**
@@ -28,7 +28,7 @@ public final class Confirmed {
 
   private final List<Scored> sets;
   private final Set<Effect> doubtful;
-  private final Set<Form> invited;
+  private final Function<Hypothesis, Set<Effect>> invited;
   private final double worthNats;
   private final boolean isPlaced;
   private final boolean isJudged;
@@ -38,8 +38,8 @@ public final class Confirmed {
    *
    * @param sets that were fitted, with their held-out scores
    * @param doubtful effects that take up a little of anything, and are never sure beside a rest
-   * @param invited forms that are to be expected of a log that was taken so: they may be sure
-   *     though they show in the gap as little as others that would have to gain more
+   * @param invited effects of a set that are to be expected of a log that was taken so: they may be
+   *     sure though they show in the gap as little as others that would have to gain more
    * @param worthNats what a further effect must gain to be as probable as its absence
    * @param isPlaced whether many readings are of one placement: what takes up a little of anything
    *     then knows each placement, and that it predicts better says nothing
@@ -49,14 +49,14 @@ public final class Confirmed {
   Confirmed(
       List<Scored> sets,
       Set<Effect> doubtful,
-      Set<Form> invited,
+      Function<Hypothesis, Set<Effect>> invited,
       double worthNats,
       boolean isPlaced,
       boolean isDone) {
     this.isPlaced = isPlaced;
     this.sets = List.copyOf(sets);
     this.doubtful = Set.copyOf(doubtful);
-    this.invited = Set.copyOf(invited);
+    this.invited = invited;
     this.worthNats = worthNats;
     isJudged = isPlaced && isDone;
   }
@@ -132,8 +132,7 @@ public final class Confirmed {
   }
 
   private boolean isInvited(Effect effect, Scored set) {
-    return set.hypothesis().forms().stream()
-        .anyMatch(form -> form.effect() == effect && invited.contains(form));
+    return invited.apply(set.hypothesis()).contains(effect);
   }
 
   private double askedNats(Effect effect, Scored set) {

@@ -6,16 +6,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.gap.fit.CalibratedLog;
+import simbad.gap.fit.Hypothesis;
 import simbad.gap.fit.NearestRange;
 import simbad.gap.fit.Placements;
 import simbad.gap.score.PlacementScatter;
 import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
-import simbad.sonar.effect.Forms;
 import simbad.sonar.effect.LogDesign;
 import simbad.sonar.effect.Modes;
 import simbad.sonar.ping.Geometry;
@@ -65,12 +66,18 @@ final class Gates {
     return twins;
   }
 
-  /** Returns the forms that the way in which a log was taken invites. */
-  static Set<Form> invited(CalibratedLog given) {
+  /** Returns which effects of a set the way in which a log was taken invites. */
+  static Function<Hypothesis, Set<Effect>> invited(CalibratedLog given) {
     LogDesign design = design(given);
-    return Forms.all(given.setup(), given.log().sensors()).stream()
-        .filter(form -> Definitions.of(form.effect()).isInvited(form, design))
-        .collect(Collectors.toSet());
+    return set ->
+        IntStream.range(0, set.forms().size())
+            .filter(i -> isInvited(set.forms().get(i), design, set.valuesOf(i)))
+            .mapToObj(i -> set.forms().get(i).effect())
+            .collect(Collectors.toSet());
+  }
+
+  private static boolean isInvited(Form form, LogDesign design, double... values) {
+    return Definitions.of(form.effect()).isInvited(form, design, values);
   }
 
   private static LogDesign design(CalibratedLog given) {

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import simbad.definition.Effect;
@@ -23,7 +24,6 @@ import simbad.gap.score.Probabilities;
 import simbad.gap.unexplained.Unknown;
 import simbad.sonar.check.Checks;
 import simbad.sonar.effect.Definitions;
-import simbad.sonar.effect.Form;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.SonarSpec;
@@ -146,19 +146,18 @@ public record Weighed(
       }
     }
     Map<Effect, Set<Effect>> twins = Gates.twins(given);
-    Set<Form> invited = Gates.invited(given);
+    Function<Hypothesis, Set<Effect>> invited = Gates.invited(given);
     List<Scored> left = new ArrayList<>(candidates);
     left.removeIf(set -> isOutdone(set, sets, worthNats));
     boolean canBeNone = left.stream().anyMatch(set -> set.hypothesis().forms().isEmpty());
     List<Scored> enlarging = new ArrayList<>();
     while (true) {
-      Probabilities probabilities = new Probabilities(left, worthNats, temperature, unseen, invited, twins);
+      Probabilities probabilities =
+          new Probabilities(left, worthNats, temperature, unseen, invited, twins);
       Scored best = probabilities.best();
       Set<Effect> little = size.unseen(best, most);
       // What is to be expected may be there though it does not show in the gap.
-      best.hypothesis().forms().stream()
-          .filter(invited::contains)
-          .forEach(form -> little.remove(form.effect()));
+      little.removeAll(invited.apply(best.hypothesis()));
       if (!canBeNone) {
         little.retainAll(SOAK_UP);
       }
@@ -297,7 +296,7 @@ public record Weighed(
     boolean tied = Gates.twins(gains.given()).values().stream().anyMatch(one -> one.size() > 1);
     Set<Effect> doubtful = new TreeSet<>(SOAK_UP);
     doubtful.addAll(tied ? Definitions.with(Trait.MOVES_RANGES) : Set.of());
-    Set<Form> invited = Gates.invited(gains.given());
+    Function<Hypothesis, Set<Effect>> invited = Gates.invited(gains.given());
     boolean isDone = gain.shrinkage() >= MOST || tied;
     taken.hypothesis().effects().stream()
         .filter(MOVES_THINGS::contains)
