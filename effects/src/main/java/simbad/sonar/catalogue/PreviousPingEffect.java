@@ -91,26 +91,34 @@ public final class PreviousPingEffect implements Definition {
             Parameter.of("factor", 1, 0.05, 2.2, 0.3, 0.5, 0.8, 2),
             SHIFT,
             SPREAD),
-        Form.of(
-            effect(),
-            BOUNCE,
-            v -> new NearerByPrevious(v[0], 2, -1, v[1], v[2], v[3]),
-            GHOSTS,
-            Parameter.of("shift_m", 0, -1, 3, 0.2),
-            Parameter.of("spread_m", 0, 0, 0.1, 0.01),
-            LEAST),
-        Form.of(
-            effect(),
-            "nearer",
-            v -> new NearerByPrevious(v[0], v[1], v[2], v[3], v[4], v[5]),
-            GHOSTS,
-            Parameter.of("own_factor", 1, 0.5, 2.2, 1, 2),
-            Parameter.of("before_factor", 0, -1.5, 1, -0.3, -1),
-            Parameter.of("shift_m", 0, -1, 3, 0, 0.2),
-            SPREAD,
-            LEAST),
+        bounce(),
+        nearer(),
         read("read-nearer", true),
         read("read", false));
+  }
+
+  private Form bounce() {
+    return Form.of(
+        effect(),
+        BOUNCE,
+        v -> new NearerByPrevious(v[0], 2, -1, v[1], v[2], v[3]),
+        GHOSTS,
+        Parameter.of("shift_m", 0, -1, 3, 0.2),
+        Parameter.of("spread_m", 0, 0, 0.1, 0.01),
+        LEAST);
+  }
+
+  private Form nearer() {
+    return Form.of(
+        effect(),
+        "nearer",
+        v -> new NearerByPrevious(v[0], v[1], v[2], v[3], v[4], v[5]),
+        GHOSTS,
+        Parameter.of("own_factor", 1, 0.5, 2.2, 1, 2),
+        Parameter.of("before_factor", 0, -1.5, 1, -0.3, -1),
+        Parameter.of("shift_m", 0, -1, 3, 0, 0.2),
+        SPREAD,
+        LEAST);
   }
 
   private Form read(String name, boolean onlyNearer) {

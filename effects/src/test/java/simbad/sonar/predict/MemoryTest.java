@@ -210,6 +210,14 @@ class MemoryTest {
     assertEquals(0.6 * plain[1], Logs.likelihood(SETUP, twice(0.875, 0.875), changes)[1], 1e-12);
     double far = Logs.likelihood(SETUP, twice(0.875, 1.475), List.of())[1];
     assertEquals(far, Logs.likelihood(SETUP, twice(0.875, 1.475), changes)[1], 1e-12);
+    // What is hardly nearer, or comes while the sensor is deaf, is no ghost.
+    double near = shift + 0.575 - 0.86;
+    for (Change none :
+        List.of(
+            new NearerByPrevious(0.4, 2, -1, near, 0, 0.02),
+            new NearerByPrevious(0.4, 2, -1, shift, 0, 0.6))) {
+      assertEquals(plain[1], Logs.likelihood(SETUP, twice(0.875, 0.875), List.of(none))[1], 1e-12);
+    }
     // After a miss there is nothing that could come first.
     List<ReadingRow> missed = List.of(Logs.row(0, Pose.of(0, 0, 0), OptionalDouble.of(0.875)));
     assertEquals(

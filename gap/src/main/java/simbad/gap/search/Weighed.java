@@ -138,13 +138,7 @@ public record Weighed(
     CalibratedLog given = gains.given();
     PracticalSize size = new PracticalSize(gains, sets);
     double most = (1 + Probabilities.UNSEEN) * worthNats;
-    Set<Effect> unseen = new TreeSet<>();
-    if (new Placements(given.log()).areRepeated()) {
-      unseen.addAll(PlainFamily.SOAK_UP_PLACEMENTS);
-      if (isBeyondPlacements(gains, sets)) {
-        unseen.removeAll(MOVES_THINGS);
-      }
-    }
+    Set<Effect> unseen = soakedUpByPlacements(gains, sets);
     Map<Effect, Set<Effect>> twins = Gates.twins(given);
     Function<Hypothesis, Set<Effect>> invited = Gates.invited(given);
     List<Scored> left = new ArrayList<>(candidates);
@@ -173,6 +167,18 @@ public record Weighed(
         enlarging.add(best);
       }
     }
+  }
+
+  /** What has to gain more than others where things were put in place. */
+  private static Set<Effect> soakedUpByPlacements(GapGains gains, List<Scored> sets) {
+    Set<Effect> asked = new TreeSet<>();
+    if (new Placements(gains.given().log()).areRepeated()) {
+      asked.addAll(PlainFamily.SOAK_UP_PLACEMENTS);
+      if (isBeyondPlacements(gains, sets)) {
+        asked.removeAll(MOVES_THINGS);
+      }
+    }
+    return asked;
   }
 
   /**

@@ -148,6 +148,23 @@ class UntimedAuditTest {
     assertEquals(Severity.WARN, found.get(0).severity());
   }
 
+  /** The least value of all, where things are nearer: the sensor reports nothing below it. */
+  @Test
+  void stuck_notOfANearLimit() {
+    List<ReadingRow> rows =
+        log(
+            false,
+            1e-3,
+            6,
+            (d, right, random) ->
+                random.nextInt(20) == 0 ? 3 + 0.9 * random.nextDouble() : Math.max(0.5, right));
+    assertEquals(List.of(), warnings(rows), "a near limit is an effect");
+    // Below it something else is read: no limit.
+    List<ReadingRow> stuck =
+        log(false, 1e-3, 6, (d, right, random) -> d < 0.3 ? right : Math.max(0.9, right));
+    assertEquals(1, warnings(stuck).size());
+  }
+
   /** A floor's echo scatters as any other. */
   @Test
   void stuck_notOfAFloor() {

@@ -69,6 +69,15 @@ class ProbabilitiesTest {
     assertEquals(1 / (1 + Math.exp(5)), unseen.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
   }
 
+  /** What the log was taken for costs nothing: only its one value is counted. */
+  @Test
+  void anInvitedEffectCostsNothing() {
+    List<Scored> sets = List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -99.5));
+    Probabilities invited =
+        new Probabilities(sets, 10, 2, Set.of(), set -> Set.copyOf(set.effects()), Map.of());
+    assertEquals(0.5, invited.ofNone(), 1e-12);
+  }
+
   /** A turn of all headings, as a misalignment or as a drift that settles at once. */
   @Test
   void ofSetsThatPredictAlike_theOneWithFewerValuesIsLikelier() {
@@ -105,7 +114,13 @@ class ProbabilitiesTest {
   void twinsShareAProbability_andAreTied() {
     List<Scored> sets = List.of(scored(Hypothesis.NONE, -100), scored(GAIN, -85.5));
     Probabilities twins =
-        new Probabilities(sets, 10, 2, Set.of(), Map.of(Effect.GAIN, Set.of(Effect.PREVIOUS_PING)));
+        new Probabilities(
+            sets,
+            10,
+            2,
+            Set.of(),
+            set -> Set.of(),
+            Map.of(Effect.GAIN, Set.of(Effect.PREVIOUS_PING)));
     double both = 1 / (1 + Math.exp(-2));
     assertEquals(both / 2, twins.ofEffects().getOrDefault(Effect.GAIN, 0.0), 1e-12);
     assertEquals(both / 2, twins.ofEffects().getOrDefault(Effect.PREVIOUS_PING, 0.0), 1e-12);

@@ -32,7 +32,7 @@ class ConfirmedTest {
 
   private static List<Effect> sure(
       Set<Effect> doubtful, boolean isPlaced, boolean isDone, Scored... sets) {
-    return new Confirmed(List.of(sets), doubtful, WORTH, isPlaced, isDone)
+    return new Confirmed(List.of(sets), doubtful, set -> Set.of(), WORTH, isPlaced, isDone)
         .best()
         .map(set -> set.hypothesis().effects())
         .orElse(List.of());
@@ -48,6 +48,27 @@ class ConfirmedTest {
     assertEquals(List.of(), sure(NONE, scored(50, GAIN)));
     assertEquals(List.of(Effect.GAIN), sure(NONE, scored(50.1, GAIN)));
     assertEquals(List.of(), sure(scored(99, GAIN)), "without it nothing was fitted");
+  }
+
+  /**
+   * What is to be expected needs no more than it is worth, and may take up a little of anything.
+   */
+  @Test
+  void whatIsInvited_isSureWhereItIsWorthIt() {
+    for (double nats : new double[] {WORTH, WORTH + 0.1}) {
+      List<Effect> sure =
+          new Confirmed(
+                  List.of(NONE, scored(nats, GAIN)),
+                  Set.of(Effect.GAIN),
+                  set -> Set.of(Effect.GAIN),
+                  WORTH,
+                  false,
+                  true)
+              .best()
+              .map(set -> set.hypothesis().effects())
+              .orElse(List.of());
+      assertEquals(nats > WORTH ? List.of(Effect.GAIN) : List.of(), sure);
+    }
   }
 
   @Test
@@ -68,6 +89,7 @@ class ConfirmedTest {
         new Confirmed(
                 List.of(NONE, scored(125, GAIN, far), alone, scored(60, far)),
                 Set.of(),
+                set -> Set.of(),
                 WORTH,
                 false,
                 false)
