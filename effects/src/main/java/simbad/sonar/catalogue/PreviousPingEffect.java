@@ -14,6 +14,7 @@ import simbad.definition.Trait;
 import simbad.sonar.change.GhostReading;
 import simbad.sonar.change.NearerByPrevious;
 import simbad.sonar.change.PreviousPing;
+import simbad.sonar.change.SecondBounce;
 import simbad.sonar.effect.Clues;
 import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
@@ -33,13 +34,15 @@ public final class PreviousPingEffect implements Definition {
 
   private static final Parameter SPREAD = Parameter.of("spread_m", 0, 0, 0.1, 0.002);
   private static final Parameter SHIFT = Parameter.of("shift_m", 0, -0.3, 5, -0.05, 0.05);
-  private static final Parameter LEAST = Parameter.of("least_m", 0.02, 0.02, 1, 0.02);
   private static final double AUDIBLE_RANGES = 4;
   private static final double WIDTH = 0.03;
   private static final int MODES = 4;
   private static final String BOUNCE = "bounce";
-  private static final double LEAST_M = 0.02;
+
+  /** Readings of a board are off by a little for any reason, and by a twentieth of their range. */
   private static final double NEARER = 0.95;
+
+  private static final double LEAST_M = 0.02;
 
   /**
    * How far sound goes and comes back while a program and a sensor do what no log tells: 1.2 ms.
@@ -91,34 +94,29 @@ public final class PreviousPingEffect implements Definition {
             Parameter.of("factor", 1, 0.05, 2.2, 0.3, 0.5, 0.8, 2),
             SHIFT,
             SPREAD),
-        bounce(),
-        nearer(),
+        Form.of(
+            effect(),
+            "nearer",
+            v -> new NearerByPrevious(v[0], v[1], v[2], v[3], v[4]),
+            GHOSTS,
+            Parameter.of("own_factor", 1, 0.5, 2.2, 1, 2),
+            Parameter.of("before_factor", 0, -1.5, 1, -0.3, -1),
+            Parameter.of("shift_m", 0, -1, 3, 0, 0.2),
+            SPREAD),
         read("read-nearer", true),
-        read("read", false));
+        read("read", false),
+        bounce());
   }
 
   private Form bounce() {
     return Form.of(
         effect(),
         BOUNCE,
-        v -> new NearerByPrevious(v[0], 2, -1, v[1], v[2], v[3]),
+        v -> new SecondBounce(v[0], v[1], v[2], v[3]),
         GHOSTS,
-        Parameter.of("shift_m", 0, -1, 3, 0.2),
+        Parameter.of("shift_m", 0, 0, 3, 0.2),
         Parameter.of("spread_m", 0, 0, 0.1, 0.01),
-        LEAST);
-  }
-
-  private Form nearer() {
-    return Form.of(
-        effect(),
-        "nearer",
-        v -> new NearerByPrevious(v[0], v[1], v[2], v[3], v[4], v[5]),
-        GHOSTS,
-        Parameter.of("own_factor", 1, 0.5, 2.2, 1, 2),
-        Parameter.of("before_factor", 0, -1.5, 1, -0.3, -1),
-        Parameter.of("shift_m", 0, -1, 3, 0, 0.2),
-        SPREAD,
-        LEAST);
+        Parameter.of("least_m", LEAST_M, LEAST_M, 1, LEAST_M));
   }
 
   private Form read(String name, boolean onlyNearer) {
@@ -140,8 +138,8 @@ public final class PreviousPingEffect implements Definition {
       case "line" -> lines(form, clues, early(clues).toArray());
       case "read-nearer", "read" ->
           lines(form, clues, clues.strangeEchoes().filter(clues::hasEchoBefore).toArray());
-      case BOUNCE -> bounces(form, clues);
       case "nearer" -> nearer(form, clues);
+      case BOUNCE -> bounces(form, clues);
       case "shift" -> {
         DoubleStream by = early(clues).mapToDouble(i -> log.rangeM(i - 1) - log.rangeM(i));
         tries.set(1, Modes.of(by, WIDTH, MODES));
@@ -167,71 +165,58 @@ public final class PreviousPingEffect implements Definition {
     return starts.isEmpty() ? Tries.combined(form, tries) : starts;
   }
 
-  /**
-   * An echo that went to and fro twice, from a plate to the sensor's own and back: it is late by
-   * the whole way once more, less what went by until the next ping, which began when the reading
-   * before was done.
-   */
-  private static List<double[]> bounces(Form form, Clues clues) {
-    List<List<Double>> tries = Tries.of(form);
-    int[] near = tooNear(clues);
-    List<Double> shifts = new ArrayList<>();
-    for (double shift : Modes.of(shifts(clues, near, 2, -1), WIDTH, 2)) {
-      // What the base does to ranges is not counted in it.
-      for (double off = -WIDTH; off <= WIDTH; off += WIDTH / 2) {
-        shifts.add(shift + off);
-      }
-    }
-    return Tries.product(
-        form, tries.get(0), shifts, tries.get(2), List.of(LEAST_M, leastM(clues, near)));
-  }
-
   /** Echoes too near by an amount: for pairs of factors the shift that most agree on. */
   private static List<double[]> nearer(Form form, Clues clues) {
+    PingLog log = clues.log();
     List<List<Double>> tries = Tries.of(form);
-    int[] near = tooNear(clues);
+    int[] near =
+        clues
+            .echoesInCone()
+            .filter(clues::hasEchoBefore)
+            .filter(i -> log.rangeM(i) < clues.nearestM(i) - 0.02)
+            .toArray();
     List<double[]> starts = new ArrayList<>();
     for (int pair = 0; pair < tries.get(1).size(); pair++) {
       double own = tries.get(1).get(pair);
       double before = tries.get(2).get(pair);
+      DoubleStream shifts =
+          Arrays.stream(near)
+              .mapToDouble(
+                  i -> own * clues.nearestM(i) + before * log.rangeM(i - 1) - log.rangeM(i));
+      List<Double> shift = Modes.of(shifts, WIDTH, 1);
       starts.addAll(
-          Tries.product(
-              form,
-              tries.get(0),
-              List.of(own),
-              List.of(before),
-              Modes.of(shifts(clues, near, own, before), WIDTH, 1),
-              tries.get(4),
-              List.of(LEAST_M, leastM(clues, near))));
+          Tries.product(form, tries.get(0), List.of(own), List.of(before), shift, tries.get(4)));
     }
     return starts;
   }
 
   /**
-   * Echoes that are far too near, whatever else is taken for them: crosstalk takes up any. A wrong
-   * speed of sound makes none so near.
+   * Echoes that are far too near, whatever else is taken for them (crosstalk takes up any): the
+   * pauses that most agree on, and from where on the sensor listens.
    */
-  private static int[] tooNear(Clues clues) {
-    return clues
-        .echoesInCone()
-        .filter(clues::hasEchoBefore)
-        .filter(i -> clues.log().rangeM(i) < NEARER * clues.nearestM(i) - WIDTH)
-        .toArray();
-  }
-
-  private static DoubleStream shifts(Clues clues, int[] near, double own, double before) {
-    return Arrays.stream(near)
-        .mapToDouble(
-            i ->
-                own * clues.nearestM(i)
-                    + before * clues.log().rangeM(i - 1)
-                    - clues.log().rangeM(i));
-  }
-
-  /** From where on the sensor listens, by what it read. */
-  private static double leastM(Clues clues, int... near) {
-    double[] read = Arrays.stream(near).mapToDouble(clues.log()::rangeM).sorted().toArray();
-    return read.length == 0 ? LEAST_M : Math.max(LEAST_M, Modes.quantile(read, 0.05));
+  private static List<double[]> bounces(Form form, Clues clues) {
+    PingLog log = clues.log();
+    List<List<Double>> tries = Tries.of(form);
+    int[] near =
+        clues
+            .echoesInCone()
+            .filter(clues::hasEchoBefore)
+            .filter(i -> log.rangeM(i) < NEARER * clues.nearestM(i) - WIDTH)
+            .toArray();
+    DoubleStream pauses =
+        Arrays.stream(near)
+            .mapToDouble(i -> 2 * clues.nearestM(i) - log.rangeM(i - 1) - log.rangeM(i));
+    List<Double> shifts = new ArrayList<>();
+    for (double shift : Modes.of(pauses, WIDTH, 2)) {
+      // What the base does to ranges is not counted in it.
+      for (double off = -WIDTH; off <= WIDTH; off += WIDTH / 2) {
+        shifts.add(Math.max(0, shift + off));
+      }
+    }
+    double[] read = Arrays.stream(near).mapToDouble(log::rangeM).sorted().toArray();
+    double leastM = read.length == 0 ? LEAST_M : Modes.quantile(read, 0.05);
+    return Tries.product(
+        form, tries.get(0), shifts, tries.get(2), List.of(LEAST_M, Math.max(LEAST_M, leastM)));
   }
 
   /** Strange echoes that are nearer than the reading before. */
@@ -252,22 +237,29 @@ public final class PreviousPingEffect implements Definition {
   /**
    * Beyond four times the range at which the best target is just heard no echo of the ping before
    * is left: at four times that range spreading takes 12 dB or more of a wall's echo and air of 1.3
-   * dB/m, over the way there and back from 4 m on, another 31 dB.
+   * dB/m, over the way there and back from 4 m on, another 31 dB. Readings of one place resemble
+   * each other for any reason, and the free forms take that up: where pings follow each other fast
+   * there, the second bounce alone is looked for.
    */
   @Override
   public boolean canShow(Form form, LogDesign log) {
-    return !(log.wayM() > AUDIBLE_RANGES * log.setup().sensor().maxRangeM());
+    boolean isOpen = BOUNCE.equals(form.name()) ? isFast(log) : !(isFast(log) && log.isRepeated());
+    return isOpen && !(log.wayM() > AUDIBLE_RANGES * log.setup().sensor().maxRangeM());
+  }
+
+  /** Whether pings go out before the one before can have come back from the greatest range. */
+  private static boolean isFast(LogDesign log) {
+    return log.wayM() > 0 && log.wayM() < log.setup().sensor().maxRangeM();
   }
 
   /**
-   * A ping goes out before the one before can have come back from the sensor's greatest range; then
-   * second bounces come by themselves. The other forms take up too much else.
+   * Where pings follow each other so fast, second bounces come by themselves, after a pause that
+   * the log tells. The other forms take up too much else.
    */
   @Override
   public boolean isInvited(Form form, LogDesign log, double... values) {
-    boolean isFast = log.wayM() > 0 && log.wayM() < log.setup().sensor().maxRangeM();
-    return isFast
-        && BOUNCE.equals(form.name())
+    return BOUNCE.equals(form.name())
+        && isFast(log)
         && Math.abs(values[1] - log.pauseM()) < MOST_BEFORE_M;
   }
 

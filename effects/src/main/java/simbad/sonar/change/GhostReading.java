@@ -49,7 +49,7 @@ public record GhostReading(
     Arrays.fill(left, 1);
     for (int other = 0; other < before.size(); other++) {
       double range = factor * before.meanM(other) - shiftM;
-      if (range > LEAST_RANGE_M && !isAgain(factor, range, before.meanM(other))) {
+      if (range > LEAST_RANGE_M && !isAgain(range, before.meanM(other))) {
         double chance = share * before.share(other);
         double taken = silent;
         for (int part = 0; part < parts; part++) {
@@ -68,7 +68,7 @@ public record GhostReading(
   }
 
   /** What comes again as it was is no ghost: readings resemble those before them for any reason. */
-  static boolean isAgain(double factor, double rangeM, double beforeM) {
+  private boolean isAgain(double rangeM, double beforeM) {
     return Math.abs(factor - 1) < AGAIN_FACTOR && Math.abs(rangeM - beforeM) < AGAIN_M;
   }
 }

@@ -14,18 +14,11 @@ import simbad.sonar.ping.Moment;
  * @param beforeFactor what the reading before is multiplied by and added
  * @param shiftM what is taken from the sum, metres
  * @param spreadM standard deviation of that, metres
- * @param leastM from which range on the sensor listens: it is deaf while its own ping dies away
  */
 public record NearerByPrevious(
-    double share,
-    double ownFactor,
-    double beforeFactor,
-    double shiftM,
-    double spreadM,
-    double leastM)
+    double share, double ownFactor, double beforeFactor, double shiftM, double spreadM)
     implements MixtureChange {
-  /** What is hardly nearer is no ghost: readings differ by a little for any reason. */
-  private static final double LEAST_NEARER_M = 0.03;
+  private static final double LEAST_RANGE_M = 0.02;
 
   /** Checks the figures; NaN is refused. */
   public NearerByPrevious {
@@ -34,7 +27,6 @@ public record NearerByPrevious(
     Checks.finite("beforeFactor", beforeFactor);
     Checks.finite("shiftM", shiftM);
     Checks.notNegative("spreadM", spreadM);
-    Checks.notNegative("leastM", leastM);
   }
 
   @Override
@@ -54,7 +46,7 @@ public record NearerByPrevious(
       for (int other = 0; other < before.size(); other++) {
         double range =
             ownFactor * mixture.meanM(part) + beforeFactor * before.meanM(other) - shiftM;
-        if (range > leastM && range < mixture.meanM(part) - LEAST_NEARER_M) {
+        if (range > LEAST_RANGE_M && range < mixture.meanM(part)) {
           double more = share * before.share(other);
           mixture.add(range, deviationM(mixture, part, before, other), more * mixture.share(part));
           moved += more;

@@ -36,7 +36,7 @@ public record PreviousPing(double share, double factor, double shiftM, double sp
     Mixture before = moment.before();
     for (int part = 0; part < before.size(); part++) {
       double range = before.meanM(part) * factor - shiftM;
-      if (range > LEAST_RANGE_M && !GhostReading.isAgain(factor, range, before.meanM(part))) {
+      if (range > LEAST_RANGE_M) {
         double deviation = Deviations.together(spreadM, factor * before.deviationM(part));
         arrivals.add(range, deviation, share * before.share(part));
       }

@@ -7,6 +7,7 @@ import simbad.sonar.change.GhostReading;
 import simbad.sonar.change.Hysteresis;
 import simbad.sonar.change.NearerByPrevious;
 import simbad.sonar.change.PreviousPing;
+import simbad.sonar.change.SecondBounce;
 import simbad.sonar.change.StaleReading;
 import simbad.sonar.ping.Change;
 import simbad.sonar.ping.MemoryChange;
@@ -31,7 +32,9 @@ record Memory(
     boolean asRead =
         Change.only(GhostReading.class, changes).stream().anyMatch(ghost -> ghost.share() > 0)
             || Change.only(NearerByPrevious.class, changes).stream()
-                .anyMatch(ghost -> ghost.share() > 0);
+                .anyMatch(ghost -> ghost.share() > 0)
+            || Change.only(SecondBounce.class, changes).stream()
+                .anyMatch(bounce -> bounce.share() > 0);
     return new Memory(
         only(Burst.class, changes),
         only(Hysteresis.class, changes),

@@ -108,7 +108,7 @@ class EffectDetailsTest {
     PingLog log = new PingLog(List.of(Logs.row(0, Pose.of(0, 0, 0), Logs.SILENCE)));
     Moment moment = new Moment(new ChangedModel(EMPTY, List.of()).geometry(log));
     moment.set(0, before);
-    new NearerByPrevious(0.25, 0.5, 0.5, 0.1, 0.01, 0.02).apply(moment, mixture);
+    new NearerByPrevious(0.25, 0.5, 0.5, 0.1, 0.01).apply(moment, mixture);
     assertEquals(2, mixture.size());
     assertEquals(0.5 + 0.3 - 0.1, mixture.meanM(1), 1e-12);
     assertEquals(

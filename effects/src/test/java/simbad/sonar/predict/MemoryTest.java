@@ -21,6 +21,7 @@ import simbad.sonar.change.Hysteresis;
 import simbad.sonar.change.NearerByPrevious;
 import simbad.sonar.change.PreviousPing;
 import simbad.sonar.change.RangeOffset;
+import simbad.sonar.change.SecondBounce;
 import simbad.sonar.change.SoundSpeed;
 import simbad.sonar.change.StaleReading;
 import simbad.sonar.fixture.Refusal;
@@ -204,26 +205,35 @@ class MemoryTest {
   @Test
   void nearerByPrevious_standsInThePlaceOfTheEcho() {
     double shift = 2 * 0.875 - HistoryTree.rounded(0.875) - 0.575;
-    List<Change> changes = List.of(new NearerByPrevious(0.4, 2, -1, shift, 0, 0.02));
+    List<Change> changes = List.of(new NearerByPrevious(0.4, 2, -1, shift, 0));
     double[] plain = Logs.likelihood(SETUP, twice(0.875, 0.875), List.of());
     assertEquals(0.4 * plain[1], Logs.likelihood(SETUP, twice(0.875, 0.575), changes)[1], 1e-12);
     assertEquals(0.6 * plain[1], Logs.likelihood(SETUP, twice(0.875, 0.875), changes)[1], 1e-12);
     double far = Logs.likelihood(SETUP, twice(0.875, 1.475), List.of())[1];
     assertEquals(far, Logs.likelihood(SETUP, twice(0.875, 1.475), changes)[1], 1e-12);
-    // What is hardly nearer, or comes while the sensor is deaf, is no ghost.
-    double near = shift + 0.575 - 0.86;
-    for (Change none :
-        List.of(
-            new NearerByPrevious(0.4, 2, -1, near, 0, 0.02),
-            new NearerByPrevious(0.4, 2, -1, shift, 0, 0.6))) {
-      assertEquals(plain[1], Logs.likelihood(SETUP, twice(0.875, 0.875), List.of(none))[1], 1e-12);
-    }
     // After a miss there is nothing that could come first.
     List<ReadingRow> missed = List.of(Logs.row(0, Pose.of(0, 0, 0), OptionalDouble.of(0.875)));
     assertEquals(
         Logs.likelihood(SETUP, missed, List.of())[0],
         Logs.likelihood(SETUP, missed, changes)[0],
         1e-12);
+  }
+
+  /** Twice 0.875 m less what was read before and what sound does in the pause: 0.575 m. */
+  @Test
+  void secondBounce_standsInThePlaceOfTheEcho() {
+    double shift = 2 * 0.875 - HistoryTree.rounded(0.875) - 0.575;
+    List<Change> changes = List.of(new SecondBounce(0.4, shift, 0, 0.02));
+    double[] plain = Logs.likelihood(SETUP, twice(0.875, 0.875), List.of());
+    assertEquals(0.4 * plain[1], Logs.likelihood(SETUP, twice(0.875, 0.575), changes)[1], 1e-12);
+    assertEquals(0.6 * plain[1], Logs.likelihood(SETUP, twice(0.875, 0.875), changes)[1], 1e-12);
+    // What is hardly nearer than the echo, or comes while the sensor is deaf, is none.
+    for (Change none :
+        List.of(
+            new SecondBounce(0.4, shift + 0.575 - 0.85, 0, 0.02),
+            new SecondBounce(0.4, shift, 0, 0.6))) {
+      assertEquals(plain[1], Logs.likelihood(SETUP, twice(0.875, 0.875), List.of(none))[1], 1e-12);
+    }
   }
 
   /** The threshold of 0.95 m is 0.1 m less after a miss, so that 1 m is 0.15 m beyond it. */
