@@ -44,9 +44,10 @@ public record RangeDrift(double shiftM, double share, double settlingS) implemen
   /** A drift that never ends would turn ranges round. */
   private static final double LEAST = 0.01;
 
+  /** What grows with the range is a scale, and comes before what is added. */
   @Override
   public int order() {
-    return 1;
+    return share == 0 ? 1 : 0;
   }
 
   /** Ranges times a factor, then longer by an amount. */

@@ -24,9 +24,10 @@ public record VerticalBeam(double heightM, double halfAngleRad, double softM)
     }
   }
 
+  /** The way is slanting before it is measured, in whatever scale. */
   @Override
   public int order() {
-    return 0;
+    return -1;
   }
 
   @Override

@@ -12,7 +12,7 @@ public non-sealed interface RangeChange extends Change {
     return this;
   }
 
-  /** Which range changes come first: scale, then offset, then scatter. */
+  /** Which range changes come first: the way (-1), then scale, offset and scatter (0, 1, 2). */
   int order();
 
   /**

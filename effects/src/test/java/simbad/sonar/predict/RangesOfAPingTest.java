@@ -69,6 +69,28 @@ class RangesOfAPingTest {
     checkAt(1e6, new RangeOffset(0.05), new RangeDrift(0.05, 0, 30));
   }
 
+  /** Changes are a set: the way comes first, then what scales it, then what is added. */
+  @Test
+  void changesOfTheRange_byTwos_inEitherOrder() {
+    List<Change> changes =
+        List.of(
+            new VerticalBeam(0.3, Math.PI / 2, 0.01),
+            new SoundSpeed(1.03),
+            new RangeDrift(0, 0.01, Double.POSITIVE_INFINITY),
+            new RangeOffset(0.05),
+            new RangeDrift(0.005, 0, 30),
+            new RangeWalk(0.05, 8));
+    for (double range = 0.75; range < 1.3; range += 0.05) {
+      for (Change one : changes) {
+        for (Change other : changes) {
+          double[] found = Logs.likelihood(SETUP, at(3, range), List.of(one, other));
+          double[] swapped = Logs.likelihood(SETUP, at(3, range), List.of(other, one));
+          assertEquals(found[1], swapped[1], 1e-12, one + ", " + other + " at " + range);
+        }
+      }
+    }
+  }
+
   /** What a model predicts in a log is what a sensor reads that drives with it. */
   @Test
   void drift_ofALiveSensor_beginsWithItsRun() {
