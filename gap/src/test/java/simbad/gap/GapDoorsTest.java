@@ -1,5 +1,7 @@
 package simbad.gap;
 
+import java.util.Set;
+import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
@@ -30,6 +32,7 @@ class GapDoorsTest {
             .with(double[].class, new double[] {0.5})
             .with(Form.class, form)
             .with(Hypothesis.class, Hypothesis.NONE)
+            .with(Function.class, (Function<Hypothesis, Set<Effect>>) set -> Set.of())
             .with(Interval.class, new Interval(0, 1))
             .with(Scored.class, new Scored(Hypothesis.NONE, -1, -1))
             .with(CalibratedLog.class, given())

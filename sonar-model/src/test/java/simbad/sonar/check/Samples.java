@@ -108,7 +108,7 @@ public final class Samples {
       return Set.of();
     }
     if (generic.getRawType() != List.class) {
-      return null;
+      return known.get(generic.getRawType());
     }
     if (element == Double.class) {
       // Of an interval's bounds and what lies in it, the bounds come first.
