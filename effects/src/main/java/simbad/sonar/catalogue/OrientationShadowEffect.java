@@ -5,14 +5,17 @@ import static simbad.sonar.effect.FittedValues.text;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.sonar.change.BearingFactor;
+import simbad.sonar.change.FaceLobe;
 import simbad.sonar.change.OrientationShadow;
 import simbad.sonar.change.OrientationShadows;
 import simbad.sonar.change.OtherOutline;
@@ -23,6 +26,7 @@ import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.effect.LogDesign;
 import simbad.sonar.effect.Probe;
+import simbad.sonar.effect.Tries;
 import simbad.sonar.frame.Angles;
 import simbad.sonar.frame.Point;
 import simbad.sonar.level.StrengthTable;
@@ -43,6 +47,18 @@ public final class OrientationShadowEffect implements Definition {
 
   private static final double MOST_SIDE_M = 0.5;
   private static final String POST = "post:";
+  private static final String FACE = "face:";
+
+  /** What is so many times as wide as it is deep is a plate. */
+  private static final double PLATE = 3;
+
+  /** By so much a plate is turned before its edges are heard instead of its face. */
+  private static final double TURNED_DEG = 15;
+
+  /** A mirror of a few wavelengths sends no echo back from further aside; what is left is less. */
+  private static final double MOST_TURNED_DEG = 45;
+
+  private static final double MOST_LEFT = 0.5;
 
   /** A side's lobe is some five degrees wide. */
   private static final int TURN_STEP_DEG = 3;
@@ -86,6 +102,8 @@ public final class OrientationShadowEffect implements Definition {
       String name = labels.get(i) + "#" + i;
       forms.add(table("table:" + name, labels.get(i), uniformM(setup, i)));
       forms.add(waved("waves:" + name, Optional.of(labels.get(i))));
+      faceRad(setup.scene().obstacles().get(i).outline())
+          .ifPresent(rad -> forms.add(faced(FACE + name, labels.get(i), rad)));
     }
     if (uniform.length > 1) {
       forms.add(tables(setup, uniform));
@@ -222,11 +240,56 @@ public final class OrientationShadowEffect implements Definition {
         series.toArray(Parameter[]::new));
   }
 
+  /** Of a plate, which is heard square to its faces. */
+  private Form faced(String name, String label, double faceRad) {
+    return Form.of(
+        effect(),
+        name,
+        v ->
+            new FaceLobe(
+                Optional.of(label), faceRad, Math.toRadians(v[0]), Math.toRadians(v[1]), v[2]),
+        Parameter.of("half_angle_deg", 30, 1, 80, 15, 25),
+        Parameter.of("soft_deg", 3, 0.3, 20, 2),
+        Parameter.of("floor", 1, 0, 1, 0.05, 0.4).asClosed());
+  }
+
+  /** The bearing of a plate's face; empty for what is no plate. */
+  private static OptionalDouble faceRad(Outline outline) {
+    List<Point> corners = outline.corners();
+    int longest = 0;
+    for (int i = 1; i < corners.size(); i++) {
+      longest = edgeM(corners, i) > edgeM(corners, longest) ? i : longest;
+    }
+    Point from = corners.get(longest);
+    Point to = corners.get((longest + 1) % corners.size());
+    double lengthM = edgeM(corners, longest);
+    double alongX = (to.xM() - from.xM()) / lengthM;
+    double alongZ = (to.zM() - from.zM()) / lengthM;
+    DoubleSummaryStatistics width = across(corners, alongX, alongZ);
+    DoubleSummaryStatistics depth = across(corners, -alongZ, alongX);
+    return width.getMax() - width.getMin() > PLATE * (depth.getMax() - depth.getMin())
+        ? OptionalDouble.of(Math.atan2(-alongZ, alongX))
+        : OptionalDouble.empty();
+  }
+
+  private static double edgeM(List<Point> corners, int first) {
+    Point from = corners.get(first);
+    Point to = corners.get((first + 1) % corners.size());
+    return Math.hypot(to.xM() - from.xM(), to.zM() - from.zM());
+  }
+
+  private static DoubleSummaryStatistics across(List<Point> corners, double x, double z) {
+    return corners.stream().mapToDouble(c -> c.xM() * x + c.zM() * z).summaryStatistics();
+  }
+
   /** A form that is about no single obstacle has no number: each obstacle's waves may be all's. */
   @Override
   public List<double[]> starts(Form form, Clues clues) {
     if (form.with(form.neutral()) instanceof OtherOutline same) {
       return posts(same.believed().outline());
+    }
+    if (form.name().startsWith(FACE)) {
+      return Tries.all(form);
     }
     int hash = form.name().lastIndexOf('#');
     if (hash < 0) {
@@ -271,8 +334,17 @@ public final class OrientationShadowEffect implements Definition {
     return 1 + share * Math.cos(index * 4 * Math.PI / size);
   }
 
+  /** A plate mirrors: who turns it before a sensor turns its echo away. */
+  @Override
+  public boolean isInvited(Form form, LogDesign log, double... values) {
+    return form.name().startsWith(FACE) && values[0] < MOST_TURNED_DEG && values[2] < MOST_LEFT;
+  }
+
   @Override
   public boolean canShow(Form form, LogDesign log) {
+    if (form.name().startsWith(FACE)) {
+      return log.isTurnedBefore(TURNED_DEG);
+    }
     // What is believed to be round may be another post; if it is the same one, it is round.
     boolean canBe = isPost(form) || !log.isOfRoundOnes(form, false);
     return canBe && !log.isFromOneSide(ONE_SIDE_DEG);

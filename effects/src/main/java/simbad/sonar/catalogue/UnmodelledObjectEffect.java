@@ -12,6 +12,7 @@ import java.util.stream.IntStream;
 import simbad.definition.Effect;
 import simbad.definition.Parameter;
 import simbad.definition.Trait;
+import simbad.sonar.change.Crosstalk;
 import simbad.sonar.change.LevelBoard;
 import simbad.sonar.change.LevelPost;
 import simbad.sonar.change.UnmodelledObject;
@@ -20,7 +21,10 @@ import simbad.sonar.effect.Clues;
 import simbad.sonar.effect.Definition;
 import simbad.sonar.effect.FittedValues;
 import simbad.sonar.effect.Form;
+import simbad.sonar.effect.LogDesign;
+import simbad.sonar.effect.Modes;
 import simbad.sonar.effect.Probe;
+import simbad.sonar.effect.Tries;
 import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Point;
 import simbad.sonar.ping.PingLog;
@@ -33,6 +37,7 @@ import simbad.sonar.shape.Outline;
 /** Something that is not in the scene answers from a fixed place. */
 public final class UnmodelledObjectEffect implements Definition {
   private static final String POST = "post";
+  private static final String BEHIND = "behind";
   private static final String POST_BY_LEVEL = "post by level";
   private static final String BOARD_BY_LEVEL = "board by level";
   private static final Parameter RADIUS = Parameter.of("radius_m", 0, 0, 0.5, 0.05);
@@ -42,6 +47,15 @@ public final class UnmodelledObjectEffect implements Definition {
   private static final Parameter WIDTH = Parameter.of("half_width_m", 0, 0.02, 10, 0.4).asClosed();
   private static final Parameter SURE = Parameter.of("share", 0, 0.1, 1, 0.95).asClosed();
   private static final double AHEAD_M = 0.5;
+
+  /** By so much a plate is turned before what is behind it is heard past it. */
+  private static final double TURNED_DEG = 15;
+
+  private static final double MOST_OFTEN = 0.5;
+
+  /** Where behind it most of what is heard there is. */
+  private static final double FEW = 0.02;
+
   private static final int OBJECTS = 6;
   private static final double LEAST_RADIUS_M = 0.005;
   private static final int CORNERS = 16;
@@ -102,7 +116,35 @@ public final class UnmodelledObjectEffect implements Definition {
             RADIUS,
             reach,
             SURE,
-            Parameter.of("square_deg", 90, 3, 90, 90).asClosed()));
+            Parameter.of("square_deg", 90, 3, 90, 90).asClosed()),
+        behind(most));
+  }
+
+  /** Many things at unknown places, which are heard where the simulator hears nothing. */
+  private Form behind(double mostM) {
+    return Form.of(
+        effect(),
+        BEHIND,
+        v -> new Crosstalk(v[0], v[1], v[1] + v[2], true),
+        Parameter.of("share", 0, 0, 1, 0.5, 0.95).asClosed(),
+        Parameter.of("low_m", 0, 0, 0.9 * mostM, 0.05).asClosed(),
+        Parameter.of("band_m", mostM, 0.3, mostM, 0.5 * mostM, mostM).asClosed());
+  }
+
+  @Override
+  public boolean isHeardInSilence(String form) {
+    return BEHIND.equals(form);
+  }
+
+  /** What is behind an obstacle that is turned away is heard in its place. */
+  @Override
+  public boolean isInvited(Form form, LogDesign log, double... values) {
+    return BEHIND.equals(form.name()) && values[0] > MOST_OFTEN;
+  }
+
+  @Override
+  public boolean canShow(Form form, LogDesign log) {
+    return !BEHIND.equals(form.name()) || log.isTurnedBefore(TURNED_DEG);
   }
 
   /** What is heard of a thing depends on how strong it is, and so on where it is seen from. */
@@ -137,9 +179,20 @@ public final class UnmodelledObjectEffect implements Definition {
     return switch (form.name()) {
       case POST -> clues.posts(form.parameters().get(3).high());
       case POST_BY_LEVEL -> byLevel(form, clues.posts(clues.strangeRangesM().max().orElse(1)), 3);
+      case BEHIND -> behind(form, clues);
       case BOARD_BY_LEVEL -> byLevel(form, clues.faces(form), 4);
       default -> clues.faces(form);
     };
+  }
+
+  private static List<double[]> behind(Form form, Clues clues) {
+    double[] sorted = clues.strangeRangesM().sorted().toArray();
+    if (sorted.length == 0) {
+      return Tries.all(form);
+    }
+    double low = Modes.quantile(sorted, FEW) - 0.02;
+    double high = Modes.quantile(sorted, 1 - FEW) + 0.02;
+    return Tries.product(form, List.of(), List.of(low), List.of(high - low));
   }
 
   /** The first values of each start, and every strength that is tried. */
@@ -200,6 +253,11 @@ public final class UnmodelledObjectEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
+    if (values.has("band_m")) {
+      return text(
+          "clear away what stands %.1f to %.1f m before the sensor, or put it into the scene",
+          values.value("low_m"), values.value("low_m") + values.value("band_m"));
+    }
     return text(
         "look at x = %.2f m, z = %.2f m, and put what is there into the scene",
         values.value("x_m"), values.value("z_m"));

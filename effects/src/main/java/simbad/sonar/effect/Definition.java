@@ -171,6 +171,15 @@ public interface Definition {
   }
 
   /**
+   * Tells whether a form is read where nothing that the simulator knows is heard, and only there.
+   *
+   * @param form its own name
+   */
+  default boolean isHeardInSilence(String form) {
+    return false;
+  }
+
+  /**
    * Tells whether the readings that a form takes to itself depend on what stands in front of the
    * sensor. Those that do not may come at any place, and say so when they are compared with it.
    */

@@ -9,6 +9,7 @@ import simbad.definition.Effect;
 import simbad.definition.Trait;
 import simbad.sonar.check.Checks;
 import simbad.sonar.frame.Angles;
+import simbad.sonar.frame.Placement;
 import simbad.sonar.frame.Point;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.ping.Scenes;
@@ -39,6 +40,7 @@ public record LogDesign(
     Set<String> round,
     boolean isOfOneDistance) {
   private static final double STILL_RAD = Math.toRadians(0.1);
+  private static final double TURNED_RAD = Math.toRadians(1);
 
   /** Checks the way and copies the set. */
   public LogDesign {
@@ -139,6 +141,29 @@ public record LogDesign(
       right += Math.max(0, -turn);
     }
     return isOneBearing() && Math.min(left, right) < STILL_RAD && left + right <= 2 * Math.PI;
+  }
+
+  /**
+   * Tells whether a lone obstacle was turned before a sensor, as on a turntable: seen from it the
+   * sensor went round and always looked the same way past its middle.
+   *
+   * @param leastDeg by how much it was turned at least, in (0, 180) degrees
+   */
+  public boolean isTurnedBefore(double leastDeg) {
+    if (setup.scene().obstacles().size() != 1) {
+      return false;
+    }
+    Placement place = setup.scene().obstacles().get(0).worldFromObstacle();
+    Point middle = new Point(place.xM(), place.zM());
+    double first = asideRad(middle, 0);
+    return spreadDeg(middle) >= leastDeg
+        && IntStream.range(0, log.size())
+            .allMatch(ping -> Math.abs(Angles.signed(asideRad(middle, ping) - first)) < TURNED_RAD);
+  }
+
+  private double asideRad(Point middle, int ping) {
+    double toMiddleRad = Math.atan2(log.zM(ping) - middle.zM(), middle.xM() - log.xM(ping));
+    return log.headingRad(ping) - toMiddleRad;
   }
 
   /** Of the directions from a point to the sensors, from the first one. */

@@ -83,7 +83,8 @@ public final class HeldOut {
     double most = set.heldOut();
     for (Effect effect : set.hypothesis().effects()) {
       Scored subset = capped.get(new TreeSet<>(set.hypothesis().without(effect).effects()));
-      if (subset != null) {
+      // With more values it has one of its effects in another form, and is no smaller model.
+      if (subset != null && subset.hypothesis().size() <= set.hypothesis().size()) {
         double fitsBetter = Math.max(0, set.inSample() - subset.inSample());
         most = Math.min(most, subset.heldOut() + fitsBetter);
       }

@@ -75,10 +75,10 @@ public final class Confirmed {
    * set that is far worse only does the work of what the best set has.
    */
   public Optional<Scored> best() {
-    double most = sets.stream().mapToDouble(Scored::heldOut).max().orElse(0);
+    double most = sets.stream().mapToDouble(this::worth).max().orElse(0);
     return sets.stream()
-        .filter(set -> isPlaced || set.heldOut() > most - worthNats)
-        .sorted(Comparator.comparingDouble((Scored set) -> set.heldOut()).reversed())
+        .filter(set -> isPlaced || worth(set) > most - worthNats)
+        .sorted(Comparator.comparingDouble((Scored set) -> worth(set)).reversed())
         .map(this::sure)
         .flatMap(Optional::stream)
         .findFirst();
@@ -160,8 +160,13 @@ public final class Confirmed {
         && !others.contains(effect)
         && others.containsAll(rest)
         && (isDoubtful(others, rest)
-            ? !isPlaced && other.heldOut() > set.heldOut()
-            : other.heldOut() > set.heldOut() - worthNats);
+            ? !isPlaced && worth(other) > worth(set)
+            : worth(other) > worth(set) - worthNats);
+  }
+
+  /** What is to be expected does not have to gain what others have to, nats. */
+  private double worth(Scored set) {
+    return set.heldOut() + worthNats * invited.apply(set.hypothesis()).size();
   }
 
   /** Whether what the first have beside the others is doubtful. */

@@ -94,7 +94,12 @@ public abstract class ForwardSearch<E extends Comparable<? super E>, F, M> {
 
   /** Keeps a fit unless one of the same effects is as good. */
   protected final void keep(F fit) {
-    fits.merge(new TreeSet<>(effects(fit)), fit, (a, b) -> worth(b) > worth(a) ? b : a);
+    fits.merge(new TreeSet<>(effects(fit)), fit, (a, b) -> isBetter(b, a) ? b : a);
+  }
+
+  /** Tells whether a fit is better than another one of the same effects. */
+  protected boolean isBetter(F fit, F kept) {
+    return worth(fit) > worth(kept);
   }
 
   /** Returns the best fit of each set that was kept, by its effects, in the order of coming. */

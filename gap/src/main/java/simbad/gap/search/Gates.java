@@ -19,6 +19,7 @@ import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.LogDesign;
 import simbad.sonar.effect.Modes;
+import simbad.sonar.effect.Tries;
 import simbad.sonar.ping.Geometry;
 import simbad.sonar.ping.PingLog;
 import simbad.sonar.ping.Scenes;
@@ -74,6 +75,14 @@ final class Gates {
             .filter(i -> isInvited(set.forms().get(i), design, set.valuesOf(i)))
             .mapToObj(i -> set.forms().get(i).effect())
             .collect(Collectors.toSet());
+  }
+
+  /** Returns those of some forms that the way in which a log was taken invites, at any values. */
+  static List<Form> invited(CalibratedLog given, List<Form> forms) {
+    LogDesign design = design(given);
+    return forms.stream()
+        .filter(form -> Tries.all(form).stream().anyMatch(v -> isInvited(form, design, v)))
+        .toList();
   }
 
   private static boolean isInvited(Form form, LogDesign design, double... values) {

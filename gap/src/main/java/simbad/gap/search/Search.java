@@ -117,6 +117,7 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
     keep(nominal);
     List<Fit> starts = new ArrayList<>(new Screen(given, nominal).all(forms).values());
     ArcSearch.starts(given, forms).forEach(this::offer);
+    BehindSearch.starts(given, forms).forEach(this::offer);
     offered.forEach(set -> starts.add(joint(new Fit(set, nominal.logLikelihood()))));
     singles = best(starts);
     singles.forEach(this::keep);
@@ -196,6 +197,13 @@ public final class Search extends ForwardSearch<Effect, Fit, Effect> {
   @Override
   protected double worth(Fit set) {
     return set.logLikelihood();
+  }
+
+  /** The same effects in other forms have other values, each of which gains something by chance. */
+  @Override
+  protected boolean isBetter(Fit fit, Fit kept) {
+    int more = fit.hypothesis().size() - kept.hypothesis().size();
+    return worth(fit) - Probabilities.NATS_PER_VALUE * more > worth(kept);
   }
 
   @Override
