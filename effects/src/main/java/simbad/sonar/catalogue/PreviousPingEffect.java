@@ -169,12 +169,7 @@ public final class PreviousPingEffect implements Definition {
   private static List<double[]> nearer(Form form, Clues clues) {
     PingLog log = clues.log();
     List<List<Double>> tries = Tries.of(form);
-    int[] near =
-        clues
-            .echoesInCone()
-            .filter(clues::hasEchoBefore)
-            .filter(i -> log.rangeM(i) < clues.nearestM(i) - 0.02)
-            .toArray();
+    int[] near = tooNear(clues, 1, 0.02);
     List<double[]> starts = new ArrayList<>();
     for (int pair = 0; pair < tries.get(1).size(); pair++) {
       double own = tries.get(1).get(pair);
@@ -197,12 +192,7 @@ public final class PreviousPingEffect implements Definition {
   private static List<double[]> bounces(Form form, Clues clues) {
     PingLog log = clues.log();
     List<List<Double>> tries = Tries.of(form);
-    int[] near =
-        clues
-            .echoesInCone()
-            .filter(clues::hasEchoBefore)
-            .filter(i -> log.rangeM(i) < NEARER * clues.nearestM(i) - WIDTH)
-            .toArray();
+    int[] near = tooNear(clues, NEARER, WIDTH);
     DoubleStream pauses =
         Arrays.stream(near)
             .mapToDouble(i -> 2 * clues.nearestM(i) - log.rangeM(i - 1) - log.rangeM(i));
@@ -217,6 +207,15 @@ public final class PreviousPingEffect implements Definition {
     double leastM = read.length == 0 ? LEAST_M : Modes.quantile(read, 0.05);
     return Tries.product(
         form, tries.get(0), shifts, tries.get(2), List.of(LEAST_M, Math.max(LEAST_M, leastM)));
+  }
+
+  /** Echoes after an echo that are nearer than so many times what is believed, and by a margin. */
+  private static int[] tooNear(Clues clues, double times, double marginM) {
+    return clues
+        .echoesInCone()
+        .filter(clues::hasEchoBefore)
+        .filter(i -> clues.log().rangeM(i) < times * clues.nearestM(i) - marginM)
+        .toArray();
   }
 
   /** Strange echoes that are nearer than the reading before. */

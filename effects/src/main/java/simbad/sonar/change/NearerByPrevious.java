@@ -1,9 +1,6 @@
 package simbad.sonar.change;
 
 import simbad.sonar.check.Checks;
-import simbad.sonar.ping.Mixture;
-import simbad.sonar.ping.MixtureChange;
-import simbad.sonar.ping.Moment;
 
 /**
  * An echo is read too near, by an amount that depends on the reading before, when a reflection of
@@ -17,7 +14,7 @@ import simbad.sonar.ping.Moment;
  */
 public record NearerByPrevious(
     double share, double ownFactor, double beforeFactor, double shiftM, double spreadM)
-    implements MixtureChange {
+    implements ReadNearer {
   private static final double LEAST_RANGE_M = 0.02;
 
   /** Checks the figures; NaN is refused. */
@@ -35,30 +32,19 @@ public record NearerByPrevious(
   }
 
   @Override
-  public void apply(Moment moment, Mixture mixture) {
-    Mixture before = moment.before();
-    if (share == 0 || before.size() == 0) {
-      return;
-    }
-    int parts = mixture.size();
-    for (int part = 0; part < parts; part++) {
-      double moved = 0;
-      for (int other = 0; other < before.size(); other++) {
-        double range =
-            ownFactor * mixture.meanM(part) + beforeFactor * before.meanM(other) - shiftM;
-        if (range > LEAST_RANGE_M && range < mixture.meanM(part)) {
-          double more = share * before.share(other);
-          mixture.add(range, deviationM(mixture, part, before, other), more * mixture.share(part));
-          moved += more;
-        }
-      }
-      mixture.scaleShare(part, 1 - Math.min(1, moved));
-    }
+  public double nearerM(double ownM, double beforeM) {
+    return ownFactor * ownM + beforeFactor * beforeM - shiftM;
   }
 
-  private double deviationM(Mixture mixture, int part, Mixture before, int other) {
-    double own = ownFactor * mixture.deviationM(part);
-    double former = beforeFactor * before.deviationM(other);
+  @Override
+  public boolean isRead(double nearerM, double ownM) {
+    return nearerM > LEAST_RANGE_M && nearerM < ownM;
+  }
+
+  @Override
+  public double nearerDeviationM(double ownM, double beforeM) {
+    double own = ownFactor * ownM;
+    double former = beforeFactor * beforeM;
     return Math.sqrt(own * own + former * former + spreadM * spreadM);
   }
 }

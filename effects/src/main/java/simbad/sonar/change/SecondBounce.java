@@ -2,9 +2,6 @@ package simbad.sonar.change;
 
 import simbad.sonar.check.Checks;
 import simbad.sonar.ping.Deviations;
-import simbad.sonar.ping.Mixture;
-import simbad.sonar.ping.MixtureChange;
-import simbad.sonar.ping.Moment;
 
 /**
  * The echo of the ping before goes to and fro once more between a plate and the sensor, and comes
@@ -18,7 +15,7 @@ import simbad.sonar.ping.Moment;
  *     away
  */
 public record SecondBounce(double share, double shiftM, double spreadM, double leastM)
-    implements MixtureChange {
+    implements ReadNearer {
   /** What is hardly nearer than the own echo cannot be told from it. */
   private static final double LEAST_NEARER_M = 0.03;
 
@@ -37,25 +34,17 @@ public record SecondBounce(double share, double shiftM, double spreadM, double l
   }
 
   @Override
-  public void apply(Moment moment, Mixture mixture) {
-    Mixture before = moment.before();
-    if (share == 0 || before.size() == 0) {
-      return;
-    }
-    int parts = mixture.size();
-    for (int part = 0; part < parts; part++) {
-      double moved = 0;
-      for (int other = 0; other < before.size(); other++) {
-        double range = 2 * mixture.meanM(part) - before.meanM(other) - shiftM;
-        if (range > leastM && range < mixture.meanM(part) - LEAST_NEARER_M) {
-          double twice = Deviations.together(spreadM, 2 * mixture.deviationM(part));
-          double deviation = Deviations.together(twice, before.deviationM(other));
-          double more = share * before.share(other);
-          mixture.add(range, deviation, more * mixture.share(part));
-          moved += more;
-        }
-      }
-      mixture.scaleShare(part, 1 - Math.min(1, moved));
-    }
+  public double nearerM(double ownM, double beforeM) {
+    return 2 * ownM - beforeM - shiftM;
+  }
+
+  @Override
+  public boolean isRead(double nearerM, double ownM) {
+    return nearerM > leastM && nearerM < ownM - LEAST_NEARER_M;
+  }
+
+  @Override
+  public double nearerDeviationM(double ownM, double beforeM) {
+    return Deviations.together(Deviations.together(spreadM, 2 * ownM), beforeM);
   }
 }
