@@ -382,7 +382,7 @@ public final class Diagnoser {
     Verdict verdict = told.conclusion.verdict();
     Hypothesis best = weighed.taken().hypothesis();
     // What stands beside a set that is whole is another thing, and speaks not against its names.
-    double against = verdict == Verdict.PARTLY ? 0 : told.unknown;
+    double against = verdict == Verdict.PARTLY && !told.isSure ? 0 : told.unknown;
     SensorLaw.Model law = inquiry.calibration.model();
     return new Diagnosis(
         verdict,

@@ -83,6 +83,12 @@ class TurnedPlateTest {
   void turnedAway_itIsHeardNoMore(long seed) {
     Diagnosis diagnosis = diagnose(log(0.12, 20, seed));
     assertTrue(diagnosis.explanation().contains(Effect.ORIENTATION_SHADOW), diagnosis.reason());
+    // What may be at work beside it is no surer than that it is what is left.
+    double named = 1 - diagnosis.unknownProbability();
+    diagnosis.effects().stream()
+        .filter(one -> !diagnosis.explanation().contains(one.effect()))
+        .filter(one -> one.indistinguishableFrom().isEmpty())
+        .forEach(one -> assertTrue(one.probability() <= named, one::toString));
   }
 
   @ParameterizedTest

@@ -23,6 +23,7 @@ import simbad.sonar.scene.SensingSetup;
 /** An obstacle stands elsewhere than believed. */
 public final class ObstacleOffsetEffect implements Definition {
   private static final String ALL = "all";
+  private static final double MOST_M = 1;
 
   @Override
   public Effect effect() {
@@ -41,21 +42,28 @@ public final class ObstacleOffsetEffect implements Definition {
 
   @Override
   public List<Form> forms(SensingSetup setup, List<String> sensors) {
-    List<Form> forms = new ArrayList<>(List.of(moved(ALL, Optional.empty())));
+    List<Form> forms = new ArrayList<>(List.of(moved(ALL, Optional.empty(), MOST_M)));
     List<String> labels = Scenes.labels(setup.scene());
     if (labels.size() > 1) {
-      labels.forEach(label -> forms.add(moved("only:" + label, Optional.of(label))));
+      labels.forEach(label -> forms.add(moved("only:" + label, Optional.of(label), MOST_M)));
     }
     return forms;
   }
 
-  private Form moved(String name, Optional<String> only) {
+  private Form moved(String name, Optional<String> only, double mostM) {
     return Form.of(
         effect(),
         name,
         v -> new ObstacleOffset(v[0], v[1], only),
-        Parameter.of("x_m", 0, -1, 1, -0.06, 0, 0.06),
-        Parameter.of("z_m", 0, -1, 1, -0.06, 0, 0.06));
+        Parameter.of("x_m", 0, -mostM, mostM, -0.06, 0, 0.06),
+        Parameter.of("z_m", 0, -mostM, mostM, -0.06, 0, 0.06));
+  }
+
+  /** A lone one that is turned before a sensor is aimed at. */
+  @Override
+  public Form within(Form form, LogDesign log) {
+    double mostM = log.mostAsideM();
+    return mostM < MOST_M ? moved(form.name(), Optional.empty(), mostM) : form;
   }
 
   @Override

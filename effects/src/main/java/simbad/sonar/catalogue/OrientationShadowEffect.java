@@ -52,9 +52,6 @@ public final class OrientationShadowEffect implements Definition {
   /** What is so many times as wide as it is deep is a plate. */
   private static final double PLATE = 3;
 
-  /** By so much a plate is turned before its edges are heard instead of its face. */
-  private static final double TURNED_DEG = 15;
-
   /** A mirror of a few wavelengths sends no echo back from further aside; what is left is less. */
   private static final double MOST_TURNED_DEG = 45;
 
@@ -343,7 +340,7 @@ public final class OrientationShadowEffect implements Definition {
   @Override
   public boolean canShow(Form form, LogDesign log) {
     if (form.name().startsWith(FACE)) {
-      return log.isTurnedBefore(TURNED_DEG);
+      return log.isTurnedBefore();
     }
     // What is believed to be round may be another post; if it is the same one, it is round.
     boolean canBe = isPost(form) || !log.isOfRoundOnes(form, false);

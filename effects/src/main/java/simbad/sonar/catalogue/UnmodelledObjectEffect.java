@@ -48,9 +48,6 @@ public final class UnmodelledObjectEffect implements Definition {
   private static final Parameter SURE = Parameter.of("share", 0, 0.1, 1, 0.95).asClosed();
   private static final double AHEAD_M = 0.5;
 
-  /** By so much a plate is turned before what is behind it is heard past it. */
-  private static final double TURNED_DEG = 15;
-
   private static final double MOST_OFTEN = 0.5;
 
   /** Where behind it most of what is heard there is. */
@@ -144,7 +141,7 @@ public final class UnmodelledObjectEffect implements Definition {
 
   @Override
   public boolean canShow(Form form, LogDesign log) {
-    return !BEHIND.equals(form.name()) || log.isTurnedBefore(TURNED_DEG);
+    return !BEHIND.equals(form.name()) || log.isTurnedBefore();
   }
 
   /** What is heard of a thing depends on how strong it is, and so on where it is seen from. */

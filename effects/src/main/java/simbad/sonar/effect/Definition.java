@@ -140,6 +140,14 @@ public interface Definition {
   }
 
   /**
+   * Returns the same form with the values that can be in a log as it was taken; by default all of
+   * them.
+   */
+  default Form within(Form form, LogDesign log) {
+    return form;
+  }
+
+  /**
    * Tells whether a log was taken in a way that invites the effect in one of its forms, so that it
    * is to be expected rather than rare.
    *

@@ -41,6 +41,7 @@ public record LogDesign(
     boolean isOfOneDistance) {
   private static final double STILL_RAD = Math.toRadians(0.1);
   private static final double TURNED_RAD = Math.toRadians(1);
+  private static final double TURNED_AWAY_DEG = 15;
 
   /** Checks the way and copies the set. */
   public LogDesign {
@@ -145,20 +146,47 @@ public record LogDesign(
 
   /**
    * Tells whether a lone obstacle was turned before a sensor, as on a turntable: seen from it the
-   * sensor went round and always looked the same way past its middle.
-   *
-   * @param leastDeg by how much it was turned at least, in (0, 180) degrees
+   * sensor went round and always looked the same way past its middle. It was turned so far at least
+   * that a plate's edges are heard instead of its face.
    */
-  public boolean isTurnedBefore(double leastDeg) {
+  public boolean isTurnedBefore() {
     if (setup.scene().obstacles().size() != 1) {
       return false;
     }
-    Placement place = setup.scene().obstacles().get(0).worldFromObstacle();
-    Point middle = new Point(place.xM(), place.zM());
+    Point middle = middle();
     double first = asideRad(middle, 0);
-    return spreadDeg(middle) >= leastDeg
+    return spreadDeg(middle) >= TURNED_AWAY_DEG
         && IntStream.range(0, log.size())
             .allMatch(ping -> Math.abs(Angles.signed(asideRad(middle, ping) - first)) < TURNED_RAD);
+  }
+
+  /**
+   * Returns how far aside of its place an obstacle that is turned before a sensor may be: who aims
+   * at it has its middle in the cone.
+   *
+   * @return metres, at the middle one of the distances; infinite where nothing is turned and aimed
+   *     at
+   */
+  public double mostAsideM() {
+    double halfRad = setup.sensor().coneHalfAngleRad();
+    if (halfRad >= Math.PI / 2
+        || !isTurnedBefore()
+        || Math.abs(Angles.signed(asideRad(middle(), 0))) > halfRad) {
+      return Double.POSITIVE_INFINITY;
+    }
+    Point middle = middle();
+    double[] distances =
+        IntStream.range(0, log.size())
+            .mapToDouble(ping -> Math.hypot(log.xM(ping) - middle.xM(), log.zM(ping) - middle.zM()))
+            .sorted()
+            .toArray();
+    return Math.tan(halfRad) * Modes.quantile(distances, 0.5);
+  }
+
+  /** Of the first obstacle. */
+  private Point middle() {
+    Placement place = setup.scene().obstacles().get(0).worldFromObstacle();
+    return new Point(place.xM(), place.zM());
   }
 
   private double asideRad(Point middle, int ping) {

@@ -46,11 +46,12 @@ final class Gates {
 
   private Gates() {}
 
-  /** Returns those of some forms that are possible. */
+  /** Returns those of some forms that are possible, with the values that are. */
   static List<Form> open(CalibratedLog given, List<Form> forms) {
     LogDesign design = design(given);
     return forms.stream()
         .filter(form -> Definitions.of(form.effect()).canShow(form, design))
+        .map(form -> Definitions.of(form.effect()).within(form, design))
         .toList();
   }
 

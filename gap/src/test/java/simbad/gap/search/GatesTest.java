@@ -156,6 +156,47 @@ class GatesTest {
         closed(Ladders.BOARD, Ladders.read((range, lot) -> range + 0.02 * lot, 1)));
   }
 
+  /**
+   * Its middle is in the cone of who aims at it; who drives past or looks past it tells nothing.
+   */
+  @Test
+  void turnedBeforeASensor_itStandsWhereThatAims() {
+    double coneM = 0.8 * Math.tan(Worlds.POST.sensor().coneHalfAngleRad());
+    assertEquals(coneM, mostAsideM(turned(0)), 1e-9);
+    assertEquals(1, mostAsideM(turned(60)), 0);
+    assertEquals(1, mostAsideM(past()), 0);
+  }
+
+  /** A sensor that goes round the post at 0.8 m and looks past its middle by an angle. */
+  private static List<ReadingRow> turned(double pastDeg) {
+    Placement place = Worlds.POST.scene().obstacles().get(0).worldFromObstacle();
+    return IntStream.range(0, 40)
+        .mapToObj(
+            i -> {
+              double x = place.xM() + 0.8 * Math.cos(Math.toRadians(i));
+              double z = place.zM() - 0.8 * Math.sin(Math.toRadians(i));
+              double headingRad = Math.toRadians(180 + i + pastDeg);
+              return new ReadingRow("r", "s", i, Pose.of(x, z, headingRad), NoEcho.NO_ECHO);
+            })
+        .toList();
+  }
+
+  private static List<ReadingRow> past() {
+    return IntStream.range(0, 40)
+        .mapToObj(i -> new ReadingRow("r", "s", i, Pose.of(0.02 * i - 0.4, 0.8, 0), NoEcho.NO_ECHO))
+        .toList();
+  }
+
+  private static double mostAsideM(List<ReadingRow> rows) {
+    return Gates.open(Worlds.given(rows), Forms.all(Worlds.POST, List.of("s"))).stream()
+        .filter(form -> form.effect() == Effect.OBSTACLE_OFFSET)
+        .findFirst()
+        .orElseThrow()
+        .parameters()
+        .get(0)
+        .high();
+  }
+
   /** A number that stands for "no echo" is read more often than no echo is. */
   @Test
   void numberForNothing_isLookedForWhereItIsReadOftenEnough() {
