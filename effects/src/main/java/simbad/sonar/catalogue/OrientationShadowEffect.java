@@ -49,8 +49,8 @@ public final class OrientationShadowEffect implements Definition {
   private static final String POST = "post:";
   private static final String FACE = "face:";
 
-  /** What is so many times as wide as it is deep is a plate. */
-  private static final double PLATE = 3;
+  /** What is more than so many times as wide as it is deep is a plate. */
+  private static final double PLATE = 2;
 
   /** A mirror of a few wavelengths sends no echo back from further aside; what is left is less. */
   private static final double MOST_TURNED_DEG = 45;
@@ -369,6 +369,11 @@ public final class OrientationShadowEffect implements Definition {
 
   @Override
   public String remedy(FittedValues values) {
+    if (values.has("half_angle_deg")) {
+      return text(
+          "give the obstacle a threshold table: its face answers up to %.0f degrees from square",
+          values.value("half_angle_deg"));
+    }
     return values.has("width_m")
         ? text(
             "give the obstacle the outline that it has, some %.0f by %.0f mm with flat sides, and "
