@@ -57,6 +57,9 @@ public final class OrientationShadowEffect implements Definition {
 
   private static final double MOST_LEFT = 0.5;
 
+  /** Who turns a plate by degrees cannot tell a sharper border from one that is at once. */
+  private static final double SHARP_DEG = 0.3;
+
   /** A side's lobe is some five degrees wide. */
   private static final int TURN_STEP_DEG = 3;
 
@@ -246,7 +249,7 @@ public final class OrientationShadowEffect implements Definition {
             new FaceLobe(
                 Optional.of(label), faceRad, Math.toRadians(v[0]), Math.toRadians(v[1]), v[2]),
         Parameter.of("half_angle_deg", 30, 1, 80, 15, 25),
-        Parameter.of("soft_deg", 3, 0.3, 20, 2),
+        Parameter.of("soft_deg", SHARP_DEG, SHARP_DEG, 20, 2),
         Parameter.of("floor", 1, 0, 1, 0.05, 0.4).asClosed());
   }
 

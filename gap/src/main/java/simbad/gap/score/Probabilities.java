@@ -73,8 +73,10 @@ public final class Probabilities {
   }
 
   private double nats(Scored set, double costNats) {
-    double shares = shares(effects(set).size() - invited.apply(set.hypothesis()).size());
-    shares += UNSEEN * effects(set).stream().filter(unseen::contains).count();
+    Set<Effect> dear = new TreeSet<>(effects(set));
+    dear.removeAll(invited.apply(set.hypothesis()));
+    double shares = shares(dear.size());
+    shares += UNSEEN * dear.stream().filter(unseen::contains).count();
     return set.heldOut() - costNats * shares - NATS_PER_VALUE * values(set.hypothesis());
   }
 
