@@ -22,10 +22,12 @@ import simbad.sonar.effect.Definitions;
 import simbad.sonar.effect.Form;
 import simbad.sonar.effect.Forms;
 import simbad.sonar.frame.Placement;
+import simbad.sonar.frame.Point;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
 import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.UniformDetection;
+import simbad.sonar.shape.Outline;
 
 /** The page's table of effects is that of the program: every name, every form, no other. */
 class EffectsPageTest {
@@ -68,11 +70,24 @@ class EffectsPageTest {
     assertEquals(known, named);
   }
 
-  /** Of two obstacles and two transducers, since some forms are of one among several. */
+  /**
+   * Of two obstacles, one of them a plate, and two transducers, since some forms are of one among
+   * several, and one of a plate only.
+   */
   private static Map<String, Set<String>> formsOfTheProgram() {
+    Outline square = Catalogue.find("square").orElseThrow().outline();
+    Outline plate =
+        Outline.of(
+            List.of(
+                new Point(-0.1, 0),
+                new Point(0.1, 0),
+                new Point(0.1, -0.02),
+                new Point(-0.1, -0.02)));
     SensingSetup setup =
         new SensingSetup(
-            Catalogue.srf04(), new Scene(List.of(uniform("one", 0), uniform("two", 2))), 6);
+            Catalogue.srf04(),
+            new Scene(List.of(uniform("one", 0, square), uniform("two", 2, plate))),
+            6);
     Map<String, Set<String>> all = new TreeMap<>();
     for (Effect effect : Definitions.effects()) {
       all.put(effect.word(), new TreeSet<>());
@@ -83,12 +98,8 @@ class EffectsPageTest {
     return all;
   }
 
-  private static Obstacle uniform(String name, double xM) {
-    return new Obstacle(
-        name,
-        new Placement(xM, 0, 0),
-        Catalogue.find("square").orElseThrow().outline(),
-        new UniformDetection(2));
+  private static Obstacle uniform(String name, double xM, Outline outline) {
+    return new Obstacle(name, new Placement(xM, 0, 0), outline, new UniformDetection(2));
   }
 
   private static String general(String name) {

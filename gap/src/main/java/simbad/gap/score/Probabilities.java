@@ -49,7 +49,7 @@ public final class Probabilities {
    *     wrong, of readings that hang together, are taken for less than they say
    * @param unseen effects that do not show in the gap
    * @param invited effects of a set that the way in which the log was taken invites: they are to be
-   *     expected, and cost nothing
+   *     expected, and cost nothing, shown in the gap or not
    * @param twins of an effect: what the log cannot tell from it because of how it was taken, and
    *     what is in none of the sets
    */

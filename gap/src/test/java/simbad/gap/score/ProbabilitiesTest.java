@@ -76,6 +76,10 @@ class ProbabilitiesTest {
     Probabilities invited =
         new Probabilities(sets, 10, 2, Set.of(), set -> Set.copyOf(set.effects()), Map.of());
     assertEquals(0.5, invited.ofNone(), 1e-12);
+    Probabilities unseen =
+        new Probabilities(
+            sets, 10, 2, Set.of(Effect.GAIN), set -> Set.copyOf(set.effects()), Map.of());
+    assertEquals(0.5, unseen.ofNone(), 1e-12, "neither does it have to show");
   }
 
   /** A turn of all headings, as a misalignment or as a drift that settles at once. */
