@@ -15,9 +15,9 @@ import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.diagnosis.Verdict;
 import simbad.sonar.effect.Definitions;
+import simbad.sonar.fixture.Shapes;
 import simbad.sonar.fixture.Untimed;
 import simbad.sonar.frame.Placement;
-import simbad.sonar.frame.Point;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
@@ -39,13 +39,7 @@ class TiltedBoardTest {
   private static final double[] BEHIND_M = {0.77, 2.45, 3.3};
 
   private static SensingSetup setup() {
-    Outline card =
-        Outline.of(
-            List.of(
-                new Point(-0.0425, 0),
-                new Point(0.0425, 0),
-                new Point(0.0425, -0.02),
-                new Point(-0.0425, -0.02)));
+    Outline card = Shapes.outline(-0.0425, 0, 0.0425, 0, 0.0425, -0.02, -0.0425, -0.02);
     Obstacle obstacle =
         new Obstacle("card", new Placement(0, 0, 0), card, new UniformDetection(4.35));
     SonarSpec sensor =

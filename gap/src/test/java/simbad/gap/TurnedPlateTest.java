@@ -13,8 +13,8 @@ import simbad.definition.Effect;
 import simbad.gap.diagnosis.DataSet;
 import simbad.gap.diagnosis.Diagnosis;
 import simbad.gap.fixture.Ladders;
+import simbad.sonar.fixture.Shapes;
 import simbad.sonar.frame.Placement;
-import simbad.sonar.frame.Point;
 import simbad.sonar.frame.Pose;
 import simbad.sonar.scene.Obstacle;
 import simbad.sonar.scene.Scene;
@@ -22,7 +22,6 @@ import simbad.sonar.scene.SensingSetup;
 import simbad.sonar.scene.UniformDetection;
 import simbad.sonar.sensing.Echo;
 import simbad.sonar.sensing.ReadingRow;
-import simbad.sonar.shape.Outline;
 
 /**
  * A plate of 10 cm is turned before a sensor, a degree a step, four times. From some angle on it
@@ -38,12 +37,7 @@ class TurnedPlateTest {
                   new Obstacle(
                       "plate",
                       new Placement(0, 0, 0),
-                      Outline.of(
-                          List.of(
-                              new Point(-HALF_M, 0),
-                              new Point(HALF_M, 0),
-                              new Point(HALF_M, -0.02),
-                              new Point(-HALF_M, -0.02))),
+                      Shapes.outline(-HALF_M, 0, HALF_M, 0, HALF_M, -0.02, -HALF_M, -0.02),
                       new UniformDetection(10)))),
           4);
 
